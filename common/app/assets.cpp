@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "app/assets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/error.hpp"
+#include "core/stopwatch.hpp"
+#include "image/load.hpp"
+
+namespace texel::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_root(const fs::path& path) {
+  return fs::is_directory(path / "shaders") && fs::is_directory(path / "assets");
+}
+
+fs::path find_root(const fs::path& given) {
+  if (!given.empty()) {
+    if (is_root(given)) return given;
+    throw Error::failed("does not hold the folders assets/ and shaders/", {given.string()},
+                        "correct --assets");
+  }
+  if (const char* variable = std::getenv("TEXEL_ROOT"); variable != nullptr && *variable != '\0') {
+    if (is_root(variable)) return variable;
+    throw Error::failed("does not hold the folders assets/ and shaders/", {variable}, "correct TEXEL_ROOT");
+  }
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path installed = program.parent_path().parent_path() / "share" / "texel-labs";
+  if (!error && is_root(installed)) return installed;
+  if (is_root(TEXEL_SOURCE_DIR)) return TEXEL_SOURCE_DIR;
+  throw Error::failed("cannot find the folders assets/ and shaders/", {},
+                      "give --assets DIR or set TEXEL_ROOT");
+}
+
+/// "brick" is bundled, "./brick.png" and "photos/brick" are not.
+bool is_bundled_name(const std::string& name) {
+  return name.find_first_of("./\\") == std::string::npos;
+}
+
+}  // namespace
+
+Assets::Assets(const fs::path& root) : root_(find_root(root)) {}
+
+fs::path Assets::find(const char* folder, const std::string& name, const char* ending) const {
+  if (!is_bundled_name(name)) return name;
+  const fs::path place = root_ / "assets" / folder;
+  const fs::path file = place / (name + ending);
+  if (fs::exists(file)) return file;
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(place, error))
+    names.push_back(entry.path().stem().string());
+  const std::string near = nearest(name, names);
+  throw Error::failed(
+      fmt::format("there is no '{}' among the bundled {}", name, folder), {},
+      near.empty() ? "a path needs a '/' or its ending" : fmt::format("did you mean '{}'?", near));
+}
+
+image::Image8 Assets::load(const fs::path& path, int channels) const {
+  const Stopwatch stopwatch;
+  if (std::find(files_.begin(), files_.end(), path) == files_.end()) files_.push_back(path);
+  image::Image8 image = image::load8(path, channels);
+  milliseconds_ += stopwatch.milliseconds();
+  return image;
+}
+
+image::Image8 Assets::texture(const std::string& name) const {
+  return load(find("textures", name, ".png"), 0);
+}
+
+image::Image8 Assets::normal_map(const std::string& name) const {
+  return load(find("normal_maps", name, ".png"), 3);
+}
+
+std::array<image::Image8, 6> Assets::cube_map(const std::string& name) const {
+  static constexpr const char* kFaces[] = {"px.png", "nx.png", "py.png", "ny.png", "pz.png", "nz.png"};
+  const fs::path folder = find("cube_maps", name, "");
+  std::array<image::Image8, 6> faces;
+  // The loader puts the bottom row first; cube maps want the top row.
+  for (std::size_t i = 0; i < 6; ++i) faces[i] = image::flipped(load(folder / kFaces[i], 3));
+  return faces;
+}
+
+fs::path Assets::model(const std::string& name) const {
+  fs::path path = find("models", name, ".obj");
+  if (std::find(files_.begin(), files_.end(), path) == files_.end()) files_.push_back(path);
+  return path;
+}
+
+}  // namespace texel::app

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "canvas.hpp"
+
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace texel::app {
+namespace {
+
+/// Background of colour pictures, linear light: a dark slate on which both black and white textures are seen.
+constexpr glm::vec3 kBackground(0.035F, 0.042F, 0.055F);
+
+}  // namespace
+
+gl::Target& Canvas::fit(std::unique_ptr<gl::Target>& target, gl::Target::Kind kind, glm::ivec2 size,
+                        int samples) {
+  if (!target || target->width() != size.x || target->height() != size.y || target->samples() != samples)
+    target = std::make_unique<gl::Target>(kind, size.x, size.y, samples);
+  return *target;
+}
+
+void Canvas::draw_into(const gl::Target& target, View view, const std::optional<Split>& split) {
+  target.bind();
+  glDisable(GL_SCISSOR_TEST);
+  const bool colour = target.kind() == gl::Target::Kind::colour;
+  glEnable(GL_FRAMEBUFFER_SRGB);
+  if (colour)
+    glClearColor(kBackground.r, kBackground.g, kBackground.b, 1);
+  else
+    glClearColor(0, 0, 0, 0);  // data views: alpha is the object's mask
+  glDepthMask(GL_TRUE);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+
+  const glm::ivec2 size(target.width(), target.height());
+  const auto draw_once = [&] {
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    glEnable(GL_FRAMEBUFFER_SRGB);
+    Frame frame(size, view, lab_.parameters(), assets_, programs_);
+    lab_.draw(frame);
+    frame.check();
+  };
+  if (!split) {
+    draw_once();
+  } else {
+    const int border = static_cast<int>(std::lround(split->position * static_cast<float>(size.x)));
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 0, border, size.y);
+    draw_once();
+    params::Parameter& parameter = lab_.parameters().at(split->parameter);
+    const std::string left = parameter.text();
+    parameter.set(split->value);
+    glScissor(border, 0, size.x - border, size.y);
+    try {
+      draw_once();
+    } catch (...) {
+      parameter.set(left);
+      throw;
+    }
+    parameter.set(left);
+    glDisable(GL_SCISSOR_TEST);
+  }
+  target.resolve();
+  if (const std::vector<std::string> errors = context_.take_errors(); !errors.empty())
+    throw Error::failed("OpenGL: " + errors.front());
+}
+
+void Canvas::draw(View view, glm::ivec2 size, int samples, const std::optional<Split>& split) {
+  draw_scene(view, size, samples, split);
+  finish(view, size);
+}
+
+gl::Record Canvas::record(View view, glm::ivec2 size, int samples) {
+  gl::Record record;
+  {
+    gl::Recorder recorder;  // of the lab's own draw calls
+    draw_scene(view, size, samples, {});
+    record = recorder.take();
+  }
+  finish(view, size);
+  return record;
+}
+
+void Canvas::draw_scene(View view, glm::ivec2 size, int samples, const std::optional<Split>& split) {
+  if (view == View::color)
+    draw_into(fit(colour_, gl::Target::Kind::colour, size, samples), view, split);
+  else  // values are not averaged over a pixel: half a normal and half a background is neither
+    draw_into(fit(data_, gl::Target::Kind::data, size, 1), view, split);
+}
+
+void Canvas::finish(View view, glm::ivec2 size) {
+  if (view != View::color) {
+    fit(colour_, gl::Target::Kind::colour, size, 1);
+    present(view);
+  }
+  std::swap(picture_, colour_);
+}
+
+void Canvas::present(View view) {
+  gl::Program& program = programs_.get("app/present.vert", "app/present.frag", {});
+  colour_->bind();
+  program.use();
+  gl::bind(0, GL_TEXTURE_2D, data_->texture());
+  program.set("values", 0);
+  program.set("view", static_cast<int>(view));
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  glDisable(GL_FRAMEBUFFER_SRGB);  // the colours of present.frag are encoded already
+  glBindVertexArray(no_attributes_.id());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Canvas::copy_to_window(glm::ivec2 origin, glm::ivec2 size) const {
+  if (!picture_) return;
+  picture_->bind_for_reading();
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glDisable(GL_FRAMEBUFFER_SRGB);  // the bytes as they are
+  glDisable(GL_SCISSOR_TEST);
+  glBlitFramebuffer(0, 0, picture_->width(), picture_->height(), origin.x, origin.y, origin.x + size.x,
+                    origin.y + size.y, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+glm::vec4 Canvas::value_at(View view, glm::ivec2 size, glm::ivec2 pixel) {
+  draw_into(fit(data_, gl::Target::Kind::data, size, 1), view, {});
+  const image::ImageF value = data_->read_pixel(pixel.x, pixel.y);
+  return {value.samples[0], value.samples[1], value.samples[2], value.samples[3]};
+}
+
+}  // namespace texel::app

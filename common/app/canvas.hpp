@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/lab.hpp"
+#include "gl/context.hpp"
+#include "gl/recorder.hpp"
+#include "gl/target.hpp"
+
+namespace texel::app {
+
+/// Draws a lab into a framebuffer object: the one path for the window, snapshots, batches and the pixel
+/// inspector.
+class Canvas {
+ public:
+  Canvas(gl::Context& context, const Assets& assets, AnyLab& lab)
+      : context_(context), assets_(assets), lab_(lab), programs_(assets.shader_root()) {}
+  /// The lab's OpenGL objects go while their context is still there.
+  ~Canvas() { lab_.forget(); }
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
+
+  /// Another value of one parameter right of a vertical line: `position` from 0 (left edge) to 1.
+  struct Split {
+    std::string parameter, value;
+    float position = 0.5F;
+  };
+
+  /// Draws the lab with its present parameters. Afterwards one of the read functions, or texture(), has the
+  /// picture. Throws Error for shaders that do not compile, files that do not load and whatever OpenGL calls
+  /// an error.
+  void draw(View view, glm::ivec2 size, int samples, const std::optional<Split>& split = {});
+
+  /// As draw, and says what was drawn.
+  gl::Record record(View view, glm::ivec2 size, int samples);
+
+  /// The picture as 8-bit sRGB, RGBA. A data view is shown in colours (shaders/app/present.frag).
+  [[nodiscard]] image::Image8 read8() const { return picture_->read8(); }
+  /// The values of a data view: RGBA, alpha 1 where the scene is and 0 where the background is.
+  [[nodiscard]] image::ImageF read_float() const { return data_->read_float(); }
+  /// The value of a data view at one pixel, counted from the bottom left.
+  [[nodiscard]] glm::vec4 value_at(View view, glm::ivec2 size, glm::ivec2 pixel);
+  /// Copies the 8-bit picture into the window's framebuffer, stretched to `size` pixels; does nothing before
+  /// the first.
+  void copy_to_window(glm::ivec2 origin, glm::ivec2 size) const;
+
+  [[nodiscard]] gl::ProgramCache& programs() { return programs_; }
+  [[nodiscard]] const Assets& assets() const { return assets_; }
+  [[nodiscard]] gl::Context& context() { return context_; }
+
+ private:
+  void draw_into(const gl::Target& target, View view, const std::optional<Split>& split);
+  void draw_scene(View view, glm::ivec2 size, int samples, const std::optional<Split>& split);
+  void finish(View view, glm::ivec2 size);
+  void present(View view);
+  static gl::Target& fit(std::unique_ptr<gl::Target>& target, gl::Target::Kind kind, glm::ivec2 size,
+                         int samples);
+
+  gl::Context& context_;
+  const Assets& assets_;
+  AnyLab& lab_;
+  gl::ProgramCache programs_;
+  std::unique_ptr<gl::Target> picture_;  ///< the last that succeeded
+  std::unique_ptr<gl::Target> colour_;   ///< the one being drawn
+  std::unique_ptr<gl::Target> data_;
+  gl::VertexArray no_attributes_;
+};
+
+}  // namespace texel::app

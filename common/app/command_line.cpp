@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <iostream>
+
+#include "config.hpp"
+#include "core/error.hpp"
+
+namespace texel::app {
+namespace {
+
+/// "number from 0 to 4 units, default 1" — what stands behind a flag in --help.
+std::string describe(const params::Parameter& p) {
+  std::string text(p.help);
+  if (p.type == params::Parameter::Type::choice || p.type == params::Parameter::Type::file) {
+    text += p.type == params::Parameter::Type::file ? "; a path, or one of:" : "; one of:";
+    for (const params::Item& item : p.items) text += fmt::format("\n  {}: {}", item.name, item.help);
+  } else if (p.type != params::Parameter::Type::toggle) {
+    text += fmt::format("; {} to {}{}{}", p.least, p.most, p.unit.empty() ? "" : " ", p.unit);
+  }
+  return text + fmt::format(" [{}]", p.initial());
+}
+
+/// CLI11 collects what it does not know; this names the nearest flag that it does.
+void reject_unknown(const CLI::App& app) {
+  const std::vector<std::string> unknown = app.remaining();
+  if (unknown.empty()) return;
+  const std::string& first = unknown.front();
+  if (!first.starts_with('-'))
+    throw Error::usage(fmt::format("there is no place for '{}'", first), "see --help");
+  std::vector<std::string> flags;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
+  const std::string near = nearest(first.substr(0, first.find('=')), flags);
+  throw Error::usage(fmt::format("there is no option '{}'", first),
+                     near.empty() ? "see --help" : fmt::format("did you mean '{}'?", near));
+}
+
+}  // namespace
+
+glm::ivec2 parse_size(const std::string& text) {
+  constexpr int kMost = 16384;
+  glm::ivec2 size(0);
+  const char* end = text.data() + text.size();
+  const auto [middle, error] = std::from_chars(text.data(), end, size.x);
+  const bool has_x = error == std::errc{} && middle != end && *middle == 'x';
+  const bool complete = has_x && std::from_chars(middle + 1, end, size.y).ptr == end;
+  if (!complete || size.x < 1 || size.y < 1 || size.x > kMost || size.y > kMost)
+    throw Error::usage(
+        fmt::format("--size takes WIDTHxHEIGHT in pixels, each from 1 to {}, not '{}'", kMost, text));
+  return size;
+}
+
+View find_view(const Info& info, const std::string& name) {
+  std::string list;
+  std::vector<std::string> names;
+  for (const View view : info.views) {
+    names.emplace_back(kViewNames[static_cast<std::size_t>(view)]);
+    if (names.back() == name) return view;
+    list += (list.empty() ? "" : ", ") + names.back();
+  }
+  const std::string near = nearest(name, names);
+  throw Error::usage(fmt::format("this lab has no view '{}' but {}", name, list),
+                     near.empty() ? "" : fmt::format("did you mean '{}'?", near));
+}
+
+params::Parameter* model_parameter(params::Set& parameters) {
+  params::Parameter* model = parameters.find("model");
+  return model != nullptr && model->type == params::Parameter::Type::file ? model : nullptr;
+}
+
+std::optional<CommandLine> read_command_line(AnyLab& lab, int argc, char** argv) {
+  CommandLine line;
+  std::string size, config, model;
+  std::map<std::string, std::string> values;
+  const Info& info = lab.info();
+
+  CLI::App app(fmt::format("Lab {}: {}. {}", info.number, info.title, info.lesson), info.program());
+  app.allow_extras();
+  app.get_formatter()->column_width(34);
+  app.set_version_flag("--version", TEXEL_VERSION, "Print the version and exit");
+  if (model_parameter(lab.parameters()) != nullptr)
+    app.add_option("MODEL.obj", model, "An OBJ file in place of the built-in models");
+  app.add_option("--size", size, "Window or picture size, WxH in pixels [960x720, a snapshot 512x512]");
+  app.add_option("--snapshot", line.snapshot,
+                 "Draw once without a window and write a .png, or a .pfm of a data view");
+  app.add_option("--view", line.view, "Which picture to draw, see --list-views [color]");
+  app.add_option("--samples", line.samples, "Samples a pixel of the colour picture, 1 or 4 [4]")
+      ->check(CLI::IsMember({1, 4}));
+  app.add_option("--batch", line.batch, "Draw many snapshots: a JSON list of {name, view, size, set}");
+  app.add_option("--out", line.out, "Folder for the pictures of --batch");
+  app.add_option("--stats", line.stats,
+                 "Write as JSON what the scene holds and what each stage took (- prints it)");
+  app.add_option("--mesh", line.mesh, "Write the vertex stream as drawn, as a binary .ply");
+  app.add_option("--frames", line.frames, "Draw so many frames and print the quantiles of their time")
+      ->check(CLI::Range(1, 1000000));
+  app.add_option("--config", config, "Read all parameters from a TOML file");
+  app.add_option("--save-config", line.save_config, "Write all parameters to a TOML file");
+  app.add_option("--context", line.context, "Where OpenGL comes from: auto, window, osmesa or egl [auto]")
+      ->check(CLI::IsMember({"auto", "window", "osmesa", "egl"}));
+  app.add_option("--assets", line.assets,
+                 "Folder that holds assets/ and shaders/ [TEXEL_ROOT, else beside the program]");
+  app.add_flag("--list-parameters", line.list_parameters, "Print every parameter with its range and help");
+  app.add_flag("--list-views", line.list_views, "Print the names of the pictures that this lab draws");
+  app.add_flag("--json", line.json, "Print --list-parameters as JSON");
+  for (const params::Parameter& p : lab.parameters())
+    app.add_option("--" + p.flag(), values[std::string(p.name)], describe(p))->group("Parameters");
+  app.footer(
+      "Keys in the window: drag orbit, wheel zoom, J default look, M normal map, K/L texture, space pause, "
+      "R reset view, F5 reload, F12 snapshot, H panel, Esc quit");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& done) {  // --help, --version
+    app.exit(done);
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    throw Error::usage(error.what(), "see --help");
+  }
+  reject_unknown(app);
+  if (!config.empty()) load_config(config, info, lab.parameters());
+  for (params::Parameter& p : lab.parameters())
+    if (app.count("--" + p.flag()) > 0) p.set(values[std::string(p.name)]);
+  if (!model.empty()) {
+    // A model on the command line is a path, also without a folder and ending.
+    const bool bare = model.find_first_of("./") == std::string::npos;
+    model_parameter(lab.parameters())->set(bare ? "./" + model : model);
+  }
+  line.turn_given = lab.parameters().find("turn") != nullptr && app.count("--turn") > 0;
+  if (!size.empty()) line.size = parse_size(size);
+  find_view(info, line.view);
+  if (!line.batch.empty() && line.out.empty()) throw Error::usage("--batch needs --out DIR");
+  return line;
+}
+
+}  // namespace texel::app

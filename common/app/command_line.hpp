@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+
+#include "app/lab.hpp"
+
+namespace texel::app {
+
+/// What the command line asks for; the parameters' values are already in the lab.
+struct CommandLine {
+  std::optional<glm::ivec2> size;
+  std::string view = "color";
+  std::filesystem::path snapshot, batch, out, stats, mesh, save_config, assets;
+  std::string context = "auto";
+  int samples = 4;
+  int frames = 0;
+  bool list_parameters = false, list_views = false, json = false;
+  bool turn_given = false;  ///< the user chose how far the model is turned: it does not turn by itself
+};
+
+/// Reads the arguments and sets the lab's parameters (--config first, then the flags). Throws Error (usage)
+/// for what is unknown, with the nearest name. Nothing is returned when the help was asked for and printed.
+std::optional<CommandLine> read_command_line(AnyLab& lab, int argc, char** argv);
+
+/// "640x480" in pixels, each side from 1 to 16384. Throws Error (usage).
+glm::ivec2 parse_size(const std::string& text);
+
+/// The view of that name. Throws Error (usage) when the lab does not have it.
+View find_view(const Info& info, const std::string& name);
+
+/// The lab's parameter that names its model file, or null.
+params::Parameter* model_parameter(params::Set& parameters);
+
+}  // namespace texel::app

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <numbers>
+
+#include "app/lab.hpp"
+#include "core/error.hpp"
+
+namespace texel::app {
+namespace {
+
+using Type = params::Parameter::Type;
+
+/// "gram-schmidt" → "GRAM_SCHMIDT"
+std::string constant(std::string_view name) {
+  std::string result(name);
+  for (char& c : result) c = c == '-' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return result;
+}
+
+/// The constants of all choices and toggles and of the view.
+std::vector<gl::Define> constants(const params::Set& parameters, View view) {
+  std::vector<gl::Define> defines;
+  for (const params::Parameter& p : parameters) {
+    if (p.type != Type::choice && p.type != Type::toggle) continue;
+    const std::string name = constant(p.name);
+    defines.push_back({name, fmt::format("{}", static_cast<int>(p.value()))});
+    if (p.type != Type::choice) continue;
+    for (std::size_t i = 0; i < p.items.size(); ++i)
+      defines.push_back({fmt::format("{}_{}", name, constant(p.items[i].name)), fmt::format("{}", i)});
+  }
+  defines.push_back({"VIEW", fmt::format("{}", static_cast<int>(view))});
+  for (std::size_t i = 0; i < std::size(kViewNames); ++i)
+    defines.push_back({fmt::format("VIEW_{}", constant(kViewNames[i])), fmt::format("{}", i)});
+  return defines;
+}
+
+}  // namespace
+
+std::string Info::folder() const {
+  return fmt::format("{:02}_{}", number, name);
+}
+std::string Info::program() const {
+  return "lab" + folder();
+}
+
+gl::Program& Frame::program(const std::string& vertex, const std::string& fragment) {
+  gl::Program& program = programs_.get(vertex, fragment, constants(parameters_, view_));
+  program.use();
+  for (const params::Parameter& p : parameters_) {
+    if (p.type != Type::number && p.type != Type::integer) continue;
+    const gl::Uniform* uniform = program.find(p.name);
+    if (uniform == nullptr) continue;
+    const double value = p.unit == "degrees" ? p.value() * std::numbers::pi / 180 : p.value();
+    if (p.type == Type::number && uniform->type == GL_FLOAT)
+      program.set(p.name, static_cast<float>(value));
+    else if (p.type == Type::integer && uniform->type == GL_INT)
+      program.set(p.name, static_cast<int>(value));
+    else
+      throw Error::failed(
+          fmt::format("the uniform '{}' has another type than the parameter of that name", p.name),
+          {program.name()},
+          fmt::format("declare it as 'uniform {} {};'", p.type == Type::number ? "float" : "int", p.name));
+  }
+  if (std::find(used_.begin(), used_.end(), &program) == used_.end()) used_.push_back(&program);
+  return program;
+}
+
+void Frame::check() const {
+  for (const gl::Program* program : used_) program->check_uniforms();
+}
+
+}  // namespace texel::app

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <glm/glm.hpp>
+
+#include "params/set.hpp"
+
+namespace texel::app {
+
+/// Where a camera starts, in degrees and world units.
+struct Look {
+  float yaw = 30, pitch = 20, distance = 3, field_of_view = 45;
+};
+
+/// A camera that circles the origin, y up. Its values are parameters, so that a snapshot can have any look;
+/// in the window the mouse turns them.
+struct OrbitCamera {
+  float yaw{}, pitch{}, field_of_view{};  ///< degrees
+  float distance{};                       ///< from the origin, world units
+
+  template <Look look>
+  void declare(params::Set& set) {
+    set.section("Camera");
+    set.add(yaw, {"yaw", look.yaw, -360, 360, "degrees",
+                  "Camera's angle around the vertical axis; 0 looks along -z"});
+    set.add(pitch,
+            {"pitch", look.pitch, -89, 89, "degrees", "Camera's height as an angle above the horizon"});
+    set.add(distance, {"distance", look.distance, 0.2, 100, "units", "Camera's distance from the origin",
+                       params::Scale::logarithmic});
+    set.add(field_of_view,
+            {"field_of_view", look.field_of_view, 5, 150, "degrees", "Vertical opening angle"});
+  }
+
+  /// The camera's place in world space.
+  [[nodiscard]] glm::vec3 eye() const;
+  [[nodiscard]] glm::mat4 view_from_world() const;
+  /// Perspective projection of a picture that is `aspect` times as wide as high; near and far in world units.
+  [[nodiscard]] glm::mat4 clip_from_view(float aspect, float near = 0.05F, float far = 200) const;
+  [[nodiscard]] glm::mat4 clip_from_world(float aspect) const {
+    return clip_from_view(aspect) * view_from_world();
+  }
+};
+
+/// Unit vector to which an angle around the vertical axis and one above the horizon point, both in degrees;
+/// (0, 0) is +z.
+glm::vec3 direction_from_angles(float yaw, float pitch);
+
+/// Rotation about the vertical axis by `degrees`: world space from object space.
+glm::mat4 turn_about_y(float degrees);
+
+}  // namespace texel::app

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <concepts>
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "app/assets.hpp"
+#include "app/camera.hpp"
+#include "gl/mesh_buffers.hpp"
+#include "gl/program.hpp"
+#include "gl/texture.hpp"
+#include "params/set.hpp"
+
+/// What a lab needs to be a program:
+///
+///     struct TextureQuad {
+///       static constexpr app::Info info{1, "texture_quad", "Texture quad", "…one line…", {"color",
+///       "texcoord"}}; struct Parameters { …; void declare(params::Set& set); }; explicit TextureQuad(const
+///       app::Assets& assets); void draw(const Parameters& parameters, app::Frame& frame);
+///     };
+///     int main(int argc, char** argv) { return app::run<TextureQuad>(argc, argv); }
+namespace texel::app {
+
+/// The pictures that a lab can draw: the colours, or one of the quantities on the way to them.
+enum class View { color, normal, tangent, texcoord, direction, lod, depth, mask, error };
+inline constexpr const char* kViewNames[] = {"color", "normal", "tangent", "texcoord", "direction",
+                                             "lod",   "depth",  "mask",    "error"};
+
+/// What a lab says of itself.
+struct Info {
+  int number;
+  const char* name;    ///< "normal_map", as in the program's name and the shaders' folder
+  const char* title;   ///< "Normal map"
+  const char* lesson;  ///< one line for --help and the panel
+  std::span<const View> views;
+
+  [[nodiscard]] std::string folder() const;   ///< "05_normal_map"
+  [[nodiscard]] std::string program() const;  ///< "lab05_normal_map"
+};
+
+/// What a lab draws one picture with. The target is bound and cleared, the depth test and sRGB encoding are
+/// on.
+class Frame {
+ public:
+  Frame(glm::ivec2 size, View view, const params::Set& parameters, const Assets& assets,
+        gl::ProgramCache& programs)
+      : size_(size), view_(view), parameters_(parameters), assets_(assets), programs_(programs) {}
+
+  [[nodiscard]] glm::ivec2 size() const { return size_; }  ///< pixels
+  [[nodiscard]] float aspect() const { return static_cast<float>(size_.x) / static_cast<float>(size_.y); }
+  [[nodiscard]] View view() const { return view_; }
+  [[nodiscard]] const Assets& assets() const { return assets_; }
+
+  /// The program of `stem`.vert and `stem`.frag below shaders/, in use. Choices and toggles are constants in
+  /// it (METHOD, METHOD_NEAREST, NORMAL_MAPPING, VIEW, VIEW_NORMAL …), so that what is off costs nothing;
+  /// numbers are uniforms of the parameter's name, already set, angles in radians. Throws Error with the
+  /// shader's file and line.
+  gl::Program& program(const std::string& stem) { return program(stem + ".vert", stem + ".frag"); }
+  gl::Program& program(const std::string& vertex, const std::string& fragment);
+
+  /// Throws Error when a program that was used reads a uniform that nobody set.
+  void check() const;
+
+ private:
+  glm::ivec2 size_;
+  View view_;
+  const params::Set& parameters_;
+  const Assets& assets_;
+  gl::ProgramCache& programs_;
+  std::vector<const gl::Program*> used_;
+};
+
+/// A lab of any type with its parameters: what the window, the snapshots and the panel work with.
+class AnyLab {
+ public:
+  virtual ~AnyLab() = default;
+  [[nodiscard]] virtual const Info& info() const = 0;
+  [[nodiscard]] virtual params::Set& parameters() = 0;
+  /// Makes the lab anew at the next draw, so that its files are read again.
+  virtual void forget() = 0;
+  virtual void draw(Frame& frame) = 0;
+  /// The vertex stream as drawn, for --mesh; null when the lab has none.
+  virtual const mesh::Mesh* mesh(const Assets& assets) = 0;
+  /// What the lab has to say of its input (repairs, missing files), for --stats and the panel.
+  virtual std::vector<std::string> notes() const = 0;
+};
+
+template <class Lab>
+class LabOf final : public AnyLab {
+ public:
+  LabOf() { parameters_.declare(set_); }
+  [[nodiscard]] const Info& info() const override { return Lab::info; }
+  [[nodiscard]] params::Set& parameters() override { return set_; }
+  void forget() override { lab_.reset(); }
+  void draw(Frame& frame) override { lab(frame.assets()).draw(parameters_, frame); }
+  const mesh::Mesh* mesh(const Assets& assets) override {
+    if constexpr (requires(Lab & l) {
+                    { l.mesh(parameters_) } -> std::convertible_to<const mesh::Mesh&>;
+                  })
+      return &lab(assets).mesh(parameters_);
+    else
+      return nullptr;
+  }
+  std::vector<std::string> notes() const override {
+    if constexpr (requires(const Lab& l) {
+                    { l.notes() } -> std::convertible_to<std::vector<std::string>>;
+                  })
+      if (lab_) return lab_->notes();
+    return {};
+  }
+
+ private:
+  Lab& lab(const Assets& assets) {
+    if (!lab_) lab_.emplace(assets);
+    return *lab_;
+  }
+  typename Lab::Parameters parameters_;
+  params::Set set_;
+  std::optional<Lab> lab_;
+};
+
+/// The whole program: window or snapshot, as the arguments say. Returns its exit code.
+int run(AnyLab& lab, int argc, char** argv);
+
+template <class Lab>
+int run(int argc, char** argv) {
+  LabOf<Lab> lab;
+  return run(lab, argc, argv);
+}
+
+/// Keeps what was made for the last few keys, so that a picture or mesh is loaded when a parameter first
+/// selects it, and not in every frame.
+template <class Key, class Value>
+class Cache {
+ public:
+  template <class Make>
+  Value& get(const Key& key, Make&& make) {
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      if (entries_[i].first != key) continue;
+      std::rotate(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(i),
+                  entries_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+      return *entries_.front().second;
+    }
+    auto value = std::make_unique<Value>(make());
+    if (entries_.size() == kEntries) entries_.pop_back();
+    entries_.insert(entries_.begin(), {key, std::move(value)});
+    return *entries_.front().second;
+  }
+
+ private:
+  static constexpr std::size_t kEntries = 4;  // both sides of the split slider, and what was there before
+  std::vector<std::pair<Key, std::unique_ptr<Value>>> entries_;
+};
+
+}  // namespace texel::app

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: MIT
+#include "panel.hpp"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace texel::app {
+namespace {
+
+using Type = params::Parameter::Type;
+
+const ImVec4 kAmber(1.0F, 0.78F, 0.35F, 1), kRed(1.0F, 0.45F, 0.40F, 1), kGrey(0.62F, 0.66F, 0.72F, 1);
+
+/// "bump_strength" → "bump strength"
+std::string label_of(std::string_view name) {
+  std::string label(name);
+  for (char& c : label) c = c == '_' ? ' ' : c;
+  return label;
+}
+
+void tooltip(std::string_view help, std::string_view more = {}) {
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
+  ImGui::TextUnformatted(help.data(), help.data() + help.size());
+  if (!more.empty()) ImGui::TextColored(kGrey, "%.*s", static_cast<int>(more.size()), more.data());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+/// A list to choose from; true when another item was chosen.
+bool combo(const char* id, std::span<const params::Item> items, const std::string& current,
+           std::string& chosen) {
+  bool changed = false;
+  if (!ImGui::BeginCombo(id, current.c_str(), ImGuiComboFlags_HeightLarge)) return false;
+  for (const params::Item& item : items) {
+    if (ImGui::Selectable(item.name, current == item.name)) {
+      chosen = item.name;
+      changed = true;
+    }
+    tooltip(item.help);
+  }
+  ImGui::EndCombo();
+  return changed;
+}
+
+void number_widget(params::Parameter& p) {
+  const auto least = static_cast<float>(p.least), most = static_cast<float>(p.most);
+  const std::string format =
+      p.unit == "degrees" ? "%.1f\xC2\xB0" : "%.4g" + (p.unit.empty() ? "" : " " + std::string(p.unit));
+  ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat;
+  if (p.scale == params::Scale::logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
+  if (p.type == Type::integer) {
+    int value = static_cast<int>(p.value());
+    if (ImGui::SliderInt("##value", &value, static_cast<int>(least), static_cast<int>(most), "%d", flags))
+      p.set_value(value);
+    return;
+  }
+  auto value = static_cast<float>(p.value());
+  if (ImGui::SliderFloat("##value", &value, least, most, format.c_str(), flags))
+    p.set_value(static_cast<double>(value));
+}
+
+/// One parameter: its name, its widget, and a button that takes it back when it is not the default.
+void parameter_widget(params::Parameter& p) {
+  ImGui::PushID(p.name.data());
+  ImGui::AlignTextToFramePadding();
+  const std::string label = label_of(p.name);
+  if (p.is_default())
+    ImGui::TextUnformatted(label.c_str());
+  else
+    ImGui::TextColored(kAmber, "%s", label.c_str());
+  const bool ranged = p.type == Type::integer || p.type == Type::number;
+  const std::string range = ranged ? fmt::format("{} to {} {}", p.least, p.most, p.unit) : std::string();
+  tooltip(p.help, fmt::format("--{}, default {}{}{}\nCtrl+click a slider to type a value", p.flag(),
+                              p.initial(), range.empty() ? "" : ", ", range));
+  ImGui::SameLine(ImGui::GetFontSize() * 8.6F);
+  const float reset_width = ImGui::GetFontSize() * 3.4F;
+  ImGui::SetNextItemWidth(p.is_default() ? -1 : -reset_width);
+  std::string chosen;
+  switch (p.type) {
+    case Type::toggle: {
+      bool on = p.value() != 0;
+      if (ImGui::Checkbox("##value", &on)) p.set_value(on ? 1 : 0);
+      break;
+    }
+    case Type::integer:
+    case Type::number:
+      number_widget(p);
+      break;
+    case Type::choice:
+    case Type::file:
+      if (combo("##value", p.items, p.text(), chosen)) p.set(chosen);
+      tooltip(p.help);
+      break;
+  }
+  if (!p.is_default()) {
+    ImGui::SameLine();
+    if (ImGui::SmallButton("reset")) p.reset();
+    tooltip(fmt::format("back to {}", p.initial()));
+  }
+  ImGui::PopID();
+}
+
+void parameters_section(params::Set& parameters) {
+  std::string_view section = "\n";
+  bool open = true;
+  for (params::Parameter& p : parameters) {
+    if (p.section != section) {
+      section = p.section;
+      // The mouse moves the camera: its numbers are seldom wanted.
+      const bool starts_open = section != "Camera";
+      open = section.empty() ||
+             ImGui::CollapsingHeader(section.data(), starts_open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+    }
+    if (open) parameter_widget(p);
+  }
+}
+
+void view_section(AnyLab& lab, WindowState& state) {
+  if (!ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  for (const View view : lab.info().views) {
+    if (view != lab.info().views.front()) ImGui::SameLine();
+    if (ImGui::GetContentRegionAvail().x < ImGui::GetFontSize() * 6) ImGui::NewLine();
+    if (ImGui::RadioButton(kViewNames[static_cast<std::size_t>(view)], state.view == view)) state.view = view;
+  }
+
+  // Compare: another value of one choice or toggle right of a line.
+  const auto comparable = [](const params::Parameter& p) {
+    return p.type == Type::choice || p.type == Type::toggle || p.type == Type::file;
+  };
+  const std::string current = state.split ? label_of(state.split->parameter) : "nothing";
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("compare");
+  tooltip("Draws the picture right of a line with another value of a parameter. Drag the line.");
+  ImGui::SameLine(ImGui::GetFontSize() * 8.6F);
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::BeginCombo("##compare", current.c_str())) {
+    if (ImGui::Selectable("nothing", !state.split)) state.split.reset();
+    for (const params::Parameter& p : lab.parameters()) {
+      if (!comparable(p) || !ImGui::Selectable(label_of(p.name).c_str())) continue;
+      const std::string other = p.type == Type::toggle
+                                    ? (p.value() != 0 ? "off" : "on")
+                                    : p.items[p.text() == p.items[0].name ? p.items.size() - 1 : 0].name;
+      state.split = Canvas::Split{std::string(p.name), other, 0.5F};
+    }
+    ImGui::EndCombo();
+  }
+  if (!state.split) return;
+  const params::Parameter& p = lab.parameters().at(state.split->parameter);
+  if (p.type != Type::toggle) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("right side");
+    ImGui::SameLine(ImGui::GetFontSize() * 8.6F);
+    ImGui::SetNextItemWidth(-1);
+    combo("##right", p.items, state.split->value, state.split->value);
+  }
+}
+
+std::string bytes_text(long long bytes) {
+  if (bytes < 10'000) return fmt::format("{} B", bytes);
+  return bytes < 10'000'000 ? fmt::format("{:.0f} kB", static_cast<double>(bytes) / 1e3)
+                            : fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
+}
+
+void statistics_section(const WindowState& state) {
+  if (!ImGui::CollapsingHeader("Statistics", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  const gl::Record& record = state.record;
+  long long attribute_bytes = 0, texture_bytes = 0;
+  for (const auto& use : record.attributes) attribute_bytes += use.bytes;
+  for (const auto& use : record.textures) texture_bytes += use.bytes;
+  ImGui::Text("%.1f ms a frame, %d draw call%s", state.frame_milliseconds, record.draw_calls,
+              record.draw_calls == 1 ? "" : "s");
+  ImGui::Text("%lld triangles, %lld vertices", record.triangles, record.vertices);
+  ImGui::Text("%s of attributes, %s of textures", bytes_text(attribute_bytes).c_str(),
+              bytes_text(texture_bytes).c_str());
+  for (const auto& use : record.attributes)
+    ImGui::TextColored(kGrey, "  %s  %s", use.name.c_str(), bytes_text(use.bytes).c_str());
+  for (const auto& use : record.textures)
+    ImGui::TextColored(kGrey, "  %s  %dx%d %s", use.name.c_str(), use.width, use.height, use.format.c_str());
+  for (const std::string& note : state.notes) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextColored(kAmber, "%s", note.c_str());
+    ImGui::PopTextWrapPos();
+  }
+}
+
+void pixel_section(const WindowState& state) {
+  if (!ImGui::CollapsingHeader("Pixel", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  if (!state.inspected) {
+    ImGui::TextColored(kGrey, "click the picture to read a pixel");
+    return;
+  }
+  ImGui::Text("x %d, y %d (from the bottom left)", state.inspected->pixel.x, state.inspected->pixel.y);
+  for (const auto& [view, value] : state.inspected->values) {
+    const char* name = kViewNames[static_cast<std::size_t>(view)];
+    const bool scalar = view == View::lod || view == View::depth || view == View::mask || view == View::error;
+    if (value.w <= 0)
+      ImGui::TextColored(kGrey, "%-10s background", name);
+    else if (scalar)
+      ImGui::Text("%-10s %.5g", name, static_cast<double>(value.x));
+    else if (view == View::texcoord)
+      ImGui::Text("%-10s %.5f  %.5f", name, static_cast<double>(value.x), static_cast<double>(value.y));
+    else
+      ImGui::Text("%-10s %+.4f  %+.4f  %+.4f", name, static_cast<double>(value.x),
+                  static_cast<double>(value.y), static_cast<double>(value.z));
+  }
+}
+
+Action buttons(WindowState& state) {
+  Action action = Action::none;
+  const auto button = [&](const char* label, Action value, const char* help) {
+    if (ImGui::Button(label)) action = value;
+    tooltip(help);
+  };
+  button("Copy command", Action::copy_command_line, "Copies the command line that draws this look");
+  ImGui::SameLine();
+  button("Snapshot", Action::snapshot, "Writes the picture beside where you started the program (F12)");
+  ImGui::SameLine();
+  button("Default look", Action::reset_parameters, "All parameters back to their defaults (J)");
+  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 11);
+  ImGui::InputText("##config", &state.config_file);
+  tooltip("The file that Save writes and Load reads: all parameters, as --config takes them");
+  ImGui::SameLine();
+  button("Save", Action::save_config, "Writes all parameters to the file");
+  ImGui::SameLine();
+  button("Load", Action::load_config, "Reads parameters from the file");
+  return action;
+}
+
+/// Text on a dark plate, so that it is read over any picture.
+void plate(ImVec2 at, const ImVec4& colour, const std::string& text, float wrap_width,
+           ImVec2 pivot = {0, 0}) {
+  ImGui::SetNextWindowPos(at, ImGuiCond_Always, pivot);
+  ImGui::SetNextWindowBgAlpha(0.86F);
+  const std::string id = fmt::format("##plate{}{}", at.x, at.y);
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                                      ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_NoFocusOnAppearing;
+  ImGui::Begin(id.c_str(), nullptr, kFlags);
+  ImGui::PushTextWrapPos(wrap_width);
+  ImGui::TextColored(colour, "%s", text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::End();
+}
+
+}  // namespace
+
+std::string command_line(AnyLab& lab, View view) {
+  std::string line = lab.info().program();
+  if (const std::string flags = lab.parameters().flags(); !flags.empty()) line += " " + flags;
+  if (view != View::color) line += fmt::format(" --view {}", kViewNames[static_cast<std::size_t>(view)]);
+  return line;
+}
+
+Action draw_panel(AnyLab& lab, WindowState& state, float scale) {
+  state.panel_width = 0;
+  if (!state.panel_visible) return Action::none;
+  const glm::vec2 window(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y);
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize({std::min(340 * scale, window.x / 2), window.y}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSizeConstraints({std::min(200 * scale, window.x / 2), window.y},
+                                      {window.x * 0.7F, window.y});
+  const Info& info = lab.info();
+  ImGui::Begin(fmt::format("Lab {}: {}###panel", info.number, info.title).c_str(), nullptr,
+               ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse);
+  state.panel_width = ImGui::GetWindowWidth();
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextColored(kGrey, "%s", info.lesson);
+  ImGui::PopTextWrapPos();
+  const Action action = buttons(state);
+  if (!state.message.empty()) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextColored(kGrey, "%s", state.message.c_str());
+    ImGui::PopTextWrapPos();
+  }
+  view_section(lab, state);
+  parameters_section(lab.parameters());
+  statistics_section(state);
+  pixel_section(state);
+  if (ImGui::CollapsingHeader("Keys"))
+    ImGui::TextUnformatted(
+        "drag    orbit        wheel  zoom\nJ       default look R      reset view\nM       normal map   K/L  "
+        "  texture\n"
+        "space   pause        F5     reload\nF12     snapshot     H      hide panel\nEsc     quit");
+  ImGui::End();
+  return action;
+}
+
+void draw_overlay(AnyLab& lab, const WindowState& state, glm::vec2 size, float pixels_per_unit, float scale) {
+  ImDrawList& canvas = *ImGui::GetBackgroundDrawList();
+  const float origin = state.panel_width;
+  if (state.split) {
+    const float x = std::round(origin + state.split->position * size.x);
+    canvas.AddLine({x, 0}, {x, size.y}, IM_COL32(255, 255, 255, 220), 2 * scale);
+    const std::string left = lab.parameters().at(state.split->parameter).text(), right = state.split->value;
+    const float y = size.y - 28 * scale, gap = 10 * scale;
+    const float width = ImGui::CalcTextSize(left.c_str()).x;
+    canvas.AddRectFilled({x - width - 2 * gap, y - gap / 2}, {x, size.y - gap / 2}, IM_COL32(0, 0, 0, 170));
+    canvas.AddText({x - width - gap, y}, IM_COL32_WHITE, left.c_str());
+    const float right_width = ImGui::CalcTextSize(right.c_str()).x;
+    canvas.AddRectFilled({x, y - gap / 2}, {x + right_width + 2 * gap, size.y - gap / 2},
+                         IM_COL32(0, 0, 0, 170));
+    canvas.AddText({x + gap, y}, IM_COL32_WHITE, right.c_str());
+  }
+  if (state.inspected) {
+    const glm::vec2 pixel = glm::vec2(state.inspected->pixel) + 0.5F;
+    const ImVec2 at(origin + pixel.x / pixels_per_unit, size.y - pixel.y / pixels_per_unit);
+    canvas.AddCircle(at, 5 * scale, IM_COL32(0, 0, 0, 255), 16, 3 * scale);
+    canvas.AddCircle(at, 5 * scale, IM_COL32(255, 255, 255, 255), 16, 1.5F * scale);
+  }
+  const float wrap = size.x * 0.8F;
+  if (!state.error.empty()) {
+    plate({origin + size.x - 12 * scale, 12 * scale}, kRed, state.error, wrap, {1, 0});
+  } else if (!state.record.warnings.empty()) {
+    std::string text;
+    for (const std::string& warning : state.record.warnings) text += (text.empty() ? "" : "\n") + warning;
+    plate({origin + size.x - 12 * scale, size.y - 12 * scale}, kAmber, text, wrap, {1, 1});
+  }
+}
+
+}  // namespace texel::app

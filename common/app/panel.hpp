@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "canvas.hpp"
+
+namespace texel::app {
+
+/// What the window shows beside the lab's parameters; the panel's widgets change it.
+struct WindowState {
+  View view = View::color;
+  std::optional<Canvas::Split> split;
+  bool paused = false;
+  bool panel_visible = true;
+  float panel_width = 0;  ///< window units, 0 while hidden; the picture has the rest
+
+  gl::Record record;               ///< of the last frame that was inspected
+  std::vector<std::string> notes;  ///< of the lab
+  double frame_milliseconds = 0;
+  std::string error;    ///< over the last good picture, until it is mended
+  std::string message;  ///< what the last action did
+
+  /// The pixel that was clicked, from the bottom left, and the value of each data view there.
+  struct Inspected {
+    glm::ivec2 pixel;
+    std::vector<std::pair<View, glm::vec4>> values;
+  };
+  std::optional<Inspected> inspected;
+
+  std::string config_file;
+};
+
+/// What a button asked for.
+enum class Action { none, copy_command_line, save_config, load_config, snapshot, reset_parameters, reload };
+
+/// Draws the panel for one frame with ImGui; changes parameters and state in place. The width it takes, in
+/// window units, is 0 when it is hidden.
+Action draw_panel(AnyLab& lab, WindowState& state, float scale);
+
+/// The error or warning over the picture, the split line and its labels, the mark of the inspected pixel.
+void draw_overlay(AnyLab& lab, const WindowState& state, glm::vec2 window, glm::vec2 pixels_per_unit,
+                  float scale);
+
+/// "lab05_normal_map --method averaged --view normal": what draws the present look again.
+std::string command_line(AnyLab& lab, View view);
+
+}  // namespace texel::app

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "reports.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
+namespace texel::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Type = params::Parameter::Type;
+
+long long peak_resident_bytes() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<long long>(usage.ru_maxrss) * 1024;
+}
+
+/// A parameter's default as JSON's own type.
+Json initial(const params::Parameter& p) {
+  if (p.type == Type::toggle) return p.initial() == "on";
+  if (p.type == Type::integer || p.type == Type::number) return Json::parse(p.initial());
+  return p.initial();
+}
+
+/// Untrusted names (files) may hold bytes that are no UTF-8: they are replaced, not an error.
+std::string dump(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string to_json(const Statistics& statistics) {
+  const gl::Record& record = statistics.record;
+  Json json;
+  json["lab"] = statistics.lab;
+  json["vertices"] = record.vertices;
+  json["triangles"] = record.triangles;
+  json["draw_calls"] = record.draw_calls;
+  json["attributes"] = Json::array();
+  for (const auto& use : record.attributes)
+    json["attributes"].push_back({{"name", use.name}, {"bytes", use.bytes}});
+  json["textures"] = Json::array();
+  for (const auto& use : record.textures)
+    json["textures"].push_back({{"name", use.name},
+                                {"width", use.width},
+                                {"height", use.height},
+                                {"format", use.format},
+                                {"bytes", use.bytes}});
+  json["milliseconds"] = Json::object();
+  for (const auto& [stage, time] : statistics.milliseconds) json["milliseconds"][stage] = time;
+  json["peak_bytes"] = peak_resident_bytes();
+  json["warnings"] = statistics.notes;
+  for (const std::string& warning : record.warnings) json["warnings"].push_back(warning);
+  json["renderer"] = statistics.renderer;
+  json["version"] = statistics.version;
+  return dump(json);
+}
+
+std::string parameters_as_text(const params::Set& parameters) {
+  std::string text;
+  for (const params::Parameter& p : parameters) {
+    text += fmt::format("--{} ({}, default {}", p.flag(), p.type_name(), p.initial());
+    if (p.type == Type::integer || p.type == Type::number)
+      text += fmt::format(", {} to {}{}{}", p.least, p.most, p.unit.empty() ? "" : " ", p.unit);
+    text += fmt::format(")\n    {}\n", p.help);
+    for (const params::Item& item : p.items) text += fmt::format("      {:<20} {}\n", item.name, item.help);
+  }
+  return text;
+}
+
+std::string parameters_as_json(const params::Set& parameters) {
+  Json list = Json::array();
+  for (const params::Parameter& p : parameters) {
+    const bool ranged = p.type == Type::integer || p.type == Type::number;
+    Json json;
+    json["name"] = p.name;
+    json["type"] = p.type_name();
+    json["default"] = initial(p);
+    json["min"] = ranged ? Json(p.least) : Json();
+    json["max"] = ranged ? Json(p.most) : Json();
+    json["choices"] = Json::array();
+    for (const params::Item& item : p.items)
+      json["choices"].push_back({{"name", item.name}, {"help", item.help}});
+    json["unit"] = p.unit;
+    json["help"] = p.help;
+    list.push_back(std::move(json));
+  }
+  return dump(list);
+}
+
+}  // namespace texel::app

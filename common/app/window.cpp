@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: MIT
+#include "window.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "config.hpp"
+#include "core/error.hpp"
+#include "core/stopwatch.hpp"
+#include "panel.hpp"
+#include "snapshot.hpp"
+#include "watcher.hpp"
+
+namespace texel::app {
+namespace {
+
+constexpr glm::ivec2 kWindowSize(960, 720);
+constexpr double kTurnPerSecond = 15;       // degrees
+constexpr double kWatchMilliseconds = 100;  // well below the half second in which a save is seen
+constexpr float kDegreesPerUnit = 0.35F;    // of dragging
+constexpr float kClickTolerance = 3;        // window units that a click may move
+
+/// ImGui with its two backends, from here to the end of the scope.
+class Gui {
+ public:
+  Gui(GLFWwindow* window, float scale) {
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;  // the panel's place is not worth a file in the user's folder
+    ImGui::StyleColorsDark();
+    ImGuiStyle& style = ImGui::GetStyle();
+    style.WindowRounding = 6;
+    style.FrameRounding = 3;
+    style.ScaleAllSizes(scale);
+    // ImGui's own font is drawn for 13 pixels; a common system font reads better where there is one.
+    const std::filesystem::path font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+    if (std::filesystem::exists(font)) {
+      io.Fonts->AddFontFromFileTTF(font.c_str(), std::round(14 * scale));
+    } else {
+      ImFontConfig config;
+      config.SizePixels = std::round(13 * scale);
+      io.Fonts->AddFontDefault(&config);
+    }
+    ImGui_ImplGlfw_InitForOpenGL(window, /*install_callbacks=*/true);
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+  }
+  ~Gui() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+  }
+  Gui(const Gui&) = delete;
+  Gui& operator=(const Gui&) = delete;
+};
+
+class Window {
+ public:
+  Window(AnyLab& lab, const Assets& assets, const CommandLine& line)
+      : lab_(lab),
+        assets_(assets),
+        samples_(line.samples),
+        context_(line.size.value_or(kWindowSize).x, line.size.value_or(kWindowSize).y,
+                 fmt::format("Texel Labs {}: {}", lab.info().number, lab.info().title)),
+        canvas_(context_, assets, lab) {
+    state_.view = find_view(lab.info(), line.view);
+    state_.paused = line.turn_given;
+    state_.config_file = lab.info().program() + ".toml";
+    // Our callbacks first: ImGui's then call them.
+    glfwSetWindowUserPointer(window(), this);
+    glfwSetKeyCallback(window(),
+                       [](GLFWwindow* w, int key, int, int action, int) { self(w).on_key(key, action); });
+    glfwSetScrollCallback(window(), [](GLFWwindow* w, double, double dy) { self(w).on_scroll(dy); });
+    glfwSetMouseButtonCallback(
+        window(), [](GLFWwindow* w, int button, int action, int) { self(w).on_button(button, action); });
+    glfwSetCursorPosCallback(window(), [](GLFWwindow* w, double x, double y) { self(w).on_move({x, y}); });
+    glfwSetFramebufferSizeCallback(window(), [](GLFWwindow* w, int, int) { self(w).frame(); });
+    float scale_y = 1;
+    glfwGetWindowContentScale(window(), &scale_, &scale_y);
+    gui_.emplace(window(), scale_);
+  }
+
+  void run() {
+    while (glfwWindowShouldClose(window()) == 0) {
+      if (turning())
+        glfwPollEvents();
+      else
+        glfwWaitEventsTimeout(kWatchMilliseconds / 1000);
+      frame();
+    }
+  }
+
+ private:
+  static Window& self(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
+  [[nodiscard]] GLFWwindow* window() const { return context_.window(); }
+  [[nodiscard]] params::Parameter* turn() { return lab_.parameters().find("turn"); }
+  [[nodiscard]] bool turning() { return turn() != nullptr && !state_.paused && state_.error.empty(); }
+
+  /// Size of the framebuffer in pixels, of the window in units, and how many pixels a unit has.
+  [[nodiscard]] glm::ivec2 pixels() const {
+    glm::ivec2 size;
+    glfwGetFramebufferSize(window(), &size.x, &size.y);
+    return size;
+  }
+  [[nodiscard]] glm::ivec2 units() const {
+    glm::ivec2 size;
+    glfwGetWindowSize(window(), &size.x, &size.y);
+    return size;
+  }
+
+  [[nodiscard]] float pixels_per_unit() const {
+    return static_cast<float>(pixels().x) / static_cast<float>(std::max(units().x, 1));
+  }
+  /// The picture lies right of the panel: its size in units and in pixels, and a window position within it.
+  [[nodiscard]] glm::vec2 picture_units() const {
+    return {std::max(static_cast<float>(units().x) - state_.panel_width, 16.0F),
+            static_cast<float>(units().y)};
+  }
+  [[nodiscard]] glm::ivec2 picture_pixels() const {
+    return {static_cast<int>(std::lround(picture_units().x * pixels_per_unit())), pixels().y};
+  }
+  [[nodiscard]] glm::vec2 in_picture(glm::vec2 position) const {
+    return {position.x - state_.panel_width, position.y};
+  }
+
+  void frame() {
+    if (pixels().x == 0 || pixels().y == 0 || !gui_) return;  // iconified, or not yet made
+    watch();
+    advance();
+    draw_picture();
+    canvas_.copy_to_window({pixels().x - picture_pixels().x, 0}, picture_pixels());
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+    perform(draw_panel(lab_, state_, scale_));
+    draw_overlay(lab_, state_, picture_units(), pixels_per_unit(), scale_);
+    ImGui::Render();
+    glViewport(0, 0, pixels().x, pixels().y);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    glfwSwapBuffers(window());
+  }
+
+  /// Edited shaders are compiled again, edited pictures and models loaded again.
+  void watch() {
+    if (watch_clock_.milliseconds() < kWatchMilliseconds) return;
+    watch_clock_ = Stopwatch();
+    if (!watcher_.changed(canvas_.programs().files()).empty()) reload(/*assets=*/false);
+    if (!watcher_.changed(assets_.files()).empty()) reload(/*assets=*/true);
+  }
+
+  void reload(bool assets) {
+    canvas_.programs().clear();
+    if (assets) lab_.forget();
+    drawn_ = {};
+    state_.message = assets ? "files loaded again" : "shaders compiled again";
+  }
+
+  void advance() {
+    const double seconds = frame_clock_.milliseconds() / 1000;
+    frame_clock_ = Stopwatch();
+    if (!turning()) return;
+    const double degrees = turn()->value() + kTurnPerSecond * std::min(seconds, 0.2);
+    turn()->set_value(degrees > turn()->most ? degrees - 360 : degrees);
+  }
+
+  /// What the picture depends on; nothing is drawn again while it stays the same.
+  struct Look {
+    std::string key;
+    View view = View::color;
+    glm::ivec2 size{0};
+    std::string split;
+    bool operator==(const Look&) const = default;
+  };
+
+  void draw_picture() {
+    const std::string split = state_.split ? fmt::format("{}={} {}", state_.split->parameter,
+                                                         state_.split->value, state_.split->position)
+                                           : "";
+    Look look{lab_.parameters().key(), state_.view, picture_pixels(), split};
+    if (look == drawn_) return;
+    drawn_ = look;
+    try {
+      const Stopwatch stopwatch;
+      // While the model turns only the picture changes: what it is made of is not read again.
+      if (turning() && inspected_once_)
+        canvas_.draw(state_.view, picture_pixels(), samples_, state_.split);
+      else if (state_.split)
+        canvas_.draw(state_.view, picture_pixels(), samples_, state_.split);
+      else
+        state_.record = canvas_.record(state_.view, picture_pixels(), samples_);
+      glFinish();
+      inspected_once_ = true;
+      state_.frame_milliseconds = stopwatch.milliseconds();
+      state_.notes = lab_.notes();
+      state_.error.clear();
+      inspect();
+    } catch (const Error& error) {
+      state_.error = error.what();
+    }
+  }
+
+  /// Reads the data views at the clicked pixel.
+  void inspect() {
+    if (!state_.inspected) return;
+    const glm::ivec2 pixel = state_.inspected->pixel;
+    state_.inspected->values.clear();
+    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= picture_pixels().x || pixel.y >= picture_pixels().y) return;
+    for (const View view : lab_.info().views)
+      if (view != View::color && view != View::mask)
+        state_.inspected->values.emplace_back(view, canvas_.value_at(view, picture_pixels(), pixel));
+  }
+
+  void perform(Action action) {
+    try {
+      switch (action) {
+        case Action::none:
+          return;
+        case Action::copy_command_line:
+          state_.message = command_line(lab_, state_.view);
+          glfwSetClipboardString(window(), state_.message.c_str());
+          return;
+        case Action::save_config:
+          save_config(state_.config_file, lab_.info(), lab_.parameters());
+          state_.message = "saved " + state_.config_file;
+          return;
+        case Action::load_config:
+          load_config(state_.config_file, lab_.info(), lab_.parameters());
+          state_.message = "loaded " + state_.config_file;
+          return;
+        case Action::snapshot:
+          snapshot();
+          return;
+        case Action::reset_parameters:
+          lab_.parameters().reset();
+          return;
+        case Action::reload:
+          reload(/*assets=*/true);
+          return;
+      }
+    } catch (const Error& error) {
+      state_.message = error.what();
+    }
+  }
+
+  /// Writes the picture without the panel under the first free name.
+  void snapshot() {
+    for (int i = 1; i < 1000; ++i) {
+      const std::filesystem::path file = fmt::format("{}-{:03}.png", lab_.info().program(), i);
+      if (std::filesystem::exists(file)) continue;
+      write_picture(canvas_, lab_, state_.view, picture_pixels(), file, context_.renderer());
+      state_.message = "wrote " + file.string();
+      return;
+    }
+    throw Error::failed("there are 999 snapshots already", {}, "remove some");
+  }
+
+  /// The previous or next item of a list.
+  static void step(params::Parameter* parameter, int by) {
+    if (parameter == nullptr || parameter->items.empty()) return;
+    const auto count = static_cast<int>(parameter->items.size());
+    int index = -1;
+    for (int i = 0; i < count; ++i)
+      if (parameter->text() == parameter->items[static_cast<std::size_t>(i)].name) index = i;
+    parameter->set(parameter->items[static_cast<std::size_t>((index + by + count) % count)].name);
+  }
+
+  /// The picture that K and L change: `texture`, else `cube_map`.
+  params::Parameter* texture_parameter() {
+    params::Parameter* texture = lab_.parameters().find("texture");
+    return texture != nullptr ? texture : lab_.parameters().find("cube_map");
+  }
+
+  void on_key(int key, int action) {
+    if (action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
+    switch (key) {
+      case GLFW_KEY_ESCAPE:
+        glfwSetWindowShouldClose(window(), GLFW_TRUE);
+        break;
+      case GLFW_KEY_J:
+        perform(Action::reset_parameters);
+        break;
+      case GLFW_KEY_M:
+        if (params::Parameter* p = lab_.parameters().find("normal_mapping"))
+          p->set_value(p->value() != 0 ? 0 : 1);
+        break;
+      case GLFW_KEY_K:
+        step(texture_parameter(), -1);
+        break;
+      case GLFW_KEY_L:
+        step(texture_parameter(), +1);
+        break;
+      case GLFW_KEY_SPACE:
+        state_.paused = !state_.paused;
+        break;
+      case GLFW_KEY_R:
+        for (const char* name : {"yaw", "pitch", "distance", "field_of_view", "turn"})
+          if (params::Parameter* p = lab_.parameters().find(name)) p->reset();
+        break;
+      case GLFW_KEY_F5:
+        perform(Action::reload);
+        break;
+      case GLFW_KEY_F12:
+        perform(Action::snapshot);
+        break;
+      case GLFW_KEY_H:
+        state_.panel_visible = !state_.panel_visible;
+        break;
+      default:
+        break;
+    }
+  }
+
+  void change(const char* name, double factor, double offset) {
+    if (params::Parameter* p = lab_.parameters().find(name))
+      p->set_value(std::clamp(p->value() * factor + offset, p->least, p->most));
+  }
+
+  void on_scroll(double dy) {
+    if (!ImGui::GetIO().WantCaptureMouse) change("distance", std::pow(0.9, dy), 0);
+  }
+
+  void on_button(int button, int action) {
+    if (button != GLFW_MOUSE_BUTTON_LEFT) return;
+    if (action == GLFW_PRESS && !ImGui::GetIO().WantCaptureMouse) {
+      drag_ = Drag::picture;
+      if (state_.split &&
+          std::abs(in_picture(mouse_).x - state_.split->position * picture_units().x) < 8 * scale_)
+        drag_ = Drag::split_line;
+      pressed_at_ = mouse_;
+    } else if (action == GLFW_RELEASE) {
+      if (drag_ == Drag::picture && glm::distance(pressed_at_, mouse_) <= kClickTolerance) click();
+      drag_ = Drag::none;
+    }
+  }
+
+  void click() {
+    const glm::vec2 pixel = in_picture(mouse_) * pixels_per_unit();
+    state_.inspected = {{static_cast<int>(pixel.x), pixels().y - 1 - static_cast<int>(pixel.y)}, {}};
+    drawn_ = {};
+  }
+
+  void on_move(glm::vec2 mouse) {
+    const glm::vec2 moved = mouse - mouse_;
+    mouse_ = mouse;
+    if (drag_ == Drag::split_line && state_.split)
+      state_.split->position = std::clamp(in_picture(mouse).x / picture_units().x, 0.0F, 1.0F);
+    if (drag_ != Drag::picture || glm::distance(pressed_at_, mouse) <= kClickTolerance) return;
+    if (params::Parameter* yaw = lab_.parameters().find("yaw"))
+      yaw->set_value(std::remainder(yaw->value() - static_cast<double>(kDegreesPerUnit * moved.x), 360));
+    change("pitch", 1, static_cast<double>(kDegreesPerUnit * moved.y));
+  }
+
+  enum class Drag { none, picture, split_line };
+
+  AnyLab& lab_;
+  const Assets& assets_;
+  int samples_;
+  gl::WindowContext context_;
+  Canvas canvas_;
+  std::optional<Gui> gui_;
+  WindowState state_;
+  Watcher watcher_;
+  Stopwatch watch_clock_, frame_clock_;
+  Look drawn_;
+  bool inspected_once_ = false;
+  float scale_ = 1;
+  Drag drag_ = Drag::none;
+  glm::vec2 mouse_{0}, pressed_at_{0};
+};
+
+}  // namespace
+
+void run_window(AnyLab& lab, const Assets& assets, const CommandLine& line) {
+  Window(lab, assets, line).run();
+}
+
+}  // namespace texel::app

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace texel {
+
+/// A whole file as bytes. Throws Error (exit 3) that says whether it is missing, a folder or unreadable.
+std::string read_file(const std::filesystem::path& path);
+
+/// Writes a whole file: beside its place under a temporary name, then renamed, so that no half file is ever
+/// seen and an existing one survives a failure. Throws Error (exit 3) when the folder is missing or the disk
+/// full.
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// A file's bytes mapped read-only into memory; an empty file gives an empty view.
+class MappedFile {
+ public:
+  explicit MappedFile(const std::filesystem::path& path);
+  ~MappedFile();
+  MappedFile(const MappedFile&) = delete;
+  MappedFile& operator=(const MappedFile&) = delete;
+  [[nodiscard]] std::string_view bytes() const { return {data_, size_}; }
+
+ private:
+  const char* data_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+}  // namespace texel

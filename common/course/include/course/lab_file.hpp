@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// What `labs/NN_name/lab.toml` says of a lab: its title and lesson, and the looks that are worth seeing.
+///
+///     lab = "05_normal_map"
+///     title = "Normal map"
+///     lesson = "One line, as in the program's --help"
+///     [[look]]
+///     name = "bricks"                                     # the picture's file name, unique in the lab
+///     caption = "Bricks by MikkTSpace tangents"
+///     set = { model = "torus", method = "mikktspace" }    # parameters that differ from the default
+///     view = "color"                                      # optional
+///     size = "512x512"                                    # optional
+///     source = "Report, section 3.2, 'Cube before …'"     # optional: the sources' picture that this is
+///     hero = true                                         # optional: at the top of the gallery
+namespace texel::course {
+
+/// A parameter and its value as the command line takes it: {"normal_map", "on"}.
+struct Setting {
+  std::string parameter, value;
+
+  bool operator==(const Setting&) const = default;
+};
+
+/// One picture of a lab.
+struct Look {
+  std::string name;               ///< lower-case letters, digits, '_' and '-'
+  std::string caption;            ///< one line of plain text
+  std::vector<Setting> settings;  ///< in the file's order
+  std::string view = "color";
+  std::string size = "512x512";
+  std::string source;  ///< which picture of the sources it is, or ""
+  bool hero = false;   ///< shown at the top of the gallery and in the README
+};
+
+struct Lab {
+  int number = 0;
+  std::string folder;  ///< "05_normal_map"
+  std::string title, lesson;
+  std::vector<Look> looks;
+
+  [[nodiscard]] std::string program() const { return "lab" + folder; }
+};
+
+/// Reads a lab.toml. The tables `[[step]]` and `[[case]]` belong to the grader and are passed over. Throws
+/// Error (exit 3) with file and line for broken TOML, an unknown key, a wrong type, a missing or empty text,
+/// a look's name that is taken or no file name, and a `lab` that is not the name of the file's folder.
+Lab read_lab(const std::filesystem::path& file);
+
+/// Every `NN_name/lab.toml` below `folder`, by number. Throws Error (exit 3) when there is none, or as
+/// read_lab.
+std::vector<Lab> read_labs(const std::filesystem::path& folder);
+
+/// The command, typed in the project's root, that draws the look: "./run lab 5 --model torus --snapshot
+/// bricks.png".
+std::string command(const Lab& lab, const Look& look);
+
+}  // namespace texel::course

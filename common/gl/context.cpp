@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "gl/context.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <glad/gl.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+#include "core/error.hpp"
+
+// The types and constants of EGL 1.5 and OSMesa; their functions are looked up at run time.
+#define EGL_EGL_PROTOTYPES 0
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <GL/osmesa.h>
+
+namespace texel::gl {
+namespace {
+
+void GLAD_API_PTR on_debug_message(GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message,
+                                   const void* errors) {
+  if (type == GL_DEBUG_TYPE_ERROR)
+    static_cast<std::vector<std::string>*>(const_cast<void*>(errors))->emplace_back(message);
+}
+
+/// A library opened at run time; stays open, since drivers do not survive being unloaded.
+class Library {
+ public:
+  Library(const char* name, const char* package) : handle_(::dlopen(name, RTLD_NOW | RTLD_LOCAL)) {
+    if (handle_ == nullptr)
+      throw Error::failed(fmt::format("cannot open {}", name), {},
+                          fmt::format("install {} or choose another --context", package));
+  }
+  template <class Function>
+  Function* function(const char* name) const {
+    void* address = ::dlsym(handle_, name);
+    if (address == nullptr) throw Error::failed(fmt::format("there is no function {}", name));
+    return reinterpret_cast<Function*>(address);
+  }
+
+ private:
+  void* handle_;
+};
+
+/// llvmpipe filters 8-bit textures by a short cut that is up to 10 steps off; not unless the user asked for
+/// it.
+void ask_for_exact_filtering() {
+  ::setenv("GALLIVM_PERF", "no_aos_sampling", /*overwrite=*/0);
+}
+
+class OsmesaContext : public Context {
+ public:
+  OsmesaContext() {
+    const auto create =
+        library().function<OSMesaContext(const int*, OSMesaContext)>("OSMesaCreateContextAttribs");
+    const int attributes[] = {OSMESA_FORMAT,
+                              OSMESA_RGBA,
+                              OSMESA_DEPTH_BITS,
+                              24,
+                              OSMESA_PROFILE,
+                              OSMESA_CORE_PROFILE,
+                              OSMESA_CONTEXT_MAJOR_VERSION,
+                              3,
+                              OSMESA_CONTEXT_MINOR_VERSION,
+                              3,
+                              0};
+    context_ = create(attributes, nullptr);
+    if (context_ == nullptr) throw Error::failed("OSMesa gives no OpenGL 3.3 core context");
+    OsmesaContext::make_current();
+  }
+  ~OsmesaContext() override { library().function<void(OSMesaContext)>("OSMesaDestroyContext")(context_); }
+  void make_current() override {
+    const auto make =
+        library().function<GLboolean(OSMesaContext, void*, GLenum, GLsizei, GLsizei)>("OSMesaMakeCurrent");
+    // We draw into framebuffer objects; the default framebuffer is one pixel that nobody looks at.
+    if (make(context_, pixel_, GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE)
+      throw Error::failed("cannot make the OSMesa context current");
+    load(library().function<void*(const char*)>("OSMesaGetProcAddress"));
+  }
+  [[nodiscard]] const char* kind_name() const override { return "osmesa"; }
+
+ private:
+  static const Library& library() {
+    static const Library osmesa("libOSMesa.so.8", "libosmesa6");
+    return osmesa;
+  }
+  OSMesaContext context_;
+  unsigned char pixel_[4] = {};
+};
+
+class EglContext : public Context {
+ public:
+  EglContext() {
+    const auto get_platform_display =
+        library().function<EGLDisplay(EGLenum, void*, const EGLAttrib*)>("eglGetPlatformDisplay");
+    display_ = get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
+    const auto initialize = library().function<EGLBoolean(EGLDisplay, EGLint*, EGLint*)>("eglInitialize");
+    if (display_ == EGL_NO_DISPLAY || initialize(display_, nullptr, nullptr) == EGL_FALSE)
+      throw Error::failed("EGL cannot draw without a surface here", {}, "try --context osmesa");
+    library().function<EGLBoolean(EGLenum)>("eglBindAPI")(EGL_OPENGL_API);
+    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                 3,
+                                 EGL_CONTEXT_MINOR_VERSION,
+                                 3,
+                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                 EGL_NONE};
+    const auto create =
+        library().function<EGLContext(EGLDisplay, EGLConfig, EGLContext, const EGLint*)>("eglCreateContext");
+    context_ = create(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+    if (context_ == EGL_NO_CONTEXT) throw Error::failed("EGL gives no OpenGL 3.3 core context");
+    EglContext::make_current();
+  }
+  ~EglContext() override {
+    bind(EGL_NO_CONTEXT);
+    library().function<EGLBoolean(EGLDisplay, EGLContext)>("eglDestroyContext")(display_, context_);
+    library().function<EGLBoolean(EGLDisplay)>("eglTerminate")(display_);
+  }
+  void make_current() override {
+    if (bind(context_) == EGL_FALSE) throw Error::failed("cannot make the EGL context current");
+    load(library().function<void*(const char*)>("eglGetProcAddress"));
+  }
+  [[nodiscard]] const char* kind_name() const override { return "egl"; }
+
+ private:
+  static const Library& library() {
+    static const Library egl("libEGL.so.1", "libegl1");
+    return egl;
+  }
+  EGLBoolean bind(EGLContext context) {
+    return library().function<EGLBoolean(EGLDisplay, EGLSurface, EGLSurface, EGLContext)>("eglMakeCurrent")(
+        display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
+  }
+  EGLDisplay display_;
+  EGLContext context_;
+};
+
+}  // namespace
+
+void Context::load(void* (*get_address)(const char*)) {
+  const auto loader = [](void* get, const char* name) {
+    return reinterpret_cast<GLADapiproc>(reinterpret_cast<void* (*)(const char*)>(get)(name));
+  };
+  if (gladLoadGLUserPtr(loader, reinterpret_cast<void*>(get_address)) == 0)
+    throw Error::failed("cannot load OpenGL's functions");
+  if (GLAD_GL_KHR_debug != 0 && glad_glDebugMessageCallback != nullptr) {
+    glEnable(GL_DEBUG_OUTPUT);
+    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    glDebugMessageCallback(on_debug_message, &errors_);
+  }
+}
+
+std::string Context::renderer() const {
+  return reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+}
+std::string Context::version() const {
+  return reinterpret_cast<const char*>(glGetString(GL_VERSION));
+}
+
+std::vector<std::string> Context::take_errors() {
+  while (const GLenum code = glGetError())
+    if (GLAD_GL_KHR_debug == 0) errors_.push_back(fmt::format("OpenGL error 0x{:04x}", code));
+  return std::exchange(errors_, {});
+}
+
+std::unique_ptr<Context> create_headless(ContextKind kind) {
+  ask_for_exact_filtering();
+  if (kind == ContextKind::osmesa) return std::make_unique<OsmesaContext>();
+  return std::make_unique<EglContext>();
+}
+
+std::unique_ptr<Context> create_headless() {
+  try {
+    return create_headless(ContextKind::osmesa);
+  } catch (const Error& no_osmesa) {
+    try {
+      return create_headless(ContextKind::egl);
+    } catch (const Error& no_egl) {
+      throw Error::failed(
+          fmt::format("neither OSMesa nor EGL draws here ({}; {})", no_osmesa.what(), no_egl.what()), {},
+          "install libosmesa6 or libegl1 with libgl1-mesa-dri");
+    }
+  }
+}
+
+}  // namespace texel::gl

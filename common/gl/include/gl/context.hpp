@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace texel::gl {
+
+/// Where OpenGL comes from.
+enum class ContextKind {
+  window,  ///< GLFW
+  osmesa,  ///< Mesa's software renderer into main memory
+  egl      ///< EGL without a surface (EGL_MESA_platform_surfaceless)
+};
+
+/// An OpenGL 3.3 core context. All drawing goes into framebuffer objects, so that the three kinds give the
+/// same.
+class Context {
+ public:
+  virtual ~Context() = default;
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  /// Makes it the thread's context and loads OpenGL's functions from it.
+  virtual void make_current() = 0;
+
+  [[nodiscard]] virtual const char* kind_name() const = 0;
+  /// GL_RENDERER and GL_VERSION.
+  [[nodiscard]] std::string renderer() const;
+  [[nodiscard]] std::string version() const;
+  /// What the driver called an error since the last call (KHR_debug, else glGetError). Empty in a right
+  /// program.
+  [[nodiscard]] std::vector<std::string> take_errors();
+
+ protected:
+  Context() = default;
+  void load(void* (*get_address)(const char*));
+
+ private:
+  std::vector<std::string> errors_;
+};
+
+/// Without a window. Throws Error (exit 3) that names the missing library.
+std::unique_ptr<Context> create_headless(ContextKind kind);
+/// OSMesa, else EGL.
+std::unique_ptr<Context> create_headless();
+
+/// A GLFW window. Only gl and app know GLFW.
+class WindowContext : public Context {
+ public:
+  /// Throws Error (exit 3) when there is no display or no OpenGL 3.3.
+  WindowContext(int width, int height, const std::string& title);
+  ~WindowContext() override;
+  void make_current() override;
+  [[nodiscard]] const char* kind_name() const override { return "window"; }
+  [[nodiscard]] GLFWwindow* window() const { return window_; }
+
+ private:
+  GLFWwindow* window_ = nullptr;
+};
+
+}  // namespace texel::gl

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <map>
+#include <memory>
+
+#include "gl/objects.hpp"
+#include "gl/program.hpp"
+#include "mesh/mesh.hpp"
+
+namespace texel::gl {
+
+/// A mesh on the GPU: one buffer an attribute, uploaded when a program first reads it, and the indices.
+class MeshBuffers {
+ public:
+  explicit MeshBuffers(std::shared_ptr<const mesh::Mesh> mesh) : mesh_(std::move(mesh)) {}
+  explicit MeshBuffers(mesh::Mesh mesh) : MeshBuffers(std::make_shared<const mesh::Mesh>(std::move(mesh))) {}
+
+  /// Draws all triangles with `program`, which must be in use. Throws Error when it reads an attribute that
+  /// the mesh does not have.
+  void draw(const Program& program);
+  /// Draws one of the mesh's groups.
+  void draw(const Program& program, const mesh::Group& group);
+
+  [[nodiscard]] const mesh::Mesh& mesh() const { return *mesh_; }
+
+ private:
+  void bind(const Program& program);
+  std::shared_ptr<const mesh::Mesh> mesh_;
+  VertexArray vertex_array_;
+  std::unique_ptr<Buffer> indices_;
+  std::map<Attribute, Buffer> attributes_;
+};
+
+}  // namespace texel::gl

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <glad/gl.h>
+
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gl/shader_source.hpp"
+
+namespace texel::gl {
+
+/// The vertex attributes that shaders may read; attribute i of this list has location i in every program.
+inline constexpr const char* kAttributeNames[] = {"position", "normal",    "texcoord",
+                                                  "tangent",  "bitangent", "color"};
+enum class Attribute { position, normal, texcoord, tangent, bitangent, color };
+
+/// An active uniform of a linked program.
+struct Uniform {
+  std::string name;
+  GLenum type = 0;
+  GLint location = -1;
+  bool is_set = false;
+};
+
+/// A linked vertex and fragment shader. Errors name the real file and line.
+class Program {
+ public:
+  /// Throws Error (exit 3) with the compiler's messages.
+  Program(std::shared_ptr<const ShaderSource> vertex, std::shared_ptr<const ShaderSource> fragment,
+          const std::vector<Define>& defines);
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  [[nodiscard]] GLuint id() const { return id_; }
+  void use() const { glUseProgram(id_); }
+
+  /// Sets a uniform of the program, which must be in use. A name that its source does not mention throws
+  /// Error; one that this variant does not read is passed over. A sampler is set by the number of its texture
+  /// unit.
+  void set(std::string_view name, int value);
+  void set(std::string_view name, float value);
+  void set(std::string_view name, const glm::vec2& value);
+  void set(std::string_view name, const glm::vec3& value);
+  void set(std::string_view name, const glm::vec4& value);
+  void set(std::string_view name, const glm::mat3& value);
+  void set(std::string_view name, const glm::mat4& value);
+
+  [[nodiscard]] const Uniform* find(std::string_view name) const;
+  [[nodiscard]] const std::vector<Uniform>& uniforms() const { return uniforms_; }
+  /// Which attributes this variant reads.
+  [[nodiscard]] const std::vector<Attribute>& attributes() const { return attributes_; }
+  /// Throws Error when a uniform that the program reads was never set.
+  void check_uniforms() const;
+  /// "05_normal_map/normal_map.frag", for messages.
+  [[nodiscard]] std::string name() const;
+
+ private:
+  Uniform* to_set(std::string_view name, std::initializer_list<GLenum> types);
+  std::shared_ptr<const ShaderSource> vertex_, fragment_;
+  GLuint id_ = 0;
+  std::vector<Uniform> uniforms_;
+  std::vector<Attribute> attributes_;
+};
+
+/// Compiles programs once: a variant is known by its files and those of the defines that they mention.
+class ProgramCache {
+ public:
+  explicit ProgramCache(std::filesystem::path shader_root) : root_(std::move(shader_root)) {}
+
+  Program& get(const std::string& vertex, const std::string& fragment, const std::vector<Define>& defines);
+  /// Forgets everything, so that edited files are read again.
+  void clear();
+  /// Every file that was read, for a watcher.
+  [[nodiscard]] std::vector<std::filesystem::path> files() const;
+  [[nodiscard]] std::size_t size() const { return programs_.size(); }
+  /// Milliseconds spent in reading and compiling.
+  [[nodiscard]] double milliseconds() const { return milliseconds_; }
+
+ private:
+  std::shared_ptr<const ShaderSource> source(const std::string& file);
+  std::filesystem::path root_;
+  std::map<std::string, std::shared_ptr<const ShaderSource>> sources_;
+  std::map<std::string, std::unique_ptr<Program>> programs_;
+  double milliseconds_ = 0;
+  std::vector<std::filesystem::path> tried_;  ///< files of a source that could not be expanded
+};
+
+}  // namespace texel::gl

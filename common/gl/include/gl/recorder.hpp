@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <glad/gl.h>
+
+#include <string>
+#include <vector>
+
+#include "gl/objects.hpp"
+
+namespace texel::gl {
+
+/// What a frame drew, read from OpenGL itself at each draw call: not what a lab says of itself.
+struct Record {
+  struct AttributeUse {
+    std::string name;
+    long long bytes = 0;
+    bool operator==(const AttributeUse&) const = default;
+  };
+  struct TextureUse {
+    std::string name;  ///< the sampler that reads it
+    int width = 0, height = 0;
+    std::string format;
+    long long bytes = 0;  ///< all levels and faces
+    bool operator==(const TextureUse&) const = default;
+  };
+  long long vertices = 0, triangles = 0;
+  int draw_calls = 0;
+  bool any_sample = false;  ///< did any draw call reach a pixel?
+  std::vector<AttributeUse> attributes;
+  std::vector<TextureUse> textures;
+  /// Why something is not seen: incomplete mipmaps, a unit without a texture, an attribute that nothing
+  /// reads, …
+  std::vector<std::string> warnings;
+};
+
+/// While it lives, every glDrawArrays and glDrawElements is recorded: it puts itself before the function
+/// pointers that glad loaded. One at a time.
+class Recorder {
+ public:
+  Recorder();
+  ~Recorder();
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+  /// What was drawn so far.
+  [[nodiscard]] Record take();
+
+ private:
+  static void GLAD_API_PTR on_draw_arrays(GLenum mode, GLint first, GLsizei count);
+  static void GLAD_API_PTR on_draw_elements(GLenum mode, GLsizei count, GLenum type, const void* indices);
+  void inspect(GLenum mode, GLsizei count);
+  void inspect_attributes(GLuint program);
+  void inspect_samplers(GLuint program);
+  void warn(const std::string& text);
+  Record record_;
+  Query samples_;
+  PFNGLDRAWARRAYSPROC draw_arrays_;
+  PFNGLDRAWELEMENTSPROC draw_elements_;
+};
+
+}  // namespace texel::gl

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace texel::gl {
+
+/// `#define name value`, put behind the #version line.
+struct Define {
+  std::string name, value;
+};
+
+/// One shader with its includes expanded: the text for the compiler, and the files that it came from.
+///
+/// `#include "lib/light.glsl"` names a file below the folder `shaders/`, or beside the including file; each
+/// file is taken once. Mesa rejects file names in #line and forgets source numbers in semantic errors, so the
+/// line directives carry file * 100000 + line, which locate() decodes.
+class ShaderSource {
+ public:
+  /// Throws Error (exit 3) for a missing file, a missing #version or an include in a circle.
+  ShaderSource(const std::filesystem::path& root, const std::filesystem::path& file);
+
+  /// The text with `defines` behind its #version line.
+  [[nodiscard]] std::string text(const std::vector<Define>& defines) const;
+  /// Is `token` used anywhere in it, as a whole word?
+  [[nodiscard]] bool mentions(std::string_view token) const;
+  [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
+  /// A compiler's log with our encoded lines turned into `file:line: message`; paths relative to the root.
+  [[nodiscard]] std::string locate(std::string_view log) const;
+
+ private:
+  void expand(const std::filesystem::path& file, std::vector<std::filesystem::path>& open);
+  std::filesystem::path root_;
+  std::vector<std::filesystem::path> files_;
+  std::string version_, body_;
+};
+
+}  // namespace texel::gl

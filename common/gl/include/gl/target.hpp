@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <memory>
+
+#include "gl/objects.hpp"
+#include "image/image.hpp"
+
+namespace texel::gl {
+
+/// A framebuffer object to draw into: colour as GL_SRGB8_ALPHA8 (with GL_FRAMEBUFFER_SRGB on, linear values
+/// are encoded as they are written) or as GL_RGBA32F for data, and a depth buffer.
+class Target {
+ public:
+  enum class Kind { colour, data };
+
+  /// `samples` above 1 draws multisampled (at most what the driver offers) and resolves.
+  Target(Kind kind, int width, int height, int samples);
+
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+  [[nodiscard]] int samples() const { return samples_; }
+  [[nodiscard]] Kind kind() const { return kind_; }
+
+  /// Makes it the framebuffer and its whole area the viewport.
+  void bind() const;
+  /// After drawing: averages the samples, so that texture() and read…() have the picture.
+  void resolve() const;
+  /// Makes the resolved picture the framebuffer that is read.
+  void bind_for_reading() const { glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id()); }
+  /// The resolved picture.
+  [[nodiscard]] const Texture& texture() const { return texture_; }
+  /// The resolved picture in memory; RGBA.
+  [[nodiscard]] image::Image8 read8() const;
+  [[nodiscard]] image::ImageF read_float() const;
+  /// One pixel of a data target, counted from the bottom left.
+  [[nodiscard]] image::ImageF read_pixel(int x, int y) const;
+
+ private:
+  Kind kind_;
+  int width_, height_, samples_;
+  Texture texture_;
+  Framebuffer resolved_;
+  Renderbuffer depth_;
+  struct Multisampled {
+    Framebuffer framebuffer;
+    Renderbuffer colour;
+  };
+  std::unique_ptr<Multisampled> multisampled_;
+};
+
+}  // namespace texel::gl

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "gl/program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/gtc/type_ptr.hpp>
+#include <iterator>
+
+#include "core/error.hpp"
+#include "core/stopwatch.hpp"
+
+namespace texel::gl {
+namespace {
+
+/// A compiled shader that lives until its program is linked.
+class Shader {
+ public:
+  Shader(GLenum stage, const ShaderSource& source, const std::vector<Define>& defines)
+      : id_(glCreateShader(stage)) {
+    const std::string text = source.text(defines);
+    const char* data = text.c_str();
+    glShaderSource(id_, 1, &data, nullptr);
+    glCompileShader(id_);
+    GLint ok = 0;
+    glGetShaderiv(id_, GL_COMPILE_STATUS, &ok);
+    if (ok != 0) return;
+    GLint length = 0;
+    glGetShaderiv(id_, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+    glGetShaderInfoLog(id_, length, nullptr, log.data());
+    glDeleteShader(id_);
+    throw Error::failed(source.locate(log));
+  }
+  ~Shader() { glDeleteShader(id_); }
+  Shader(const Shader&) = delete;
+  Shader& operator=(const Shader&) = delete;
+  [[nodiscard]] GLuint id() const { return id_; }
+
+ private:
+  GLuint id_;
+};
+
+bool is_sampler(GLenum type) {
+  return type == GL_SAMPLER_2D || type == GL_SAMPLER_CUBE || type == GL_SAMPLER_2D_ARRAY ||
+         type == GL_SAMPLER_3D;
+}
+
+}  // namespace
+
+Program::Program(std::shared_ptr<const ShaderSource> vertex, std::shared_ptr<const ShaderSource> fragment,
+                 const std::vector<Define>& defines)
+    : vertex_(std::move(vertex)), fragment_(std::move(fragment)) {
+  const Shader vertex_shader(GL_VERTEX_SHADER, *vertex_, defines);
+  const Shader fragment_shader(GL_FRAGMENT_SHADER, *fragment_, defines);
+  id_ = glCreateProgram();
+  glAttachShader(id_, vertex_shader.id());
+  glAttachShader(id_, fragment_shader.id());
+  for (GLuint i = 0; i < std::size(kAttributeNames); ++i) glBindAttribLocation(id_, i, kAttributeNames[i]);
+  glLinkProgram(id_);
+  GLint ok = 0;
+  glGetProgramiv(id_, GL_LINK_STATUS, &ok);
+  if (ok == 0) {
+    char log[4096] = "";
+    glGetProgramInfoLog(id_, sizeof log, nullptr, log);
+    glDeleteProgram(id_);
+    throw Error::failed(fmt::format("does not link: {}", fragment_->locate(log)), {name()});
+  }
+
+  GLint count = 0;
+  char text[256];
+  GLint size = 0;
+  glGetProgramiv(id_, GL_ACTIVE_UNIFORMS, &count);
+  for (GLint i = 0; i < count; ++i) {
+    Uniform uniform;
+    glGetActiveUniform(id_, static_cast<GLuint>(i), sizeof text, nullptr, &size, &uniform.type, text);
+    uniform.name = text;
+    uniform.location = glGetUniformLocation(id_, text);
+    if (uniform.location >= 0) uniforms_.push_back(std::move(uniform));
+  }
+  glGetProgramiv(id_, GL_ACTIVE_ATTRIBUTES, &count);
+  for (GLint i = 0; i < count; ++i) {
+    GLenum type = 0;
+    glGetActiveAttrib(id_, static_cast<GLuint>(i), sizeof text, nullptr, &size, &type, text);
+    if (std::string_view(text).starts_with("gl_")) continue;
+    const auto* known =
+        std::find(std::begin(kAttributeNames), std::end(kAttributeNames), std::string_view(text));
+    if (known == std::end(kAttributeNames)) {
+      glDeleteProgram(id_);
+      throw Error::failed(fmt::format("there is no vertex attribute '{}'", text),
+                          {vertex_->files().front().string()},
+                          "the attributes are position, normal, texcoord, tangent, bitangent and color");
+    }
+    attributes_.push_back(static_cast<Attribute>(known - std::begin(kAttributeNames)));
+  }
+  std::sort(attributes_.begin(), attributes_.end());
+}
+
+Program::~Program() {
+  glDeleteProgram(id_);
+}
+
+std::string Program::name() const {
+  const std::filesystem::path& file = fragment_->files().front();
+  return (file.parent_path().filename() / file.filename()).string();
+}
+
+const Uniform* Program::find(std::string_view name) const {
+  const auto found =
+      std::find_if(uniforms_.begin(), uniforms_.end(), [&](const Uniform& u) { return u.name == name; });
+  return found == uniforms_.end() ? nullptr : &*found;
+}
+
+Uniform* Program::to_set(std::string_view name, std::initializer_list<GLenum> types) {
+  auto* uniform = const_cast<Uniform*>(find(name));
+  if (uniform == nullptr) {
+    if (!vertex_->mentions(name) && !fragment_->mentions(name))
+      throw Error::failed(fmt::format("has no uniform '{}'", name), {this->name()},
+                          "declare it, or correct its name");
+    return nullptr;
+  }
+  const bool fits = std::find(types.begin(), types.end(), uniform->type) != types.end() ||
+                    (is_sampler(uniform->type) && *types.begin() == GL_INT);
+  if (!fits)
+    throw Error::failed(
+        fmt::format("the uniform '{}' is declared with another type than the program sets", name),
+        {this->name()});
+  uniform->is_set = true;
+  return uniform;
+}
+
+void Program::set(std::string_view name, int value) {
+  if (const Uniform* u = to_set(name, {GL_INT, GL_BOOL})) glUniform1i(u->location, value);
+}
+void Program::set(std::string_view name, float value) {
+  if (const Uniform* u = to_set(name, {GL_FLOAT})) glUniform1f(u->location, value);
+}
+void Program::set(std::string_view name, const glm::vec2& value) {
+  if (const Uniform* u = to_set(name, {GL_FLOAT_VEC2})) glUniform2fv(u->location, 1, glm::value_ptr(value));
+}
+void Program::set(std::string_view name, const glm::vec3& value) {
+  if (const Uniform* u = to_set(name, {GL_FLOAT_VEC3})) glUniform3fv(u->location, 1, glm::value_ptr(value));
+}
+void Program::set(std::string_view name, const glm::vec4& value) {
+  if (const Uniform* u = to_set(name, {GL_FLOAT_VEC4})) glUniform4fv(u->location, 1, glm::value_ptr(value));
+}
+void Program::set(std::string_view name, const glm::mat3& value) {
+  if (const Uniform* u = to_set(name, {GL_FLOAT_MAT3}))
+    glUniformMatrix3fv(u->location, 1, GL_FALSE, glm::value_ptr(value));
+}
+void Program::set(std::string_view name, const glm::mat4& value) {
+  if (const Uniform* u = to_set(name, {GL_FLOAT_MAT4}))
+    glUniformMatrix4fv(u->location, 1, GL_FALSE, glm::value_ptr(value));
+}
+
+void Program::check_uniforms() const {
+  for (const Uniform& uniform : uniforms_)
+    if (!uniform.is_set)
+      throw Error::failed(fmt::format("the uniform '{}' is read but never set", uniform.name), {name()},
+                          "set it in the lab, or name it as one of the lab's parameters");
+}
+
+std::shared_ptr<const ShaderSource> ProgramCache::source(const std::string& file) {
+  auto& source = sources_[file];
+  if (source == nullptr) {
+    tried_.push_back(root_ / file);
+    source = std::make_shared<const ShaderSource>(root_, file);
+  }
+  return source;
+}
+
+Program& ProgramCache::get(const std::string& vertex, const std::string& fragment,
+                           const std::vector<Define>& defines) {
+  const auto vertex_source = source(vertex);
+  const auto fragment_source = source(fragment);
+  std::vector<Define> used;
+  std::string key = vertex + "\n" + fragment;
+  for (const Define& define : defines) {
+    if (!vertex_source->mentions(define.name) && !fragment_source->mentions(define.name)) continue;
+    used.push_back(define);
+    key += fmt::format("\n{} {}", define.name, define.value);
+  }
+  auto& program = programs_[key];
+  if (program == nullptr) {
+    const Stopwatch stopwatch;
+    program = std::make_unique<Program>(vertex_source, fragment_source, used);
+    milliseconds_ += stopwatch.milliseconds();
+  }
+  return *program;
+}
+
+void ProgramCache::clear() {
+  programs_.clear();
+  sources_.clear();
+  tried_.clear();
+}
+
+std::vector<std::filesystem::path> ProgramCache::files() const {
+  std::vector<std::filesystem::path> files = tried_;
+  for (const auto& [name, source] : sources_)
+    if (source != nullptr) files.insert(files.end(), source->files().begin(), source->files().end());
+  std::sort(files.begin(), files.end());
+  files.erase(std::unique(files.begin(), files.end()), files.end());
+  return files;
+}
+
+}  // namespace texel::gl

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "gl/shader_source.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+
+namespace texel::gl {
+namespace {
+
+constexpr int kLinesPerFile = 100000;
+
+bool is_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front())) != 0) text.remove_prefix(1);
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) text.remove_suffix(1);
+  return text;
+}
+
+/// The name in `#include "name"`, or "" for any other line.
+std::string_view included(std::string_view line) {
+  line = trimmed(line);
+  if (!line.starts_with('#')) return {};
+  line = trimmed(line.substr(1));
+  if (!line.starts_with("include")) return {};
+  line = trimmed(line.substr(7));
+  const std::size_t end = line.size() < 2 ? std::string_view::npos : line.find('"', 1);
+  return line.starts_with('"') && end != std::string_view::npos ? line.substr(1, end - 1)
+                                                                : std::string_view{};
+}
+
+}  // namespace
+
+ShaderSource::ShaderSource(const std::filesystem::path& root, const std::filesystem::path& file)
+    : root_(root) {
+  std::vector<std::filesystem::path> open;
+  expand(root / file, open);
+  if (version_.empty())
+    throw Error::failed("the shader has no #version", {file.string(), 1},
+                        "begin it with '#version 330 core'");
+}
+
+void ShaderSource::expand(const std::filesystem::path& file, std::vector<std::filesystem::path>& open) {
+  const auto number = files_.size() + 1;
+  files_.push_back(file);
+  open.push_back(file);
+  const std::string text = read_file(file);
+  const auto mark = [&](int line) {
+    body_ += fmt::format("#line {}\n", static_cast<int>(number) * kLinesPerFile + line);
+  };
+  mark(1);
+  int line_number = 0;
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    const std::string_view line(text.data() + start, end - start);
+    start = end + 1;
+    ++line_number;
+    if (trimmed(line).starts_with("#version")) {
+      version_ = std::string(trimmed(line)) + "\n";
+      body_ += '\n';
+      continue;
+    }
+    const std::string_view name = included(line);
+    if (name.empty()) {
+      body_.append(line).append("\n");
+      continue;
+    }
+    const Place place{file.lexically_relative(root_).string(), line_number};
+    std::filesystem::path target = file.parent_path() / name;
+    if (!std::filesystem::exists(target)) target = root_ / name;
+    if (!std::filesystem::exists(target))
+      throw Error::failed(fmt::format("there is no file '{}' to include", name), place,
+                          "name a file beside this one or below shaders/");
+    if (std::find(open.begin(), open.end(), target) != open.end())
+      throw Error::failed(fmt::format("'{}' includes itself", name), place);
+    if (std::find(files_.begin(), files_.end(), target) == files_.end()) expand(target, open);
+    mark(line_number + 1);
+  }
+  open.pop_back();
+}
+
+std::string ShaderSource::text(const std::vector<Define>& defines) const {
+  std::string text = version_;
+  for (const Define& define : defines) text += fmt::format("#define {} {}\n", define.name, define.value);
+  return text + body_;
+}
+
+bool ShaderSource::mentions(std::string_view token) const {
+  for (std::size_t at = body_.find(token); at != std::string::npos; at = body_.find(token, at + 1)) {
+    const bool starts = at == 0 || !is_word(body_[at - 1]);
+    const bool ends = at + token.size() >= body_.size() || !is_word(body_[at + token.size()]);
+    if (starts && ends) return true;
+  }
+  return false;
+}
+
+std::string ShaderSource::locate(std::string_view log) const {
+  std::string result;
+  for (std::size_t start = 0; start < log.size();) {
+    const std::size_t end = std::min(log.find_first_of("\n\0", start), log.size());
+    const std::string_view line = log.substr(start, end - start);
+    start = end + 1;
+    if (trimmed(line).empty()) continue;
+    // "0:200012(5): error: …" (Mesa) and "0(200012) : error …" (others): the first number above 100000 is
+    // ours.
+    bool found = false;
+    for (std::size_t at = 0; at < line.size() && !found; ++at) {
+      if (std::isdigit(static_cast<unsigned char>(line[at])) == 0 || (at > 0 && is_word(line[at - 1])))
+        continue;
+      int encoded = 0;
+      const char* stop = std::from_chars(line.data() + at, line.data() + line.size(), encoded).ptr;
+      const auto file = static_cast<std::size_t>(encoded / kLinesPerFile);
+      if (encoded < kLinesPerFile || file > files_.size()) continue;
+      std::string_view rest(stop, static_cast<std::size_t>(line.data() + line.size() - stop));
+      int column = 0;
+      if (rest.starts_with('(')) {  // Mesa's column
+        const char* close = std::from_chars(rest.data() + 1, rest.data() + rest.size(), column).ptr;
+        rest.remove_prefix(static_cast<std::size_t>(close - rest.data()));
+      }
+      while (!rest.empty() && (rest.front() == ')' || rest.front() == ':' || rest.front() == ' '))
+        rest.remove_prefix(1);
+      result +=
+          fmt::format("{}:{}:", files_[file - 1].lexically_relative(root_).string(), encoded % kLinesPerFile);
+      if (column > 0) result += fmt::format("{}:", column);
+      result += fmt::format(" {}\n", rest);
+      found = true;
+    }
+    if (!found) result.append(line).append("\n");
+  }
+  while (result.ends_with('\n')) result.pop_back();
+  return result;
+}
+
+}  // namespace texel::gl

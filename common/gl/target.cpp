@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "gl/target.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+
+namespace texel::gl {
+
+Target::Target(Kind kind, int width, int height, int samples) : kind_(kind), width_(width), height_(height) {
+  GLint most = 1;
+  glGetIntegerv(GL_MAX_SAMPLES, &most);
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
+  if (width > largest || height > largest)
+    throw Error::failed(fmt::format("a picture of {}x{} is larger than this renderer's {}x{}", width, height,
+                                    largest, largest),
+                        {}, "choose a smaller --size");
+  samples_ = std::clamp(samples, 1, most);
+  const GLenum format = kind == Kind::colour ? GL_SRGB8_ALPHA8 : GL_RGBA32F;
+
+  glBindTexture(GL_TEXTURE_2D, texture_.id());
+  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0, GL_RGBA,
+               kind == Kind::colour ? GL_UNSIGNED_BYTE : GL_FLOAT, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glBindFramebuffer(GL_FRAMEBUFFER, resolved_.id());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.id(), 0);
+  if (samples_ > 1) {
+    multisampled_ = std::make_unique<Multisampled>();
+    glBindFramebuffer(GL_FRAMEBUFFER, multisampled_->framebuffer.id());
+    glBindRenderbuffer(GL_RENDERBUFFER, multisampled_->colour.id());
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, format, width, height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                              multisampled_->colour.id());
+  }
+  glBindRenderbuffer(GL_RENDERBUFFER, depth_.id());
+  if (samples_ > 1)
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_DEPTH_COMPONENT24, width, height);
+  else
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
+  const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+  if (status != GL_FRAMEBUFFER_COMPLETE)
+    throw Error::failed(fmt::format("this renderer cannot draw into a {}x{} {} picture (0x{:04x})", width,
+                                    height, kind == Kind::colour ? "sRGB" : "float", status));
+}
+
+void Target::bind() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, multisampled_ ? multisampled_->framebuffer.id() : resolved_.id());
+  glViewport(0, 0, width_, height_);
+}
+
+void Target::resolve() const {
+  if (!multisampled_) return;
+  glDisable(GL_SCISSOR_TEST);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, multisampled_->framebuffer.id());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
+  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+image::Image8 Target::read8() const {
+  image::Image8 image(width_, height_, 4);
+  bind_for_reading();
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.samples.data());
+  return image;
+}
+
+image::ImageF Target::read_float() const {
+  image::ImageF image(width_, height_, 4);
+  bind_for_reading();
+  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, image.samples.data());
+  return image;
+}
+
+image::ImageF Target::read_pixel(int x, int y) const {
+  image::ImageF pixel(1, 1, 4);
+  bind_for_reading();
+  glReadPixels(x, y, 1, 1, GL_RGBA, GL_FLOAT, pixel.samples.data());
+  return pixel;
+}
+
+}  // namespace texel::gl

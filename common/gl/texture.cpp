@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "gl/texture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "image/mipmaps.hpp"
+
+namespace texel::gl {
+
+Format format_of(int channels, image::Encoding encoding) {
+  const bool srgb = encoding == image::Encoding::srgb;
+  switch (channels) {
+    case 1:
+      return {GL_R8, GL_RED};
+    case 2:
+      return {GL_RG8, GL_RG};
+    case 3:
+      return {srgb ? GLenum{GL_SRGB8} : GLenum{GL_RGB8}, GL_RGB};
+    default:
+      return {srgb ? GLenum{GL_SRGB8_ALPHA8} : GLenum{GL_RGBA8}, GL_RGBA};
+  }
+}
+
+image::Image8 expand_grey(const image::Image8& image) {
+  if (image.channels > 2) return image;
+  image::Image8 colour(image.width, image.height, image.channels + 2);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      for (int c = 0; c < 3; ++c) colour.at(x, y, c) = image.at(x, y);
+      if (image.channels == 2) colour.at(x, y, 3) = image.at(x, y, 1);
+    }
+  return colour;
+}
+
+void upload_level(GLenum target, int level, const image::Image8& image, image::Encoding encoding) {
+  const Format format = format_of(image.channels, encoding);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(target, level, static_cast<GLint>(format.internal), image.width, image.height, 0,
+               format.external, GL_UNSIGNED_BYTE, image.samples.data());
+}
+
+void set_sampling(GLenum target, const Sampling& sampling) {
+  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, static_cast<GLint>(sampling.minify));
+  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, static_cast<GLint>(sampling.magnify));
+  glTexParameteri(target, GL_TEXTURE_WRAP_S, static_cast<GLint>(sampling.wrap_s));
+  glTexParameteri(target, GL_TEXTURE_WRAP_T, static_cast<GLint>(sampling.wrap_t));
+  if (GLAD_GL_EXT_texture_filter_anisotropic != 0) {
+    float most = 1;
+    glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
+    glTexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::clamp(sampling.anisotropy, 1.0F, most));
+  }
+}
+
+namespace {
+
+/// A colour picture in a format that the GPU decodes from sRGB.
+image::Image8 uploadable(const image::Image8& image, image::Encoding encoding) {
+  return encoding == image::Encoding::srgb ? expand_grey(image) : image;
+}
+
+/// Binds a texture to the active unit for the length of a scope, so that making one disturbs no unit.
+class ScopedBinding {
+ public:
+  ScopedBinding(GLenum target, const Texture& texture) : target_(target) {
+    glGetIntegerv(target == GL_TEXTURE_2D ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_CUBE_MAP, &before_);
+    glBindTexture(target, texture.id());
+  }
+  ~ScopedBinding() { glBindTexture(target_, static_cast<GLuint>(before_)); }
+  ScopedBinding(const ScopedBinding&) = delete;
+  ScopedBinding& operator=(const ScopedBinding&) = delete;
+
+ private:
+  GLenum target_;
+  GLint before_ = 0;
+};
+
+bool needs_mipmaps(const Sampling& sampling) {
+  return sampling.minify != GL_NEAREST && sampling.minify != GL_LINEAR;
+}
+
+void upload_chain(GLenum target, const image::Image8& image, image::Encoding encoding,
+                  const Sampling& sampling) {
+  if (!needs_mipmaps(sampling)) {
+    upload_level(target, 0, image, encoding);
+    return;
+  }
+  int level = 0;
+  for (const image::Image8& smaller : image::mip_chain(image, encoding))
+    upload_level(target, level++, smaller, encoding);
+}
+
+}  // namespace
+
+Texture make_texture_2d(const image::Image8& image, image::Encoding encoding, const Sampling& sampling) {
+  Texture texture;
+  const ScopedBinding binding(GL_TEXTURE_2D, texture);
+  upload_chain(GL_TEXTURE_2D, uploadable(image, encoding), encoding, sampling);
+  set_sampling(GL_TEXTURE_2D, sampling);
+  return texture;
+}
+
+Texture make_cube_map(std::span<const image::Image8, 6> faces, image::Encoding encoding,
+                      const Sampling& sampling) {
+  static constexpr const char* kNames[] = {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
+  for (std::size_t i = 0; i < 6; ++i)
+    if (faces[i].width != faces[0].width || faces[i].height != faces[0].width)
+      throw Error::failed(fmt::format("the cube map's face {} has {}x{} texels, but face +X {}x{}", kNames[i],
+                                      faces[i].width, faces[i].height, faces[0].width, faces[0].height),
+                          {}, "give six squares of one size");
+  Texture texture;
+  const ScopedBinding binding(GL_TEXTURE_CUBE_MAP, texture);
+  for (GLuint i = 0; i < 6; ++i)
+    upload_chain(GL_TEXTURE_CUBE_MAP_POSITIVE_X + i, uploadable(faces[i], encoding), encoding, sampling);
+  set_sampling(GL_TEXTURE_CUBE_MAP, sampling);
+  return texture;
+}
+
+void bind(int unit, GLenum target, const Texture& texture) {
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(target, texture.id());
+}
+
+}  // namespace texel::gl

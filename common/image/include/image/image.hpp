@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace texel::image {
+
+/// A picture in memory: `channels` interleaved samples a pixel, rows tightly packed, **row 0 is the bottom
+/// row** as OpenGL wants its textures.
+template <class Sample>
+struct Image {
+  int width = 0;     ///< pixels
+  int height = 0;    ///< pixels
+  int channels = 0;  ///< 1 to 4: grey, grey and alpha, RGB, RGBA
+  std::vector<Sample> samples;
+
+  Image() = default;
+  Image(int width_, int height_, int channels_)
+      : width(width_),
+        height(height_),
+        channels(channels_),
+        samples(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) *
+                static_cast<std::size_t>(channels_)) {}
+
+  [[nodiscard]] std::size_t index(int x, int y, int channel = 0) const {
+    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
+               static_cast<std::size_t>(channels) +
+           static_cast<std::size_t>(channel);
+  }
+  [[nodiscard]] Sample& at(int x, int y, int channel = 0) { return samples[index(x, y, channel)]; }
+  [[nodiscard]] const Sample& at(int x, int y, int channel = 0) const {
+    return samples[index(x, y, channel)];
+  }
+
+  bool operator==(const Image&) const = default;
+};
+
+using Image8 = Image<std::uint8_t>;    ///< 0..255, sRGB-encoded colour or linear data: the user says which
+using Image16 = Image<std::uint16_t>;  ///< 0..65535
+using ImageF = Image<float>;           ///< any value, linear
+
+/// The same picture upside down.
+template <class Sample>
+Image<Sample> flipped(const Image<Sample>& image) {
+  Image<Sample> result(image.width, image.height, image.channels);
+  const auto row = static_cast<std::ptrdiff_t>(image.index(0, 1));
+  for (std::ptrdiff_t y = 0; y < image.height; ++y)
+    std::copy_n(image.samples.begin() + row * y, row, result.samples.begin() + row * (image.height - 1 - y));
+  return result;
+}
+
+/// How the samples of a colour picture are to be read.
+enum class Encoding {
+  srgb,   ///< colour: R, G and B by the sRGB curve (IEC 61966-2-1), alpha linear
+  linear  ///< data: normals, heights, masks
+};
+
+}  // namespace texel::image

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <glm/glm.hpp>
+
+#include "mesh/mesh.hpp"
+
+namespace texel::mesh {
+
+/// The box around a mesh, axis-aligned, in object space; both zero for an empty mesh.
+struct Bounds {
+  glm::vec3 least{0.0f};
+  glm::vec3 greatest{0.0f};
+
+  [[nodiscard]] glm::vec3 center() const { return 0.5f * least + 0.5f * greatest; }
+  [[nodiscard]] glm::vec3 extent() const { return greatest - least; }
+};
+
+Bounds bounds(const Mesh& mesh);
+
+/// Moves the box's centre to the origin and scales evenly so that the farthest vertex lies at distance 1; a
+/// mesh without extent is only moved. In double, so that models of any size and place keep their shape.
+/// Normals and tangents stay as they are.
+void normalize_to_unit(Mesh& mesh);
+
+}  // namespace texel::mesh

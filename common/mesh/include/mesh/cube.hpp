@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <glm/glm.hpp>
+
+#include "mesh/mesh.hpp"
+#include "mesh/obj.hpp"
+
+/// The report's cube of eight shared vertices, and what gives each of its faces its own copy of the texture.
+/// Corner order: front bottom left, front upper left, front upper right, front bottom right, then the same at
+/// the back (left and right as seen from the front); the front is +z.
+namespace texel::mesh {
+
+/// One texture coordinate for each of the eight corners.
+using CubeTexcoords = std::array<glm::vec2, 8>;
+
+/// The report's first table (section 3.2): the front is right, the back mirrored, the other faces smeared.
+inline constexpr CubeTexcoords cube_before{{{0, 0}, {0, 1}, {1, 1}, {1, 0}, {0, 0}, {0, 1}, {1, 1}, {1, 0}}};
+
+/// The report's workaround (section 3.1): every face is covered, but the front is turned by 180 degrees, the
+/// back mirrored, and of each other face one triangle is mirrored.
+inline constexpr CubeTexcoords cube_stretched{
+    {{1, 1}, {1, 0}, {0, 0}, {0, 1}, {0, 0}, {0, 1}, {1, 1}, {1, 0}}};
+
+/// The report's cube: 8 vertices, 12 triangles; the normals point away from the centre, since a shared vertex
+/// has one only.
+Mesh cube_shared(const CubeTexcoords& texcoords, float half_size = 1.0f);
+
+/// The same cube as an exporter writes it: 8 v, 4 vt, 6 vn, each face with the whole texture upright seen
+/// from outside. weld() makes 24 vertices of it, since each v has three different vn.
+ObjData cube_by_face(float half_size = 1.0f);
+
+}  // namespace texel::mesh

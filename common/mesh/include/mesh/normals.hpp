@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <glm/glm.hpp>
+
+#include "mesh/mesh.hpp"
+#include "mesh/obj.hpp"
+
+namespace texel::mesh {
+
+/// How much a triangle counts in the normal of its corner.
+enum class Weighting {
+  area,   ///< by its area (Gouraud's plain sum of cross products)
+  angle,  ///< by the corner's angle (Thuermer and Wuethrich 1998): how faces are cut does not matter
+};
+
+/// What a vertex gets whose triangles have no area.
+inline constexpr glm::vec3 fallback_normal{0.0f, 1.0f, 0.0f};
+
+/// The unit normal of the triangle a b c on the side from which it runs counter-clockwise; zero when it has
+/// no area.
+glm::vec3 face_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
+
+/// Gives every triangle its face normal; vertices that triangles of different normals share are duplicated.
+/// Tangents are emptied. Triangles without area take fallback_normal.
+void flat_normals(Mesh& mesh);
+
+/// Gives every vertex the weighted mean of the normals of all triangles at its position, so that vertices
+/// which are split for their texture coordinates stay smooth. Triangles without area add nothing. Tangents
+/// are emptied. Expected linear time.
+void smooth_normals(Mesh& mesh, Weighting weighting);
+
+/// Gives a normal to every corner of an OBJ file that has none or one of zero length: the weighted mean over
+/// the triangles at its position of the same smoothing group (group 0: flat), or over all triangles there
+/// when the file has no smoothing groups. Returns the number of corners that got one.
+std::size_t generate_missing_normals(ObjData& data, Weighting weighting);
+
+/// Takes all normals away, as if the file had no vn.
+void remove_normals(ObjData& data);
+
+}  // namespace texel::mesh

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <glm/glm.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace texel::mesh {
+
+/// Stands for "this corner has no vt" and the like.
+inline constexpr std::uint32_t no_index = 0xFFFFFFFFu;
+
+/// One corner of a triangle: indices from 0 into ObjData's arrays.
+struct Corner {
+  std::uint32_t position = 0;
+  std::uint32_t texcoord = no_index;
+  std::uint32_t normal = no_index;
+  friend bool operator==(const Corner&, const Corner&) = default;
+};
+
+/// What `newmtl` says that we use. Paths are as written, with '/' for '\', relative to the MTL file.
+struct Material {
+  std::string name;
+  glm::vec3 diffuse{1.0f};  ///< Kd, as written
+  std::string color_map;    ///< map_Kd, or ""
+  std::string normal_map;   ///< norm, else map_Bump or bump, or ""
+};
+
+/// From this triangle on, until the next run: a material's, group's or object's name.
+struct NamedRun {
+  std::string name;
+  std::uint32_t first_triangle = 0;
+};
+
+/// From this triangle on: the smoothing group, 0 for off.
+struct SmoothingRun {
+  std::uint32_t group = 0;
+  std::uint32_t first_triangle = 0;
+};
+
+/// What was met in a file beside plain triangles. Nothing of it stops the import.
+struct ObjReport {
+  std::uint64_t lines = 0;                 ///< as an editor counts them
+  std::uint64_t faces = 0;                 ///< `f` lines, dropped ones too
+  std::uint64_t polygons = 0;              ///< faces of more than three corners
+  std::uint64_t concave_polygons = 0;      ///< cut by clipping ears
+  std::uint64_t approximate_polygons = 0;  ///< repair: crossing itself, flat or huge; may overlap
+  std::uint64_t dropped_faces = 0;         ///< repair: fewer than three different corners
+  std::uint64_t dropped_corners = 0;       ///< repair: the same v as the corner before
+  std::uint64_t points_and_lines = 0;      ///< `p` and `l`, ignored
+  std::uint64_t unknown_lines = 0;         ///< other keywords, ignored
+  std::uint64_t ignored_weights = 0;       ///< a fourth number of `v` other than 1: of curves, ignored
+  std::uint64_t missing_texcoords = 0;     ///< corners without vt in a file that has vt: drawn at (0, 0)
+  std::uint64_t missing_normals = 0;       ///< corners without a (usable) vn in a file that has vn: generated
+  std::vector<std::string> warnings;       ///< one readable line for each kind of trouble
+};
+
+/// An OBJ file as parsed: separate lists as in the file, and three corners a triangle. Texture coordinates
+/// have t up, as OBJ has them; everything is in the file's own frame and units.
+struct ObjData {
+  std::string name;  ///< of the file, for messages
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec2> texcoords;
+  std::vector<glm::vec3> normals;       ///< as written, of any length
+  std::vector<glm::vec3> colors;        ///< empty, or one for each position, as written (white where missing)
+  std::vector<Corner> corners;          ///< three a triangle, polygons cut
+  std::vector<NamedRun> material_runs;  ///< `usemtl`
+  std::vector<NamedRun> group_runs;     ///< `g` and `o`
+  std::vector<SmoothingRun> smoothing;  ///< `s`; empty when the file never switches smoothing on
+  std::vector<std::string> libraries;   ///< each `mtllib` line's names, as written
+  std::vector<Material> materials;      ///< read from the libraries by load_obj
+  ObjReport report;
+
+  [[nodiscard]] std::size_t triangle_count() const { return corners.size() / 3; }
+};
+
+struct ObjOptions {
+  /// Called now and then with the part of the file that is done, 0..1; may be empty.
+  std::function<void(double)> progress;
+};
+
+/// Parses an OBJ text in one pass. Knows v (xyz, xyzw, xyz rgb, xyzw rgb), vt (1 to 3 numbers), vn, f (and
+/// fo) with v, v/vt, v//vn, v/vt/vn and negative indices, p, l, g, o, s, usemtl, mtllib, comments, lines
+/// continued by '\', LF, CRLF and CR, tabs, a byte order mark. Numbers are rounded correctly to float32. A
+/// face may only use lines above it. Faces are cut into triangles in their own plane (polygon.hpp). Throws
+/// Error (exit 3) with `name` and the line: index 0 or out of range, a number that is malformed, NaN,
+/// infinite or too large for float32, binary data, an empty text, a text without a face of three corners.
+/// Repairs are counted in ObjData::report and told in its warnings.
+ObjData parse_obj(std::string_view text, const std::string& name, const ObjOptions& options = {});
+
+/// Maps a file into memory and parses it, then reads its material libraries from beside it; a library that is
+/// missing or wrong is a warning. Throws Error (exit 3) as parse_obj and when the file cannot be read.
+ObjData load_obj(const std::filesystem::path& path, const ObjOptions& options = {});
+
+/// Parses an MTL text: newmtl, Kd, map_Kd, norm, map_Bump and bump (any case), whose options (-s, -o, -clamp
+/// and so on) are skipped; the rest is ignored. Throws Error (exit 3) with name and line for a Kd that is no
+/// number and for a property before the first newmtl.
+std::vector<Material> parse_mtl(std::string_view text, const std::string& name);
+
+/// The material of this name, or nullptr.
+const Material* find_material(const ObjData& data, std::string_view name);
+
+}  // namespace texel::mesh

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+
+#include "mesh/mesh.hpp"
+
+/// Analytic shapes with exact normals and texture coordinates; object space, right-handed, y up,
+/// counter-clockwise seen from outside. Computed in double and rounded once. Sizes are in world units, counts
+/// are clamped to the least that makes a surface. Tangents are left empty: fill them with the exact ones
+/// below or by a method of tangents.hpp.
+namespace texel::mesh {
+
+/// A square in the plane z = 0 facing +z: corners (-h, -h) to (h, h), texture coordinates 0..1, 4 vertices.
+Mesh quad(float half_size = 0.7f);
+
+/// The same square cut into cells x cells squares of two triangles.
+Mesh grid(float half_size, int cells);
+
+/// A cube with 24 vertices: each face has its own copy of the whole texture, upright seen from outside (the
+/// top's lower edge and the bottom's upper edge are those at the front). Faces +z, -z, +x, -x, +y, -y.
+Mesh cube_split(float half_size = 1.0f);
+
+/// A sphere about the origin from `rings` bands of `segments` quads (at least 2 and 3):
+/// s is the longitude / 2 pi, counter-clockwise seen from above, 0 at +z and 1/4 at +x; t is 0 at the south
+/// and 1 at the north pole, even in latitude:
+/// position = radius (cos(lat) sin(2 pi s), sin(lat), cos(lat) cos(2 pi s)), lat = pi (t - 1/2).
+/// The seam's vertices are there twice (s = 0 and 1); each pole has one vertex a segment, at its middle s.
+Mesh sphere(int rings, int segments, float radius = 1.0f);
+
+/// A torus about the y axis: position = ((R + r cos b) sin a, r sin b, (R + r cos b) cos a) with a = 2 pi s
+/// and b = 2 pi t, so s runs as on the sphere and t = 0 is the outer equator. `segments` steps in s, `sides`
+/// in t (at least 3); seams doubled.
+Mesh torus(float major, float minor, int segments, int sides);
+
+/// The torus with each vertex moved along the surface by up to +-amount/2 of a cell in s and t; below an
+/// amount of 1/2 no triangle can turn over. Texture coordinates and normals stay exact. The same seed gives
+/// the same mesh.
+Mesh torus_jittered(float major, float minor, int segments, int sides, float amount, std::uint32_t seed);
+
+/// A sphere of nearly equal triangles: an icosahedron split `subdivisions` times (0 to 8), 20 * 4^n
+/// triangles, 10 * 4^n + 2 vertices; normals, and no texture coordinates.
+Mesh icosphere(int subdivisions, float radius = 1.0f);
+
+/// Fills the exact tangents of a surface of revolution about y with s as its longitude (sphere, torus):
+/// T = (cos 2 pi s, 0, -sin 2 pi s), w = +1.
+void revolution_tangents(Mesh& mesh);
+
+/// Fills the exact tangents of quad and grid: T = +x, w = +1.
+void plane_tangents(Mesh& mesh);
+
+}  // namespace texel::mesh

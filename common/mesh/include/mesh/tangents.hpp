@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "mesh/mesh.hpp"
+
+namespace texel::mesh {
+
+/// How the tangent frames of a triangle mesh are made from its texture coordinates.
+enum class TangentMethod {
+  /// The slides' way: T and B of each triangle by the 2x2 inverse, averaged per vertex, not orthogonal. Fills
+  /// Mesh::bitangents too. Vertices are left as they are, so mirrored texture coordinates cancel.
+  averaged,
+  /// The averaged T made orthogonal to the normal, the side of B kept in w (Lengyel, "Foundations of Game
+  /// Engine Development 2", section 7.5). The first method that splits mirrored vertices.
+  gram_schmidt,
+  /// As gram_schmidt, but each triangle's unit T and B count by the angle of its corner, so that how a face
+  /// is cut into triangles does not matter (Thuermer and Wuethrich 1998, there for normals).
+  angle_weighted,
+  /// The rules of M. S. Mikkelsen, "Simulation of Wrinkled Surfaces Revisited" (2008), which bakers agree on:
+  /// corners of equal position, normal and texcoord are one; triangles around it that are joined by edges and
+  /// turn the texture the same way form a group; a group's tangent is the sum of its triangles' unit T, each
+  /// projected into the normal's plane, by the corner's angle in that plane; each group has a vertex of its
+  /// own; triangles without a texture area join any group and add nothing. Angular threshold 180 degrees.
+  mikktspace,
+};
+
+/// What compute_tangents met.
+struct TangentReport {
+  std::uint32_t degenerate_triangles = 0;  ///< no area in texture or space: they add nothing
+  std::uint32_t fallback_vertices = 0;  ///< had no triangle with a direction: any unit vector orthogonal to n
+  std::uint32_t split_vertices = 0;     ///< added where the texture is mirrored or groups meet
+};
+
+/// T: what one step in s moves on the triangle, B: one step in t; as long as the texture's width and height.
+struct TriangleFrame {
+  glm::vec3 tangent{0.0f};
+  glm::vec3 bitangent{0.0f};
+};
+
+/// T and B of a triangle from E1 = P2 - P1, E2 = P3 - P2 and the same differences of its texture coordinates,
+/// by the inverse of the 2x2 matrix (Slides, "Normal Mapping"). The texture area must not be zero.
+TriangleFrame triangle_frame(const std::array<glm::vec3, 3>& positions,
+                             const std::array<glm::vec2, 3>& texcoords);
+
+/// T without its part along the unit normal, at unit length, and in w the side on which B lies: the bitangent
+/// is w * cross(normal, xyz). Zero in xyz when T has no part in the normal's plane.
+glm::vec4 orthonormalize(const glm::vec3& normal, const glm::vec3& tangent, const glm::vec3& bitangent);
+
+/// Twice the signed area in texture space: positive when the texture is not mirrored, and exactly 0 when the
+/// three texture coordinates lie on a line but for rounding (area below 1e-7 of the product of two edges).
+double texture_area(const std::array<glm::vec2, 3>& texcoords);
+
+/// Fills tangents (and bitangents for `averaged`, else empties them) from positions, normals and texcoords.
+/// Where triangles of both turns meet at a vertex, all methods but `averaged` append a vertex for the later
+/// one; the order of vertices and triangles is else kept. Linear time. Throws Error (exit 3) when the mesh
+/// has no normals or no texture coordinates.
+TangentReport compute_tangents(Mesh& mesh, TangentMethod method);
+
+}  // namespace texel::mesh

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <glm/glm.hpp>
+
+#include "mesh/mesh.hpp"
+
+namespace texel::mesh {
+
+/// How texture coordinates are made for a mesh that has none. All are scaled to the mesh's bounding box;
+/// "centre" is the box's, "size" its longest side.
+enum class Projection {
+  planar,       ///< along z, seen from the front: (x, y) / size, so texels are square; smears the sides
+  box,          ///< each triangle along the axis it faces most, upright as on a cube; (x, y) / size and so on
+  cylindrical,  ///< about y: s the longitude from +z towards +x / 2 pi, t from the lowest to the highest
+                ///< point
+  spherical,    ///< about the centre: s the same, t the latitude from the south to the north pole / pi
+};
+
+/// Where the direction from the centre meets the unit square: s = longitude / 2 pi in [0, 1), 0 at +z and 1/4
+/// at +x; t = latitude / pi + 1/2. The texture reads the right way round from outside (as on sphere() of
+/// primitives.hpp). (0, 1/2) for no direction.
+glm::vec2 spherical_texcoord(const glm::vec3& from_center);
+
+/// Replaces the texture coordinates. Vertices are duplicated where triangles need different ones: in `box`
+/// where neighbours face other axes; in the round projections at the seam, where a triangle goes on past s =
+/// 1, and on the axis, where s has no value and each triangle takes the mean of its other corners. Tangents
+/// are emptied. Linear time. A triangle through which the axis passes keeps a stretch of at least half the
+/// texture.
+void generate_texcoords(Mesh& mesh, Projection projection);
+
+}  // namespace texel::mesh

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/normals.hpp"
+
+#include <array>
+
+#include "mesh/distinct.hpp"
+#include "mesh/vectors.hpp"
+#include "mesh/weld.hpp"
+
+namespace texel::mesh {
+
+glm::vec3 face_normal([[maybe_unused]] const glm::vec3& a, [[maybe_unused]] const glm::vec3& b,
+                      [[maybe_unused]] const glm::vec3& c) {
+  //@step 4.3 begin
+  return unit_or_zero(glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a)));
+  //@starter
+  // return {};
+  //@end
+}
+
+namespace {
+
+std::uint64_t hash_of(const glm::vec3& v) {
+  return mix(mix(std::uint64_t{value_bits(v.x)} << 32 | value_bits(v.y)) ^ value_bits(v.z));
+}
+
+/// For each value the number of its distinct value.
+std::vector<std::uint32_t> number_values(const std::vector<glm::vec3>& values) {
+  DistinctTable table(values.size());
+  std::vector<std::uint32_t> first, numbers(values.size());
+  for (std::uint32_t i = 0; i < values.size(); ++i) {
+    numbers[i] =
+        table.number(hash_of(values[i]), [&](std::uint32_t n) { return values[first[n]] == values[i]; });
+    if (numbers[i] == first.size()) first.push_back(i);
+  }
+  return numbers;
+}
+
+/// Adds up the normals of the triangles at each key. `position(i)` and `key(i)` are those of the i-th corner.
+template <class Position, class Key>
+std::vector<glm::vec3> sum_normals(std::size_t corner_count, std::size_t key_count, Weighting weighting,
+                                   Position position, Key key) {
+  std::vector<glm::dvec3> sums(key_count, glm::dvec3(0.0));
+  for (std::size_t i = 0; i + 2 < corner_count; i += 3) {
+    const std::array<glm::vec3, 3> p{position(i), position(i + 1), position(i + 2)};
+    const glm::dvec3 normal(face_normal(p[0], p[1], p[2]));
+    if (weighting == Weighting::angle) {
+      const std::array<double, 3> angles = corner_angles(p);
+      for (std::size_t k = 0; k < 3; ++k) sums[key(i + k)] += angles[k] * normal;
+    } else {
+      const glm::dvec3 a(p[0]), b(p[1]), c(p[2]);
+      const double area = glm::length(glm::cross(b - a, c - a));  // twice: the factor cancels
+      for (std::size_t k = 0; k < 3; ++k) sums[key(i + k)] += area * normal;
+    }
+  }
+  std::vector<glm::vec3> normals(key_count);
+  for (std::size_t k = 0; k < key_count; ++k) {
+    normals[k] = unit_or_zero(sums[k]);
+    if (is_zero(normals[k])) normals[k] = fallback_normal;
+  }
+  return normals;
+}
+
+/// For each corner the number of its (position, smoothing group); in group 0 each triangle is on its own.
+std::vector<std::uint32_t> smoothing_keys(const ObjData& data, std::uint32_t& count) {
+  struct Key {
+    std::uint32_t position, group;
+    std::size_t flat_triangle;
+    bool operator==(const Key&) const = default;
+  };
+  const std::vector<std::uint32_t> place = number_values(data.positions);
+  DistinctTable table(data.positions.size());
+  std::vector<Key> distinct;
+  std::vector<std::uint32_t> keys(data.corners.size());
+  std::size_t run = 0;
+  for (std::size_t i = 0; i < data.corners.size(); ++i) {
+    while (run + 1 < data.smoothing.size() && data.smoothing[run + 1].first_triangle <= i / 3) ++run;
+    Key key{place[data.corners[i].position], 0, 0};
+    if (!data.smoothing.empty()) {
+      key.group = data.smoothing[run].group;
+      if (key.group == 0) key.flat_triangle = i / 3;
+    }
+    const std::uint64_t hash = mix(mix(std::uint64_t{key.position} << 32 | key.group) ^ key.flat_triangle);
+    keys[i] = table.number(hash, [&](std::uint32_t n) { return distinct[n] == key; });
+    if (keys[i] == distinct.size()) distinct.push_back(key);
+  }
+  count = table.size();
+  return keys;
+}
+
+}  // namespace
+
+void flat_normals(Mesh& mesh) {
+  mesh.tangents.clear();
+  mesh.bitangents.clear();
+  std::vector<glm::vec3> of_triangle;
+  of_triangle.reserve(mesh.triangle_count());
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const glm::vec3 normal = face_normal(mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[i + 1]],
+                                         mesh.positions[mesh.indices[i + 2]]);
+    of_triangle.push_back(is_zero(normal) ? fallback_normal : normal);
+  }
+  const std::vector<std::uint32_t> numbers = number_values(of_triangle);
+  std::vector<glm::vec3> by_number(of_triangle.size());
+  std::vector<std::uint32_t> labels(mesh.indices.size());
+  for (std::size_t t = 0; t < of_triangle.size(); ++t) by_number[numbers[t]] = of_triangle[t];
+  for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = numbers[i / 3];
+  mesh.normals.clear();
+  const std::vector<std::uint32_t> label = split_by_label(mesh, labels);
+  mesh.normals.reserve(label.size());
+  for (const std::uint32_t n : label) mesh.normals.push_back(n == no_index ? fallback_normal : by_number[n]);
+}
+
+void smooth_normals(Mesh& mesh, Weighting weighting) {
+  mesh.tangents.clear();
+  mesh.bitangents.clear();
+  const std::vector<std::uint32_t> place = number_values(mesh.positions);
+  const std::vector<glm::vec3> normals = sum_normals(
+      mesh.indices.size(), mesh.vertex_count(), weighting,
+      [&](std::size_t i) { return mesh.positions[mesh.indices[i]]; },
+      [&](std::size_t i) { return place[mesh.indices[i]]; });
+  mesh.normals.resize(mesh.vertex_count());
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) mesh.normals[v] = normals[place[v]];
+}
+
+std::size_t generate_missing_normals(ObjData& data, Weighting weighting) {
+  const auto is_missing = [&](const Corner& corner) {
+    return corner.normal == no_index || is_zero(unit_or_zero(data.normals[corner.normal]));
+  };
+  std::size_t missing = 0;
+  for (const Corner& corner : data.corners) missing += is_missing(corner) ? 1 : 0;
+  if (missing == 0) return 0;
+  std::uint32_t key_count = 0;
+  const std::vector<std::uint32_t> keys = smoothing_keys(data, key_count);
+  const std::vector<glm::vec3> generated = sum_normals(
+      data.corners.size(), key_count, weighting,
+      [&](std::size_t i) { return data.positions[data.corners[i].position]; },
+      [&](std::size_t i) { return keys[i]; });
+  const auto first = static_cast<std::uint32_t>(data.normals.size());
+  for (std::size_t i = 0; i < data.corners.size(); ++i)
+    if (is_missing(data.corners[i])) data.corners[i].normal = first + keys[i];
+  data.normals.insert(data.normals.end(), generated.begin(), generated.end());
+  return missing;
+}
+
+void remove_normals(ObjData& data) {
+  data.normals.clear();
+  for (Corner& corner : data.corners) corner.normal = no_index;
+}
+
+}  // namespace texel::mesh

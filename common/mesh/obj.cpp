@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/obj.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <span>
+#include <unordered_set>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "mesh/polygon.hpp"
+#include "text.hpp"
+
+namespace texel::mesh {
+namespace {
+
+//@step 3.1 begin
+/// The position of a `v` line from its numbers, of which there are at least 3.
+glm::vec3 position_from(std::span<const float> numbers) {
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+/// The texture coordinate of a `vt` line from its numbers, of which there are 1 to 3: u, then v, then w.
+glm::vec2 texcoord_from(std::span<const float> numbers) {
+  return {numbers[0], numbers.size() > 1 ? numbers[1] : 0.0f};
+}
+//@starter
+// glm::vec3 position_from([[maybe_unused]] std::span<const float> numbers) { return {}; }
+//
+// glm::vec2 texcoord_from([[maybe_unused]] std::span<const float> numbers) { return {}; }
+//@end
+
+/// The place, from 0, that an OBJ index means in a list of `count` entries so far: 1 is the first entry, -1
+/// the last one. `written` is not 0; the caller refuses a result outside the list.
+std::int64_t resolve_index([[maybe_unused]] std::int64_t written, [[maybe_unused]] std::int64_t count) {
+  //@step 3.2 begin
+  return written > 0 ? written - 1 : count + written;
+  //@starter
+  // return 0;
+  //@end
+}
+
+/// Reads an integer off the front of [at, end); false when there is none or it has more than 18 digits.
+bool take_integer(const char*& at, const char* end, std::int64_t& value) {
+  const bool negative = at != end && *at == '-';
+  if (at != end && (*at == '-' || *at == '+')) ++at;
+  const char* const first_digit = at;
+  value = 0;
+  for (; at != end && *at >= '0' && *at <= '9' && at - first_digit < 18; ++at)
+    value = 10 * value + (*at - '0');
+  if (negative) value = -value;
+  return at != first_digit && (at == end || *at < '0' || *at > '9');
+}
+
+class Parser {
+ public:
+  Parser(std::string_view text, const std::string& name, const ObjOptions& options)
+      : text_(text), options_(options), lines_(text) {
+    data_.name = name;
+  }
+
+  ObjData parse() {
+    if (text_.empty()) throw Error::failed("the file is empty", {data_.name}, "choose an OBJ file");
+    const std::size_t step = std::max<std::size_t>(text_.size() / 100, 1u << 20);
+    std::size_t next_report = step;
+    std::string_view line;
+    while (lines_.next(line)) {
+      parse_line(line);
+      if (lines_.bytes_read() < next_report) continue;
+      next_report += step;
+      if (options_.progress)
+        options_.progress(static_cast<double>(lines_.bytes_read()) / static_cast<double>(text_.size()));
+    }
+    finish();
+    return std::move(data_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what, const std::string& remedy) const {
+    const auto line = static_cast<int>(std::min<std::uint64_t>(lines_.line_number(), INT32_MAX));
+    throw Error::failed(what, {data_.name, line}, remedy);
+  }
+
+  void parse_line(std::string_view line) {
+    const std::string_view whole = line;
+    const std::string_view keyword = take_word(line);
+    if (keyword.empty()) return;  // blank or a comment
+    if (keyword == "v") return position_line(line);
+    if (keyword == "f" || keyword == "fo") return face_line(line);
+    if (keyword == "vt") return texcoord_line(line);
+    if (keyword == "vn") return normal_line(line);
+    if (keyword == "usemtl") return start_run(data_.material_runs, line);
+    if (keyword == "g" || keyword == "o") return start_run(data_.group_runs, line);
+    if (keyword == "s") return smoothing_line(line);
+    if (keyword == "mtllib") return static_cast<void>(data_.libraries.emplace_back(rest_of_line(line)));
+    if (keyword == "p" || keyword == "l") return static_cast<void>(++data_.report.points_and_lines);
+    if (whole.find('\0') != std::string_view::npos)
+      fail("binary data, not text", "export the model as Wavefront OBJ in ASCII or UTF-8");
+    if (data_.report.unknown_lines++ == 0) first_unknown_ = for_message(keyword);
+  }
+
+  /// The numbers on the rest of a line, of which there must be `least` to `most`.
+  std::span<const float> numbers(std::string_view line, const char* keyword, std::size_t least,
+                                 std::size_t most) {
+    std::size_t count = 0;
+    for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
+      if (count == most) fail(fmt::format("{} has more than {} numbers", keyword, most), "remove the rest");
+      switch (parse_float(word, numbers_[count++])) {
+        case NumberStatus::ok:
+          break;
+        case NumberStatus::malformed:
+          fail(for_message(word) + " is not a number", "write numbers as 1.5 or -2e-3");
+        case NumberStatus::not_finite:
+          fail(for_message(word) + " is not a finite number", "mend the exporter");
+        case NumberStatus::too_large:
+          fail(for_message(word) + " is too large for a 32-bit float", "scale the model to below 1e38");
+      }
+    }
+    if (count < least)
+      fail(fmt::format("{} has {} numbers and needs {}", keyword, count, least), "is the file cut off here?");
+    return {numbers_.data(), count};
+  }
+
+  /// Room for as many entries as the rest of the file can have when its lines are as long as this one. Memory
+  /// that is reserved and not written costs nothing, and a list that need not grow is never copied.
+  template <class Value>
+  void reserve_by(std::vector<Value>& list, std::size_t line_length, std::size_t per_line) const {
+    if (list.empty()) list.reserve(per_line * (1 + (text_.size() - lines_.bytes_read()) / (line_length + 2)));
+  }
+
+  void position_line(std::string_view line) {
+    reserve_by(data_.positions, line.size(), 1);
+    const std::span<const float> n = numbers(line, "v", 3, 7);
+    if (n.size() == 5) fail("v has 5 numbers", "write x y z, x y z w or x y z r g b");
+    if (data_.positions.size() >= no_index - 1) fail("more than 4294967294 positions", "split the model");
+    data_.positions.push_back(position_from(n));
+    if ((n.size() == 4 || n.size() == 7) && n[3] != 1.0f) ++data_.report.ignored_weights;
+    if (n.size() >= 6) {
+      data_.colors.resize(data_.positions.size() - 1, glm::vec3(1.0f));
+      data_.colors.emplace_back(n[n.size() - 3], n[n.size() - 2], n[n.size() - 1]);
+    }
+  }
+
+  void texcoord_line(std::string_view line) {
+    reserve_by(data_.texcoords, line.size(), 1);
+    data_.texcoords.push_back(texcoord_from(numbers(line, "vt", 1, 3)));
+  }
+
+  void normal_line(std::string_view line) {
+    reserve_by(data_.normals, line.size(), 1);
+    const std::span<const float> n = numbers(line, "vn", 3, 3);
+    data_.normals.emplace_back(n[0], n[1], n[2]);
+  }
+
+  /// One index of a corner; `at` stands on its first character.
+  std::uint32_t take_index(const char*& at, const char* end, std::size_t count, const char* list) const {
+    std::int64_t written = 0;
+    if (!take_integer(at, end, written)) {
+      const char* word_end = std::find_if(at, end, is_blank);
+      fail(fmt::format("{} is not an index of {}", for_message({at, static_cast<std::size_t>(word_end - at)}),
+                       list),
+           "write corners as v, v/vt, v//vn or v/vt/vn");
+    }
+    if (written == 0) fail(fmt::format("index 0 of {}", list), "OBJ counts from 1, or from -1 backwards");
+    const std::int64_t index = resolve_index(written, static_cast<std::int64_t>(count));
+    if (index < 0 || index >= static_cast<std::int64_t>(count))
+      fail(fmt::format("index {} of {} is out of range: {} so far", written, list, count),
+           "a face may only use lines above it");
+    return static_cast<std::uint32_t>(index);
+  }
+
+  /// v, v/vt, v//vn or v/vt/vn; empty parts at the end are taken as not there.
+  Corner take_corner(const char*& at, const char* end) const {
+    Corner corner;
+    const auto at_index = [&] { return at != end && *at != '/' && !is_blank(*at); };
+    corner.position = take_index(at, end, data_.positions.size(), "v");
+    if (at != end && *at == '/') {
+      if (++at; at_index()) corner.texcoord = take_index(at, end, data_.texcoords.size(), "vt");
+      if (at != end && *at == '/')
+        if (++at; at_index()) corner.normal = take_index(at, end, data_.normals.size(), "vn");
+    }
+    if (at != end && !is_blank(*at))
+      fail("a corner has more than three indices or a stray sign", "write corners as v/vt/vn");
+    return corner;
+  }
+
+  void face_line(std::string_view line) {
+    ++data_.report.faces;
+    face_.clear();
+    const char* at = line.data();
+    const char* const end = at + line.size();
+    while (true) {
+      while (at != end && is_blank(*at)) ++at;
+      if (at == end || *at == '#') break;
+      const Corner corner = take_corner(at, end);
+      if (!face_.empty() && face_.back().position == corner.position)
+        ++data_.report.dropped_corners;
+      else
+        face_.push_back(corner);
+    }
+    while (face_.size() > 1 && face_.back().position == face_.front().position) {
+      face_.pop_back();
+      ++data_.report.dropped_corners;
+    }
+    if (face_.size() < 3) return static_cast<void>(++data_.report.dropped_faces);
+    reserve_by(data_.corners, line.size(), 3 * (face_.size() - 2));
+    if (data_.corners.size() + 3 * face_.size() >= no_index)
+      fail("more than 4294967294 corners", "split the model");
+    if (face_.size() == 3)
+      data_.corners.insert(data_.corners.end(), face_.begin(), face_.end());
+    else
+      polygon();
+  }
+
+  void polygon() {
+    ++data_.report.polygons;
+    outline_.clear();
+    for (const Corner& corner : face_) outline_.push_back(data_.positions[corner.position]);
+    switch (triangulate(outline_, triangles_)) {
+      case Cut::fan:
+        break;
+      case Cut::ears:
+        ++data_.report.concave_polygons;
+        break;
+      case Cut::approximate:
+        ++data_.report.approximate_polygons;
+        break;
+    }
+    for (const Triangle& triangle : triangles_)
+      for (const std::uint32_t corner : triangle) data_.corners.push_back(face_[corner]);
+  }
+
+  [[nodiscard]] std::uint32_t triangles_so_far() const {
+    return static_cast<std::uint32_t>(data_.triangle_count());
+  }
+
+  void start_run(std::vector<NamedRun>& runs, std::string_view line) const {
+    const std::string_view name = rest_of_line(line);
+    if (!runs.empty() && runs.back().first_triangle == triangles_so_far())
+      runs.back().name = name;  // the one before had no triangles
+    else if (runs.empty() || runs.back().name != name)
+      runs.push_back({std::string(name), triangles_so_far()});
+  }
+
+  void smoothing_line(std::string_view line) {
+    const std::string_view word = take_word(line);
+    std::int64_t group = 0;
+    const char* at = word.data();
+    if (word == "on") {
+      group = 1;
+    } else if (word != "off") {
+      const bool whole = take_integer(at, at + word.size(), group) && at == word.data() + word.size();
+      if (!whole || group < 0 || group > INT32_MAX)
+        fail(for_message(word) + " is not a smoothing group", "write s 1, s 2 … or s off");
+    }
+    if (data_.smoothing.empty() && group == 0) return;  // off is how it begins
+    if (data_.smoothing.empty() && triangles_so_far() > 0) data_.smoothing.push_back({0, 0});
+    data_.smoothing.push_back({static_cast<std::uint32_t>(group), triangles_so_far()});
+  }
+
+  void finish() {
+    ObjReport& report = data_.report;
+    report.lines = lines_.lines_read();
+    if (data_.corners.empty())
+      throw Error::failed(
+          fmt::format("no face of three corners in {} lines ({} positions, {} faces, {} lines "
+                      "not understood)",
+                      report.lines, data_.positions.size(), report.faces, report.unknown_lines),
+          {data_.name}, "is this an OBJ file, and was it exported with its faces?");
+    if (!data_.colors.empty()) data_.colors.resize(data_.positions.size(), glm::vec3(1.0f));
+    for (const Corner& corner : data_.corners) {
+      if (corner.texcoord == no_index) ++report.missing_texcoords;
+      if (corner.normal == no_index) ++report.missing_normals;
+    }
+    // A file that gives them to no corner simply has none.
+    if (report.missing_texcoords == data_.corners.size())
+      report.missing_texcoords = 0, data_.texcoords.clear();
+    if (report.missing_normals == data_.corners.size()) report.missing_normals = 0, data_.normals.clear();
+    const auto warn = [&report](std::uint64_t count, const std::string& text) {
+      if (count > 0) report.warnings.push_back(fmt::format("{} {}", count, text));
+    };
+    warn(report.dropped_faces, "faces with fewer than three different corners dropped");
+    warn(report.dropped_corners, "corners dropped that repeat the one before");
+    warn(report.approximate_polygons,
+         "polygons that cross themselves, have no area or are too large cut roughly");
+    warn(report.points_and_lines, "points and lines ignored");
+    warn(report.ignored_weights, "weights (the fourth number of v) ignored");
+    warn(report.missing_texcoords, "corners without vt, drawn with texture coordinate 0 0");
+    warn(report.missing_normals, "corners without vn, whose normals are generated");
+    warn(report.unknown_lines, "lines ignored whose keyword is not known, the first is " + first_unknown_);
+  }
+
+  std::string_view text_;
+  const ObjOptions& options_;
+  LineReader lines_;
+  ObjData data_;
+  std::string first_unknown_;
+  std::array<float, 7> numbers_{};
+  std::vector<Corner> face_;  // this and the next two are here to be allocated once
+  std::vector<glm::vec3> outline_;
+  std::vector<Triangle> triangles_;
+};
+
+/// Reads one library, warns when it cannot.
+bool read_library(const std::filesystem::path& path, ObjData& data, bool must_exist) {
+  std::error_code ignored;
+  if (!must_exist && !std::filesystem::is_regular_file(path, ignored)) return false;
+  try {
+    std::vector<Material> materials = parse_mtl(MappedFile(path).bytes(), path.string());
+    std::move(materials.begin(), materials.end(), std::back_inserter(data.materials));
+  } catch (const Error& error) {
+    data.report.warnings.push_back(fmt::format("material library not used: {}", error.what()));
+  }
+  return true;
+}
+
+void read_libraries(const std::filesystem::path& folder, ObjData& data) {
+  for (const std::string& names : data.libraries) {
+    // A line may hold several names, or one name with blanks in it.
+    std::string slashed = names;
+    std::replace(slashed.begin(), slashed.end(), '\\', '/');
+    if (read_library(folder / slashed, data, false)) continue;
+    std::string_view rest = slashed;
+    for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest))
+      read_library(folder / word, data, true);
+  }
+  if (data.materials.empty()) return;
+  std::unordered_set<std::string_view> known;
+  for (const Material& material : data.materials) known.insert(material.name);
+  std::set<std::string_view> unknown;
+  for (const NamedRun& run : data.material_runs)
+    if (!known.contains(run.name)) unknown.insert(run.name);
+  if (!unknown.empty())
+    data.report.warnings.push_back(fmt::format("{} materials are in no library, the first by name is {}",
+                                               unknown.size(), for_message(*unknown.begin())));
+}
+
+}  // namespace
+
+ObjData parse_obj(std::string_view text, const std::string& name, const ObjOptions& options) {
+  return Parser(text, name, options).parse();
+}
+
+ObjData load_obj(const std::filesystem::path& path, const ObjOptions& options) {
+  const MappedFile file(path);
+  ObjData data = parse_obj(file.bytes(), path.string(), options);
+  read_libraries(path.parent_path(), data);
+  return data;
+}
+
+const Material* find_material(const ObjData& data, std::string_view name) {
+  const auto found = std::find_if(data.materials.begin(), data.materials.end(),
+                                  [&](const Material& material) { return material.name == name; });
+  return found == data.materials.end() ? nullptr : &*found;
+}
+
+}  // namespace texel::mesh

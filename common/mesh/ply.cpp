@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/ply.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+
+namespace texel::mesh {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "PLY bytes are copied as they lie in memory");
+
+constexpr std::size_t face_bytes = 1 + 3 * sizeof(std::int32_t);
+
+template <class Value>
+void append(std::string& bytes, const Value& value) {
+  const std::size_t at = bytes.size();
+  bytes.resize(at + sizeof(Value));
+  std::memcpy(bytes.data() + at, &value, sizeof(Value));
+}
+
+template <class Value>
+Value take(std::string_view& bytes) {
+  Value value;
+  std::memcpy(&value, bytes.data(), sizeof(Value));
+  bytes.remove_prefix(sizeof(Value));
+  return value;
+}
+
+/// Takes `expected` off the front if it stands there.
+bool take_text(std::string_view& bytes, std::string_view expected) {
+  if (!bytes.starts_with(expected)) return false;
+  bytes.remove_prefix(expected.size());
+  return true;
+}
+
+/// Calls `visit` with each attribute that a PLY file can hold and its properties' names.
+template <class MeshType, class Visit>
+void for_each_property(MeshType& mesh, Visit visit) {
+  visit(mesh.positions, "x y z");
+  visit(mesh.normals, "nx ny nz");
+  visit(mesh.texcoords, "s t");
+  visit(mesh.tangents, "tx ty tz tw");
+}
+
+/// "property float x\nproperty float y\n…"
+std::string property_lines(std::string_view names) {
+  std::string lines;
+  while (!names.empty()) {
+    const std::size_t end = std::min(names.find(' '), names.size());
+    lines += fmt::format("property float {}\n", names.substr(0, end));
+    names.remove_prefix(std::min(end + 1, names.size()));
+  }
+  return lines;
+}
+
+constexpr std::string_view magic = "ply\nformat binary_little_endian 1.0\n";
+constexpr std::string_view face_list = "property list uchar int vertex_indices\nend_header\n";
+
+}  // namespace
+
+std::string to_ply(const Mesh& mesh) {
+  std::string bytes(magic);
+  bytes += fmt::format("element vertex {}\n", mesh.vertex_count());
+  std::size_t vertex_bytes = 0;
+  for_each_property(mesh, [&](const auto& values, const char* names) {
+    const bool is_position = static_cast<const void*>(&values) == &mesh.positions;  // in an empty mesh too
+    if (values.empty() && !is_position) return;
+    bytes += property_lines(names);
+    vertex_bytes += sizeof(values[0]);
+  });
+  bytes += fmt::format("element face {}\n{}", mesh.triangle_count(), face_list);
+  bytes.reserve(bytes.size() + mesh.vertex_count() * vertex_bytes + mesh.triangle_count() * face_bytes);
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
+    for_each_property(mesh, [&](const auto& values, const char*) {
+      if (!values.empty()) append(bytes, values[v]);
+    });
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+    if (i % 3 == 0) append(bytes, std::uint8_t{3});
+    append(bytes, static_cast<std::int32_t>(mesh.indices[i]));
+  }
+  return bytes;
+}
+
+void write_ply(const std::filesystem::path& path, const Mesh& mesh) {
+  write_file(path, to_ply(mesh));
+}
+
+Mesh parse_ply(std::string_view bytes, const std::string& name) {
+  const auto fail = [&name](const std::string& what) {
+    return Error::failed(what, {name}, "write the file with --mesh");
+  };
+  const auto take_count = [&](std::string_view before) {
+    std::uint32_t count = 0;
+    if (!take_text(bytes, before)) throw fail(fmt::format("'{}' expected in the PLY header", before));
+    const auto [stop, error] = std::from_chars(bytes.data(), bytes.data() + bytes.size(), count);
+    bytes.remove_prefix(static_cast<std::size_t>(stop - bytes.data()));
+    if (error != std::errc{} || !take_text(bytes, "\n")) throw fail("a count is missing in the PLY header");
+    return std::size_t{count};
+  };
+
+  if (!take_text(bytes, magic)) throw fail("not a binary little-endian PLY file");
+  const std::size_t vertices = take_count("element vertex ");
+  Mesh mesh;
+  std::array<bool, 4> present{};
+  std::size_t vertex_bytes = 0, at = 0;
+  for_each_property(mesh, [&](const auto& values, const char* names) {
+    present[at] = take_text(bytes, property_lines(names));
+    if (present[at++]) vertex_bytes += sizeof(values[0]);
+  });
+  if (!present[0]) throw fail("the PLY file has no x y z");
+  const std::size_t faces = take_count("element face ");
+  if (!take_text(bytes, face_list)) throw fail("a PLY property that is not known or not in its place");
+  // Before anything is allocated: a header may promise more than there is.
+  if (bytes.size() != vertices * vertex_bytes + faces * face_bytes)
+    throw fail(fmt::format("the PLY file has {} bytes after its header, not the {} that it promises",
+                           bytes.size(), vertices * vertex_bytes + faces * face_bytes));
+
+  for (std::size_t v = 0; v < vertices; ++v) {
+    at = 0;
+    for_each_property(mesh, [&](auto& values, const char*) {
+      if (!present[at++]) return;
+      using Value = typename std::remove_reference_t<decltype(values)>::value_type;
+      const Value value = take<Value>(bytes);
+      for (int k = 0; k < Value::length(); ++k)
+        if (!std::isfinite(value[k])) throw fail(fmt::format("vertex {} is not finite", v));
+      values.push_back(value);
+    });
+  }
+  mesh.indices.reserve(3 * faces);
+  for (std::size_t f = 0; f < faces; ++f) {
+    if (take<std::uint8_t>(bytes) != 3) throw fail(fmt::format("face {} is no triangle", f));
+    for (int k = 0; k < 3; ++k) {
+      const auto index = take<std::int32_t>(bytes);
+      if (index < 0 || static_cast<std::size_t>(index) >= vertices)
+        throw fail(fmt::format("face {} has index {}, and there are {} vertices", f, index, vertices));
+      mesh.indices.push_back(static_cast<std::uint32_t>(index));
+    }
+  }
+  return mesh;
+}
+
+Mesh read_ply(const std::filesystem::path& path) {
+  return parse_ply(MappedFile(path).bytes(), path.string());
+}
+
+}  // namespace texel::mesh

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/primitives.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "mesh/distinct.hpp"
+
+namespace texel::mesh {
+namespace {
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
+
+void add_vertex(Mesh& mesh, const glm::dvec3& position, const glm::dvec3& normal,
+                const glm::dvec2& texcoord) {
+  mesh.positions.emplace_back(position);
+  mesh.normals.emplace_back(normal);
+  mesh.texcoords.emplace_back(texcoord);
+}
+
+/// The square a b c d, counter-clockwise.
+void add_square(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+  mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
+}
+
+/// Joins (columns + 1) x (rows + 1) vertices that lie row by row, s along a row, t from row to row.
+void add_grid_squares(Mesh& mesh, int columns, int rows) {
+  const auto width = static_cast<std::uint32_t>(columns) + 1;
+  for (std::uint32_t j = 0; j < static_cast<std::uint32_t>(rows); ++j)
+    for (std::uint32_t i = 0; i + 1 < width; ++i) {
+      const std::uint32_t a = j * width + i;
+      add_square(mesh, a, a + 1, a + 1 + width, a + width);
+    }
+}
+
+/// A number in [-1/2, 1/2) that depends on nothing but its arguments.
+double hashed(std::uint32_t seed, std::uint32_t i, std::uint32_t j, std::uint32_t axis) {
+  const std::uint64_t h = mix(mix(std::uint64_t{seed} << 32 | axis) ^ (std::uint64_t{i} << 32 | j));
+  return static_cast<double>(h >> 11) * 0x1p-53 - 0.5;
+}
+
+/// The vertex between two, on the unit sphere.
+std::uint32_t midpoint(std::vector<glm::dvec3>& points, DistinctTable& table,
+                       std::vector<std::array<std::uint32_t, 2>>& edges, std::uint32_t a, std::uint32_t b) {
+  const std::array<std::uint32_t, 2> edge{std::min(a, b), std::max(a, b)};
+  const std::uint32_t known = table.number(mix(std::uint64_t{edge[0]} << 32 | edge[1]),
+                                           [&](std::uint32_t n) { return edges[n] == edge; });
+  const auto first = static_cast<std::uint32_t>(points.size() - edges.size());
+  if (known == edges.size()) {
+    edges.push_back(edge);
+    points.push_back(glm::normalize(points[a] + points[b]));
+  }
+  return first + known;
+}
+
+}  // namespace
+
+Mesh quad(float half_size) {
+  return grid(half_size, 1);
+}
+
+Mesh grid(float half_size, int cells) {
+  Mesh mesh;
+  cells = std::max(cells, 1);
+  for (int j = 0; j <= cells; ++j)
+    for (int i = 0; i <= cells; ++i) {
+      const glm::dvec2 st(static_cast<double>(i) / cells, static_cast<double>(j) / cells);
+      const glm::dvec2 xy = double{half_size} * (2.0 * st - 1.0);
+      add_vertex(mesh, {xy, 0.0}, {0.0, 0.0, 1.0}, st);
+    }
+  add_grid_squares(mesh, cells, cells);
+  return mesh;
+}
+
+Mesh cube_split(float half_size) {
+  struct Face {
+    glm::dvec3 right, up;  // as seen from outside; the face looks along right x up
+  };
+  constexpr std::array<Face, 6> faces{{{{1, 0, 0}, {0, 1, 0}},
+                                       {{-1, 0, 0}, {0, 1, 0}},
+                                       {{0, 0, -1}, {0, 1, 0}},
+                                       {{0, 0, 1}, {0, 1, 0}},
+                                       {{1, 0, 0}, {0, 0, -1}},
+                                       {{1, 0, 0}, {0, 0, 1}}}};
+  constexpr std::array<glm::dvec2, 4> corners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  Mesh mesh;
+  for (const Face& face : faces) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertex_count());
+    const glm::dvec3 out = glm::cross(face.right, face.up);
+    for (const glm::dvec2& st : corners) {
+      const glm::dvec2 xy = 2.0 * st - 1.0;
+      add_vertex(mesh, double{half_size} * (out + xy.x * face.right + xy.y * face.up), out, st);
+    }
+    add_square(mesh, first, first + 1, first + 2, first + 3);
+  }
+  return mesh;
+}
+
+Mesh sphere(int rings, int segments, float radius) {
+  Mesh mesh;
+  rings = std::max(rings, 2);
+  segments = std::max(segments, 3);
+  const auto add = [&](double s, int ring) {
+    const double t = static_cast<double>(ring) / rings;
+    const double latitude = std::numbers::pi * (t - 0.5);
+    // The poles exactly: the cosine of a rounded pi / 2 is not zero.
+    const double around = ring == 0 || ring == rings ? 0.0 : std::cos(latitude);
+    const glm::dvec3 normal(around * std::sin(two_pi * s), std::sin(latitude), around * std::cos(two_pi * s));
+    add_vertex(mesh, double{radius} * normal, normal, {s, t});
+  };
+  for (int j = 1; j < rings; ++j)
+    for (int i = 0; i <= segments; ++i) {
+      add(static_cast<double>(i) / segments, j);
+      if (i < segments) continue;  // the seam's second copy lies exactly on the first
+      const std::size_t begin = mesh.vertex_count() - 1 - static_cast<std::size_t>(segments);
+      mesh.positions.back() = mesh.positions[begin];
+      mesh.normals.back() = mesh.normals[begin];
+    }
+  const auto count = static_cast<std::uint32_t>(segments);
+  const auto south = static_cast<std::uint32_t>(mesh.vertex_count());
+  for (const int ring : {0, rings})
+    for (int i = 0; i < segments; ++i) add((i + 0.5) / segments, ring);
+
+  const std::uint32_t last_ring = static_cast<std::uint32_t>(rings - 2) * (count + 1);
+  for (std::uint32_t i = 0; i < count; ++i) mesh.indices.insert(mesh.indices.end(), {south + i, i + 1, i});
+  add_grid_squares(mesh, segments, rings - 2);
+  for (std::uint32_t i = 0; i < count; ++i)
+    mesh.indices.insert(mesh.indices.end(), {last_ring + i, last_ring + i + 1, south + count + i});
+  return mesh;
+}
+
+Mesh torus(float major, float minor, int segments, int sides) {
+  return torus_jittered(major, minor, segments, sides, 0.0f, 0);
+}
+
+Mesh torus_jittered(float major, float minor, int segments, int sides, float amount, std::uint32_t seed) {
+  Mesh mesh;
+  segments = std::max(segments, 3);
+  sides = std::max(sides, 3);
+  for (int j = 0; j <= sides; ++j)
+    for (int i = 0; i <= segments; ++i) {
+      // Both copies of a seam's vertex are made from the same place, a whole turn apart in s or t only.
+      const int i0 = i % segments, j0 = j % sides;
+      const auto column = static_cast<std::uint32_t>(i0), row = static_cast<std::uint32_t>(j0);
+      const double s = (i0 + double{amount} * hashed(seed, column, row, 0)) / segments;
+      const double t = (j0 + double{amount} * hashed(seed, column, row, 1)) / sides;
+      const double a = two_pi * s, b = two_pi * t;
+      const glm::dvec3 outward(std::sin(a), 0.0, std::cos(a));
+      const glm::dvec3 normal = std::cos(b) * outward + glm::dvec3(0.0, std::sin(b), 0.0);
+      add_vertex(mesh, double{major} * outward + double{minor} * normal, normal,
+                 {s + (i == segments ? 1.0 : 0.0), t + (j == sides ? 1.0 : 0.0)});
+    }
+  add_grid_squares(mesh, segments, sides);
+  return mesh;
+}
+
+Mesh icosphere(int subdivisions, float radius) {
+  constexpr double g = std::numbers::phi;  // the golden ratio: (0, +-1, +-g) and its cyclic turns
+  std::vector<glm::dvec3> points{{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                                 {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
+  for (glm::dvec3& point : points) point = glm::normalize(point);
+  Mesh mesh;
+  mesh.indices = {0, 11, 5,  0, 5,  1, 0, 1, 7, 0, 7,  10, 0, 10, 11, 1, 5, 9, 5, 11,
+                  4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3,  9,  4, 3,  4,  2, 3, 2, 6, 3,
+                  6, 8,  3,  8, 9,  4, 9, 5, 2, 4, 11, 6,  2, 10, 8,  6, 7, 9, 8, 1};
+  for (int level = 0; level < std::clamp(subdivisions, 0, 8); ++level) {
+    DistinctTable table(mesh.indices.size() / 2);
+    std::vector<std::array<std::uint32_t, 2>> edges;
+    std::vector<std::uint32_t> finer;
+    finer.reserve(4 * mesh.indices.size());
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+      const std::uint32_t a = mesh.indices[i], b = mesh.indices[i + 1], c = mesh.indices[i + 2];
+      const std::uint32_t ab = midpoint(points, table, edges, a, b);
+      const std::uint32_t bc = midpoint(points, table, edges, b, c);
+      const std::uint32_t ca = midpoint(points, table, edges, c, a);
+      finer.insert(finer.end(), {a, ab, ca, b, bc, ab, c, ca, bc, ab, bc, ca});
+    }
+    mesh.indices = std::move(finer);
+  }
+  for (const glm::dvec3& point : points) {
+    mesh.positions.emplace_back(double{radius} * point);
+    mesh.normals.emplace_back(point);
+  }
+  return mesh;
+}
+
+void revolution_tangents(Mesh& mesh) {
+  mesh.bitangents.clear();
+  mesh.tangents.clear();
+  mesh.tangents.reserve(mesh.vertex_count());
+  for (const glm::vec2& texcoord : mesh.texcoords) {
+    const double a = two_pi * double{texcoord.s};
+    mesh.tangents.emplace_back(glm::dvec4(std::cos(a), 0.0, -std::sin(a), 1.0));
+  }
+}
+
+void plane_tangents(Mesh& mesh) {
+  mesh.bitangents.clear();
+  mesh.tangents.assign(mesh.vertex_count(), {1.0f, 0.0f, 0.0f, 1.0f});
+}
+
+}  // namespace texel::mesh

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "text.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace texel::mesh {
+
+LineReader::LineReader(std::string_view text) : text_(text) {
+  if (text_.starts_with("\xEF\xBB\xBF")) position_ = 3;
+}
+
+std::string_view LineReader::physical_line() {
+  const std::size_t begin = position_;
+  std::size_t end = begin;
+  while (end < text_.size() && text_[end] != '\n' && text_[end] != '\r') ++end;
+  position_ = end;
+  if (position_ < text_.size()) {
+    const bool crlf = text_[end] == '\r' && end + 1 < text_.size() && text_[end + 1] == '\n';
+    position_ += crlf ? 2 : 1;
+  }
+  ++lines_read_;
+  return text_.substr(begin, end - begin);
+}
+
+bool LineReader::next(std::string_view& line) {
+  if (position_ >= text_.size()) return false;
+  line = physical_line();
+  line_number_ = lines_read_;
+  if (line.empty() || line.back() != '\\') return true;
+  // Only here, for the rare long line: a comment that happens to end in '\' does not go on.
+  std::string_view copy = line;
+  if (take_word(copy).empty()) return true;
+  joined_.assign(line);
+  while (!joined_.empty() && joined_.back() == '\\') {
+    joined_.back() = ' ';
+    if (position_ >= text_.size()) break;
+    joined_.append(physical_line());
+  }
+  line = joined_;
+  return true;
+}
+
+std::string_view rest_of_line(std::string_view line) {
+  while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
+  for (std::size_t i = 0; i < line.size(); ++i)
+    if (line[i] == '#' && (i == 0 || is_blank(line[i - 1]))) line = line.substr(0, i);
+  while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
+  return line;
+}
+
+NumberStatus parse_float(std::string_view word, float& value) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+  const char* end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, value);
+  if (error == std::errc::invalid_argument || stop != end) return NumberStatus::malformed;
+  if (error == std::errc::result_out_of_range) {
+    // Too large or too small: the wider type tells which, and rounds to 0 or a denormal.
+    long double wide = 0.0L;
+    if (std::from_chars(word.data(), end, wide).ec != std::errc{}) return NumberStatus::too_large;
+    value = static_cast<float>(wide);
+    return std::isfinite(value) ? NumberStatus::ok : NumberStatus::too_large;
+  }
+  return std::isfinite(value) ? NumberStatus::ok : NumberStatus::not_finite;
+}
+
+std::string for_message(std::string_view word) {
+  std::string text = "'";
+  for (const char c : word.substr(0, 40)) text += c >= ' ' && c < '\x7f' ? c : '?';
+  return text + (word.size() > 40 ? "…'" : "'");
+}
+
+}  // namespace texel::mesh

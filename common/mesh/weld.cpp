@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/weld.hpp"
+
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <unordered_map>
+
+#include "mesh/distinct.hpp"
+#include "mesh/normals.hpp"
+#include "mesh/vectors.hpp"
+
+namespace texel::mesh {
+namespace {
+
+using WeldKey = std::array<std::uint32_t, 3>;
+
+/// What tells one vertex from another: corners of equal keys share a vertex.
+WeldKey weld_key(const Corner& corner) {
+  //@step 4.2 begin
+  return {corner.position, corner.texcoord, corner.normal};
+  //@starter
+  // // One vertex for each position cannot hold two texture coordinates or normals.
+  // return {corner.position, 0, 0};
+  //@end
+}
+
+std::uint64_t hash_of(const WeldKey& key) {
+  return mix(mix(std::uint64_t{key[0]} << 32 | key[1]) ^ key[2]);
+}
+
+/// Numbers the distinct corners: `number(corner)` is its vertex, taken anew when none is the same yet.
+class CornerNumbers {
+ public:
+  explicit CornerNumbers(std::size_t expected) : table_(expected) { distinct_.reserve(expected); }
+
+  std::uint32_t number(const Corner& corner) {
+    const WeldKey key = weld_key(corner);
+    const std::uint32_t n =
+        table_.number(hash_of(key), [&](std::uint32_t known) { return weld_key(distinct_[known]) == key; });
+    if (n == distinct_.size()) distinct_.push_back(corner);
+    return n;
+  }
+  [[nodiscard]] const std::vector<Corner>& distinct() const { return distinct_; }
+
+ private:
+  DistinctTable table_;
+  std::vector<Corner> distinct_;
+};
+
+/// Looks up the vertex of every corner of a run of triangles and appends it to the indices.
+void append_indices([[maybe_unused]] std::span<const Corner> corners, [[maybe_unused]] CornerNumbers& numbers,
+                    [[maybe_unused]] std::vector<std::uint32_t>& indices) {
+  //@step 3.4 begin
+  for (const Corner& corner : corners) indices.push_back(numbers.number(corner));
+  //@starter
+  // // For each corner: ask `numbers` for its vertex and append that to the indices.
+  //@end
+}
+
+/// The part of a linear colour that the sRGB-encoded value means (IEC 61966-2-1).
+float linear_from_srgb(float encoded) {
+  const double c = encoded;
+  return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+}
+
+struct Run {
+  std::uint32_t first_triangle, end_triangle;
+};
+
+/// The runs of triangles of each material, materials in order of first use.
+struct MaterialRuns {
+  std::string_view material;
+  std::vector<Run> runs;
+};
+
+std::vector<MaterialRuns> runs_by_material(const ObjData& data) {
+  std::vector<MaterialRuns> materials;
+  std::unordered_map<std::string_view, std::size_t> place;
+  const auto add = [&](std::string_view name, std::size_t first, std::size_t end) {
+    if (first == end) return;
+    const auto [known, is_new] = place.try_emplace(name, materials.size());
+    if (is_new) materials.push_back({name, {}});
+    materials[known->second].runs.push_back(
+        {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end)});
+  };
+  const auto& runs = data.material_runs;
+  add("", 0, runs.empty() ? data.triangle_count() : runs.front().first_triangle);
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    add(runs[i].name, runs[i].first_triangle,
+        i + 1 < runs.size() ? runs[i + 1].first_triangle : data.triangle_count());
+  return materials;
+}
+
+template <class Value>
+std::vector<Value> gather(const std::vector<Value>& values, const std::vector<std::uint32_t>& at) {
+  std::vector<Value> gathered;
+  if (values.empty()) return gathered;
+  gathered.reserve(at.size());
+  for (const std::uint32_t i : at) gathered.push_back(values[i]);
+  return gathered;
+}
+
+/// The mesh with only these vertices, in this order; its indices are left empty.
+Mesh take_vertices(const Mesh& mesh, const std::vector<std::uint32_t>& vertices) {
+  Mesh taken;
+  taken.positions = gather(mesh.positions, vertices);
+  taken.normals = gather(mesh.normals, vertices);
+  taken.texcoords = gather(mesh.texcoords, vertices);
+  taken.tangents = gather(mesh.tangents, vertices);
+  taken.bitangents = gather(mesh.bitangents, vertices);
+  taken.colors = gather(mesh.colors, vertices);
+  taken.groups = mesh.groups;
+  return taken;
+}
+
+}  // namespace
+
+Mesh weld(ObjData data) {
+  if (!data.normals.empty()) generate_missing_normals(data, Weighting::angle);
+  Mesh mesh;
+  const std::vector<MaterialRuns> materials = runs_by_material(data);
+  CornerNumbers numbers(data.positions.size());
+  mesh.indices.reserve(data.corners.size());
+  for (const MaterialRuns& material : materials) {
+    const auto first = static_cast<std::uint32_t>(mesh.indices.size());
+    for (const Run& run : material.runs) {
+      const std::size_t count = 3 * std::size_t{run.end_triangle - run.first_triangle};
+      append_indices({data.corners.data() + 3 * std::size_t{run.first_triangle}, count}, numbers,
+                     mesh.indices);
+    }
+    mesh.groups.push_back(
+        {std::string(material.material), first, static_cast<std::uint32_t>(mesh.indices.size()) - first});
+  }
+  if (mesh.groups.size() == 1 && mesh.groups[0].material.empty()) mesh.groups.clear();
+  data.corners = {};  // done with: given back before the vertices take room
+
+  const std::vector<Corner>& distinct = numbers.distinct();
+  mesh.positions.reserve(distinct.size());
+  for (const Corner& corner : distinct) mesh.positions.push_back(data.positions[corner.position]);
+  if (!data.texcoords.empty()) {
+    mesh.texcoords.reserve(distinct.size());
+    for (const Corner& corner : distinct)
+      mesh.texcoords.push_back(corner.texcoord == no_index ? glm::vec2(0.0f)
+                                                           : data.texcoords[corner.texcoord]);
+  }
+  if (!data.normals.empty()) {
+    mesh.normals.reserve(distinct.size());
+    for (const Corner& corner : distinct) mesh.normals.push_back(unit_or_zero(data.normals[corner.normal]));
+  }
+  if (!data.colors.empty()) {
+    mesh.colors.reserve(distinct.size());
+    for (const Corner& corner : distinct) {
+      const glm::vec3& c = data.colors[corner.position];
+      mesh.colors.emplace_back(linear_from_srgb(c.r), linear_from_srgb(c.g), linear_from_srgb(c.b));
+    }
+  }
+  return mesh;
+}
+
+Mesh weld(const Mesh& mesh) {
+  std::vector<std::uint32_t> vertices;  // the first of each kind
+  std::vector<std::uint32_t> indices;
+  indices.reserve(mesh.indices.size());
+  DistinctTable table(mesh.vertex_count());
+  for (const std::uint32_t vertex : mesh.indices) {
+    std::uint64_t hash = 0;
+    for_each_attribute(mesh, [&](const auto& values) {
+      if (values.empty()) return;
+      for (int k = 0; k < values[vertex].length(); ++k) hash = mix(hash ^ value_bits(values[vertex][k]));
+    });
+    const std::uint32_t n = table.number(hash, [&](std::uint32_t known) {
+      bool same = true;
+      for_each_attribute(mesh, [&](const auto& values) {
+        same = same && (values.empty() || values[vertices[known]] == values[vertex]);
+      });
+      return same;
+    });
+    if (n == vertices.size()) vertices.push_back(vertex);
+    indices.push_back(n);
+  }
+  Mesh welded = take_vertices(mesh, vertices);
+  welded.indices = std::move(indices);
+  return welded;
+}
+
+Mesh split(const Mesh& mesh) {
+  Mesh result = take_vertices(mesh, mesh.indices);
+  result.indices.resize(mesh.indices.size());
+  for (std::uint32_t i = 0; i < result.indices.size(); ++i) result.indices[i] = i;
+  return result;
+}
+
+std::vector<std::uint32_t> split_by_label(Mesh& mesh, std::span<const std::uint32_t> labels) {
+  std::vector<std::uint32_t> label_of_vertex(mesh.vertex_count(), no_index);
+  std::vector<std::array<std::uint32_t, 3>> copies;  // vertex, label, copy
+  DistinctTable table;
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+    std::uint32_t& vertex = mesh.indices[i];
+    const std::uint32_t label = labels[i];
+    if (label == no_index) continue;
+    if (label_of_vertex[vertex] == no_index) label_of_vertex[vertex] = label;
+    if (label_of_vertex[vertex] == label) continue;
+    const std::uint32_t n = table.number(mix(std::uint64_t{vertex} << 32 | label), [&](std::uint32_t known) {
+      return copies[known][0] == vertex && copies[known][1] == label;
+    });
+    if (n == copies.size()) {
+      copies.push_back({vertex, label, duplicate_vertex(mesh, vertex)});
+      label_of_vertex.push_back(label);
+    }
+    vertex = copies[n][2];
+  }
+  return label_of_vertex;
+}
+
+}  // namespace texel::mesh

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <glm/vec3.hpp>
+
+#include "procedural/dual.hpp"
+
+/// Reliefs as functions of the texture coordinate. Heights and (u, v) have the same unit, the texture's
+/// width, so that dh/du is the slope of the surface. All repeat on the unit square. Their first derivative is
+/// continuous everywhere, but for isolated points: the middle line of a brick's or plank's corner (its
+/// curvature jumps there).
+namespace texel::procedural {
+
+enum class HeightField { brick, wood, scales, bump };
+
+/// The height at (u, v) with its exact derivatives by u and v.
+Dual height(HeightField field, double u, double v);
+
+/// The unit normal at (u, v) in tangent space: x along +u, y along +v, z out of the surface;
+/// normalize(-strength dh/du, -strength dh/dv, 1). Normal maps are baked with strength 1.
+glm::dvec3 normal(HeightField field, double u, double v, double strength = 1);
+
+}  // namespace texel::procedural

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "procedural/dual.hpp"
+
+namespace texel::procedural {
+
+/// A well-mixed 32-bit number from a lattice point and a seed, the same on every machine.
+std::uint32_t hash(int x, int y, std::uint32_t seed);
+
+/// The hash as a number in [0, 1).
+inline double random(int x, int y, std::uint32_t seed) {
+  return hash(x, y, seed) * 0x1p-32;
+}
+
+/// The remainder that is never negative: in [0, period).
+inline int wrap(int i, int period) {
+  return ((i % period) + period) % period;
+}
+
+namespace detail {
+
+/// Height at (x, y), seen from a lattice point, of the plane through that point with its random slope.
+template <class Real>
+Real lattice_slope(int i, int j, Real x, Real y, std::uint32_t seed) {
+  const std::uint32_t bits = hash(i, j, seed);
+  const double slope_x = (bits & 0xffffu) * 0x2p-16 - 1.0;
+  const double slope_y = (bits >> 16) * 0x2p-16 - 1.0;
+  return x * slope_x + y * slope_y;
+}
+
+}  // namespace detail
+
+/// Gradient noise, about -0.9 to 0.9 and mostly within +-0.5, one feature a unit, twice differentiable,
+/// repeating after (period_x, period_y) units. Real is double or Dual. Source: Perlin, Improving Noise
+/// (2002).
+template <class Real>
+Real noise(Real x, Real y, int period_x, int period_y, std::uint32_t seed) {
+  const int i = static_cast<int>(std::floor(value(x)));
+  const int j = static_cast<int>(std::floor(value(y)));
+  const Real fx = x - static_cast<double>(i);
+  const Real fy = y - static_cast<double>(j);
+  const int i0 = wrap(i, period_x), i1 = wrap(i + 1, period_x);
+  const int j0 = wrap(j, period_y), j1 = wrap(j + 1, period_y);
+  const Real tx = smooth_step(0, 1, fx), ty = smooth_step(0, 1, fy);
+  const Real below = mix(detail::lattice_slope(i0, j0, fx, fy, seed),
+                         detail::lattice_slope<Real>(i1, j0, fx - 1.0, fy, seed), tx);
+  const Real above = mix(detail::lattice_slope<Real>(i0, j1, fx, fy - 1.0, seed),
+                         detail::lattice_slope<Real>(i1, j1, fx - 1.0, fy - 1.0, seed), tx);
+  return mix(below, above, ty);
+}
+
+/// Octaves of noise, each of half the size and half the height of the one before, repeating on the unit
+/// square when the frequencies are whole (fractal Brownian motion). About -1 to 1, mostly within +-0.5.
+template <class Real>
+Real fbm(Real u, Real v, int frequency_u, int frequency_v, int octaves, std::uint32_t seed) {
+  Real sum = 0.0;
+  double amplitude = 1.0;
+  for (int octave = 0; octave < octaves; ++octave) {
+    const int fu = frequency_u << octave, fv = frequency_v << octave;
+    sum = sum + amplitude * noise<Real>(u * static_cast<double>(fu), v * static_cast<double>(fv), fu, fv,
+                                        seed + static_cast<std::uint32_t>(octave));
+    amplitude *= 0.5;
+  }
+  return sum;
+}
+
+/// Gradient noise in space, about -1 to 1, one feature a unit, not repeating.
+double noise(glm::dvec3 p, std::uint32_t seed);
+
+/// Octaves of noise in space, the first of height 1/2; about -1 to 1 and mostly within +-0.4.
+double fbm(glm::dvec3 p, int octaves, std::uint32_t seed);
+
+}  // namespace texel::procedural

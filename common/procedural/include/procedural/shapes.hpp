@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string_view>
+
+namespace texel::procedural {
+
+/// Distance from (x, y) to the nearest stroke of a line of writing. A capital is 6 high and 4 wide, the next
+/// one begins 6 further right; the line's lower left corner is the origin. Known are A-Z, 0-9, + and -, and
+/// the small letters s, t, u and v; anything else is a space.
+double distance_to_text(std::string_view text, double x, double y);
+
+/// Distance from (x, y) to the line segment from (x0, y0) to (x1, y1), which must differ.
+double distance_to_segment(double x, double y, double x0, double y0, double x1, double y1);
+
+/// The width of a line of writing in the same unit.
+inline double text_width(std::string_view text) {
+  return 6.0 * static_cast<double>(text.size()) - 2.0;
+}
+
+/// Whether (x, y) lies on an arrow from the origin along +x; its head is 3.2 widths long.
+bool in_arrow(double x, double y, double length, double width);
+
+/// Whether (x, y) lies in a star about the origin whose points reach `outer`, one of them along +y, and whose
+/// notches lie at `inner`.
+bool in_star(double x, double y, int points, double outer, double inner);
+
+}  // namespace texel::procedural

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// Lab 1: a picture pasted on a square. An image becomes a texture object, the object is bound to a texture
+// unit, a sampler in the shader reads that unit at interpolated texture coordinates, and a filter decides
+// what lies between and below the texels.
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "app/lab.hpp"
+#include "image/mipmaps.hpp"
+#include "parameters.hpp"
+
+using namespace texel;
+
+namespace {
+
+// What the parameters' choices mean to OpenGL, in their order.
+constexpr GLenum kWrapModes[] = {GL_REPEAT, GL_MIRRORED_REPEAT, GL_CLAMP_TO_EDGE};
+constexpr GLenum kMinifyByMethod[] = {GL_NEAREST, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR_MIPMAP_LINEAR,
+                                      GL_LINEAR_MIPMAP_LINEAR};
+constexpr GLenum kMinifyModes[] = {0,
+                                   GL_NEAREST,
+                                   GL_LINEAR,
+                                   GL_NEAREST_MIPMAP_NEAREST,
+                                   GL_LINEAR_MIPMAP_NEAREST,
+                                   GL_NEAREST_MIPMAP_LINEAR,
+                                   GL_LINEAR_MIPMAP_LINEAR};
+
+}  // namespace
+
+struct TextureQuad {
+  static constexpr app::View kViews[] = {app::View::color, app::View::texcoord, app::View::lod,
+                                         app::View::depth, app::View::mask};
+  static constexpr app::Info info{1, "texture_quad", "Texture quad",
+                                  "Paste a picture on a square, and filter it.", kViews};
+
+  using Parameters = TextureQuadParameters;
+
+  explicit TextureQuad(const app::Assets&) {
+    // Positions and texture coordinates of the four corners, and the two triangles between them.
+    constexpr float s = 0.7F;
+    constexpr float positions[] = {-s, -s, 0, s, -s, 0, s, s, 0, -s, s, 0};
+    constexpr float texcoords[] = {0, 0, 1, 0, 1, 1, 0, 1};
+    constexpr GLuint indices[] = {0, 1, 2, 0, 2, 3};
+
+    glBindVertexArray(vertex_array_.id());
+    fill_attribute(gl::Attribute::position, position_buffer_, positions, 3);
+    fill_attribute(gl::Attribute::texcoord, texcoord_buffer_, texcoords, 2);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_.id());
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof indices, indices, GL_STATIC_DRAW);
+  }
+
+  void draw(const Parameters& p, app::Frame& frame) {
+    const gl::Texture& texture = textures_.get({p.texture, p.flip_v, p.linear_light}, [&] {
+      image::Image8 picture = gl::expand_grey(frame.assets().texture(p.texture));
+      if (p.flip_v) picture = image::flipped(picture);
+      return upload(picture, p.linear_light ? image::Encoding::srgb : image::Encoding::linear);
+    });
+    gl::Program& program = frame.program("01_texture_quad/texture_quad");
+    const glm::mat4 world_from_object = glm::rotate(glm::mat4(1), glm::radians(-p.tilt), glm::vec3(1, 0, 0));
+    program.set("clip_from_object", p.camera.clip_from_world(frame.aspect()) * world_from_object);
+
+    //@step 1.4 begin
+    // The texture object goes to unit 0, and the sampler reads unit 0.
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    program.set("color_map", 0);
+    //@starter
+    // glBindTexture(GL_TEXTURE_2D, texture.id());
+    // program.set("color_map", 1);
+    //@end
+    set_parameters(p);
+
+    // Encoded arithmetic means that nobody decodes on reading and nobody encodes on writing.
+    if (!p.linear_light) glDisable(GL_FRAMEBUFFER_SRGB);
+    glBindVertexArray(vertex_array_.id());
+    glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_INT, nullptr);
+  }
+
+ private:
+  /// One attribute in a buffer of its own, `components` floats a vertex.
+  static void fill_attribute(gl::Attribute attribute, const gl::Buffer& buffer, std::span<const float> values,
+                             GLint components) {
+    const auto location = static_cast<GLuint>(attribute);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer.id());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size_bytes()), values.data(),
+                 GL_STATIC_DRAW);
+    glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, 0, nullptr);
+    glEnableVertexAttribArray(location);
+  }
+
+  /// A texture object with all its mipmap levels.
+  static gl::Texture upload(const image::Image8& picture, image::Encoding encoding) {
+    gl::Texture texture;
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    //@step 1.1 begin
+    // OpenGL expects each row to begin at a multiple of four bytes; ours lie one behind the other.
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    const gl::Format format = gl::format_of(picture.channels, encoding);
+    GLint level = 0;
+    for (const image::Image8& smaller : image::mip_chain(picture, encoding))
+      glTexImage2D(GL_TEXTURE_2D, level++, static_cast<GLint>(format.internal), smaller.width, smaller.height,
+                   0, format.external, GL_UNSIGNED_BYTE, smaller.samples.data());
+    //@starter
+    // const unsigned char grey[] = {128, 128, 128, 255};
+    // glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, picture.width > 0, encoding >= image::Encoding::srgb, 0,
+    // GL_RGBA,
+    //              GL_UNSIGNED_BYTE, grey);
+    //@end
+    return texture;
+  }
+
+  /// How the bound texture is read beyond and between its texels.
+  static void set_parameters(const Parameters& p) {
+    const bool nearest = p.method == Method::nearest;
+    const GLenum minify = p.minify == Minify::by_method ? kMinifyByMethod[static_cast<std::size_t>(p.method)]
+                                                        : kMinifyModes[static_cast<int>(p.minify)];
+    const GLenum magnify = p.magnify == Magnify::nearest || (p.magnify == Magnify::by_method && nearest)
+                               ? GL_NEAREST
+                               : GL_LINEAR;
+    const GLenum wrap = kWrapModes[static_cast<int>(p.wrap)];
+    //@step 1.2 begin
+    const float anisotropy = p.method == Method::anisotropic ? 16.0F : 1.0F;
+    gl::set_sampling(
+        GL_TEXTURE_2D,
+        {.minify = minify, .magnify = magnify, .wrap_s = wrap, .wrap_t = wrap, .anisotropy = anisotropy});
+    //@starter
+    // gl::set_sampling(GL_TEXTURE_2D, {.minify = nearest ? minify : magnify, .magnify = magnify, .wrap_s =
+    // wrap});
+    //@end
+  }
+
+  struct TextureKey {
+    std::string name;
+    bool flip_v, linear_light;
+    bool operator==(const TextureKey&) const = default;
+  };
+  app::Cache<TextureKey, gl::Texture> textures_;
+  gl::VertexArray vertex_array_;
+  gl::Buffer position_buffer_, texcoord_buffer_, index_buffer_;
+};
+
+int main(int argc, char** argv) {
+  return app::run<TextureQuad>(argc, argv);
+}

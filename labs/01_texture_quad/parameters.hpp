@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// What can be chosen in lab 1. Nothing to do for you here.
+#pragma once
+#include "app/camera.hpp"
+#include "params/set.hpp"
+
+namespace texel {
+
+enum class Method { nearest, bilinear, trilinear, anisotropic, supersampled };
+inline constexpr params::Item kMethods[] = {
+    {"nearest", "The texel that the pixel's centre falls on (the slides)"},
+    {"bilinear", "Four texels of the full picture, weighted by distance; still skips texels when far away"},
+    {"trilinear", "Bilinear in the two nearest mipmap levels, weighted by level of detail"},
+    {"anisotropic", "Several trilinear samples along the direction in which the pixel's footprint is long"},
+    {"supersampled", "Four trilinear samples in each pixel, each half as wide"}};
+
+enum class Wrap { repeat, mirrored, clamp };
+inline constexpr params::Item kWraps[] = {
+    {"repeat", "The fraction of the coordinate counts: the picture is tiled"},
+    {"mirrored", "Every second tile is mirrored"},
+    {"clamp", "The border texels are drawn out"}};
+
+enum class Minify {
+  by_method,
+  nearest,
+  linear,
+  nearest_mipmap_nearest,
+  linear_mipmap_nearest,
+  nearest_mipmap_linear,
+  linear_mipmap_linear
+};
+inline constexpr params::Item kMinify[] = {{"by-method", "What the method says"},
+                                           {"nearest", "GL_NEAREST"},
+                                           {"linear", "GL_LINEAR"},
+                                           {"nearest-mipmap-nearest", "One texel of the nearest level"},
+                                           {"linear-mipmap-nearest", "Four texels of the nearest level"},
+                                           {"nearest-mipmap-linear", "One texel of each of two levels"},
+                                           {"linear-mipmap-linear", "Four texels of each of two levels"}};
+
+enum class Magnify { by_method, nearest, linear };
+inline constexpr params::Item kMagnify[] = {
+    {"by-method", "What the method says"}, {"nearest", "GL_NEAREST"}, {"linear", "GL_LINEAR"}};
+
+inline constexpr params::Item kTextures[] = {
+    {"brick", "A brick wall, 512x512"},
+    {"brick_32", "The same wall in 32x32 texels"},
+    {"label", "Cells with letters: shows every flip and swap"},
+    {"checker", "Black and white squares, the hardest case of filtering"},
+    {"zone", "Rings that get finer towards the border"},
+    {"wood", "Wooden planks"},
+    {"scales", "A reptile's scales"},
+    {"smile", "A face"},
+    {"label_npot", "100x75 texels in RGB: rows whose length is no multiple of four"},
+    {"hard_texel", "A single texel"}};
+
+struct TextureQuadParameters {
+  Method method{};
+  std::string texture;
+  Wrap wrap{};
+  Minify minify{};
+  Magnify magnify{};
+  bool flip_v{}, linear_light{};
+  float texture_scale{}, texture_offset{}, tilt{};
+  app::OrbitCamera camera;
+
+  void declare(params::Set& set) {
+    set.section("Texture");
+    set.add(texture, {"texture", "brick", kTextures, "The picture on the square"});
+    set.add(flip_v, {"flip_v", false, "Upload the picture's top row first: upside down in OpenGL"});
+    set.add(wrap, {"wrap", Wrap::repeat, kWraps, "What lies beyond the coordinates 0 to 1"});
+    set.add(texture_scale, {"texture_scale", 1, 0.01, 100, "", "How often the picture fits on the square",
+                            params::Scale::logarithmic});
+    set.add(texture_offset, {"texture_offset", 0, 0, 1e7, "",
+                             "Added to the coordinates: a float32 of 1e6 has 4 bits left for the fraction"});
+    set.section("Filter");
+    set.add(method, {"method", Method::anisotropic, kMethods, "How texels become a pixel"});
+    set.add(minify, {"minify", Minify::by_method, kMinify, "Filter where a pixel covers several texels"});
+    set.add(magnify, {"magnify", Magnify::by_method, kMagnify, "Filter where a texel covers several pixels"});
+    set.add(linear_light,
+            {"linear_light", true, "Average light; off: average the encoded values, as the slides do"});
+    set.section("Square");
+    set.add(tilt, {"tilt", 0, -89, 89, "degrees", "How far the square leans back"});
+    // At this distance the half-size 0.7 fills 0.7 of the picture's half height, as in the slides.
+    camera.declare<{.yaw = 0, .pitch = 0, .distance = 2.4142135F, .field_of_view = 45}>(set);
+  }
+};
+
+}  // namespace texel

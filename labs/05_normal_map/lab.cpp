@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// Lab 5: a normal map. Each texel holds a normal in the frame of the surface: tangent T where s grows,
+// bitangent B where t grows, normal N. Lighting happens in world space, so each pixel needs that frame; how
+// the frame is made is what the methods differ in.
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "app/lab.hpp"
+#include "app/models.hpp"
+#include "mesh/primitives.hpp"
+#include "mesh/tangents.hpp"
+#include "parameters.hpp"
+
+using namespace texel;
+
+struct NormalMap {
+  static constexpr app::View kViews[] = {app::View::color,    app::View::normal, app::View::tangent,
+                                         app::View::texcoord, app::View::depth,  app::View::mask};
+  static constexpr app::Info info{5, "normal_map", "Normal map", "Give a flat surface the light of a relief.",
+                                  kViews};
+  using Parameters = NormalMapParameters;
+
+  explicit NormalMap(const app::Assets& assets) : assets_(assets) {}
+
+  void draw(const Parameters& p, app::Frame& frame) {
+    gl::MeshBuffers& buffers = buffers_for(p);
+    const gl::Texture& color_map = textures_.get("color " + p.texture, [&] {
+      return gl::make_texture_2d(assets_.texture(p.texture), image::Encoding::srgb, {.anisotropy = 8});
+    });
+    // A normal stays perpendicular to its surface under the inverse transpose of what moves the surface.
+    const glm::mat4 world_from_object = glm::scale(app::turn_about_y(p.turn), glm::vec3(1, p.stretch, 1));
+    //@step 5.7 begin
+    const glm::mat3 normal_from_object = glm::transpose(glm::inverse(glm::mat3(world_from_object)));
+    //@starter
+    // const glm::mat3 normal_from_object = glm::mat3(world_from_object);
+    //@end
+
+    gl::Program& program = frame.program("05_normal_map/normal_map");
+    program.set("clip_from_world", p.camera.clip_from_world(frame.aspect()));
+    program.set("world_from_object", world_from_object);
+    program.set("normal_from_object", normal_from_object);
+    program.set("eye", p.camera.eye());
+    program.set("light", app::direction_from_angles(p.light_yaw, p.light_pitch));
+    gl::bind(0, GL_TEXTURE_2D, color_map);
+    program.set("color_map", 0);
+    if (p.normal_mapping && p.method != Method::per_vertex) {
+      // Numbers, not colours: stored linear, so that 128 means 128/255 and nothing is decoded.
+      gl::bind(1, GL_TEXTURE_2D, textures_.get("normal " + normal_map_name(p), [&] {
+        return gl::make_texture_2d(assets_.normal_map(normal_map_name(p)), image::Encoding::linear,
+                                   {.anisotropy = 8});
+      }));
+      program.set("normal_map", 1);
+    }
+    buffers.draw(program);
+  }
+
+  /// The vertex stream as drawn.
+  const mesh::Mesh& mesh(const Parameters& p) { return buffers_for(p).mesh(); }
+  [[nodiscard]] std::vector<std::string> notes() const { return notes_; }
+
+ private:
+  /// The model with the tangents of the method, which only some of them keep in the vertices.
+  gl::MeshBuffers& buffers_for(const Parameters& p) {
+    const bool reads_map = p.method == Method::per_vertex && p.normal_mapping;
+    return meshes_.get({p.model, p.method, reads_map ? normal_map_name(p) : ""}, [&] {
+      app::Model model = app::load_model(assets_, p.model);
+      add_tangents(model, p.method);
+      if (reads_map)
+        model.mesh.normals = normals_at_vertices(model.mesh, assets_.normal_map(normal_map_name(p)), p);
+      notes_ = model.notes;
+      return gl::MeshBuffers(std::move(model.mesh));
+    });
+  }
+
+  static void add_tangents(app::Model& model, Method method) {
+    switch (method) {
+      case Method::per_vertex:
+      case Method::raw:
+      case Method::screen_axes:
+      case Method::cotangent:
+        return;  // made in the shader, or not needed
+      case Method::averaged:
+        mesh::compute_tangents(model.mesh, mesh::TangentMethod::averaged);
+        return;
+      case Method::gram_schmidt:
+        mesh::compute_tangents(model.mesh, mesh::TangentMethod::gram_schmidt);
+        return;
+      case Method::angle_weighted:
+        mesh::compute_tangents(model.mesh, mesh::TangentMethod::angle_weighted);
+        return;
+      case Method::mikktspace:
+        break;
+      case Method::analytic:
+        if (model.is_revolution) return mesh::revolution_tangents(model.mesh);
+        model.notes.emplace_back("this model has no analytic tangents: mikktspace instead");
+    }
+    mesh::compute_tangents(model.mesh, mesh::TangentMethod::mikktspace);
+  }
+
+  /// The report's first attempt: the map's normal at each vertex's texture coordinate, in place of the
+  /// vertex's own.
+  static std::vector<glm::vec3> normals_at_vertices(const mesh::Mesh& mesh, const image::Image8& map,
+                                                    const Parameters& p) {
+    std::vector<glm::vec3> normals;
+    for (const glm::vec2& texcoord : mesh.texcoords) {
+      const glm::vec2 tile = glm::fract(texcoord * p.texture_scale);
+      const int x = std::min(static_cast<int>(tile.x * static_cast<float>(map.width)), map.width - 1);
+      const int y = std::min(static_cast<int>(tile.y * static_cast<float>(map.height)), map.height - 1);
+      normals.push_back(
+          glm::normalize(glm::vec3(map.at(x, y, 0), map.at(x, y, 1), map.at(x, y, 2)) / 127.5F - 1.0F));
+    }
+    return normals;
+  }
+
+  /// "matching" is the map that was made with the texture.
+  static std::string normal_map_name(const Parameters& p) {
+    if (p.normal_map != "matching") return p.normal_map;
+    const bool has_relief = p.texture == "brick" || p.texture == "wood" || p.texture == "scales";
+    return has_relief ? p.texture : "flat";
+  }
+
+  struct MeshKey {
+    std::string model;
+    Method method;
+    std::string vertex_normals;
+    bool operator==(const MeshKey&) const = default;
+  };
+  const app::Assets& assets_;
+  app::Cache<MeshKey, gl::MeshBuffers> meshes_;
+  app::Cache<std::string, gl::Texture> textures_;
+  std::vector<std::string> notes_;
+};
+
+int main(int argc, char** argv) {
+  return app::run<NormalMap>(argc, argv);
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// What can be chosen in lab 5. Nothing to do for you here.
+#pragma once
+#include "app/camera.hpp"
+#include "app/models.hpp"
+#include "params/set.hpp"
+
+namespace texel {
+
+enum class Method {
+  per_vertex,
+  raw,
+  screen_axes,
+  cotangent,
+  averaged,
+  gram_schmidt,
+  angle_weighted,
+  mikktspace,
+  analytic
+};
+inline constexpr params::Item kMethods[] = {
+    {"per-vertex", "The map is read once a vertex, into the normal buffer (the report's first attempt)"},
+    {"raw", "The map's normal as it is, without a frame (report 3.4): wrong as soon as the model turns"},
+    {"screen-axes", "Frame from dFdx and dFdy of the position (report 3.3): follows the screen, not u and v"},
+    {"cotangent", "Frame from derivatives of position and texcoord in each pixel: needs no tangents"},
+    {"averaged", "T and B of each triangle, averaged per vertex and interpolated, not orthogonal (slides)"},
+    {"gram-schmidt", "Averaged tangents made orthogonal to the normal, with the sign of the bitangent"},
+    {"angle-weighted", "The same, each triangle weighted by its angle at the vertex"},
+    {"mikktspace", "Mikkelsen's rules, as the programs that bake normal maps have them"},
+    {"analytic", "Exact tangents of sphere, torus and quad; others fall back to mikktspace"}};
+
+enum class Decode { standard, exact_flat };
+inline constexpr params::Item kDecodes[] = {
+    {"standard", "n = 2c - 1: a flat 128, 128, 255 tilts by 0.32 degrees"},
+    {"exact-flat", "n = (255c - 128) / 127: flat is exactly (0, 0, 1)"}};
+
+inline constexpr params::Item kTextures[] = {
+    {"brick", "A brick wall"}, {"wood", "Wooden planks"},       {"scales", "A reptile's scales"},
+    {"smile", "A face"},       {"label", "Cells with letters"}, {"checker", "Black and white squares"}};
+
+inline constexpr params::Item kNormalMaps[] = {
+    {"matching", "The map of the same surface as the texture, flat where there is none"},
+    {"brick", "Bricks and mortar"},
+    {"wood", "Grain and joints"},
+    {"scales", "Overlapping scales"},
+    {"bump", "Smooth bumps"},
+    {"flat", "No relief"}};
+
+struct NormalMapParameters {
+  std::string model, texture, normal_map;
+  bool normal_mapping{};
+  Method method{};
+  Decode decode{};
+  float bump_strength{}, texture_scale{};
+  float light_yaw{}, light_pitch{}, ambient{}, specular{};
+  float turn{}, stretch{};
+  app::OrbitCamera camera;
+
+  void declare(params::Set& set) {
+    set.section("Normal mapping");
+    set.add(normal_mapping,
+            {"normal_mapping", true, "Light the map's normals; off: the surface's own (key M)"});
+    set.add(method, {"method", Method::mikktspace, kMethods, "In which frame the map's normals are read"});
+    set.add(decode, {"decode", Decode::standard, kDecodes, "How a colour becomes a normal"});
+    set.add(bump_strength,
+            {"bump_strength", 1, 0, 4, "", "Steepness of the relief: multiplies the normal's x and y"});
+    set.section("Textures");
+    set.add(texture, {"texture", "brick", kTextures, "Colour of the surface (keys K and L)"});
+    set.add(normal_map, {"normal_map", "matching", kNormalMaps, "Relief of the surface"});
+    set.add(texture_scale,
+            {"texture_scale", 1, 0.1, 20, "", "Repeats of the texture", params::Scale::logarithmic});
+    set.section("Model");
+    set.add(model, {"model", "cube", app::kModels, "What is drawn"});
+    set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});
+    set.add(stretch,
+            {"stretch", 1, 0.25, 4, "", "Scales the model along y: normals need the inverse transpose"});
+    set.section("Light");
+    set.add(light_yaw,
+            {"light_yaw", 70, -180, 180, "degrees", "Direction to the light around the vertical axis"});
+    set.add(light_pitch, {"light_pitch", 35, -90, 90, "degrees", "Direction to the light above the horizon"});
+    set.add(ambient, {"ambient", 0.12, 0, 1, "", "Light that comes from everywhere"});
+    set.add(specular, {"specular", 0.2, 0, 1, "", "Strength of the highlight"});
+    camera.declare<{.yaw = 32, .pitch = 24, .distance = 3}>(set);
+  }
+};
+
+}  // namespace texel

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// The picture that a lab draws. VIEW says which: the colours, or one of the quantities on the way to them, which go
+// into a float target as they are (alpha 1 marks the object).
+out vec4 picture;
+
+// The colour, or one of the two views that need nothing of the lab's own.
+void show(vec4 color) {
+#if VIEW == VIEW_DEPTH
+  picture = vec4(vec3(1.0 / gl_FragCoord.w), 1.0);  // w in clip space is the distance along the view axis
+#elif VIEW == VIEW_MASK
+  picture = vec4(1.0);
+#else
+  picture = color;
+#endif
+}

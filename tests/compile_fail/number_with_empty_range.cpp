@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// error: a range runs from the least value to a greater one
+#include "params/set.hpp"
+
+using namespace texel::params;
+
+enum class Method { nearest, linear };
+constexpr Item methods[] = {{"nearest", "The nearest texel"}, {"linear", "Four texels"}};
+
+#ifdef WITHOUT_FAULT
+constexpr Number number("tilt", 1, 0, 1, "degrees", "How far the quad leans back");
+#else
+constexpr Number number("tilt", 1, 1, 1, "degrees", "How far the quad leans back");
+#endif

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// Thousands of spoilt picture files: whatever the bytes, a picture or one Error comes back. The mutations
+// come from a hash of their number, so that a failure repeats.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "../support/picture_files.hpp"
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "image/load.hpp"
+#include "image/save.hpp"
+
+namespace texel::image {
+namespace {
+
+/// SplitMix64 (G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators", 2014).
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+  std::size_t below(std::size_t limit) {
+    std::uint64_t z = state_ += 0x9e3779b97f4a7c15U;
+    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ z >> 27) * 0x94d049bb133111ebU;
+    return static_cast<std::size_t>((z ^ z >> 31) % limit);
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+std::string mutated(std::string content, Random& random) {
+  constexpr std::size_t header_size = 48;
+  constexpr char telling[] = {0, 1, 0x7f, '\x80', '\xff', ' ', '9', '-'};
+  const std::size_t changes = 1 + random.below(4);
+  for (std::size_t i = 0; i < changes && !content.empty(); ++i) {
+    // Headers decide most, so half of all changes strike there.
+    const bool in_header = random.below(2) == 0;
+    const std::size_t at = random.below(in_header ? std::min(header_size, content.size()) : content.size());
+    switch (random.below(6)) {
+      case 0:
+        content[at] = static_cast<char>(random.below(256));
+        break;
+      case 1:
+        content[at] = telling[random.below(sizeof(telling))];
+        break;
+      case 2:
+        content[at] = static_cast<char>(content[at] ^ static_cast<char>(1U << random.below(8)));
+        break;
+      case 3:
+        content.erase(at, 1 + random.below(8));
+        break;
+      case 4:
+        content.insert(at, 1 + random.below(8), telling[random.below(sizeof(telling))]);
+        break;
+      default:
+        if (random.below(4) == 0) content.resize(at);
+    }
+  }
+  return content;
+}
+
+/// The seeds: small sound files of every format.
+std::vector<std::string> sound_files(const test::TemporaryFolder& folder) {
+  std::vector<std::string> files = {test::bmp_2x2(),       test::tga_2x2(),  test::tga_rle_2x2(),
+                                    test::gif_2x2(),       test::jpeg_8x8(), test::jpeg_16x16(false),
+                                    test::jpeg_16x16(true)};
+  files.push_back(test::png(2, 2, 16, 0, test::bytes({0, 1, 2, 3, 4, 0, 5, 6, 7, 8})));
+  const std::vector<Text> texts = {{"lab", "fuzz"}, {"unicode", "Größe"}};
+  for (int channels = 1; channels <= 4; ++channels) {
+    Image8 image(9, 7, channels);
+    ImageF floats(3, 2, channels);
+    for (std::size_t i = 0; i < image.samples.size(); ++i)
+      image.samples[i] = static_cast<std::uint8_t>(i * i);
+    save_png(folder / "seed.png", image, texts);
+    files.push_back(read_file(folder / "seed.png"));
+    save_pfm(folder / "seed.pfm", floats);
+    files.push_back(read_file(folder / "seed.pfm"));
+  }
+  return files;
+}
+
+struct Outcome {
+  int pictures = 0;
+  int errors = 0;
+};
+
+template <class Load>
+void count(Outcome& outcome, Load load) {
+  try {
+    const auto image = load();
+    EXPECT_GE(image.width, 1);
+    EXPECT_GE(image.height, 1);
+    EXPECT_EQ(image.samples.size(), image.index(0, image.height));
+    ++outcome.pictures;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit_code(), Exit::failed);
+    EXPECT_NE(std::string(error.what()).find("spoilt"), std::string::npos) << error.what();
+    ++outcome.errors;
+  }
+}
+
+TEST(ImageFuzz, gives_a_picture_or_an_error_when_bytes_are_spoilt) {
+  const test::TemporaryFolder folder("image_fuzz");
+  const std::vector<std::string> seeds = sound_files(folder);
+  Outcome eight;
+  Outcome sixteen;
+  Outcome floats;
+  Outcome texts;
+  for (std::uint64_t i = 0; i < 3000; ++i) {
+    Random random(i);
+    const std::string content = mutated(seeds[i % seeds.size()], random);
+    SCOPED_TRACE(i);
+    // A new name each time: file systems flush to the disk when a file is replaced.
+    const auto path = folder / ("spoilt" + std::to_string(i));
+    write_file(path, content);
+    count(eight, [&] { return load8(path, static_cast<int>(i % 5)); });
+    count(sixteen, [&] { return load16(path, static_cast<int>(i / 5 % 5)); });
+    count(floats, [&] { return load_pfm(path); });
+    count(texts, [&] {
+      read_png_text(path);
+      return Image8(1, 1, 1);
+    });
+    std::filesystem::remove(path);
+  }
+  // Neither side may be empty, or the mutations would test nothing.
+  for (const Outcome& outcome : {eight, sixteen, floats, texts}) {
+    EXPECT_GT(outcome.pictures, 100);
+    EXPECT_GT(outcome.errors, 100);
+  }
+}
+
+}  // namespace
+}  // namespace texel::image

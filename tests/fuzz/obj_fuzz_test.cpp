@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// Changes small files at random (always the same changes) and expects of each either a usable mesh or one
+// Error.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "core/error.hpp"
+#include "mesh/distinct.hpp"
+#include "mesh/normals.hpp"
+#include "mesh/obj.hpp"
+#include "mesh/ply.hpp"
+#include "mesh/primitives.hpp"
+#include "mesh/tangents.hpp"
+#include "mesh/texcoords.hpp"
+#include "mesh/weld.hpp"
+
+namespace texel::mesh {
+namespace {
+
+class Mutator {
+ public:
+  explicit Mutator(std::uint64_t seed) : state_(seed) {}
+
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>((state_ = mix(state_)) % n); }
+
+  /// One to six changes: a byte, a cut, a copied piece, or a piece of what parsers stumble over.
+  std::string mutate(std::string text) {
+    static const std::string pieces[] = {"0",
+                                         "-1",
+                                         "1e308",
+                                         "nan",
+                                         "-inf",
+                                         "99999999999999999999",
+                                         "/",
+                                         "//",
+                                         "\\\n",
+                                         "\r",
+                                         "\n",
+                                         "#",
+                                         "f ",
+                                         "v ",
+                                         "vt ",
+                                         "vn ",
+                                         "s 1\n",
+                                         "usemtl x\n",
+                                         std::string(1, '\0'),
+                                         "\xEF\xBB\xBF",
+                                         "+",
+                                         "-",
+                                         ".",
+                                         "e",
+                                         " ",
+                                         "f 1 2 3 4 5 6 7\n",
+                                         "f -1 -2 -3 -4\n",
+                                         "newmtl y\n",
+                                         "map_Kd -s ",
+                                         "\xFF",
+                                         "1e-400",
+                                         "f 1 2\\\n"};
+    for (std::size_t changes = 1 + below(6); changes > 0; --changes) {
+      const std::size_t at = below(text.size() + 1);
+      const std::size_t length = std::min(below(12), text.size() - at);
+      switch (below(5)) {
+        case 0:
+          if (at < text.size()) text[at] = static_cast<char>(below(256));
+          break;
+        case 1:
+          text.erase(at, length);
+          break;
+        case 2:
+          text.insert(at, text.substr(below(text.size() + 1), below(40)));
+          break;
+        case 3:
+          text.insert(at, pieces[below(std::size(pieces))]);
+          break;
+        default:
+          if (below(8) == 0) text.resize(at);
+      }
+    }
+    return text;
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+const std::string obj =
+    "# a model\nmtllib a.mtl\no body\nv 0 0 0\nv 1.5 0 0\nv 1 1e0 0\nv 0 1 0.25\nv 0.5 0.2 .1 1 0.5 0\n"
+    "vt 0 0\nvt 1 0 0\nvt 1 1\nvn 0 0 1\nvn 0.6 0 0.8\nusemtl red\ns 1\nf 1/1/1 2/2/1 3/3/2\n"
+    "f -5 -4 \\\n -3 -2\ng tail\ns off\nf 1//1 2//2 3//1 4//2 5//1\nf 1/1 3/2 4/3\nl 1 2\np 3\n";
+
+const std::string mtl =
+    "newmtl red\nKd 1 0.5 0\nmap_Kd -s 2 2 2 -clamp on brick wall.png\nnewmtl b\nmap_Bump -bm 1 b.png\nnorm "
+    "n.png\n";
+
+void expect_whole(const Mesh& mesh) {
+  for (const std::uint32_t index : mesh.indices) ASSERT_LT(index, mesh.vertex_count());
+  for_each_attribute(mesh, [&](const auto& values) {
+    ASSERT_TRUE(values.empty() || values.size() == mesh.vertex_count());
+    for (const auto& value : values)
+      for (int k = 0; k < value.length(); ++k) ASSERT_TRUE(std::isfinite(value[k]));
+  });
+  std::size_t grouped = 0;
+  for (const Group& group : mesh.groups) grouped += group.index_count;
+  ASSERT_TRUE(mesh.groups.empty() || grouped == mesh.indices.size());
+}
+
+TEST(Fuzz, obj_gives_a_usable_mesh_or_one_error) {
+  int parsed = 0, refused = 0;
+  for (std::uint64_t seed = 0; seed < 6000; ++seed) {
+    Mutator mutator(seed);
+    const std::string text = mutator.mutate(obj);
+    try {
+      ObjData data = parse_obj(text, "fuzz.obj");
+      if (seed % 3 == 0) remove_normals(data);
+      Mesh mesh = weld(std::move(data));
+      if (mesh.normals.empty()) smooth_normals(mesh, seed % 2 == 0 ? Weighting::area : Weighting::angle);
+      generate_texcoords(mesh, static_cast<Projection>(seed % 4));
+      compute_tangents(mesh, static_cast<TangentMethod>(seed / 4 % 4));
+      expect_whole(mesh);
+      ++parsed;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.exit_code(), Exit::failed);
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << "one line";
+      ++refused;
+    }
+  }
+  // Both ways are taken often, or the changes test nothing.
+  EXPECT_GT(parsed, 500);
+  EXPECT_GT(refused, 1000);
+}
+
+TEST(Fuzz, mtl_gives_materials_or_one_error) {
+  for (std::uint64_t seed = 0; seed < 6000; ++seed) {
+    Mutator mutator(seed);
+    try {
+      for (const Material& material : parse_mtl(mutator.mutate(mtl), "fuzz.mtl"))
+        for (int k = 0; k < 3; ++k) EXPECT_TRUE(std::isfinite(material.diffuse[k]));
+    } catch (const Error& error) {
+      EXPECT_EQ(error.exit_code(), Exit::failed);
+    }
+  }
+}
+
+TEST(Fuzz, ply_gives_a_whole_mesh_or_one_error) {
+  Mesh mesh = torus(1.0f, 0.5f, 3, 3);
+  revolution_tangents(mesh);
+  const std::string ply = to_ply(mesh);
+  for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+    Mutator mutator(seed);
+    try {
+      expect_whole(parse_ply(mutator.mutate(ply), "fuzz.ply"));
+    } catch (const Error& error) {
+      EXPECT_EQ(error.exit_code(), Exit::failed);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace texel::mesh

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// The program `texel`, run as a user runs it.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+
+#include "../support/picture_files.hpp"
+#include "core/files.hpp"
+#include "course/lab_file.hpp"
+#include "image/load.hpp"
+#include "image/save.hpp"
+
+namespace texel {
+namespace {
+
+using image::Image8;
+using image::ImageF;
+
+struct Result {
+  int exit_code;
+  std::string output;  ///< of both standard output and standard error
+};
+
+Result shell(const std::string& command) {
+  Result result{-1, {}};
+  std::FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
+  if (pipe == nullptr) return result;
+  std::array<char, 4096> block;
+  while (const std::size_t got = std::fread(block.data(), 1, block.size(), pipe))
+    result.output.append(block.data(), got);
+  const int status = ::pclose(pipe);
+  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return result;
+}
+
+Result texel(const std::string& arguments) {
+  return shell(TEXEL_BIN "/texel " + arguments);
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Pictures of 10x10 that are compared: `b` differs from `a` by 60 steps of red in one pixel, and is 15 steps
+/// of green off in another.
+class Compare : public testing::Test {
+ protected:
+  Compare() : folder_("tool_" + std::to_string(::getpid())) {
+    Image8 a(10, 10, 3);
+    std::fill(a.samples.begin(), a.samples.end(), std::uint8_t{100});
+    image::save_png(file("a.png"), a);
+    Image8 b = a;
+    b.at(3, 4, 0) = 160;
+    b.at(5, 5, 1) = 85;
+    image::save_png(file("b.png"), b);
+    Image8 mask(10, 10, 1);
+    mask.at(5, 5) = 255;
+    mask.at(0, 0) = 255;
+    image::save_png(file("mask.png"), mask);
+  }
+
+  [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  [[nodiscard]] Result compare(const std::string& a, const std::string& b,
+                               const std::string& rest = {}) const {
+    return texel(fmt::format("compare '{}' '{}' {}", file(a), file(b), rest));
+  }
+
+  /// A picture of one vector everywhere.
+  void save_vector(const std::string& name, float x, float y, float z) const {
+    ImageF picture(4, 4, 3);
+    for (std::size_t i = 0; i < picture.samples.size(); i += 3) {
+      picture.samples[i] = x;
+      picture.samples[i + 1] = y;
+      picture.samples[i + 2] = z;
+    }
+    image::save_pfm(file(name), picture);
+  }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(Compare, holds_when_the_pictures_are_the_same) {
+  const Result result = compare("a.png", "a.png", "--json");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.output,
+            "{\"width\": 10, \"height\": 10, \"max\": 0, \"mean\": 0, \"p99\": 0, \"non_finite\": 0, "
+            "\"unit\": \"8-bit steps\"}\n");
+}
+
+TEST_F(Compare, differs_when_no_limit_is_given) {
+  const Result result = compare("a.png", "b.png", "--json");
+  EXPECT_EQ(result.exit_code, 1);
+  // (60 + 15) steps over 300 samples; the pixel of rank 99 of 100 is the one of 15 steps.
+  EXPECT_TRUE(has(result.output, "\"max\": 60, \"mean\": 0.25, \"p99\": 15,")) << result.output;
+}
+
+TEST_F(Compare, holds_up_to_its_limits) {
+  EXPECT_EQ(compare("a.png", "b.png", "--max 60 --mean 0.25 --p99 15").exit_code, 0);
+  EXPECT_EQ(compare("a.png", "b.png", "--mean 0.25").exit_code, 0);
+  for (const char* limit : {"--max 59", "--mean 0.24", "--p99 14", "--max 60 --p99 14"})
+    EXPECT_EQ(compare("a.png", "b.png", limit).exit_code, 1) << limit;
+  EXPECT_TRUE(has(compare("a.png", "b.png", "--max 59").output, "max is 60, over the limit 59"));
+}
+
+TEST_F(Compare, looks_only_where_the_mask_is_light) {
+  const Result result = compare("a.png", "b.png", fmt::format("--json --mask '{}'", file("mask.png")));
+  EXPECT_TRUE(has(result.output, "\"max\": 15,")) << result.output;
+}
+
+TEST_F(Compare, writes_a_heat_map) {
+  static_cast<void>(compare("a.png", "b.png", fmt::format("--heatmap '{}'", file("heat.png"))));
+  const Image8 heat = image::load8(file("heat.png"));
+  EXPECT_EQ(heat.width, 10);
+  EXPECT_NE(heat.at(3, 4), heat.at(0, 0));
+}
+
+TEST_F(Compare, measures_directions_in_degrees) {
+  save_vector("x.pfm", 1, 0, 0);
+  save_vector("y.pfm", 0, 1, 0);
+  EXPECT_TRUE(has(compare("x.pfm", "y.pfm", "--json").output, "\"max\": 90, \"mean\": 90, \"p99\": 90, "));
+  EXPECT_TRUE(has(compare("x.pfm", "y.pfm", "--json --unit own").output, "\"max\": 1, "));
+  save_vector("long.pfm", 3, 0, 0);
+  EXPECT_TRUE(has(compare("long.pfm", "y.pfm", "--json").output, "\"max\": 3, "));
+  EXPECT_TRUE(has(compare("long.pfm", "y.pfm", "--json --unit degrees").output, "\"max\": 90, "));
+}
+
+TEST_F(Compare, never_holds_when_a_pixel_is_not_finite) {
+  save_vector("x.pfm", 1, 0, 0);
+  save_vector("nan.pfm", 1, std::numeric_limits<float>::quiet_NaN(), 0);
+  const Result result = compare("x.pfm", "nan.pfm", "--json --max 180");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_TRUE(has(result.output, "\"non_finite\": 16")) << result.output;
+}
+
+TEST_F(Compare, fails_when_the_pictures_cannot_be_compared) {
+  image::save_png(file("small.png"), Image8(5, 10, 3));
+  write_file(file("cut.png"), read_file(file("a.png")).substr(0, 40));
+  write_file(file("empty.png"), "");
+  save_vector("x.pfm", 1, 0, 0);
+  for (const char* other : {"small.png", "cut.png", "empty.png", "none.png", "x.pfm", ""}) {
+    const Result result = compare("a.png", other);
+    EXPECT_EQ(result.exit_code, 3) << other;
+    EXPECT_TRUE(has(result.output, "texel: ")) << result.output;
+    EXPECT_EQ(std::count(result.output.begin(), result.output.end(), '\n'), 1) << result.output;
+  }
+  EXPECT_EQ(compare("a.png", "a.png", fmt::format("--mask '{}'", file("small.png"))).exit_code, 3);
+  EXPECT_EQ(compare("a.png", "b.png", fmt::format("--heatmap '{}'", file("none/heat.png"))).exit_code, 3);
+}
+
+TEST_F(Compare, refuses_wrong_usage) {
+  for (const char* rest : {"--max", "--max red", "--unit radians", "--maximum 3", "--heatmap a.jpg", "third"})
+    EXPECT_EQ(compare("a.png", "a.png", rest).exit_code, 2) << rest;
+  EXPECT_EQ(texel("compare").exit_code, 2);
+}
+
+TEST(Texel, suggests_the_nearest_command) {
+  const Result result = texel("galery");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.output, "texel: there is no command 'galery'; did you mean 'gallery'?\n");
+  EXPECT_EQ(texel("").exit_code, 2);
+  EXPECT_EQ(texel("--help").exit_code, 0);
+}
+
+TEST(List, names_each_lab_as_its_program_does) {
+  const Result list = texel("list");
+  EXPECT_EQ(list.exit_code, 0);
+  const std::vector<course::Lab> labs = course::read_labs("labs");
+  EXPECT_EQ(labs.size(), 9U);
+  for (const course::Lab& lab : labs) {
+    EXPECT_TRUE(has(list.output, lab.title)) << lab.folder;
+    const Result help = shell(fmt::format("{}/{} --help", TEXEL_BIN, lab.program()));
+    const std::string head = fmt::format("Lab {}: {}. {}\n", lab.number, lab.title, lab.lesson);
+    EXPECT_TRUE(help.output.starts_with(head)) << "lab.toml: " << head << help.output.substr(0, 200);
+  }
+}
+
+TEST(List, works_from_any_folder) {
+  EXPECT_EQ(shell("cd / && " TEXEL_BIN "/texel list").exit_code, 0);
+}
+
+TEST(Gallery, lists_the_sources_pictures_as_the_page_does) {
+  EXPECT_EQ(texel("gallery --list").output, read_file("docs/pictures.md")) << "./run docs renews it";
+}
+
+TEST(Gallery, draws_a_lab_once_and_again_only_when_it_changed) {
+  const test::TemporaryFolder folder("gallery_" + std::to_string(::getpid()));
+  const std::string command = fmt::format("gallery --lab 1 --out '{}'", (folder / "page").string());
+  const Result first = texel(command);
+  EXPECT_EQ(first.exit_code, 0) << first.output;
+  EXPECT_TRUE(has(first.output, "pictures drawn")) << first.output;
+  const course::Lab lab = course::read_lab("labs/01_texture_quad/lab.toml");
+  const std::string page = read_file(folder / "page/index.html");
+  for (const course::Look& look : lab.looks) {
+    EXPECT_TRUE(has(page, fmt::format("src=\"01_texture_quad/{}.png\"", look.name)));
+    EXPECT_GT(image::info(folder / ("page/01_texture_quad/" + look.name + ".png")).width, 0);
+  }
+  EXPECT_FALSE(has(page, "http")) << "the page asks nobody";
+  EXPECT_TRUE(has(texel(command).output, "are as they were"));
+  std::filesystem::remove(folder / ("page/01_texture_quad/" + lab.looks.front().name + ".png"));
+  EXPECT_TRUE(has(texel(command).output, "pictures drawn"));
+}
+
+TEST(Gallery, fails_when_it_cannot_write) {
+  EXPECT_EQ(texel("gallery --lab 1 --out /dev/null/page").exit_code, 3);
+  EXPECT_EQ(texel("gallery --lab 12").exit_code, 2);
+  EXPECT_EQ(texel("gallery --lab one").exit_code, 2);
+}
+
+}  // namespace
+}  // namespace texel

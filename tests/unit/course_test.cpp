@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "../support/picture_files.hpp"
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "course/lab_file.hpp"
+
+namespace texel::course {
+namespace {
+
+/// A folder with labs/05_normal_map/lab.toml of the given text.
+class LabFile {
+ public:
+  explicit LabFile(const std::string& text) : folder_("course_" + std::to_string(::getpid())) {
+    std::filesystem::create_directories(path().parent_path());
+    write_file(path(), text);
+  }
+  [[nodiscard]] std::filesystem::path path() const { return folder_ / "labs/05_normal_map/lab.toml"; }
+  [[nodiscard]] std::filesystem::path labs() const { return folder_ / "labs"; }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+const std::string kHead =
+    "lab = \"05_normal_map\"\ntitle = \"Normal map\"\nlesson = \"Light by a picture\"\n";
+
+std::string refusal(const std::string& text) {
+  const LabFile file(text);
+  try {
+    read_lab(file.path());
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit_code(), Exit::failed);
+    const std::string message = error.what();
+    const std::size_t name = message.find("lab.toml:");
+    return name == std::string::npos ? message : message.substr(name + 9);
+  }
+  return "it was read";
+}
+
+TEST(LabFile, is_read_in_full) {
+  const LabFile file(kHead + R"(
+[[look]]
+name = "bricks"
+caption = "Bricks"
+set = { normal_map = false, method = "mikktspace", turn = 30, bump_strength = 0.7 }
+view = "normal"
+size = "640x480"
+source = "Report, section 3.4"
+hero = true
+[[look]]
+name = "plain"
+caption = "As it opens"
+[[step]]
+id = "5.1"
+[[case]]
+step = "5.1"
+)");
+  const Lab lab = read_lab(file.path());
+  EXPECT_EQ(lab.number, 5);
+  EXPECT_EQ(lab.program(), "lab05_normal_map");
+  EXPECT_EQ(lab.title, "Normal map");
+  EXPECT_EQ(lab.lesson, "Light by a picture");
+  ASSERT_EQ(lab.looks.size(), 2U);
+  const std::vector<Setting> settings = {
+      {"normal_map", "off"}, {"method", "mikktspace"}, {"turn", "30"}, {"bump_strength", "0.7"}};
+  EXPECT_EQ(lab.looks[0].settings, settings);
+  EXPECT_EQ(lab.looks[0].source, "Report, section 3.4");
+  EXPECT_TRUE(lab.looks[0].hero);
+  EXPECT_EQ(command(lab, lab.looks[0]),
+            "./run lab 5 --normal-map off --method mikktspace --turn 30 --bump-strength 0.7 --view normal "
+            "--size 640x480 --snapshot bricks.png");
+  EXPECT_EQ(lab.looks[1].view, "color");
+  EXPECT_FALSE(lab.looks[1].hero);
+  EXPECT_EQ(command(lab, lab.looks[1]), "./run lab 5 --snapshot plain.png");
+}
+
+TEST(LabFile, refuses_an_unknown_key_with_its_line) {
+  EXPECT_EQ(refusal(kHead + "[[look]]\nname = \"a\"\ncaption = \"A\"\nheros = true\n"),
+            "7:9: there is no key 'heros'; did you mean 'hero'?");
+  EXPECT_EQ(refusal(kHead + "colour = 1\n"),
+            "4:10: there is no key 'colour'; the keys are lab, title, lesson, look, step, case");
+}
+
+TEST(LabFile, refuses_a_wrong_type_with_its_line) {
+  EXPECT_EQ(refusal(kHead + "[[look]]\nname = \"a\"\ncaption = 5\n"), "6:11: 'caption' is a text in quotes");
+  EXPECT_EQ(refusal(kHead + "[[look]]\nname = \"a\"\ncaption = \"A\"\nhero = 1\n"),
+            "7:8: 'hero' is true or false");
+  EXPECT_EQ(refusal(kHead + "[[look]]\nname = \"a\"\ncaption = \"A\"\nset = { a = [1] }\n"),
+            "7:13: a parameter's value is a text, number or boolean");
+  EXPECT_EQ(refusal(kHead + "look = 1\n"), "4:8: looks are written as [[look]] tables");
+}
+
+TEST(LabFile, refuses_a_name_that_is_taken_or_no_file_name) {
+  const std::string look = "[[look]]\nname = \"a\"\ncaption = \"A\"\n";
+  EXPECT_EQ(refusal(kHead + look + look), "7:1: two looks are called 'a'");
+  EXPECT_EQ(refusal(kHead + "[[look]]\nname = \"../a\"\ncaption = \"A\"\n"),
+            "4:1: '../a' is no picture's name; use lower-case letters, digits, '_' and '-'");
+}
+
+TEST(LabFile, refuses_what_is_missing_or_broken) {
+  EXPECT_EQ(refusal(kHead + "[[look]]\nname = \"a\"\n"), "4:1: 'caption' is missing or empty");
+  EXPECT_EQ(refusal("title = \"Normal map\"\n"), "1:1: 'lab' is missing or empty");
+  EXPECT_EQ(refusal("lab = \"06_cube_map\"\n"), "1:7: '06_cube_map' is not the name of the file's folder");
+  EXPECT_EQ(refusal(kHead + "[[look]\n").substr(0, 2), "4:");
+  EXPECT_NE(refusal(std::string("\0\xff", 2)), "it was read");
+}
+
+TEST(Labs, are_found_below_their_folder) {
+  const LabFile file(kHead);
+  ASSERT_EQ(read_labs(file.labs()).size(), 1U);
+  EXPECT_THROW(read_labs(file.path().parent_path()), Error);
+  EXPECT_THROW(read_labs("no/such/folder"), Error);
+}
+
+}  // namespace
+}  // namespace texel::course

@@ -1,0 +1,620 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "../support/picture_files.hpp"
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "image/colour.hpp"
+#include "image/difference.hpp"
+#include "image/load.hpp"
+#include "image/mipmaps.hpp"
+#include "image/save.hpp"
+
+namespace texel::image {
+namespace {
+
+using test::bytes;
+using test::TemporaryFolder;
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// Bottom row red and green, top row blue and white.
+Image8 four_colours() {
+  Image8 image(2, 2, 3);
+  image.samples = {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255};
+  return image;
+}
+
+/// Each sample another value.
+Image8 counted(int width, int height, int channels) {
+  Image8 image(width, height, channels);
+  for (std::size_t i = 0; i < image.samples.size(); ++i)
+    image.samples[i] = static_cast<std::uint8_t>(i * 37 + 11);
+  return image;
+}
+
+template <class Sample>
+Image<Sample> grey(int width, int height, std::vector<Sample> samples) {
+  Image<Sample> image(width, height, 1);
+  EXPECT_EQ(image.samples.size(), samples.size());
+  image.samples = std::move(samples);
+  return image;
+}
+
+/// The message of the Error that `act` throws; "" when it throws none.
+template <class Act>
+std::string error_of(Act act) {
+  try {
+    act();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit_code(), Exit::failed);
+    return error.what();
+  }
+  return "";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Writes the bytes and tries to load them.
+std::string load_error(const TemporaryFolder& folder, const std::string& file, const std::string& content) {
+  write_file(folder / file, content);
+  return error_of([&] { load8(folder / file); });
+}
+
+TEST(Png, keeps_every_sample_when_saved_and_loaded) {
+  const TemporaryFolder folder("png_round_trip");
+  for (int channels = 1; channels <= 4; ++channels)
+    for (const int compression : {1, 9}) {
+      const Image8 image = counted(5, 3, channels);
+      save_png(folder / "a.png", image, {}, compression);
+      EXPECT_EQ(load8(folder / "a.png"), image) << channels << " channels, compression " << compression;
+      const Info header = info(folder / "a.png");
+      EXPECT_EQ(header.width, 5);
+      EXPECT_EQ(header.height, 3);
+      EXPECT_EQ(header.channels, channels);
+      EXPECT_FALSE(header.is_16_bit);
+    }
+}
+
+TEST(Png, is_the_same_bytes_when_saved_twice) {
+  const TemporaryFolder folder("png_same");
+  save_png(folder / "a.png", counted(7, 5, 4));
+  save_png(folder / "b.png", counted(7, 5, 4));
+  EXPECT_EQ(read_file(folder / "a.png"), read_file(folder / "b.png"));
+}
+
+TEST(Png, has_its_top_row_first_in_the_file) {
+  const TemporaryFolder folder("png_top");
+  // Rows of the file, each after its filter byte 0: top 10 20, bottom 30 40.
+  write_file(folder / "a.png", test::png(2, 2, 8, 0, bytes({0, 10, 20, 0, 30, 40})));
+  EXPECT_EQ(load8(folder / "a.png"), grey<std::uint8_t>(2, 2, {30, 40, 10, 20}));
+}
+
+TEST(Png, keeps_16_bits_when_loaded_as_16) {
+  const TemporaryFolder folder("png_16");
+  write_file(folder / "a.png", test::png(2, 1, 16, 0, bytes({0, 0x12, 0x34, 0xff, 0xfe})));
+  EXPECT_TRUE(info(folder / "a.png").is_16_bit);
+  EXPECT_EQ(load16(folder / "a.png"), grey<std::uint16_t>(2, 1, {0x1234, 0xfffe}));
+  EXPECT_EQ(load8(folder / "a.png"), grey<std::uint8_t>(2, 1, {0x12, 0xff}));
+}
+
+TEST(Png, spreads_8_bits_over_16) {
+  const TemporaryFolder folder("png_8_as_16");
+  save_png(folder / "a.png", grey<std::uint8_t>(3, 1, {0, 1, 255}));
+  EXPECT_EQ(load16(folder / "a.png"), grey<std::uint16_t>(3, 1, {0, 257, 65535}));
+}
+
+TEST(Png, converts_channels_when_asked) {
+  const TemporaryFolder folder("png_channels");
+  save_png(folder / "grey.png", grey<std::uint8_t>(1, 1, {77}));
+  EXPECT_EQ(load8(folder / "grey.png", 4).samples, (std::vector<std::uint8_t>{77, 77, 77, 255}));
+  save_png(folder / "rgb.png", four_colours());
+  EXPECT_EQ(load8(folder / "rgb.png", 4).channels, 4);
+  EXPECT_EQ(load8(folder / "rgb.png", 4).at(1, 0, 3), 255);
+  EXPECT_EQ(load8(folder / "rgb.png", 1).at(1, 1), 255);
+  EXPECT_THROW(load8(folder / "rgb.png", 5), Error);
+  EXPECT_THROW(load8(folder / "rgb.png", -1), Error);
+}
+
+TEST(PngText, comes_back_in_order) {
+  const TemporaryFolder folder("png_text");
+  const std::vector<Text> texts = {{"lab", "lab05_normal_map"},
+                                   {"parameters", "--method gram_schmidt\n--light-angle 30"},
+                                   {"renderer", "Größe 3 µm, 法線"},
+                                   {"lab", "a key may come twice"}};
+  save_png(folder / "a.png", four_colours(), texts);
+  EXPECT_EQ(read_png_text(folder / "a.png"), texts);
+  EXPECT_EQ(load8(folder / "a.png"), four_colours());
+}
+
+TEST(PngText, is_left_out_when_its_value_is_empty) {
+  const TemporaryFolder folder("png_empty_text");
+  const std::vector<Text> texts = {{"first", "1"}, {"parameters", ""}, {"last", "2"}};
+  save_png(folder / "a.png", four_colours(), texts);
+  EXPECT_EQ(read_png_text(folder / "a.png"), (std::vector<Text>{texts[0], texts[2]}));
+}
+
+TEST(PngText, is_empty_when_there_is_none) {
+  const TemporaryFolder folder("png_no_text");
+  save_png(folder / "a.png", four_colours());
+  EXPECT_TRUE(read_png_text(folder / "a.png").empty());
+}
+
+TEST(PngText, is_refused_and_no_file_left_when_it_cannot_be_held) {
+  const TemporaryFolder folder("png_bad_text");
+  const std::vector<Text> bad = {{"", "value"},          {std::string(80, 'k'), "value"},
+                                 {" space", "value"},    {"two  spaces", "value"},
+                                 {"schlüssel", "value"}, {"key", std::string("a\0b", 3)}};
+  for (const Text& text : bad) {
+    const std::string message =
+        error_of([&] { save_png(folder / "a.png", four_colours(), std::span(&text, 1)); });
+    EXPECT_TRUE(contains(message, "a.png")) << text.key;
+    EXPECT_TRUE(contains(message, "79 printable")) << message;
+  }
+  EXPECT_TRUE(folder.empty());
+}
+
+TEST(PngText, is_an_error_when_the_file_is_no_png) {
+  const TemporaryFolder folder("png_text_rubbish");
+  write_file(folder / "a.png", "rubbish");
+  EXPECT_TRUE(contains(error_of([&] { read_png_text(folder / "a.png"); }), "a.png"));
+  write_file(folder / "empty.png", "");
+  EXPECT_TRUE(contains(error_of([&] { read_png_text(folder / "empty.png"); }), "empty.png"));
+  EXPECT_TRUE(contains(error_of([&] { read_png_text(folder / "none.png"); }), "none.png"));
+}
+
+TEST(Save, leaves_no_file_when_it_fails) {
+  const TemporaryFolder folder("save_fails");
+  EXPECT_TRUE(contains(error_of([&] { save_png(folder / "a.png", Image8{}); }), "a.png"));
+  EXPECT_TRUE(contains(error_of([&] { save_pfm(folder / "a.pfm", ImageF{}); }), "a.pfm"));
+  EXPECT_TRUE(contains(error_of([&] { save_png(folder / "no/folder.png", four_colours()); }), "folder.png"));
+  EXPECT_TRUE(contains(error_of([&] { save_png(folder / "a.png", four_colours(), {}, 99); }), "a.png"));
+  EXPECT_TRUE(folder.empty());
+}
+
+TEST(Save, keeps_the_old_file_when_it_fails) {
+  const TemporaryFolder folder("save_keeps");
+  save_png(folder / "a.png", four_colours());
+  EXPECT_NE(error_of([&] { save_png(folder / "a.png", Image8{}); }), "");
+  EXPECT_EQ(load8(folder / "a.png"), four_colours());
+}
+
+TEST(Load, reads_the_same_picture_from_every_format) {
+  const TemporaryFolder folder("formats");
+  const std::vector<std::pair<std::string, std::string>> files = {{"a.bmp", test::bmp_2x2()},
+                                                                  {"a.tga", test::tga_2x2()},
+                                                                  {"rle.tga", test::tga_rle_2x2()},
+                                                                  {"a.gif", test::gif_2x2()}};
+  for (const auto& [name, content] : files) {
+    write_file(folder / name, content);
+    EXPECT_EQ(load8(folder / name, 3), four_colours()) << name;
+    const Info header = info(folder / name);
+    EXPECT_EQ(header.width, 2) << name;
+    EXPECT_EQ(header.height, 2) << name;
+  }
+}
+
+TEST(Load, reads_jpeg) {
+  const TemporaryFolder folder("jpeg");
+  write_file(folder / "a.jpg", test::jpeg_8x8());
+  EXPECT_EQ(load8(folder / "a.jpg"), grey<std::uint8_t>(8, 8, std::vector<std::uint8_t>(64, 100)));
+  Image8 colour(16, 16, 3);
+  colour.samples.assign(colour.samples.size(), 128);
+  for (const bool progressive : {false, true}) {
+    write_file(folder / "a.jpg", test::jpeg_16x16(progressive));
+    EXPECT_EQ(load8(folder / "a.jpg"), colour) << "progressive: " << progressive;
+  }
+}
+
+TEST(Load, refuses_a_jpeg_whose_tables_do_not_fit) {
+  const TemporaryFolder folder("jpeg_tables");
+  std::string huffman = test::jpeg_16x16(false);
+  huffman[huffman.find("\xff\xc4") + 5 + 12] = '\xff';  // 256 codes with the one that there is
+  EXPECT_FALSE(contains(load_error(folder, "a.jpg", huffman), "impossible"));
+  huffman[huffman.find("\xff\xc4") + 5 + 13] = '\x01';
+  EXPECT_TRUE(contains(load_error(folder, "a.jpg", huffman), "impossible JPEG tables"));
+  EXPECT_TRUE(contains(load_error(folder, "a.jpg", "\xff" + huffman), "impossible JPEG tables"));
+  std::string sampling = test::jpeg_16x16(false);
+  sampling[sampling.find("\x01\x22") + 1] = '\x32';  // three across, of which two are no whole part
+  sampling[sampling.find("\x02\x11") + 1] = '\x21';
+  EXPECT_TRUE(contains(load_error(folder, "a.jpg", sampling), "impossible JPEG tables"));
+}
+
+TEST(Load, names_the_file_and_the_remedy_when_it_is_no_picture) {
+  const TemporaryFolder folder("no_picture");
+  for (const std::string& content : {std::string(), std::string("rubbish"), std::string(1000, '\0'),
+                                     std::string(1000, '\xff'), std::string("v 1 2 3\nf 1 2 3\n")}) {
+    const std::string message = load_error(folder, "a.png", content);
+    EXPECT_TRUE(contains(message, "a.png")) << message;
+    EXPECT_TRUE(contains(message, "PNG, JPEG, GIF, BMP or TGA")) << message;
+    EXPECT_NE(error_of([&] { info(folder / "a.png"); }), "");
+    EXPECT_NE(error_of([&] { load16(folder / "a.png"); }), "");
+  }
+  EXPECT_TRUE(contains(error_of([&] { load8(folder / "none.png"); }), "none.png"));
+  EXPECT_NE(error_of([&] { load8(folder / "."); }), "");
+}
+
+TEST(Load, is_an_error_wherever_the_file_is_cut) {
+  const TemporaryFolder folder("cut");
+  save_png(folder / "whole.png", counted(9, 9, 3));
+  const std::string first_frame = test::gif_2x2().substr(0, 25 + test::gif_frame({}).size());
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"a.png", read_file(folder / "whole.png")},
+      {"a.jpg", test::jpeg_8x8()},
+      {"b.jpg", test::jpeg_16x16(false)},
+      {"c.jpg", test::jpeg_16x16(true)},
+      {"a.bmp", test::bmp_2x2().substr(0, 68)},  // the last row's filling is not missed
+      {"a.tga", test::tga_2x2()},
+      {"rle.tga", test::tga_rle_2x2()},
+      {"a.gif", first_frame}};
+  for (const auto& [name, content] : files) {
+    EXPECT_EQ(load_error(folder, name, content), "") << name;
+    for (std::size_t size = 0; size < content.size(); ++size)
+      EXPECT_TRUE(contains(load_error(folder, name, content.substr(0, size)), name)) << name << " " << size;
+  }
+}
+
+TEST(Load, refuses_a_picture_that_is_too_large_by_its_header) {
+  const TemporaryFolder folder("too_large");
+  for (const auto& [width, height] : {std::pair<std::uint32_t, std::uint32_t>{100000, 100000},
+                                      {16385, 1},
+                                      {1, 16385},
+                                      {16384, 16384},  // three channels are beyond 2^28 samples
+                                      {0xffffffff, 0xffffffff}}) {
+    const std::string message =
+        load_error(folder, "large.png", test::png(width, height, 8, 2, bytes({0, 1, 2, 3})));
+    EXPECT_TRUE(contains(message, "large.png")) << message;
+    EXPECT_TRUE(contains(message, "too large")) << message;
+    EXPECT_TRUE(contains(message, "16384")) << message;
+  }
+}
+
+TEST(Load, refuses_a_tiny_file_with_a_huge_header) {
+  const TemporaryFolder folder("huge_header");
+  const std::string message =
+      load_error(folder, "huge.png", test::png(16384, 16384, 8, 0, bytes({0, 1, 2, 3})));
+  EXPECT_TRUE(contains(message, "cut short")) << message;
+}
+
+TEST(Pfm, keeps_every_value_when_saved_and_loaded) {
+  const TemporaryFolder folder("pfm_round_trip");
+  ImageF image(2, 2, 3);
+  image.samples = {0, -0.0F, 1, 1e-40F, 1e38F, -3.5F, infinity, -infinity, 0.1F, 7, 8, 9};
+  save_pfm(folder / "a.pfm", image);
+  EXPECT_EQ(load_pfm(folder / "a.pfm"), image);
+
+  const ImageF with_nan = grey<float>(3, 1, {1, nan, 2});
+  save_pfm(folder / "b.pfm", with_nan);
+  const ImageF back = load_pfm(folder / "b.pfm");
+  EXPECT_EQ(back.channels, 1);
+  EXPECT_TRUE(std::isnan(back.at(1, 0)));
+  EXPECT_EQ(back.at(2, 0), 2);
+}
+
+TEST(Pfm, is_little_endian_and_bottom_row_first) {
+  const TemporaryFolder folder("pfm_bytes");
+  save_pfm(folder / "a.pfm", grey<float>(1, 2, {1, -2}));  // 1 is 3f800000, -2 is c0000000
+  EXPECT_EQ(read_file(folder / "a.pfm"), "Pf\n1 2\n-1.0\n" + bytes({0, 0, 0x80, 0x3f, 0, 0, 0, 0xc0}));
+}
+
+TEST(Pfm, reads_big_endian) {
+  const TemporaryFolder folder("pfm_big");
+  write_file(folder / "a.pfm", "PF 1 1 1.0\n" + bytes({0x3f, 0x80, 0, 0, 0xc0, 0, 0, 0, 0x40, 0, 0, 0}));
+  EXPECT_EQ(load_pfm(folder / "a.pfm").samples, (std::vector<float>{1, -2, 2}));
+}
+
+TEST(Pfm, has_three_channels_when_the_picture_has_two_or_four) {
+  const TemporaryFolder folder("pfm_channels");
+  ImageF two(1, 1, 2);
+  two.samples = {1, 2};
+  save_pfm(folder / "two.pfm", two);
+  EXPECT_EQ(load_pfm(folder / "two.pfm").samples, (std::vector<float>{1, 2, 0}));
+  ImageF four(2, 1, 4);
+  four.samples = {1, 2, 3, 4, 5, 6, 7, 8};
+  save_pfm(folder / "four.pfm", four);
+  EXPECT_EQ(load_pfm(folder / "four.pfm").samples, (std::vector<float>{1, 2, 3, 5, 6, 7}));
+}
+
+TEST(Pfm, is_an_error_when_header_or_size_are_wrong) {
+  const TemporaryFolder folder("pfm_bad");
+  const std::string four_bytes(4, '\0');
+  for (const std::string& content :
+       {std::string(), std::string("P"), std::string("PF"), std::string("Pf\n1 1\n-1.0\n"),
+        "P6\n1 1\n-1.0\n" + four_bytes, "Pf\n0 1\n-1.0\n" + four_bytes, "Pf\n-1 -1\n-1.0\n" + four_bytes,
+        "Pf\n1 x\n-1.0\n" + four_bytes, "Pf\n1 1\n0\n" + four_bytes, "Pf\n1 1\nnan\n" + four_bytes,
+        "Pf\n1 1\ninf\n" + four_bytes, "Pf\n1 1\n-1.0\n" + four_bytes + "x", "PF\n1 1\n-1.0\n" + four_bytes,
+        "Pf\n100000 100000\n-1.0\n" + four_bytes, "Pf\n16384 16384\n-1.0\n" + four_bytes,
+        "Pf\n99999999999999999999 1\n-1.0\n" + four_bytes, std::string(1000, 'P'),
+        "Pf\n1 1\n-1.0x\n" + four_bytes}) {
+    write_file(folder / "a.pfm", content);
+    EXPECT_TRUE(contains(error_of([&] { load_pfm(folder / "a.pfm"); }), "a.pfm")) << content;
+  }
+}
+
+TEST(Srgb, follows_the_standard_curve) {
+  // IEC 61966-2-1: 0.04045 ends the straight part; 0.5 encodes to 0.7353569831 and 0.5 decodes to
+  // 0.2140411405. The double differs from these ten digits by at most their rounding.
+  EXPECT_NEAR(linear_from_srgb(0.04045), 0.04045 / 12.92, 1e-15);
+  EXPECT_NEAR(srgb_from_linear(0.5), 0.7353569831, 5e-11);
+  EXPECT_NEAR(linear_from_srgb(0.5), 0.2140411405, 5e-11);
+  EXPECT_EQ(linear_from_srgb(0.0F), 0.0F);
+  EXPECT_EQ(linear_from_srgb(1.0F), 1.0F);
+  EXPECT_EQ(srgb_from_linear(0.0F), 0.0F);
+  EXPECT_EQ(srgb_from_linear(1.0F), 1.0F);
+  // The two are inverse: a few roundings of a double near 1 (measured: 4e-16).
+  for (int i = 0; i <= 1000; ++i)
+    EXPECT_NEAR(srgb_from_linear(linear_from_srgb(i / 1000.0)), i / 1000.0, 2e-15);
+}
+
+TEST(Encoding8, gives_every_sample_back) {
+  for (int i = 0; i < 256; ++i) {
+    const auto sample = static_cast<std::uint8_t>(i);
+    EXPECT_EQ(to_encoding8(from_encoding8(sample)), sample);
+    EXPECT_EQ(to_encoding8(from_encoding8(sample, Encoding::linear), Encoding::linear), sample);
+  }
+}
+
+TEST(Encoding8, rounds_as_the_curve_says_everywhere) {
+  int differing = 0;
+  for (int i = 0; i <= 100000; ++i) {
+    const float linear = static_cast<float>(i) / 100000.0F;
+    const double exact = srgb_from_linear(static_cast<double>(linear)) * 255;
+    if (to_encoding8(linear) != static_cast<int>(std::floor(exact + 0.5))) ++differing;
+  }
+  EXPECT_EQ(differing, 0);
+}
+
+TEST(Encoding8, rounds_half_up_and_clamps) {
+  EXPECT_EQ(to_encoding8(0.5F, Encoding::linear), 128);  // 127.5
+  EXPECT_EQ(to_encoding8(0.5F, Encoding::srgb), 188);    // 187.516
+  for (const Encoding encoding : {Encoding::srgb, Encoding::linear}) {
+    EXPECT_EQ(to_encoding8(-1, encoding), 0);
+    EXPECT_EQ(to_encoding8(2, encoding), 255);
+    EXPECT_EQ(to_encoding8(infinity, encoding), 255);
+    EXPECT_EQ(to_encoding8(-infinity, encoding), 0);
+    EXPECT_EQ(to_encoding8(nan, encoding), 0);
+    EXPECT_EQ(to_encoding8(std::nextafter(1.0F, 0.0F), encoding), 255);
+  }
+}
+
+/// OKLab of an sRGB colour (B. Ottosson, 2020): the direction that the heat map does not use itself.
+std::array<double, 3> oklab(const std::array<float, 3>& colour) {
+  std::array<double, 3> rgb{};
+  for (std::size_t c = 0; c < 3; ++c) rgb[c] = linear_from_srgb(static_cast<double>(colour[c]));
+  const double l = std::cbrt(0.4122214708 * rgb[0] + 0.5363325363 * rgb[1] + 0.0514459929 * rgb[2]);
+  const double m = std::cbrt(0.2119034982 * rgb[0] + 0.6806995451 * rgb[1] + 0.1073969566 * rgb[2]);
+  const double s = std::cbrt(0.0883024619 * rgb[0] + 0.2817188376 * rgb[1] + 0.6299787005 * rgb[2]);
+  return {0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
+          1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
+          0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s};
+}
+
+TEST(Heat, takes_even_steps_that_grow_lighter) {
+  double least = infinity;
+  double most = 0;
+  for (int i = 0; i < 64; ++i) {
+    const auto a = oklab(heat(static_cast<float>(i) / 64));
+    const auto b = oklab(heat(static_cast<float>(i + 1) / 64));
+    EXPECT_GT(b[0], a[0]) << i;
+    const double step = std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+    least = std::min(least, step);
+    most = std::max(most, step);
+  }
+  // Measured 1.00002 (floats); a colour outside what sRGB shows and cut off there would be far more.
+  EXPECT_LT(most / least, 1.001);
+}
+
+TEST(Heat, clamps_and_marks_nan) {
+  EXPECT_EQ(heat(-1), heat(0));
+  EXPECT_EQ(heat(infinity), heat(1));
+  EXPECT_EQ(heat(nan), (std::array<float, 3>{0, 1, 0}));
+}
+
+TEST(MipChain, has_every_level_down_to_one_texel) {
+  const std::vector<Image8> chain = mip_chain(counted(20, 5, 3), Encoding::srgb);
+  const std::vector<std::pair<int, int>> sizes = {{20, 5}, {10, 2}, {5, 1}, {2, 1}, {1, 1}};
+  ASSERT_EQ(chain.size(), sizes.size());
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    EXPECT_EQ(chain[i].width, sizes[i].first);
+    EXPECT_EQ(chain[i].height, sizes[i].second);
+    EXPECT_EQ(chain[i].channels, 3);
+  }
+  EXPECT_EQ(chain[0], counted(20, 5, 3));
+}
+
+TEST(MipChain, is_the_picture_alone_when_it_has_one_texel) {
+  EXPECT_EQ(mip_chain(counted(1, 1, 4), Encoding::srgb), std::vector<Image8>{counted(1, 1, 4)});
+}
+
+TEST(MipChain, averages_colour_in_linear_light) {
+  Image8 checker(8, 8, 1);
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) checker.at(x, y) = (x + y) % 2 == 0 ? 255 : 0;
+  const auto below = [&](Encoding encoding) {
+    std::vector<Image8> chain = mip_chain(checker, encoding);
+    chain.erase(chain.begin());
+    return chain;
+  };
+  const auto filled = [](std::uint8_t value) {
+    std::vector<Image8> chain;
+    for (const int size : {4, 2, 1})
+      chain.push_back(
+          grey(size, size, std::vector<std::uint8_t>(static_cast<std::size_t>(size * size), value)));
+    return chain;
+  };
+  EXPECT_EQ(below(Encoding::srgb), filled(188));    // linear 0.5 is 187.516
+  EXPECT_EQ(below(Encoding::linear), filled(128));  // 127.5, half up
+}
+
+TEST(MipChain, averages_alpha_as_it_is_and_apart_from_colour) {
+  Image8 image(2, 1, 4);
+  image.samples = {255, 0, 100, 0, 0, 0, 100, 255};
+  EXPECT_EQ(mip_chain(image, Encoding::srgb)[1].samples, (std::vector<std::uint8_t>{188, 0, 100, 128}));
+  Image8 grey_alpha(2, 1, 2);
+  grey_alpha.samples = {255, 255, 0, 0};
+  EXPECT_EQ(mip_chain(grey_alpha, Encoding::srgb)[1].samples, (std::vector<std::uint8_t>{188, 128}));
+}
+
+TEST(MipChain, weighs_by_the_covered_area_when_a_side_is_odd) {
+  // 5 texels become 2 of 2.5 each: weights 2 2 1 0 0 and 0 0 1 2 2, over 5.
+  const Image8 row = grey<std::uint8_t>(5, 1, {10, 20, 30, 40, 50});
+  EXPECT_EQ(mip_chain(row, Encoding::linear)[1].samples, (std::vector<std::uint8_t>{18, 42}));
+  // 7 become 3 of 7/3: 3 3 1 0 0 0 0, 0 0 2 3 2 0 0 and 0 0 0 0 1 3 3, over 7; upright here.
+  const Image8 column = grey<std::uint8_t>(1, 7, {7, 14, 70, 0, 140, 70, 7});
+  // (21 + 42 + 70) / 7, (140 + 0 + 280) / 7, (140 + 210 + 21) / 7
+  EXPECT_EQ(mip_chain(column, Encoding::linear)[1].samples, (std::vector<std::uint8_t>{19, 60, 53}));
+  // 3x3 become the plain mean of all nine.
+  const Image8 square = grey<std::uint8_t>(3, 3, {0, 10, 20, 30, 40, 50, 60, 70, 80});
+  EXPECT_EQ(mip_chain(square, Encoding::linear)[1].samples, (std::vector<std::uint8_t>{40}));
+}
+
+TEST(MipChain, keeps_the_mean_over_all_levels) {
+  // The last level is the mean of all texels and is rounded once, since no level is rounded on the way.
+  const Image8 image = counted(37, 23, 1);
+  double sum = 0;
+  for (const std::uint8_t sample : image.samples) sum += sample;
+  const double mean = sum / static_cast<double>(image.samples.size());
+  EXPECT_EQ(mip_chain(image, Encoding::linear).back().at(0, 0), std::floor(mean + 0.5));
+}
+
+TEST(Difference, is_zero_when_the_pictures_are_the_same) {
+  const Difference difference = compare(four_colours(), four_colours());
+  EXPECT_EQ(difference.width, 2);
+  EXPECT_EQ(difference.height, 2);
+  EXPECT_EQ(difference.max, 0);
+  EXPECT_EQ(difference.mean, 0);
+  EXPECT_EQ(difference.p99, 0);
+  EXPECT_EQ(difference.non_finite, 0);
+}
+
+TEST(Difference, counts_red_green_and_blue_but_not_alpha) {
+  Image8 a(2, 1, 4);
+  Image8 b(2, 1, 4);
+  a.samples = {10, 20, 30, 0, 1, 2, 3, 0};
+  b.samples = {12, 17, 30, 255, 1, 2, 3, 9};
+  const Difference difference = compare(a, b);
+  EXPECT_EQ(difference.max, 3);
+  EXPECT_DOUBLE_EQ(difference.mean, 5.0 / 6);
+  EXPECT_EQ(difference.p99, 3);
+}
+
+TEST(Difference, takes_grey_as_rgb) {
+  Image8 rgb(1, 1, 3);
+  rgb.samples = {10, 20, 30};
+  const Difference difference = compare(rgb, grey<std::uint8_t>(1, 1, {20}));
+  EXPECT_EQ(difference.max, 10);
+  EXPECT_DOUBLE_EQ(difference.mean, 20.0 / 3);
+}
+
+TEST(Difference, takes_the_nearest_rank_for_p99) {
+  // Pixel i differs by i. Of 100 the 99th in order counts, of 101 the 100th (ceil(99.99)), of 1 the first.
+  for (const auto& [pixels, expected] : {std::pair{100, 98}, {101, 99}, {200, 197}, {1, 0}, {2, 1}}) {
+    const Image8 black(pixels, 1, 1);
+    Image8 ramp(pixels, 1, 1);
+    for (int x = 0; x < pixels; ++x) ramp.at(x, 0) = static_cast<std::uint8_t>(x);
+    EXPECT_EQ(compare(black, ramp).p99, expected) << pixels;
+    EXPECT_EQ(compare(black, ramp).max, pixels - 1) << pixels;
+  }
+}
+
+TEST(Difference, looks_only_where_the_mask_is_light) {
+  const Image8 a = grey<std::uint8_t>(3, 1, {0, 0, 0});
+  const Image8 b = grey<std::uint8_t>(3, 1, {9, 2, 4});
+  const Image8 mask = grey<std::uint8_t>(3, 1, {0, 255, 1});
+  EXPECT_EQ(compare(a, b, &mask).max, 4);
+  EXPECT_EQ(compare(a, b, &mask).mean, 3);
+  const Image8 dark(3, 1, 1);
+  EXPECT_NE(error_of([&] { compare(a, b, &dark); }), "");
+  const Image8 small(2, 1, 1);
+  EXPECT_NE(error_of([&] { compare(a, b, &small); }), "");
+}
+
+TEST(Difference, is_an_error_when_sizes_or_channels_differ) {
+  EXPECT_TRUE(contains(error_of([] { compare(Image8(2, 3, 1), Image8(3, 2, 1)); }), "2x3 and 3x2"));
+  EXPECT_NE(error_of([] { heatmap(Image8(2, 3, 1), Image8(3, 2, 1)); }), "");
+  EXPECT_NE(error_of([] { compare(Image8(), Image8()); }), "");
+  EXPECT_NE(error_of([] { compare(ImageF(1, 1, 1), ImageF(1, 1, 3), Unit::own); }), "");
+  EXPECT_NE(error_of([] { compare(ImageF(1, 1, 2), ImageF(1, 1, 2), Unit::degrees); }), "");
+}
+
+TEST(FloatDifference, counts_and_leaves_out_what_is_not_finite) {
+  const ImageF a = grey<float>(5, 1, {1, nan, 3, 4, nan});
+  const ImageF b = grey<float>(5, 1, {1.5F, 2, infinity, 5, nan});
+  const Difference difference = compare(a, b, Unit::own);
+  EXPECT_EQ(difference.non_finite, 3);
+  EXPECT_EQ(difference.max, 1);
+  EXPECT_EQ(difference.mean, 0.75);
+  EXPECT_EQ(difference.p99, 1);
+}
+
+TEST(FloatDifference, has_figures_of_zero_when_nothing_is_finite) {
+  const ImageF a = grey<float>(2, 1, {nan, nan});
+  const Difference difference = compare(a, a, Unit::own);
+  EXPECT_EQ(difference.non_finite, 2);
+  EXPECT_EQ(difference.max, 0);
+  EXPECT_EQ(difference.mean, 0);
+}
+
+/// The difference of two directions, one pixel each.
+Difference between(std::vector<float> a, std::vector<float> b) {
+  ImageF first(1, 1, 3);
+  ImageF second(1, 1, 3);
+  first.samples = std::move(a);
+  second.samples = std::move(b);
+  return compare(first, second, Unit::degrees);
+}
+
+TEST(FloatDifference, gives_directions_in_degrees) {
+  // A few roundings of a double.
+  EXPECT_NEAR(between({1, 0, 0}, {0, 2, 0}).max, 90, 1e-13);
+  EXPECT_NEAR(between({1, 1, 0}, {5, 0, 0}).max, 45, 1e-13);
+  EXPECT_NEAR(between({0, 0, 1}, {0, 0, -3}).max, 180, 1e-13);
+  EXPECT_EQ(between({1, 2, 3}, {1, 2, 3}).max, 0);
+  // acos of the dot product would give 0 here: 1e-6 radians, whose cosine rounds to 1 in floats.
+  EXPECT_NEAR(between({1, 0, 0}, {1, 1e-6F, 0}).max, 1e-6 * 180 / 3.14159265358979, 1e-11);
+}
+
+TEST(FloatDifference, tells_a_missing_direction_from_background) {
+  EXPECT_EQ(between({0, 0, 0}, {0, 0, 1}).max, 180);
+  EXPECT_EQ(between({0, 0, 1}, {0, 0, 0}).max, 180);
+  ImageF a(2, 1, 3);
+  ImageF b(2, 1, 3);
+  a.samples = {0, 0, 0, 1, 0, 0};
+  b.samples = {0, 0, 0, 0, 1, 0};
+  EXPECT_NEAR(compare(a, b, Unit::degrees).mean, 90, 1e-13);  // of the one pixel that has a direction
+  EXPECT_EQ(between({nan, 0, 0}, {1, 0, 0}).non_finite, 1);
+}
+
+std::vector<std::uint8_t> heat_samples(std::initializer_list<float> ts) {
+  std::vector<std::uint8_t> samples;
+  for (const float t : ts)
+    for (const float value : heat(t)) samples.push_back(to_encoding8(value, Encoding::linear));
+  return samples;
+}
+
+TEST(Heatmap, colours_each_pixel_by_its_largest_difference) {
+  const Image8 a = grey<std::uint8_t>(3, 1, {0, 0, 0});
+  const Image8 b = grey<std::uint8_t>(3, 1, {0, 10, 20});
+  EXPECT_EQ(heatmap(a, b).samples, heat_samples({0, 0.5F, 1}));
+  EXPECT_EQ(heatmap(a, b, 40).samples, heat_samples({0, 0.25F, 0.5F}));
+  EXPECT_EQ(heatmap(a, b, 5).samples, heat_samples({0, 1, 1}));
+  EXPECT_EQ(heatmap(a, a).samples, heat_samples({0, 0, 0}));
+  const Image8 mask = grey<std::uint8_t>(3, 1, {255, 255, 0});
+  EXPECT_EQ(heatmap(a, b, 20, &mask).samples, heat_samples({0, 0.5F, 0}));
+}
+
+TEST(Heatmap, is_green_where_a_value_is_not_finite) {
+  const ImageF a = grey<float>(3, 1, {0, nan, 1});
+  const ImageF b = grey<float>(3, 1, {0, 0, 3});
+  EXPECT_EQ(heatmap(a, b, Unit::own, 2).samples, heat_samples({0, nan, 1}));
+}
+
+}  // namespace
+}  // namespace texel::image

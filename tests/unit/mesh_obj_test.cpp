@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/obj.hpp"
+
+#include <gtest/gtest.h>
+#include <tiny_obj_loader.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "mesh/distinct.hpp"
+#include "mesh/weld.hpp"
+
+namespace texel::mesh {
+namespace {
+
+const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+ObjData parse(const std::string& text) {
+  return parse_obj(text, "test.obj");
+}
+
+/// A folder of its own for one test, removed at its end.
+class Folder {
+ public:
+  explicit Folder(const std::string& name)
+      : path_(std::filesystem::temp_directory_path() / ("texel_" + name)) {
+    std::filesystem::remove_all(path_);
+    std::filesystem::create_directories(path_);
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  [[nodiscard]] std::filesystem::path operator/(const std::string& file) const { return path_ / file; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+TEST(Obj, reads_every_form_of_a_corner) {
+  struct Row {
+    const char* face;
+    Corner last;
+  };
+  const Row rows[] = {
+      {"f 1 2 3", {2, no_index, no_index}},
+      {"f 1/1 2/2 3/2", {2, 1, no_index}},
+      {"f 1//1 2//1 3//2", {2, no_index, 1}},
+      {"f 1/1/1 2/1/1 3/2/2", {2, 1, 1}},
+      {"f -3/-2/-2 -2/-1/-1 -1/-2/-1", {2, 0, 1}},
+      {"f 1/ 2/ 3/", {2, no_index, no_index}},
+      {"f 1// 2// 3//", {2, no_index, no_index}},
+      {"f 1/1/ 2/1/ 3/2/", {2, 1, no_index}},
+      {"f 1 2/1 3//2", {2, no_index, 1}},
+      {"f +1 +2 +3", {2, no_index, no_index}},
+      {"fo 1 2 3", {2, no_index, no_index}},
+      {"\t f\t1  2\t 3 \t", {2, no_index, no_index}},
+      {"f 1 2 3 # a comment", {2, no_index, no_index}},
+  };
+  for (const Row& row : rows) {
+    const ObjData data = parse(triangle + "vt 0 0\nvt 1 1\nvn 0 0 1\nvn 1 0 0\n" + row.face + "\n");
+    ASSERT_EQ(data.corners.size(), 3u) << row.face;
+    EXPECT_EQ(data.corners[2], row.last) << row.face;
+  }
+}
+
+TEST(Obj, counts_negative_indices_from_the_lines_above_the_face) {
+  const ObjData data = parse(triangle + "f -3 -2 -1\nv 9 9 9\nv 8 8 8\nf -5 -2 -1\n");
+  EXPECT_EQ(data.corners[3].position, 0u);
+  EXPECT_EQ(data.corners[4].position, 3u);
+  EXPECT_EQ(data.corners[5].position, 4u);
+}
+
+TEST(Obj, rounds_numbers_to_the_nearest_float) {
+  struct Row {
+    const char* text;
+    float value;
+  };
+  const Row rows[] = {
+      {"0.1", 0.1f},
+      {"+2.5", 2.5f},
+      {"-1e-3", -1e-3f},
+      {"1.5E+2", 150.0f},
+      {".5", 0.5f},
+      {"5.", 5.0f},
+      {"16777217", 16777216.0f},             // halfway: to even
+      {"16777217.0000000001", 16777218.0f},  // just above halfway: a parser by double rounds it down
+      {"3.4028235e38", 3.4028235e38f},       // the largest
+      {"1e-46", 0.0f},                       // too small
+      {"1e-400", 0.0f},                      // too small for a double too
+      {"1e-45", std::numeric_limits<float>::denorm_min()},
+      {"-0", -0.0f},
+  };
+  for (const Row& row : rows) {
+    const ObjData data = parse("v " + std::string(row.text) + " 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_EQ(data.positions[0].x, row.value) << row.text;
+    EXPECT_EQ(std::signbit(data.positions[0].x), std::signbit(row.value)) << row.text;
+  }
+}
+
+TEST(Obj, reads_weights_colours_and_one_to_three_texture_numbers) {
+  const ObjData data = parse(
+      "v 0 0 0\nv 1 0 0 0.5\nv 0 1 0 0.25 0.5 0.75\nv 1 1 0 1 0.1 0.2 0.3\n"
+      "vt 0.25\nvt 0.25 0.5\nvt 0.25 0.5 0.75\nf 1/1 2/2 3/3\n");
+  EXPECT_EQ(data.report.ignored_weights, 1u);
+  ASSERT_EQ(data.colors.size(), 4u);
+  EXPECT_EQ(data.colors[0], glm::vec3(1.0f));
+  EXPECT_EQ(data.colors[2], glm::vec3(0.25f, 0.5f, 0.75f));
+  EXPECT_EQ(data.colors[3], glm::vec3(0.1f, 0.2f, 0.3f));
+  EXPECT_EQ(data.texcoords[0], glm::vec2(0.25f, 0.0f));
+  EXPECT_EQ(data.texcoords[1], glm::vec2(0.25f, 0.5f));
+  EXPECT_EQ(data.texcoords[2], glm::vec2(0.25f, 0.5f));
+}
+
+TEST(Obj, reads_the_same_whatever_the_line_ends) {
+  const std::string text = "# c\nv 0 0 0\n\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const auto with = [&text](const std::string& end) {
+    std::string changed;
+    for (const char c : text) changed += c == '\n' ? end : std::string(1, c);
+    return changed;
+  };
+  for (const std::string& variant :
+       {text, with("\r\n"), with("\r"), "\xEF\xBB\xBF" + text, text.substr(0, text.size() - 1)}) {
+    const ObjData data = parse(variant);
+    EXPECT_EQ(data.positions.size(), 3u);
+    EXPECT_EQ(data.corners.size(), 3u);
+    EXPECT_EQ(data.report.lines, 6u);
+    EXPECT_TRUE(data.report.warnings.empty());
+  }
+}
+
+TEST(Obj, joins_lines_that_end_in_a_backslash) {
+  const ObjData data = parse("v 0 0 \\\n 0\r\nv 1 0 0\nv 0 1 0\n# C:\\models\\\nf 1 \\\r\n 2 \\\n 3\n");
+  EXPECT_EQ(data.corners.size(), 3u);
+  EXPECT_EQ(data.report.lines, 8u);
+  EXPECT_EQ(parse(triangle + "f 1 2 3\\").corners.size(), 3u) << "a continuation at the end of the file";
+}
+
+TEST(Obj, keeps_runs_of_materials_groups_and_smoothing) {
+  const ObjData data =
+      parse(triangle +
+            "mtllib a.mtl b.mtl\nmtllib c d.mtl\nusemtl unused\nusemtl red paint # note\ng body\n"
+            "f 1 2 3\nusemtl blue\no tail\ns 1\nf 1 2 3\nusemtl blue\nf 1 2 3\ns off\nf 1 2 3\n");
+  ASSERT_EQ(data.libraries.size(), 2u);
+  EXPECT_EQ(data.libraries[1], "c d.mtl");
+  ASSERT_EQ(data.material_runs.size(), 2u);
+  EXPECT_EQ(data.material_runs[0].name, "red paint");
+  EXPECT_EQ(data.material_runs[1].first_triangle, 1u);
+  ASSERT_EQ(data.group_runs.size(), 2u);
+  EXPECT_EQ(data.group_runs[1].name, "tail");
+  ASSERT_EQ(data.smoothing.size(), 3u);
+  EXPECT_EQ(data.smoothing[0].group, 0u);
+  EXPECT_EQ(data.smoothing[1].first_triangle, 1u);
+  EXPECT_EQ(data.smoothing[2].first_triangle, 3u);
+  EXPECT_TRUE(parse(triangle + "s off\nf 1 2 3\ns 0\n").smoothing.empty()) << "never switched on";
+}
+
+TEST(Obj, counts_what_it_repairs_or_leaves_out) {
+  const ObjData data = parse(triangle +
+                             "v 1 1 0\np 1\nl 1 2 3\ncurv 0 1\nparm u 0\n"
+                             "f 1\nf 1 2\nf 1 2 2\nf 1 1 1 1\nf 1 2 2 3\nf 1 2 3 1\nf 1 2 4 3\n");
+  EXPECT_EQ(data.report.points_and_lines, 2u);
+  EXPECT_EQ(data.report.unknown_lines, 2u);
+  EXPECT_EQ(data.report.faces, 7u);
+  EXPECT_EQ(data.report.dropped_faces, 4u);
+  EXPECT_EQ(data.report.dropped_corners, 6u);  // 1 + 3 + 1 + 1
+  EXPECT_EQ(data.report.polygons, 1u);
+  EXPECT_EQ(data.triangle_count(), 4u);
+  EXPECT_EQ(data.report.warnings.size(), 4u);
+}
+
+TEST(Obj, tells_of_corners_without_vt_or_vn_among_others) {
+  const ObjData data = parse(triangle + "vt 0.5 0.5\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\nf 1 2/1 3\n");
+  EXPECT_EQ(data.report.missing_texcoords, 2u);
+  EXPECT_EQ(data.report.missing_normals, 3u);
+  EXPECT_TRUE(parse(triangle + "vt 0 0\nvn 0 0 1\nf 1 2 3\n").texcoords.empty()) << "no face uses them";
+}
+
+TEST(Obj, refuses_bad_input_with_the_line_and_a_remedy) {
+  struct Row {
+    std::string text;
+    int line;
+    const char* what;
+  };
+  const Row rows[] = {
+      {"", 0, "empty"},
+      {triangle, 0, "no face"},
+      {"hello\nworld\n", 0, "2 lines not understood"},
+      {triangle + "f 1\nf 2 3\n", 0, "no face"},
+      {triangle + "f 0 1 2\n", 4, "index 0"},
+      {triangle + "f 1 2 4\n", 4, "index 4 of v is out of range: 3 so far"},
+      {triangle + "f 1 2 -4\n", 4, "index -4 of v is out of range"},
+      {triangle + "f 1/1 2/1 3/1\n", 4, "index 1 of vt is out of range: 0 so far"},
+      {triangle + "f 1//1 2//1 3//1\n", 4, "index 1 of vn"},
+      {triangle + "f 1/0 2/0 3/0\n", 4, "index 0 of vt"},
+      {triangle + "f 1 2 4\nv 1 1 1\n", 4, "so far"},  // a face uses a line below it
+      {triangle + "f 1 2 99999999999999999999\n", 4, "not an index"},
+      {triangle + "f 1 2 999999999999999999\n", 4, "out of range"},
+      {triangle + "f 1 2 -999999999999999999\n", 4, "out of range"},
+      {triangle + "f 1 2 3x\n", 4, "stray"},
+      {triangle + "f 1 2 x\n", 4, "'x' is not an index"},
+      {triangle + "f 1 2 /1\n", 4, "not an index"},
+      {triangle + "f 1/1/1/1 2 3\n", 4, "out of range"},
+      {triangle + "vt 0\nvn 0 0 1\nf 1/1/1/1 2 3\n", 6, "more than three"},
+      {triangle + "f 1 2 3.5\n", 4, "stray"},
+      {triangle + "f 1 2 -\n", 4, "not an index"},
+      {"v 0 nan 0\n", 1, "not a finite"},
+      {"v 0 0 -inf\n", 1, "not a finite"},
+      {"v 0 0 0\n\nv 1e308 0 0\n", 3, "too large"},
+      {"v 1e39 0 0\n", 1, "too large"},
+      {"v 1e999999999 0 0\n", 1, "too large"},
+      {"v 0 0 1.#QNAN\n", 1, "not a number"},
+      {"v 0 0 1,5\n", 1, "not a number"},
+      {"v 0 0 +-1\n", 1, "not a number"},
+      {"v 0 0 +\n", 1, "not a number"},
+      {"v 0 0 0x10\n", 1, "not a number"},
+      {"v 0 0\n", 1, "needs 3"},
+      {"v 0 0 # 0\n", 1, "needs 3"},
+      {"v 0 0 0 1 1\n", 1, "5 numbers"},
+      {"v 0 0 0 1 1 1 1 1\n", 1, "more than 7"},
+      {"vt\n", 1, "needs 1"},
+      {"vt 0 0 0 0\n", 1, "more than 3"},
+      {"vn 0 0\n", 1, "needs 3"},
+      {"vn nan nan nan\n", 1, "not a finite"},
+      {"s x\n", 1, "smoothing"},
+      {"s -1\n", 1, "smoothing"},
+      {"v 0 0 0\nv 1 \\\n 0 \\\n x\n", 2, "not a number"},  // the first of the joined lines
+      {"v 0 0 0\r\nv 1 0 x\r\n", 2, "not a number"},
+      {std::string("\x7f"
+                   "ELF\x02\0\0\x01\n\0\0\n",
+                   12),
+       1, "binary"},
+      {std::string("v\0 \0\x31\0\n\0", 8), 1, "binary"},              // UTF-16
+      {triangle + "f 1 2 3\n" + std::string(40, '\0'), 5, "binary"},  // a tail of zeros
+  };
+  for (const Row& row : rows) {
+    try {
+      parse(row.text);
+      ADD_FAILURE() << "accepted: " << row.text;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.exit_code(), Exit::failed);
+      EXPECT_EQ(error.place().line, row.line) << error.what();
+      EXPECT_EQ(error.place().file, "test.obj");
+      EXPECT_NE(std::string(error.what()).find(row.what), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("; "), std::string::npos) << "no remedy: " << error.what();
+    }
+  }
+}
+
+TEST(Obj, refuses_a_file_cut_off_in_a_number_or_face) {
+  const std::string text = triangle + "f 1 2 3\nf 3 2 1\n";
+  // Each cut either parses (a line's end) or says where it stopped.
+  for (std::size_t length = 0; length < text.size(); ++length) {
+    try {
+      EXPECT_GE(parse(text.substr(0, length)).triangle_count(), 1u);
+      EXPECT_GE(length, triangle.size() + 7);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.exit_code(), Exit::failed);
+    }
+  }
+}
+
+TEST(Obj, shows_progress_that_grows_on_a_long_file) {
+  std::string text = triangle;
+  while (text.size() < (3u << 20)) text += "f 1 2 3\n";
+  std::vector<double> parts;
+  parse_obj(text, "long.obj", {[&parts](double part) { parts.push_back(part); }});
+  ASSERT_GE(parts.size(), 2u);
+  for (std::size_t i = 1; i < parts.size(); ++i) EXPECT_GT(parts[i], parts[i - 1]);
+  EXPECT_LE(parts.back(), 1.0);
+}
+
+TEST(Obj, reads_material_libraries_beside_the_file) {
+  const Folder folder("obj_materials");
+  write_file(folder / "my paints.mtl", "newmtl red\nKd 1 0 0\nmap_Kd -s 2 2 -clamp on red brick.png\n");
+  write_file(folder / "b.mtl", "newmtl blue\nnorm n.png\nmap_Bump -bm 0.5 h.png\n");
+  write_file(folder / "model.obj", triangle +
+                                       "mtllib my paints.mtl\nmtllib missing.mtl b.mtl\nusemtl red\nf 1 2 3\n"
+                                       "usemtl green\nf 1 2 3\n");
+  const ObjData data = load_obj(folder / "model.obj");
+  ASSERT_EQ(data.materials.size(), 2u);
+  EXPECT_EQ(find_material(data, "red")->color_map, "red brick.png");
+  EXPECT_EQ(find_material(data, "blue")->normal_map, "n.png");
+  EXPECT_EQ(find_material(data, "green"), nullptr);
+  ASSERT_EQ(data.report.warnings.size(), 2u);
+  EXPECT_NE(data.report.warnings[0].find("missing.mtl"), std::string::npos);
+  EXPECT_NE(data.report.warnings[1].find("'green'"), std::string::npos);
+}
+
+TEST(Obj, says_when_a_file_cannot_be_read) {
+  const Folder folder("obj_unreadable");
+  EXPECT_THROW(load_obj(folder / "none.obj"), Error);
+  EXPECT_THROW(load_obj(folder / ""), Error);
+}
+
+TEST(Mtl, reads_maps_with_their_options_and_leaves_the_rest) {
+  struct Row {
+    const char* line;
+    const char* color_map;
+    const char* normal_map;
+  };
+  const Row rows[] = {
+      {"map_Kd a.png", "a.png", ""},
+      {"map_kd -s 1 2 3 -o 0.5 a.png", "a.png", ""},
+      {"map_Kd -blendu off -mm 0 1 -texres 512 my file.png # c", "my file.png", ""},
+      {"map_Kd sub\\dir\\a.png", "sub/dir/a.png", ""},
+      {"map_Kd -s 1 1 1", "", ""},
+      {"bump -bm 1.5 b.png", "", "b.png"},
+      {"map_bump b.png", "", "b.png"},
+      {"norm n.png", "", "n.png"},
+      {"\tNs 96\nillum 2\nd 1\nmap_Ks s.png\nnonsense 1 2", "", ""},
+  };
+  for (const Row& row : rows) {
+    const auto materials = parse_mtl("# c\nnewmtl m\n" + std::string(row.line) + "\n", "a.mtl");
+    ASSERT_EQ(materials.size(), 1u);
+    EXPECT_EQ(materials[0].color_map, row.color_map) << row.line;
+    EXPECT_EQ(materials[0].normal_map, row.normal_map) << row.line;
+  }
+  EXPECT_EQ(parse_mtl("newmtl m\nKd 0.25 0.5 1\n", "a.mtl")[0].diffuse, glm::vec3(0.25f, 0.5f, 1.0f));
+  EXPECT_EQ(parse_mtl("newmtl m\nKd 0.5\n", "a.mtl")[0].diffuse, glm::vec3(0.5f));
+  EXPECT_EQ(parse_mtl("newmtl m\nKd spectral a.rfl\n", "a.mtl")[0].diffuse, glm::vec3(1.0f));
+  EXPECT_TRUE(parse_mtl("", "a.mtl").empty());
+}
+
+TEST(Mtl, refuses_a_bad_colour_and_a_property_without_material) {
+  for (const char* text : {"newmtl m\nKd 0.5 x 1\n", "newmtl m\nKd 0.5 0.5\n", "newmtl m\nKd nan\n",
+                           "newmtl m\nKd\n", "# c\nmap_Kd a.png\n"}) {
+    try {
+      parse_mtl(text, "a.mtl");
+      ADD_FAILURE() << text;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.place().line, 2);
+    }
+  }
+}
+
+/// A text with random numbers, triangles and convex quads in every form of corner.
+std::string generated(std::uint64_t seed, bool texcoords, bool normals) {
+  std::uint64_t state = seed;
+  const auto random = [&state](std::uint64_t below) { return (state = mix(state)) % below; };
+  std::ostringstream text;
+  text.precision(9);
+  const auto number = [&] {
+    return (static_cast<double>(random(2'000'001)) - 1e6) * std::pow(10.0, -double(random(9)));
+  };
+  const int count = 40;
+  for (int i = 0; i < count; ++i) {
+    text << "v " << number() << ' ' << number() << ' ' << number() << '\n';
+    if (texcoords) text << "vt " << number() << ' ' << number() << '\n';
+    if (normals) text << "vn " << number() << ' ' << number() << ' ' << number() << '\n';
+  }
+  for (int f = 0; f < 60; ++f) {
+    if (f % 20 == 10) text << "usemtl m" << f << "\ng part" << f << '\n';
+    const auto first = static_cast<long>(random(count - 3)) + 1;
+    text << 'f';
+    for (int k = 0; k < 3; ++k) {
+      const long v = random(2) == 0 ? first + k : first + k - count - 1;
+      text << ' ' << v;
+      if (texcoords) text << '/' << random(count) + 1;
+      if (normals) text << (texcoords ? "/" : "//") << random(count) + 1;
+    }
+    text << '\n';
+  }
+  return text.str();
+}
+
+TEST(Obj, agrees_with_tinyobjloader_on_generated_files) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const bool texcoords = seed % 2 == 1, normals = seed % 4 >= 2;
+    const std::string text = generated(seed, texcoords, normals);
+    tinyobj::ObjReader reader;
+    tinyobj::ObjReaderConfig config;
+    config.vertex_color = false;
+    ASSERT_TRUE(reader.ParseFromString(text, "", config)) << reader.Error();
+    const ObjData data = parse(text);
+
+    const tinyobj::attrib_t& theirs = reader.GetAttrib();
+    ASSERT_EQ(theirs.vertices.size(), 3 * data.positions.size());
+    ASSERT_EQ(theirs.texcoords.size(), 2 * data.texcoords.size());
+    ASSERT_EQ(theirs.normals.size(), 3 * data.normals.size());
+    // Theirs adds up digits in double and rounds twice, so the last bit may differ: relative 2^-23.
+    const auto near = [](float ours, float other) {
+      return std::abs(ours - other) <= 0x1p-23f * std::abs(ours) + 1e-30f;
+    };
+    for (std::size_t i = 0; i < data.positions.size(); ++i)
+      for (int k = 0; k < 3; ++k)
+        EXPECT_TRUE(near(data.positions[i][k], theirs.vertices[3 * i + static_cast<std::size_t>(k)]));
+    std::vector<tinyobj::index_t> corners;
+    for (const tinyobj::shape_t& shape : reader.GetShapes())
+      corners.insert(corners.end(), shape.mesh.indices.begin(), shape.mesh.indices.end());
+    ASSERT_EQ(corners.size(), data.corners.size());
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const auto index = [](std::uint32_t n) { return n == no_index ? -1 : static_cast<int>(n); };
+      EXPECT_EQ(index(data.corners[i].position), corners[i].vertex_index);
+      EXPECT_EQ(index(data.corners[i].texcoord), corners[i].texcoord_index);
+      EXPECT_EQ(index(data.corners[i].normal), corners[i].normal_index);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace texel::mesh

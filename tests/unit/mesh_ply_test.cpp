@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/ply.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/error.hpp"
+#include "mesh/primitives.hpp"
+
+namespace texel::mesh {
+namespace {
+
+Mesh full() {
+  Mesh mesh = sphere(4, 6);
+  revolution_tangents(mesh);
+  return mesh;
+}
+
+TEST(Ply, gives_back_what_was_written_in_every_combination) {
+  for (int kept = 0; kept < 8; ++kept) {
+    Mesh mesh = full();
+    if ((kept & 1) == 0) mesh.normals.clear();
+    if ((kept & 2) == 0) mesh.texcoords.clear();
+    if ((kept & 4) == 0) mesh.tangents.clear();
+    const Mesh back = parse_ply(to_ply(mesh), "test.ply");
+    EXPECT_EQ(back.positions, mesh.positions);
+    EXPECT_EQ(back.normals, mesh.normals);
+    EXPECT_EQ(back.texcoords, mesh.texcoords);
+    EXPECT_EQ(back.tangents, mesh.tangents);
+    EXPECT_EQ(back.indices, mesh.indices);
+  }
+  EXPECT_EQ(parse_ply(to_ply(Mesh{}), "empty.ply").vertex_count(), 0u);
+}
+
+TEST(Ply, has_the_header_that_scripts_outside_read) {
+  const std::string bytes = to_ply(full());
+  const std::string header =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 33\n"
+      "property float x\nproperty float y\nproperty float z\nproperty float nx\nproperty float ny\n"
+      "property float nz\nproperty float s\nproperty float t\nproperty float tx\nproperty float ty\n"
+      "property float tz\nproperty float tw\nelement face 36\n"
+      "property list uchar int vertex_indices\nend_header\n";
+  EXPECT_EQ(bytes.substr(0, header.size()), header);
+  EXPECT_EQ(bytes.size(), header.size() + 33 * 48 + 36 * 13);
+}
+
+TEST(Ply, is_written_to_and_read_from_a_file) {
+  const auto path = std::filesystem::temp_directory_path() / "texel_mesh_ply_test.ply";
+  write_ply(path, full());
+  EXPECT_EQ(read_ply(path).positions, full().positions);
+  std::filesystem::remove(path);
+  EXPECT_THROW(read_ply(path), Error);
+  EXPECT_THROW(write_ply("/nonexistent/folder/a.ply", full()), Error);
+}
+
+TEST(Ply, refuses_what_it_did_not_write) {
+  const std::string good = to_ply(full());
+  const auto replaced = [&good](const std::string& what, const std::string& by) {
+    std::string text = good;
+    return text.replace(text.find(what), what.size(), by);
+  };
+  std::string bad_index = good, bad_count = good, not_finite = good;
+  bad_index.replace(good.size() - 4, 4, "\xFF\xFF\xFF\x7F");
+  bad_count[good.size() - 13] = 4;
+  not_finite.replace(good.find("end_header\n") + 11, 4, std::string("\0\0\xC0\x7F", 4));
+  for (const std::string& bad :
+       {std::string(), std::string("ply\n"), good.substr(0, 100), good.substr(0, good.size() - 1), good + "x",
+        replaced("binary_little", "binary_big"), replaced("float nx", "float xx"),
+        replaced("vertex 33", "vertex 34"), replaced("vertex 33", "vertex 4294967295"),
+        replaced("vertex 33", "vertex x"), replaced("face 36", "face 99999999999"), bad_index, bad_count,
+        not_finite})
+    EXPECT_THROW(parse_ply(bad, "bad.ply"), Error);
+}
+
+}  // namespace
+}  // namespace texel::mesh

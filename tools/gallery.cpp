@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "gallery.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <thread>
+
+#include "app/assets.hpp"
+#include "commands.hpp"
+#include "core/files.hpp"
+#include "image/load.hpp"
+#include "image/mipmaps.hpp"
+#include "image/save.hpp"
+#include "processes.hpp"
+
+namespace texel::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::file_time_type newest_below(const fs::path& folder) {
+  fs::file_time_type newest = fs::file_time_type::min();
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) newest = std::max(newest, entry.last_write_time());
+  return newest;
+}
+
+/// A lab whose pictures are to be drawn into `folder`.
+struct Work {
+  const course::Lab* lab;
+  fs::path folder, list, program;
+};
+
+Work work_for(const course::Lab& lab, const fs::path& out) {
+  const fs::path folder = out / lab.folder;
+  return {&lab, folder, folder / "batch.json",
+          fs::read_symlink("/proc/self/exe").parent_path() / lab.program()};
+}
+
+/// Whether every picture was drawn from the same list, and after all that it is made from was last changed.
+bool is_current(const Work& work, const fs::path& root) {
+  if (!fs::exists(work.list) || read_file(work.list) != batch_list(*work.lab)) return false;
+  if (!fs::exists(work.program)) return false;
+  fs::file_time_type newest = std::max(fs::last_write_time(work.list), fs::last_write_time(work.program));
+  for (const char* part : {"shaders/app", "shaders/lib", "assets"})
+    newest = std::max(newest, newest_below(root / part));
+  newest = std::max(newest, newest_below(root / "shaders" / work.lab->folder));
+  return std::all_of(work.lab->looks.begin(), work.lab->looks.end(), [&](const course::Look& look) {
+    const fs::path file = work.folder / (look.name + ".png");
+    return fs::exists(file) && fs::last_write_time(file) >= newest;
+  });
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {folder.string()});
+}
+
+void say(const course::Lab& lab, const char* what) {
+  fmt::print("  lab {:<2} {:<20} {:2} pictures {}\n", lab.number, lab.title, lab.looks.size(), what);
+  std::fflush(stdout);  // a log shows each as it ends
+}
+
+/// Draws all that is not current; throws when a lab fails, after the others have ended.
+void draw(const std::vector<Work>& all, const fs::path& root) {
+  std::vector<Work> works;
+  for (const Work& work : all) {
+    if (work.lab->looks.empty()) continue;
+    if (is_current(work, root))
+      say(*work.lab, "are as they were");
+    else
+      works.push_back(work);
+  }
+  std::vector<Command> commands;
+  for (const Work& work : works) {
+    make_folder(work.folder);
+    write_file(work.list, batch_list(*work.lab));
+    commands.push_back(
+        {work.program, "--assets", root, "--batch", work.list.string(), "--out", work.folder.string()});
+  }
+  std::string failed;
+  const int at_once = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  run_all(commands, at_once, [&](std::size_t index, int status) {
+    say(*works[index].lab, status == 0 ? "drawn" : "FAILED");
+    if (status != 0) failed += (failed.empty() ? "" : ", ") + works[index].lab->program();
+  });
+  if (!failed.empty())
+    throw Error::failed("could not draw the pictures of " + failed, {}, "see its message above");
+}
+
+/// Half the size, averaged in linear light.
+void save_half(const fs::path& from, const fs::path& to) {
+  const std::vector<image::Image8> levels = image::mip_chain(image::load8(from, 3), image::Encoding::srgb);
+  image::save_png(to, levels[std::min<std::size_t>(1, levels.size() - 1)], {}, 9);
+}
+
+void save_heroes(const std::vector<course::Lab>& labs, const GalleryOptions& options) {
+  if (options.heroes.empty()) return;
+  make_folder(options.heroes);
+  for (const course::Lab& lab : labs)
+    for (const course::Look& look : lab.looks)
+      if (look.hero) save_half(options.out / picture(lab, look), options.heroes / (lab.folder + ".png"));
+}
+
+/// What drew the first picture, as its text chunk has it.
+std::string renderer(const std::vector<course::Lab>& labs, const fs::path& out) {
+  for (const course::Lab& lab : labs)
+    if (!lab.looks.empty())
+      for (const image::Text& text : image::read_png_text(out / picture(lab, lab.looks.front())))
+        if (text.key == "Renderer") return text.value;
+  return "an unnamed renderer";
+}
+
+std::vector<course::Lab> chosen_labs(const std::vector<int>& numbers) {
+  std::vector<course::Lab> labs = course_labs();
+  if (numbers.empty()) return labs;
+  for (const int number : numbers)
+    if (std::none_of(labs.begin(), labs.end(), [&](const course::Lab& lab) { return lab.number == number; }))
+      throw Error::usage(fmt::format("there is no lab {}", number), "see 'texel list'");
+  std::erase_if(labs, [&](const course::Lab& lab) {
+    return std::find(numbers.begin(), numbers.end(), lab.number) == numbers.end();
+  });
+  return labs;
+}
+
+}  // namespace
+
+std::string picture(const course::Lab& lab, const course::Look& look) {
+  return lab.folder + "/" + look.name + ".png";
+}
+
+Exit gallery(const GalleryOptions& options) {
+  const std::vector<course::Lab> labs = chosen_labs(options.labs);
+  const fs::path root = app::Assets().shader_root().parent_path();
+  std::vector<Work> works;
+  std::size_t count = 0;
+  for (const course::Lab& lab : labs) {
+    works.push_back(work_for(lab, options.out));
+    count += lab.looks.size();
+  }
+  draw(works, root);
+  save_heroes(labs, options);
+  make_folder(options.out);
+  const fs::path page = options.out / "index.html";
+  write_file(page, gallery_page(labs, renderer(labs, options.out)));
+  fmt::print("{} pictures of {} labs: {}\n", count, labs.size(), page.string());
+  return Exit::holds;
+}
+
+}  // namespace texel::tools

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "course/lab_file.hpp"
+
+namespace texel::tools {
+
+/// The look's picture below the gallery's folder: "05_normal_map/bricks.png".
+std::string picture(const course::Lab& lab, const course::Look& look);
+
+/// The list of snapshots that the lab's program draws with --batch.
+std::string batch_list(const course::Lab& lab);
+
+/// The whole page as HTML. It names the pictures by their place below its own folder, and nothing else
+/// outside of itself. `renderer` says what drew them.
+std::string gallery_page(const std::vector<course::Lab>& labs, const std::string& renderer);
+
+}  // namespace texel::tools

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// texel: the course's command line.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "commands.hpp"
+
+namespace texel::tools {
+namespace {
+
+constexpr const char* kExitCodes =
+    "Exit codes: 0 holds, 1 differs, 2 wrong usage, 3 could not load, render or compare.";
+
+void add_compare(CLI::App& app, CompareOptions& options) {
+  CLI::App* command = app.add_subcommand("compare", "How far one picture is from another");
+  command->footer(kExitCodes);
+  command
+      ->add_option("REF", options.reference,
+                   "The picture that is right: .png, .jpg, .gif, .bmp, .tga or .pfm")
+      ->required();
+  command->add_option("IMG", options.image, "The picture in question, of the same size")->required();
+  command->add_flag("--json", options.json, "Print one JSON object");
+  command->add_option("--mask", options.mask, "Only pixels where this picture is not black count");
+  command->add_option("--heatmap", options.heatmap, "Write where they differ as a .png");
+  command->add_option("--max", options.max, "Limit of the largest difference over R, G and B");
+  command->add_option("--mean", options.mean, "Limit of the mean over samples");
+  command->add_option("--p99", options.p99,
+                      "Limit of the 99th percentile over pixels of each pixel's largest");
+  command
+      ->add_option(
+          "--unit", options.unit,
+          "How two .pfm files are compared: own unit, degrees between directions, or auto: degrees when "
+          "REF holds unit vectors (or zero) only [auto]")
+      ->check(CLI::IsMember({"auto", "own", "degrees"}));
+}
+
+void add_gallery(CLI::App& app, GalleryOptions& options, bool& list) {
+  CLI::App* command = app.add_subcommand("gallery", "Draw every lab's looks and the page that shows them");
+  command->add_option("--out", options.out, "Folder for the page and the pictures [out/gallery]");
+  command->add_option("--lab", options.labs, "Draw only this lab (may be given again)")
+      ->check(CLI::Range(1, 99));
+  command->add_option("--heroes", options.heroes,
+                      "Folder for the heroes at half size, as the README shows them");
+  command->add_flag("--list", list, "Print as Markdown which command draws which picture of the sources");
+}
+
+/// CLI11 says only that a command is needed; this names the nearest.
+void reject_unknown_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
+  const std::string near = nearest(argv[1], names);
+  throw Error::usage(fmt::format("there is no command '{}'", argv[1]),
+                     near.empty() ? fmt::format("the commands are {}", fmt::join(names, ", "))
+                                  : fmt::format("did you mean '{}'?", near));
+}
+
+Exit run(int argc, char** argv) {
+  CLI::App app("The course's command line", "texel");
+  app.set_version_flag("--version", TEXEL_VERSION, "Print the version and exit");
+  app.require_subcommand(1);
+  CompareOptions compare_options;
+  GalleryOptions gallery_options;
+  bool list_only = false;
+  app.add_subcommand("list", "The labs at a glance");
+  add_gallery(app, gallery_options, list_only);
+  add_compare(app, compare_options);
+  reject_unknown_command(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& done) {  // --help, --version
+    app.exit(done);
+    return Exit::holds;
+  } catch (const CLI::ParseError& error) {
+    throw Error::usage(error.what(), "see --help");
+  }
+  if (app.got_subcommand("list")) return list();
+  if (app.got_subcommand("compare")) return compare(compare_options);
+  return list_only ? list_sources() : gallery(gallery_options);
+}
+
+}  // namespace
+}  // namespace texel::tools
+
+int main(int argc, char** argv) {
+  try {
+    return static_cast<int>(texel::tools::run(argc, argv));
+  } catch (const texel::Error& error) {
+    std::fprintf(stderr, "texel: %s\n", error.what());
+    return static_cast<int>(error.exit_code());
+  } catch (const std::exception& error) {  // out of memory, a fault of ours
+    std::fprintf(stderr, "texel: %s\n", error.what());
+    return static_cast<int>(texel::Exit::failed);
+  }
+}
