@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -15,43 +15,26 @@ namespace texel::assets {
 namespace {
 
 using Pixel = std::array<int, 3>;
-using Box = std::vector<Pixel>;
 
-/// The channel in which the box's colours differ most, and by how much.
-std::pair<int, std::size_t> widest(const Box& box) {
-  std::pair<int, std::size_t> best{-1, 0};
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto [low, high] =
-        std::minmax_element(box.begin(), box.end(), [c](auto& a, auto& b) { return a[c] < b[c]; });
-    best = std::max(best, {(*high)[c] - (*low)[c], c});
-  }
-  return best;
-}
-
-/// Splits the widest box of colours at its median until there are 256; each box's mean is a colour.
-std::vector<Pixel> median_cut(const Box& pixels) {
-  std::vector<Box> boxes{pixels};
-  while (boxes.size() < 256) {
-    const auto box =
-        std::max_element(boxes.begin(), boxes.end(), [](auto& a, auto& b) { return widest(a) < widest(b); });
-    const auto [width, c] = widest(*box);
-    if (width == 0) break;
-    std::sort(box->begin(), box->end(),
-              [c = c](auto& a, auto& b) { return std::tie(a[c], a) < std::tie(b[c], b); });
-    const auto middle = box->begin() + static_cast<std::ptrdiff_t>(box->size() / 2);
-    Box upper(middle, box->end());
-    box->erase(middle, box->end());
-    boxes.push_back(std::move(upper));
-  }
-  std::vector<Pixel> palette(256);
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
+/// Splits a box of colours at the median of the channel in which they differ most, `depth` times over, and
+/// adds the mean of each part to the palette.
+void median_cut(std::span<Pixel> box, int depth, std::vector<Pixel>& palette) {
+  if (depth == 0) {
+    Pixel mean{};
     for (std::size_t c = 0; c < 3; ++c) {
-      int sum = 0;
-      for (const Pixel& pixel : boxes[i]) sum += pixel[c];
-      palette[i][c] = sum / static_cast<int>(boxes[i].size());
+      for (const Pixel& pixel : box) mean[c] += pixel[c];
+      mean[c] /= static_cast<int>(box.size());
     }
+    return palette.push_back(mean);
   }
-  return palette;
+  std::pair<int, std::size_t> widest{-1, 0};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto [low, high] = std::ranges::minmax(box, {}, [c](const Pixel& pixel) { return pixel[c]; });
+    widest = std::max(widest, {high[c] - low[c], c});
+  }
+  std::ranges::sort(box, {}, [c = widest.second](const Pixel& pixel) { return std::pair(pixel[c], pixel); });
+  median_cut(box.first(box.size() / 2), depth - 1, palette);
+  median_cut(box.subspan(box.size() / 2), depth - 1, palette);
 }
 
 int distance_squared(const Pixel& a, const Pixel& b) {
@@ -62,12 +45,13 @@ int distance_squared(const Pixel& a, const Pixel& b) {
 }  // namespace
 
 void save_gif(const std::filesystem::path& path, const image::Image8& picture) {
-  Box pixels;
+  std::vector<Pixel> pixels;
   for (int y = picture.height - 1; y >= 0; --y) {  // GIF's first row is the top one
     for (int x = 0; x < picture.width; ++x)
       pixels.push_back({picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2)});
   }
-  const std::vector<Pixel> palette = median_cut(pixels);
+  std::vector<Pixel> palette, sorted = pixels;
+  median_cut(sorted, 8, palette);
 
   std::string bytes = "GIF89a";
   const auto byte = [&](int value) { bytes.push_back(static_cast<char>(value)); };

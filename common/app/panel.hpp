@@ -35,13 +35,12 @@ struct WindowState {
 /// What a button asked for.
 enum class Action { none, copy_command_line, save_config, load_config, snapshot, reset_parameters, reload };
 
-/// Draws the panel for one frame with ImGui; changes parameters and state in place. The width it takes, in
-/// window units, is 0 when it is hidden.
+/// Draws the panel for one frame with ImGui, at the left edge; changes parameters and state in place.
 Action draw_panel(AnyLab& lab, WindowState& state, float scale);
 
-/// The error or warning over the picture, the split line and its labels, the mark of the inspected pixel.
-void draw_overlay(AnyLab& lab, const WindowState& state, glm::vec2 window, glm::vec2 pixels_per_unit,
-                  float scale);
+/// The error or warning over the picture, the split line and its labels, the mark of the inspected pixel. The
+/// picture lies right of the panel and is `size` window units large.
+void draw_overlay(AnyLab& lab, const WindowState& state, glm::vec2 size, float pixels_per_unit, float scale);
 
 /// "lab05_normal_map --method averaged --view normal": what draws the present look again.
 std::string command_line(AnyLab& lab, View view);

@@ -20,9 +20,10 @@
 namespace texel::gl {
 namespace {
 
-void GLAD_API_PTR on_debug_message(GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message,
+void GLAD_API_PTR on_debug_message(GLenum source, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message,
                                    const void* errors) {
-  if (type == GL_DEBUG_TYPE_ERROR)
+  // What the compiler says of a shader is read from its log, with the file's own lines.
+  if (type == GL_DEBUG_TYPE_ERROR && source != GL_DEBUG_SOURCE_SHADER_COMPILER)
     static_cast<std::vector<std::string>*>(const_cast<void*>(errors))->emplace_back(message);
 }
 

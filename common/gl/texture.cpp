@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "gl/cube_map.hpp"
 #include "image/mipmaps.hpp"
 
 namespace texel::gl {
@@ -102,14 +103,18 @@ Texture make_texture_2d(const image::Image8& image, image::Encoding encoding, co
   return texture;
 }
 
-Texture make_cube_map(std::span<const image::Image8, 6> faces, image::Encoding encoding,
-                      const Sampling& sampling) {
+void check_cube_faces(std::span<const image::Image8, 6> faces) {
   static constexpr const char* kNames[] = {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
   for (std::size_t i = 0; i < 6; ++i)
     if (faces[i].width != faces[0].width || faces[i].height != faces[0].width)
       throw Error::failed(fmt::format("the cube map's face {} has {}x{} texels, but face +X {}x{}", kNames[i],
                                       faces[i].width, faces[i].height, faces[0].width, faces[0].height),
                           {}, "give six squares of one size");
+}
+
+Texture make_cube_map(std::span<const image::Image8, 6> faces, image::Encoding encoding,
+                      const Sampling& sampling) {
+  check_cube_faces(faces);
   Texture texture;
   const ScopedBinding binding(GL_TEXTURE_CUBE_MAP, texture);
   for (GLuint i = 0; i < 6; ++i)

@@ -44,14 +44,20 @@ inline constexpr params::Item kMagnify[] = {
 inline constexpr params::Item kTextures[] = {
     {"brick", "A brick wall, 512x512"},
     {"brick_32", "The same wall in 32x32 texels"},
-    {"label", "Cells with letters: shows every flip and swap"},
+    {"label_grid", "Cells with letters: shows every flip and swap"},
     {"checker", "Black and white squares, the hardest case of filtering"},
-    {"zone", "Rings that get finer towards the border"},
+    {"sine_sweep", "Waves that get finer towards the limit of the texels"},
     {"wood", "Wooden planks"},
     {"scales", "A reptile's scales"},
     {"smile", "A face"},
     {"label_npot", "100x75 texels in RGB: rows whose length is no multiple of four"},
-    {"hard_texel", "A single texel"}};
+    {"noise", "Noise of all frequencies"},
+    {"hard_1x1", "A single texel"},
+    {"hard_grey_33x17", "Grey, in an odd size"},
+    {"hard_grey16_67x13", "Grey with 16 bits"},
+    {"hard_grey_alpha_31x19", "Grey and alpha"},
+    {"hard_rgb_35x21", "RGB in an odd size"},
+    {"hard_rgba_37x23", "RGBA in an odd size"}};
 
 struct TextureQuadParameters {
   Method method{};

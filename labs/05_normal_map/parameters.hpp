@@ -34,9 +34,12 @@ inline constexpr params::Item kDecodes[] = {
     {"standard", "n = 2c - 1: a flat 128, 128, 255 tilts by 0.32 degrees"},
     {"exact-flat", "n = (255c - 128) / 127: flat is exactly (0, 0, 1)"}};
 
-inline constexpr params::Item kTextures[] = {
-    {"brick", "A brick wall"}, {"wood", "Wooden planks"},       {"scales", "A reptile's scales"},
-    {"smile", "A face"},       {"label", "Cells with letters"}, {"checker", "Black and white squares"}};
+inline constexpr params::Item kTextures[] = {{"brick", "A brick wall"},
+                                             {"wood", "Wooden planks"},
+                                             {"scales", "A reptile's scales"},
+                                             {"smile", "A face"},
+                                             {"label_grid", "Cells with letters"},
+                                             {"checker", "Black and white squares"}};
 
 inline constexpr params::Item kNormalMaps[] = {
     {"matching", "The map of the same surface as the texture, flat where there is none"},

@@ -2,13 +2,12 @@
 // The program `texel`, run as a user runs it.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
-#include <cstdio>
+#include <limits>
 
 #include "../support/picture_files.hpp"
+#include "../support/process.hpp"
 #include "core/files.hpp"
 #include "course/lab_file.hpp"
 #include "image/load.hpp"
@@ -19,30 +18,12 @@ namespace {
 
 using image::Image8;
 using image::ImageF;
-
-struct Result {
-  int exit_code;
-  std::string output;  ///< of both standard output and standard error
-};
-
-Result shell(const std::string& command) {
-  Result result{-1, {}};
-  std::FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
-  if (pipe == nullptr) return result;
-  std::array<char, 4096> block;
-  while (const std::size_t got = std::fread(block.data(), 1, block.size(), pipe))
-    result.output.append(block.data(), got);
-  const int status = ::pclose(pipe);
-  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return result;
-}
+using test::has;
+using test::Result;
+using test::shell;
 
 Result texel(const std::string& arguments) {
-  return shell(TEXEL_BIN "/texel " + arguments);
-}
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  return shell(TEXEL_BIN "/texel " + arguments + " 2>&1");
 }
 
 /// Pictures of 10x10 that are compared: `b` differs from `a` by 60 steps of red in one pixel, and is 15 steps

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+
+#include "image/image.hpp"
+
+namespace texel::gl {
+
+/// Throws Error (exit 3), which names the face, when the six faces +X -X +Y -Y +Z -Z are not squares of one
+/// size: OpenGL would read such a cube map as black and say nothing.
+void check_cube_faces(std::span<const image::Image8, 6> faces);
+
+}  // namespace texel::gl

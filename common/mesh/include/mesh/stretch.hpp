@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+
+#include "mesh/mesh.hpp"
+
+namespace texel::mesh {
+
+/// How evenly a texture lies on a mesh. The stretch is how far one step in the texture reaches on the
+/// surface, relative to what it would reach if the same texture area were spread evenly: 1 is perfect
+/// (P. Sander, J. Snyder, S. Gortler, H. Hoppe, "Texture Mapping Progressive Meshes", SIGGRAPH 2001,
+/// section 3). Triangles without texture area are stretched without end: they are counted and stand in no
+/// other figure, nor do triangles without an area in space.
+struct Stretch {
+  double l2 = 0;          ///< root mean square over directions and, by area, over the surface
+  double l_infinity = 0;  ///< the greatest anywhere
+  double mean_shear = 0;  ///< by area: degrees by which the directions of s and t miss a right angle
+  double max_shear = 0;   ///< degrees, 0 to 90
+  std::uint32_t zero_area_triangles = 0;  ///< their three texture coordinates lie on a line: smeared
+  std::uint32_t mirrored_triangles = 0;   ///< the texture reads backwards seen from outside
+};
+
+/// All figures are 0 when no triangle has an area in both. Throws Error (exit 3) for a mesh without texture
+/// coordinates.
+Stretch measure_stretch(const Mesh& mesh);
+
+/// How far the normals at the corners point from that of their own triangle, in degrees; the mean is by
+/// area. On a curved surface that is what makes it look smooth, on a cube it is an error of the light.
+struct NormalDeviation {
+  double mean = 0;
+  double max = 0;
+};
+
+/// Triangles without area are left out. Throws Error (exit 3) for a mesh without normals.
+NormalDeviation measure_normals(const Mesh& mesh);
+
+}  // namespace texel::mesh

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// Lab 2: two pictures on one square. Each is a texture object on a unit of its own, read by a sampler of its
+// own; the fragment shader combines the two colours. What comes out depends on the numbers that it combines:
+// those in the file, which are encoded, or the light that they stand for.
+#include <fmt/format.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "app/lab.hpp"
+#include "image/colour.hpp"
+#include "image/mipmaps.hpp"
+#include "mesh/primitives.hpp"
+#include "parameters.hpp"
+
+using namespace texel;
+
+namespace {
+
+// What the parameters' choices mean to OpenGL, in their order.
+constexpr GLenum kMinifyModes[] = {GL_NEAREST,
+                                   GL_LINEAR,
+                                   GL_NEAREST_MIPMAP_NEAREST,
+                                   GL_LINEAR_MIPMAP_NEAREST,
+                                   GL_NEAREST_MIPMAP_LINEAR,
+                                   GL_LINEAR_MIPMAP_LINEAR};
+constexpr GLenum kMagnifyModes[] = {GL_NEAREST, GL_LINEAR};
+
+/// Colour times alpha, multiplied in linear light: a texel that is not seen then adds nothing to any average.
+image::Image8 premultiplied(image::Image8 picture) {
+  if (picture.channels != 4) return picture;  // opaque
+  for (std::size_t i = 0; i < picture.samples.size(); i += 4) {
+    const float alpha = static_cast<float>(picture.samples[i + 3]) / 255.0F;
+    for (std::size_t c = i; c < i + 3; ++c)
+      picture.samples[c] = image::to_encoding8(alpha * image::from_encoding8(picture.samples[c]));
+  }
+  return picture;
+}
+
+}  // namespace
+
+struct MultiTexture {
+  static constexpr app::View kViews[] = {app::View::color, app::View::texcoord, app::View::lod,
+                                         app::View::depth, app::View::mask};
+  static constexpr app::Info info{2, "multi_texture", "Multi-texture",
+                                  "Combine two pictures on one square, each from its own texture unit.",
+                                  kViews};
+  using Parameters = MultiTextureParameters;
+
+  explicit MultiTexture(const app::Assets& assets) : assets_(assets) {}
+
+  void draw(const Parameters& p, app::Frame& frame) {
+    gl::Program& program = frame.program("02_multi_texture/multi_texture");
+    const glm::mat4 world_from_object = glm::rotate(glm::mat4(1), glm::radians(-p.tilt), glm::vec3(1, 0, 0));
+    program.set("clip_from_object", p.camera.clip_from_world(frame.aspect()) * world_from_object);
+    const int second = second_unit(p);
+
+    // Making an object binds it to the active unit, so both are made before either goes to its own. A picture
+    // whose unit is off is not even loaded.
+    const gl::Texture* object0 = p.unit0_on ? &texture_object(p, p.texture0, false) : nullptr;
+    //@step 2.1 begin
+    const bool premultiply = p.method == Method::premultiplied && p.combine == Combine::decal;
+    const gl::Texture* object1 = p.unit1_on ? &texture_object(p, p.texture1, premultiply) : nullptr;
+    //@starter
+    // const gl::Texture* object1 = p.unit1_on ? &texture_object(p, p.texture0, false) : nullptr;
+    //@end
+    if (p.unit0_on) {
+      gl::bind(0, GL_TEXTURE_2D, *object0);
+      set_filter(p);
+      program.set("Tex0", 0);
+    }
+    if (p.unit1_on) {
+      //@step 2.2 begin
+      // The object goes to the second unit, and the second sampler reads that unit.
+      gl::bind(second, GL_TEXTURE_2D, *object1);
+      set_filter(p);
+      program.set("Tex1", second);
+      //@starter
+      // gl::bind(p.unit0_on ? 0 : second, GL_TEXTURE_2D, *object1);
+      // set_filter(p);
+      // program.set("Tex1", p.unit0_on ? 0 : second);
+      //@end
+    }
+    // Encoded arithmetic means that nobody decodes on reading and nobody encodes on writing.
+    if (p.method == Method::encoded) glDisable(GL_FRAMEBUFFER_SRGB);
+    square_.draw(program);
+  }
+
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  /// The unit that the parameter names, or the highest that there is.
+  int second_unit(const Parameters& p) {
+    GLint count = 0;  // over all stages; each stage may read 16 or more of them
+    glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &count);
+    notes_.clear();
+    if (p.second_unit >= count)
+      notes_.push_back(fmt::format("this driver's highest texture unit is {}: it is taken in place of {}",
+                                   count - 1, p.second_unit));
+    return std::min(p.second_unit, count - 1);
+  }
+
+  /// A texture object with its levels.
+  const gl::Texture& texture_object(const Parameters& p, const std::string& name, bool premultiply) {
+    const bool is_linear = p.method != Method::encoded;
+    return textures_.get({name, is_linear, premultiply, p.mipmaps}, [&] {
+      image::Image8 picture = gl::expand_grey(assets_.texture(name));
+      if (premultiply) picture = premultiplied(std::move(picture));
+      // An sRGB format has the sampler decode before it filters.
+      return upload(picture, is_linear ? image::Encoding::srgb : image::Encoding::linear, p.mipmaps);
+    });
+  }
+
+  static gl::Texture upload(const image::Image8& picture, image::Encoding encoding,
+                            [[maybe_unused]] Mipmaps mipmaps) {
+    gl::Texture texture;
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    gl::upload_level(GL_TEXTURE_2D, 0, picture, encoding);
+    //@step 2.4 begin
+    if (mipmaps == Mipmaps::driver) {
+      glGenerateMipmap(GL_TEXTURE_2D);
+    } else {
+      GLint level = 0;
+      for (const image::Image8& smaller : image::mip_chain(picture, encoding))
+        gl::upload_level(GL_TEXTURE_2D, level++, smaller, encoding);
+    }
+    //@starter
+    // glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);  // no smaller levels yet
+    //@end
+    return texture;
+  }
+
+  /// How the texture that is bound to the active unit is read.
+  static void set_filter(const Parameters& p) {
+    gl::set_sampling(GL_TEXTURE_2D, {.minify = kMinifyModes[static_cast<int>(p.minify)],
+                                     .magnify = kMagnifyModes[static_cast<int>(p.magnify)]});
+  }
+
+  struct TextureKey {
+    std::string name;
+    bool is_linear, premultiplied;
+    Mipmaps mipmaps;
+    bool operator==(const TextureKey&) const = default;
+  };
+  const app::Assets& assets_;
+  app::Cache<TextureKey, gl::Texture> textures_;
+  gl::MeshBuffers square_{mesh::quad(0.7F)};
+  std::vector<std::string> notes_;
+};
+
+int main(int argc, char** argv) {
+  return app::run<MultiTexture>(argc, argv);
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Lab 6: a cube map. A sphere can wear one picture, found by two angles, with a seam at the back and a pinch
+// at each pole; or six pictures on the faces of a cube, found by the direction alone, with neither.
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "app/lab.hpp"
+#include "gl/cube_map.hpp"
+#include "image/mipmaps.hpp"
+#include "mesh/primitives.hpp"
+#include "parameters.hpp"
+
+using namespace texel;
+
+struct CubeMap {
+  static constexpr app::View kViews[] = {app::View::color,    app::View::normal, app::View::direction,
+                                         app::View::texcoord, app::View::lod,    app::View::depth,
+                                         app::View::mask};
+  static constexpr app::Info info{
+      6, "cube_map", "Cube map", "Dress a sphere in six pictures, without a seam and without poles.", kViews};
+  using Parameters = CubeMapParameters;
+
+  explicit CubeMap(const app::Assets& assets) : assets_(assets) {}
+
+  void draw(const Parameters& p, app::Frame& frame) {
+    gl::MeshBuffers& sphere = spheres_.get(
+        {p.rings, p.segments}, [&] { return gl::MeshBuffers(mesh::sphere(p.rings, p.segments)); });
+    const glm::mat4 tilted = glm::rotate(glm::mat4(1), glm::radians(p.tilt), glm::vec3(1, 0, 0));
+
+    gl::Program& program = frame.program("06_cube_map/cube_map");
+    program.set("clip_from_world", p.camera.clip_from_world(frame.aspect()));
+    program.set("world_from_object", tilted * app::turn_about_y(p.turn));
+    if (p.mapping == Mapping::cube) {
+      gl::bind(0, GL_TEXTURE_CUBE_MAP, cube_map(p));
+      set_filter(p.method);
+      program.set("cube_map", 0);
+    } else {
+      gl::bind(0, GL_TEXTURE_2D, pictures_.get(p.picture, [&] {
+        return gl::make_texture_2d(assets_.texture(p.picture), image::Encoding::srgb,
+                                   {.wrap_s = GL_REPEAT, .wrap_t = GL_CLAMP_TO_EDGE});
+      }));
+      program.set("color_map", 0);
+    }
+    sphere.draw(program);
+  }
+
+ private:
+  const gl::Texture& cube_map(const Parameters& p) {
+    const bool mipmapped = p.method == Method::mipmapped;
+    const bool worksheet = p.method == Method::worksheet && p.faces == Faces::by_method;
+    const bool swap = worksheet || p.faces == Faces::sides_swapped;
+    const bool flip = worksheet || p.faces == Faces::upside_down;
+    return cube_maps_.get({p.cube_map, swap, flip, mipmapped}, [&] {
+      std::array<image::Image8, 6> faces = assets_.cube_map(p.cube_map);
+      gl::check_cube_faces(faces);
+      if (swap) std::swap(faces[0], faces[1]);
+      if (flip)
+        for (image::Image8& face : faces) face = image::flipped(face);
+      return upload(faces, mipmapped);
+    });
+  }
+
+  /// A cube map of six pictures, +X -X +Y -Y +Z -Z. The specification lays each face out as one sees it from
+  /// outside the cube, top row first; 2D textures begin at the bottom.
+  static gl::Texture upload(const std::array<image::Image8, 6>& faces, bool mipmapped) {
+    gl::Texture texture;
+    glBindTexture(GL_TEXTURE_CUBE_MAP, texture.id());
+    //@step 6.2 begin
+    for (GLuint i = 0; i < 6; ++i) {
+      const GLenum face = GL_TEXTURE_CUBE_MAP_POSITIVE_X + i;  // the six constants follow each other
+      gl::upload_level(face, 0, faces[i], image::Encoding::srgb);
+      if (!mipmapped) continue;
+      const std::vector<image::Image8> levels = image::mip_chain(faces[i], image::Encoding::srgb);
+      for (std::size_t level = 1; level < levels.size(); ++level)
+        gl::upload_level(face, static_cast<int>(level), levels[level], image::Encoding::srgb);
+    }
+    //@starter
+    // const image::Image8 small = image::mip_chain(faces[0], image::Encoding::srgb)[mipmapped ? 1 : 0];
+    // for (GLuint i = 0; i < 6; ++i)
+    //   gl::upload_level(GL_TEXTURE_CUBE_MAP_POSITIVE_X + i, 0, small, image::Encoding::srgb);
+    // glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, 0);
+    //@end
+    return texture;
+  }
+
+  /// How the bound cube map is read between its texels, and whether across the edges of its faces.
+  static void set_filter(Method method) {
+    const GLenum magnify = method == Method::nearest ? GL_NEAREST : GL_LINEAR;
+    const GLenum minify = method == Method::mipmapped                                ? GL_LINEAR_MIPMAP_LINEAR
+                          : method == Method::worksheet || method == Method::nearest ? GL_NEAREST
+                                                                                     : GL_LINEAR;
+    gl::set_sampling(
+        GL_TEXTURE_CUBE_MAP,
+        {.minify = minify, .magnify = magnify, .wrap_s = GL_CLAMP_TO_EDGE, .wrap_t = GL_CLAMP_TO_EDGE});
+    // WebGL 1, which the worksheet uses, cannot filter across the edges.
+    if (method == Method::linear_seamless || method == Method::mipmapped)
+      glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  }
+
+  struct CubeMapKey {
+    std::string name;
+    bool swap, flip, mipmapped;
+    bool operator==(const CubeMapKey&) const = default;
+  };
+  const app::Assets& assets_;
+  app::Cache<std::pair<int, int>, gl::MeshBuffers> spheres_;
+  app::Cache<CubeMapKey, gl::Texture> cube_maps_;
+  app::Cache<std::string, gl::Texture> pictures_;
+};
+
+int main(int argc, char** argv) {
+  return app::run<CubeMap>(argc, argv);
+}

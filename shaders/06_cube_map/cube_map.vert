@@ -1,0 +1,17 @@
+#version 330 core
+// SPDX-License-Identifier: MIT
+// The texture belongs to the sphere: it is looked up by the normal in object space, and turns with the sphere.
+in vec3 position;
+in vec3 normal;
+
+uniform mat4 clip_from_world;
+uniform mat4 world_from_object;
+
+out vec3 object_normal;
+out vec3 world_normal;
+
+void main() {
+  object_normal = normal;
+  world_normal = mat3(world_from_object) * normal;  // a rotation: no inverse transpose is needed
+  gl_Position = clip_from_world * (world_from_object * vec4(position, 1.0));
+}

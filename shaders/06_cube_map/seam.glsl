@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Where a pixel reads the picture on the sphere, and how large an area. The area decides the mipmap level; behind the
+// sphere, where u jumps from -1/2 to 1/2, neighbours seem to be a whole picture apart.
+#include "lib/sphere_coordinates.glsl"
+
+struct Footprint {
+  vec2 texcoord;
+  vec2 dx, dy;  // how texcoord changes to the next pixel on the right and above
+};
+
+// Step 6.4.
+Footprint sphere_footprint(vec3 n) {
+  vec2 texcoord = sphere_texcoord(n);
+//@step 6.4 begin
+#if SEAM_METHOD == SEAM_METHOD_SELECT
+  // The same place counted from 0 to 1: that one jumps in front. Take the one that does not jump here.
+  // M. Tarini, "Cylindrical and Toroidal Parameterizations Without Vertex Seams", JGT 16 (2012).
+  float other = fract(texcoord.x);
+  if (fwidth(other) < fwidth(texcoord.x)) texcoord.x = other;
+#endif
+#if SEAM_METHOD == SEAM_METHOD_ANALYTIC
+  return Footprint(texcoord, sphere_gradient(n, dFdx(n)), sphere_gradient(n, dFdy(n)));
+#elif SEAM_METHOD == SEAM_METHOD_WRAPPED
+  return Footprint(texcoord, wrapped_difference(dFdx(texcoord)), wrapped_difference(dFdy(texcoord)));
+#else
+  return Footprint(texcoord, dFdx(texcoord), dFdy(texcoord));
+#endif
+//@starter
+// return Footprint(texcoord, dFdx(texcoord), dFdy(texcoord));
+//@end
+}
+
+vec4 sample_sphere(sampler2D color_map, Footprint footprint) {
+#if SEAM_METHOD == SEAM_METHOD_NAIVE || SEAM_METHOD == SEAM_METHOD_SELECT
+  return texture(color_map, footprint.texcoord);  // takes the differences itself
+#else
+  return textureGrad(color_map, footprint.texcoord, footprint.dx, footprint.dy);
+#endif
+}

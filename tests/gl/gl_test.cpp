@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: MIT
+// The OpenGL layer on both headless contexts: OSMesa and EGL.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "../support/picture_files.hpp"
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "gl/context.hpp"
+#include "gl/mesh_buffers.hpp"
+#include "gl/program.hpp"
+#include "gl/recorder.hpp"
+#include "gl/target.hpp"
+#include "gl/texture.hpp"
+#include "mesh/primitives.hpp"
+
+namespace texel::gl {
+namespace {
+
+using image::Encoding;
+using image::Image8;
+
+/// The message of the Error that `action` throws, or "" for none.
+template <class Action>
+std::string error_of(Action&& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+Image8 filled(int width, int height, std::initializer_list<int> colour) {
+  Image8 image(width, height, static_cast<int>(colour.size()));
+  for (std::size_t i = 0; i < image.samples.size(); ++i)
+    image.samples[i] =
+        static_cast<std::uint8_t>(*(colour.begin() + static_cast<std::ptrdiff_t>(i % colour.size())));
+  return image;
+}
+
+/// Everything below is done once with each kind of context.
+class OpenGl : public testing::TestWithParam<ContextKind> {
+ protected:
+  OpenGl() : context_(create_headless(GetParam())), folder_("gl_test") {
+    write_file(folder_ / "full.vert",
+               "#version 330 core\nin vec3 position;\nin vec2 texcoord;\nout vec2 st;\n"
+               "void main() { st = texcoord; gl_Position = vec4(position, 1.0); }\n");
+    write_file(folder_ / "map.frag",
+               "#version 330 core\nin vec2 st;\nuniform sampler2D map;\nout vec4 color;\n"
+               "void main() { color = texture(map, st); }\n");
+  }
+  ~OpenGl() override {
+    for (const std::string& error : context_->take_errors()) ADD_FAILURE() << error;
+  }
+
+  [[nodiscard]] std::filesystem::path shaders() const { return folder_ / ""; }
+
+  /// A program of full.vert and a fragment shader of this text.
+  std::string compile_error(const std::string& fragment) {
+    write_file(folder_ / "student.frag", fragment);
+    ProgramCache cache(shaders());
+    return error_of([&] { cache.get("full.vert", "student.frag", {}); });
+  }
+
+  std::unique_ptr<Context> context_;
+  test::TemporaryFolder folder_;
+};
+
+TEST_P(OpenGl, is_a_core_context_of_3_3_or_later) {
+  GLint major = 0, minor = 0, profile = 0;
+  glGetIntegerv(GL_MAJOR_VERSION, &major);
+  glGetIntegerv(GL_MINOR_VERSION, &minor);
+  glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
+  EXPECT_GE(10 * major + minor, 33);
+  EXPECT_EQ(profile & GL_CONTEXT_CORE_PROFILE_BIT, GL_CONTEXT_CORE_PROFILE_BIT);
+}
+
+TEST_P(OpenGl, errors_are_reported_once) {
+  glBindTexture(0x1234, 0);
+  EXPECT_FALSE(context_->take_errors().empty());
+  EXPECT_TRUE(context_->take_errors().empty());
+}
+
+TEST_P(OpenGl, a_syntax_error_names_file_and_line) {
+  const std::string error =
+      compile_error("#version 330 core\nout vec4 c;\nvoid main() {\n  c = vec4(1.0)\n}\n");
+  EXPECT_TRUE(error.starts_with("student.frag:5:")) << error;  // the brace where the semicolon was missed
+}
+
+TEST_P(OpenGl, a_type_error_names_file_and_line) {
+  const std::string error =
+      compile_error("#version 330 core\nout vec4 c;\nvoid main() {\n  c = vec3(1.0);\n}\n");
+  EXPECT_TRUE(error.starts_with("student.frag:4:")) << error;
+}
+
+TEST_P(OpenGl, an_error_in_an_included_file_names_that_file) {
+  std::filesystem::create_directories(folder_ / "lib");
+  write_file(folder_ / "lib/step.glsl", "// one\nfloat twice(float x) {\n  return undeclared * x;\n}\n");
+  const std::string error = compile_error(
+      "#version 330 core\n#include \"lib/step.glsl\"\nout vec4 c;\nvoid main() { c = vec4(twice(1.0)); }\n");
+  EXPECT_NE(error.find("lib/step.glsl:3:"), std::string::npos) << error;
+  EXPECT_NE(error.find("undeclared"), std::string::npos) << error;
+}
+
+TEST_P(OpenGl, lines_after_an_include_keep_their_numbers) {
+  write_file(folder_ / "step.glsl", "float one() { return 1.0; }\n\n\n\n");
+  const std::string error = compile_error(
+      "#version 330 core\n#include \"step.glsl\"\nout vec4 c;\nvoid main() { c = vec4(one()); oops; }\n");
+  EXPECT_TRUE(error.starts_with("student.frag:4:")) << error;
+}
+
+TEST_P(OpenGl, a_missing_include_names_the_line_that_asks_for_it) {
+  const std::string error = compile_error("#version 330 core\n\n#include \"nowhere.glsl\"\nvoid main() {}\n");
+  EXPECT_NE(error.find("student.frag:3: there is no file 'nowhere.glsl'"), std::string::npos) << error;
+}
+
+TEST_P(OpenGl, files_that_include_each_other_are_an_error) {
+  write_file(folder_ / "a.glsl", "#include \"b.glsl\"\n");
+  write_file(folder_ / "b.glsl", "#include \"a.glsl\"\n");
+  const std::string error = compile_error("#version 330 core\n#include \"a.glsl\"\nvoid main() {}\n");
+  EXPECT_NE(error.find("b.glsl:1: 'a.glsl' includes itself"), std::string::npos) << error;
+}
+
+TEST_P(OpenGl, an_unknown_vertex_attribute_is_an_error) {
+  write_file(folder_ / "odd.vert",
+             "#version 330 core\nin vec4 vPosition;\nvoid main() { gl_Position = vPosition; }\n");
+  ProgramCache cache(shaders());
+  write_file(folder_ / "white.frag", "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");
+  const std::string error = error_of([&] { cache.get("odd.vert", "white.frag", {}); });
+  EXPECT_NE(error.find("'vPosition'"), std::string::npos) << error;
+}
+
+TEST_P(OpenGl, setting_a_misspelt_uniform_is_an_error_and_an_inactive_one_is_not) {
+  write_file(folder_ / "unused.frag",
+             "#version 330 core\nuniform float tilt;\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");
+  ProgramCache cache(shaders());
+  Program& program = cache.get("full.vert", "unused.frag", {});
+  program.use();
+  EXPECT_EQ(error_of([&] { program.set("tilt", 1.0F); }), "");
+  EXPECT_NE(error_of([&] { program.set("tlit", 1.0F); }), "");
+}
+
+TEST_P(OpenGl, a_uniform_of_another_type_is_an_error) {
+  ProgramCache cache(shaders());
+  Program& program = cache.get("full.vert", "map.frag", {});
+  program.use();
+  EXPECT_NE(error_of([&] { program.set("map", 1.0F); }), "");
+}
+
+TEST_P(OpenGl, a_uniform_that_nobody_sets_is_an_error) {
+  ProgramCache cache(shaders());
+  Program& program = cache.get("full.vert", "map.frag", {});
+  program.use();
+  EXPECT_NE(error_of([&] { program.check_uniforms(); }).find("'map' is read but never set"),
+            std::string::npos);
+  program.set("map", 0);
+  EXPECT_EQ(error_of([&] { program.check_uniforms(); }), "");
+}
+
+TEST_P(OpenGl, a_variant_is_compiled_once_and_only_for_constants_that_its_source_mentions) {
+  write_file(folder_ / "variant.frag",
+             "#version 330 core\nout vec4 c;\nvoid main() {\n#if METHOD == 1\n  c = vec4(1.0);\n#else\n  c = "
+             "vec4(0.5);\n#endif\n}\n");
+  ProgramCache cache(shaders());
+  const Program& one = cache.get("full.vert", "variant.frag", {{"METHOD", "1"}, {"OTHER", "1"}});
+  EXPECT_EQ(&one, &cache.get("full.vert", "variant.frag", {{"METHOD", "1"}, {"OTHER", "2"}}));
+  EXPECT_NE(&one, &cache.get("full.vert", "variant.frag", {{"METHOD", "2"}, {"OTHER", "1"}}));
+  EXPECT_EQ(cache.size(), 2U);
+}
+
+/// Draws a texture over a whole target of the same size and reads it back.
+Image8 round_trip(const std::filesystem::path& shaders, const Image8& image, Encoding encoding) {
+  const Target target(Target::Kind::colour, image.width, image.height, 1);
+  target.bind();
+  if (encoding == Encoding::srgb)
+    glEnable(GL_FRAMEBUFFER_SRGB);
+  else
+    glDisable(GL_FRAMEBUFFER_SRGB);
+  ProgramCache cache(shaders);
+  Program& program = cache.get("full.vert", "map.frag", {});
+  program.use();
+  const Texture texture = make_texture_2d(image, encoding, {.minify = GL_NEAREST, .magnify = GL_NEAREST});
+  bind(0, GL_TEXTURE_2D, texture);
+  program.set("map", 0);
+  MeshBuffers square(mesh::quad(1));
+  square.draw(program);
+  return target.read8();
+}
+
+TEST_P(OpenGl, every_channel_count_and_row_length_comes_back_as_it_was) {
+  for (int channels = 1; channels <= 4; ++channels)
+    for (const int width : {1, 2, 3, 5, 7, 16}) {
+      Image8 image(width, 3, channels);
+      for (std::size_t i = 0; i < image.samples.size(); ++i)
+        image.samples[i] = static_cast<std::uint8_t>(i * 37 + 5);
+      const Image8 drawn = round_trip(shaders(), image, Encoding::linear);
+      for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < width; ++x)
+          for (int c = 0; c < channels; ++c)
+            ASSERT_EQ(drawn.at(x, y, c), image.at(x, y, c)) << channels << " channels, width " << width;
+    }
+}
+
+TEST_P(OpenGl, all_256_values_survive_decoding_from_and_encoding_to_srgb) {
+  Image8 image(256, 1, 3);
+  for (int x = 0; x < 256; ++x)
+    for (int c = 0; c < 3; ++c) image.at(x, 0, c) = static_cast<std::uint8_t>(x);
+  const Image8 drawn = round_trip(shaders(), image, Encoding::srgb);
+  for (int x = 0; x < 256; ++x) EXPECT_EQ(drawn.at(x, 0, 1), x);
+}
+
+TEST_P(OpenGl, grey_colour_pictures_are_decoded_from_srgb_too) {
+  const Image8 drawn = round_trip(shaders(), filled(2, 2, {100}), Encoding::srgb);
+  EXPECT_EQ(drawn.at(1, 1, 0), 100);
+  EXPECT_EQ(drawn.at(1, 1, 2), 100);
+}
+
+TEST_P(OpenGl, four_samples_are_averaged_in_linear_light) {
+  const Target target(Target::Kind::colour, 8, 8, 4);
+  ASSERT_EQ(target.samples(), 4);
+  target.bind();
+  glEnable(GL_FRAMEBUFFER_SRGB);
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  write_file(folder_ / "white.frag", "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");
+  write_file(folder_ / "plain.vert",
+             "#version 330 core\nin vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }\n");
+  ProgramCache cache(shaders());
+  Program& program = cache.get("plain.vert", "white.frag", {});
+  program.use();
+  mesh::Mesh half = mesh::quad(1);  // its diagonal edge leaves half of the samples of a pixel there
+  half.indices.resize(3);
+  MeshBuffers(std::move(half)).draw(program);
+  target.resolve();
+  // Two of four samples are white: linear 0.5 is 188 encoded. In encoded space it would be 128.
+  EXPECT_NEAR(target.read8().at(4, 4, 0), 188, 1);
+}
+
+TEST_P(OpenGl, a_data_target_keeps_values_and_nan) {
+  const Target target(Target::Kind::data, 1, 1, 1);
+  target.bind();
+  glDisable(GL_DEPTH_TEST);
+  write_file(folder_ / "plain.vert",
+             "#version 330 core\nin vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }\n");
+  write_file(folder_ / "nan.frag",
+             "#version 330 core\nuniform float zero;\nout vec4 c;\nvoid main() { c = vec4(-3.25, 1e6, zero / "
+             "zero, 1.0); }\n");
+  ProgramCache cache(shaders());
+  Program& program = cache.get("plain.vert", "nan.frag", {});
+  program.use();
+  program.set("zero", 0.0F);
+  MeshBuffers(mesh::quad(1)).draw(program);
+  const image::ImageF values = target.read_float();
+  EXPECT_EQ(values.samples[0], -3.25F);
+  EXPECT_EQ(values.samples[1], 1e6F);
+  EXPECT_TRUE(std::isnan(values.samples[2]));
+}
+
+TEST_P(OpenGl, making_a_texture_leaves_the_units_as_they_were) {
+  const Texture first = make_texture_2d(filled(2, 2, {1, 2, 3}), Encoding::linear);
+  bind(0, GL_TEXTURE_2D, first);
+  const Texture second = make_texture_2d(filled(2, 2, {4, 5, 6}), Encoding::linear);
+  GLint bound = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+  EXPECT_EQ(bound, static_cast<GLint>(first.id()));
+}
+
+TEST_P(OpenGl, cube_map_faces_must_be_squares_of_one_size) {
+  std::array<Image8, 6> faces;
+  faces.fill(filled(4, 4, {1, 2, 3}));
+  EXPECT_EQ(error_of([&] { make_cube_map(faces, Encoding::srgb, {}); }), "");
+  faces[3] = filled(2, 2, {1, 2, 3});
+  EXPECT_NE(error_of([&] { make_cube_map(faces, Encoding::srgb, {}); }).find("face -Y has 2x2 texels"),
+            std::string::npos);
+  faces.fill(filled(4, 2, {1, 2, 3}));
+  EXPECT_NE(error_of([&] { make_cube_map(faces, Encoding::srgb, {}); }), "");
+}
+
+TEST_P(OpenGl, a_mesh_without_an_attribute_that_the_program_reads_is_an_error) {
+  mesh::Mesh square = mesh::quad(1);
+  square.texcoords.clear();
+  MeshBuffers buffers(std::move(square));
+  ProgramCache cache(shaders());
+  Program& program = cache.get("full.vert", "map.frag", {});
+  program.use();
+  EXPECT_NE(error_of([&] { buffers.draw(program); }).find("'texcoord'"), std::string::npos);
+}
+
+TEST_P(OpenGl, an_empty_mesh_draws_nothing) {
+  const Target target(Target::Kind::colour, 1, 1, 1);
+  target.bind();
+  MeshBuffers buffers(mesh::Mesh{});
+  ProgramCache cache(shaders());
+  write_file(folder_ / "none.vert", "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n");
+  write_file(folder_ / "white.frag", "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");
+  Program& program = cache.get("none.vert", "white.frag", {});
+  program.use();
+  EXPECT_EQ(error_of([&] { buffers.draw(program); }), "");
+}
+
+/// The recorder, with a square that is drawn into a small target.
+class Recording : public OpenGl {
+ protected:
+  Recording() : target_(Target::Kind::colour, 4, 4, 1), cache_(shaders()), square_(mesh::quad(1)) {
+    target_.bind();
+  }
+
+  Record draw(const Texture& texture, bool cull = false) {
+    Program& program = cache_.get("full.vert", "map.frag", {});
+    program.use();
+    bind(0, GL_TEXTURE_2D, texture);
+    program.set("map", 0);
+    Recorder recorder;
+    if (cull) {
+      glEnable(GL_CULL_FACE);
+      glCullFace(GL_FRONT);
+    }
+    square_.draw(program);
+    glDisable(GL_CULL_FACE);
+    return recorder.take();
+  }
+
+  static bool warns_of(const Record& record, const std::string& text) {
+    for (const std::string& warning : record.warnings)
+      if (warning.find(text) != std::string::npos) return true;
+    return false;
+  }
+
+  Target target_;
+  ProgramCache cache_;
+  MeshBuffers square_;
+};
+
+TEST_P(Recording, counts_what_is_drawn) {
+  const Texture texture = make_texture_2d(filled(8, 8, {9, 9, 9}), Encoding::linear, {});
+  const Record record = draw(texture);
+  EXPECT_EQ(record.draw_calls, 1);
+  EXPECT_EQ(record.triangles, 2);
+  EXPECT_EQ(record.vertices, 4);
+  ASSERT_EQ(record.attributes.size(), 2U);
+  EXPECT_EQ(record.attributes[0].bytes, 4 * 12);
+  ASSERT_EQ(record.textures.size(), 1U);
+  EXPECT_EQ(record.textures[0].name, "map");
+  EXPECT_EQ(record.textures[0].bytes, (64 + 16 + 4 + 1) * 3);
+  EXPECT_TRUE(record.warnings.empty()) << record.warnings.front();
+}
+
+TEST_P(Recording, says_that_mipmaps_are_missing) {
+  const Texture texture = make_texture_2d(filled(8, 8, {9, 9, 9}), Encoding::linear, {.minify = GL_LINEAR});
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  bind(0, GL_TEXTURE_2D, texture);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  EXPECT_TRUE(warns_of(draw(texture), "1 of 4 levels"));
+}
+
+TEST_P(Recording, says_that_a_unit_has_no_texture) {
+  Program& program = cache_.get("full.vert", "map.frag", {});
+  program.use();
+  program.set("map", 5);
+  Recorder recorder;
+  square_.draw(program);
+  EXPECT_TRUE(warns_of(recorder.take(), "reads unit 5, where no texture is bound"));
+}
+
+TEST_P(Recording, says_that_everything_is_culled) {
+  const Texture texture = make_texture_2d(filled(8, 8, {9, 9, 9}), Encoding::linear, {});
+  EXPECT_TRUE(warns_of(draw(texture, /*cull=*/true), "nothing reaches a pixel"));
+}
+
+TEST_P(Recording, says_that_nothing_is_drawn) {
+  Recorder recorder;
+  EXPECT_TRUE(warns_of(recorder.take(), "nothing is drawn"));
+}
+
+std::string kind_name(const testing::TestParamInfo<ContextKind>& kind) {
+  return kind.param == ContextKind::osmesa ? "osmesa" : "egl";
+}
+INSTANTIATE_TEST_SUITE_P(Contexts, OpenGl, testing::Values(ContextKind::osmesa, ContextKind::egl), kind_name);
+INSTANTIATE_TEST_SUITE_P(Contexts, Recording, testing::Values(ContextKind::osmesa, ContextKind::egl),
+                         kind_name);
+
+}  // namespace
+}  // namespace texel::gl

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// What every lab says of itself: the contract with people, scripts and the grader.
+#include <algorithm>
+#include <set>
+
+#include "image/load.hpp"
+#include "image/save.hpp"
+#include "labs.hpp"
+
+namespace texel::test {
+namespace {
+
+class Interface : public EveryLab {};
+INSTANTIATE_TEST_SUITE_P(Labs, Interface, each_lab, lab_name);
+
+TEST_P(Interface, lists_parameters_by_the_contract) {
+  const std::vector<Parameter> parameters = parameters_of(lab());
+  ASSERT_FALSE(parameters.empty());
+  std::set<std::string> names;
+  for (const Parameter& p : parameters) {
+    SCOPED_TRACE(p.name);
+    EXPECT_TRUE(names.insert(p.name).second) << "named twice";
+    EXPECT_FALSE(p.help.empty());
+    EXPECT_FALSE(p.initial.empty());
+    const bool has_range = p.type == "number" || p.type == "integer";
+    const bool has_choices = p.type == "choice" || p.type == "file";
+    EXPECT_TRUE(has_range || has_choices || p.type == "toggle") << p.type;
+    EXPECT_EQ(has_range, p.least < p.most);
+    EXPECT_EQ(has_choices, !p.choices.empty());
+    if (has_choices) EXPECT_EQ(std::count(p.choices.begin(), p.choices.end(), p.initial), 1) << p.initial;
+    if (p.type == "toggle") EXPECT_TRUE(p.initial == "on" || p.initial == "off");
+  }
+  EXPECT_TRUE(names.contains("method")) << "every technique has several ways";
+}
+
+TEST_P(Interface, lists_views_with_color_first) {
+  const std::vector<std::string> views = views_of(lab());
+  ASSERT_GE(views.size(), 2U);
+  EXPECT_EQ(views.front(), "color");
+  const std::set<std::string> known = {"color", "normal", "tangent", "texcoord", "direction",
+                                       "lod",   "depth",  "mask",    "error"};
+  for (const std::string& view : views) EXPECT_TRUE(known.contains(view)) << view;
+  EXPECT_EQ(std::set<std::string>(views.begin(), views.end()).size(), views.size());
+}
+
+TEST_P(Interface, explains_every_option_in_its_help) {
+  const Result help = run_lab(lab(), "--help");
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_EQ(help.errors, "");
+  for (const Parameter& p : parameters_of(lab())) {
+    EXPECT_TRUE(has(help.output, p.flag() + " ")) << p.flag();
+    for (const std::string& choice : p.choices) EXPECT_TRUE(has(help.output, choice + ": ")) << choice;
+  }
+  for (const char* option : {"--snapshot", "--view", "--batch", "--out", "--stats", "--mesh", "--frames", "--config",
+                             "--save-config", "--context", "--assets", "--size", "--list-parameters", "--list-views"})
+    EXPECT_TRUE(has(help.output, option)) << option;
+  const std::string text = run_lab(lab(), "--list-parameters").output;
+  for (const Parameter& p : parameters_of(lab())) EXPECT_TRUE(has(text, p.flag() + " (" + p.type)) << p.flag();
+}
+
+TEST_P(Interface, holds_only_what_the_scene_needs) {
+  const Stats stats = stats_of(lab());
+  EXPECT_EQ("lab" + stats.lab, lab());
+  // A warning names what is uploaded, bound or declared and not read, and what is read and not there.
+  EXPECT_TRUE(stats.warnings.empty()) << stats.warnings.front();
+  EXPECT_GE(stats.vertices, 3);
+  EXPECT_GE(stats.triangles, 1);
+  EXPECT_GE(stats.draw_calls, 1);
+  // A lab's scene holds one object, or one and the environment around it.
+  EXPECT_LE(stats.draw_calls, 2);
+  EXPECT_EQ(std::count(stats.attributes.begin(), stats.attributes.end(), "position"), 1);
+  EXPECT_GE(stats.textures.size(), 1U);
+  EXPECT_GT(stats.peak_bytes, 1e6);
+  EXPECT_EQ(stats.stages,
+            (std::vector<std::string>{"compile", "context", "decode", "draw", "total", "write"}));
+  EXPECT_NE(stats.renderer, "");
+  EXPECT_NE(stats.version, "");
+}
+
+TEST_P(Interface, writes_into_a_snapshot_how_it_was_made) {
+  // A number that is not the default, in the parameters' own words.
+  const std::vector<Parameter> parameters = parameters_of(lab());
+  const auto number = std::find_if(parameters.begin(), parameters.end(),
+                                   [](const Parameter& p) { return p.name == "field_of_view"; });
+  const Settings settings = number == parameters.end() ? Settings{} : Settings{{"field_of_view", "50"}};
+  const std::string file = (folder_ / "a.png").string();
+  const Result result = run_lab(lab(), "--size 96x64 --snapshot " + quoted(file) + flags(settings));
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(result.output + result.errors, "");
+  const image::Info info = image::info(file);
+  EXPECT_EQ(info.width, 96);
+  EXPECT_EQ(info.height, 64);
+  EXPECT_EQ(info.channels, 3);
+  std::vector<image::Text> texts = image::read_png_text(file);
+  ASSERT_FALSE(texts.empty());
+  EXPECT_EQ(texts.back().key, "Renderer");
+  EXPECT_NE(texts.back().value, "");
+  texts.pop_back();
+  std::vector<image::Text> expected = {{"Lab", lab().substr(3)}, {"View", "color"}, {"Size", "96x64"}};
+  if (!settings.empty()) expected.insert(expected.begin() + 1, image::Text{"Parameters", "field_of_view=50"});
+  EXPECT_EQ(texts, expected);
+}
+
+}  // namespace
+}  // namespace texel::test

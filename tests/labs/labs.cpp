@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "labs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "core/files.hpp"
+
+namespace texel::test {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string as_text(const Json& value) {
+  if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+std::vector<std::string> names(const Json& list) {
+  std::vector<std::string> result;
+  for (const Json& item : list) result.push_back(item.at("name").get<std::string>());
+  return result;
+}
+
+}  // namespace
+
+std::string EveryLab::unique_name() {
+  const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
+  std::string name = fmt::format("{}_{}_{}", test.test_suite_name(), test.name(), ::getpid());
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+}
+
+Result run_lab(const std::string& lab, const std::string& arguments, const std::string& before) {
+  return shell(fmt::format("{} MESA_SHADER_CACHE_DISABLE=true {}/{} {}", before, TEXEL_BIN, lab, arguments));
+}
+
+void draw(const std::string& lab, const std::vector<Shot>& shots, const TemporaryFolder& folder,
+          const std::string& arguments, const std::string& before) {
+  Json list = Json::array();
+  for (const Shot& shot : shots) {
+    Json values = Json::object();
+    for (const auto& [name, value] : shot.values) values[name] = value;
+    list.push_back({{"name", shot.name}, {"view", shot.view}, {"size", shot.size}, {"set", values}});
+  }
+  const std::string file = (folder / "batch.json").string();
+  write_file(file, list.dump());
+  const Result result = run_lab(
+      lab, fmt::format("--batch {} --out {} {}", quoted(file), quoted((folder / "").string()), arguments),
+      before);
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(result.output + result.errors, "");
+}
+
+std::string flags(const Settings& settings) {
+  std::string result;
+  for (auto [name, value] : settings) {
+    std::replace(name.begin(), name.end(), '_', '-');
+    result += fmt::format(" --{} {}", name, quoted(value));
+  }
+  return result;
+}
+
+std::string Parameter::flag() const {
+  std::string result = "--" + name;
+  std::replace(result.begin(), result.end(), '_', '-');
+  return result;
+}
+
+std::vector<Parameter> parameters_of(const std::string& lab) {
+  const Result result = run_lab(lab, "--list-parameters --json");
+  std::vector<Parameter> parameters;
+  for (const Json& json : Json::parse(result.output)) {
+    Parameter p{json.at("name"), json.at("type"), as_text(json.at("default")), json.at("unit"), json.at("help")};
+    if (!json.at("min").is_null()) p.least = json.at("min");
+    if (!json.at("max").is_null()) p.most = json.at("max");
+    p.choices = names(json.at("choices"));
+    parameters.push_back(std::move(p));
+  }
+  return parameters;
+}
+
+bool has_parameter(const std::string& lab, const std::string& name) {
+  const std::vector<Parameter> parameters = parameters_of(lab);
+  return std::any_of(parameters.begin(), parameters.end(), [&](const Parameter& p) { return p.name == name; });
+}
+
+std::vector<std::string> views_of(const std::string& lab) {
+  std::istringstream lines(run_lab(lab, "--list-views").output);
+  std::vector<std::string> views;
+  for (std::string line; std::getline(lines, line);) views.push_back(line);
+  return views;
+}
+
+Stats stats_of(const std::string& lab, const std::string& arguments) {
+  const Result result = run_lab(lab, "--stats - --size 128x128 " + arguments);
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(result.errors, "");
+  const Json json = Json::parse(result.output);
+  Stats stats{json.at("lab"),       json.at("renderer"),   json.at("version"),    json.at("vertices"),
+              json.at("triangles"), json.at("draw_calls"), json.at("peak_bytes"), names(json.at("attributes")),
+              names(json.at("textures")), json.at("warnings"), {}};
+  for (const auto& [stage, milliseconds] : json.at("milliseconds").items()) {
+    EXPECT_GE(milliseconds.get<double>(), 0) << stage;
+    stats.stages.push_back(stage);
+  }
+  for (const Json& attribute : json.at("attributes")) EXPECT_GT(attribute.at("bytes"), 0) << attribute;
+  for (const Json& texture : json.at("textures")) {
+    EXPECT_GT(texture.at("width"), 0) << texture;
+    EXPECT_GT(texture.at("height"), 0) << texture;
+    EXPECT_GT(texture.at("bytes"), 0) << texture;
+    EXPECT_NE(texture.at("format"), "") << texture;
+  }
+  return stats;
+}
+
+void expect_error(const Result& result, int exit_code, const std::string& lab,
+                  const std::vector<std::string>& parts) {
+  EXPECT_EQ(result.exit_code, exit_code) << result.errors;
+  EXPECT_EQ(result.output, "");
+  EXPECT_TRUE(result.errors.starts_with(lab + ": ")) << result.errors;
+  EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
+  EXPECT_TRUE(result.errors.ends_with('\n'));
+  for (const std::string& part : parts) EXPECT_TRUE(has(result.errors, part)) << part << "\n" << result.errors;
+}
+
+}  // namespace texel::test

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// The nine programs, and what a test asks of any of them.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../support/picture_files.hpp"
+#include "../support/process.hpp"
+#include "image/image.hpp"
+
+namespace texel::test {
+
+inline constexpr const char* kLabs[] = {
+    "lab01_texture_quad", "lab02_multi_texture", "lab03_obj_texcoords", "lab04_cube_wrap", "lab05_normal_map",
+    "lab06_cube_map",     "lab07_environment",   "lab08_reflection",    "lab09_bump"};
+
+/// A suite that runs once for each lab; GetParam() is the program's name.
+class EveryLab : public testing::TestWithParam<const char*> {
+ protected:
+  [[nodiscard]] static std::string lab() { return GetParam(); }
+  /// Of this test alone, gone when it ends.
+  TemporaryFolder folder_{unique_name()};
+
+ private:
+  static std::string unique_name();
+};
+
+/// INSTANTIATE_TEST_SUITE_P's arguments after the suite.
+inline const auto each_lab = testing::ValuesIn(kLabs);
+inline std::string lab_name(const testing::TestParamInfo<const char*>& lab) {
+  return std::string(lab.param).substr(0, 5);
+}
+
+/// Runs a lab without Mesa's shader cache, which would keep what earlier runs compiled. `before` stands
+/// before the program's name: variables, or "cd / &&".
+Result run_lab(const std::string& lab, const std::string& arguments, const std::string& before = {});
+
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+/// One picture of a batch.
+struct Shot {
+  std::string name;  ///< the file; .png is added unless it ends in .pfm
+  Settings values = {};
+  std::string view = "color";
+  std::string size = "128x128";
+};
+
+/// Draws the pictures from one process into `folder`. A failure fails the running test.
+void draw(const std::string& lab, const std::vector<Shot>& shots, const TemporaryFolder& folder,
+          const std::string& arguments = {}, const std::string& before = {});
+
+/// The settings as flags of the command line.
+std::string flags(const Settings& settings);
+
+/// What --list-parameters --json says of a parameter.
+struct Parameter {
+  std::string name, type, initial, unit, help;
+  double least = 0, most = 0;
+  std::vector<std::string> choices;
+  [[nodiscard]] std::string flag() const;
+};
+std::vector<Parameter> parameters_of(const std::string& lab);
+bool has_parameter(const std::string& lab, const std::string& name);
+
+/// What --list-views prints.
+std::vector<std::string> views_of(const std::string& lab);
+
+/// What --stats - prints of a look.
+struct Stats {
+  std::string lab, renderer, version;
+  double vertices = 0, triangles = 0, draw_calls = 0, peak_bytes = 0;
+  std::vector<std::string> attributes, textures, warnings, stages;
+};
+Stats stats_of(const std::string& lab, const std::string& arguments = {});
+
+/// Expects that the program ended with `exit_code`, printed nothing but one line of error that begins with
+/// its name and contains each of `parts`.
+void expect_error(const Result& result, int exit_code, const std::string& lab,
+                  const std::vector<std::string>& parts);
+
+}  // namespace texel::test
