@@ -98,12 +98,16 @@ void save_half(const fs::path& from, const fs::path& to) {
   image::save_png(to, levels[std::min<std::size_t>(1, levels.size() - 1)], {}, 9);
 }
 
+/// The first hero of each lab.
 void save_heroes(const std::vector<course::Lab>& labs, const GalleryOptions& options) {
   if (options.heroes.empty()) return;
   make_folder(options.heroes);
-  for (const course::Lab& lab : labs)
-    for (const course::Look& look : lab.looks)
-      if (look.hero) save_half(options.out / picture(lab, look), options.heroes / (lab.folder + ".png"));
+  for (const course::Lab& lab : labs) {
+    const auto hero =
+        std::find_if(lab.looks.begin(), lab.looks.end(), [](const course::Look& l) { return l.hero; });
+    if (hero != lab.looks.end())
+      save_half(options.out / picture(lab, *hero), options.heroes / (lab.folder + ".png"));
+  }
 }
 
 /// What drew the first picture, as its text chunk has it.

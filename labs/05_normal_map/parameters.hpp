@@ -81,7 +81,7 @@ struct NormalMapParameters {
     set.add(light_yaw,
             {"light_yaw", 70, -180, 180, "degrees", "Direction to the light around the vertical axis"});
     set.add(light_pitch, {"light_pitch", 35, -90, 90, "degrees", "Direction to the light above the horizon"});
-    set.add(ambient, {"ambient", 0.12, 0, 1, "", "Light that comes from everywhere"});
+    set.add(ambient, {"ambient", 0.2, 0, 1, "", "Light that comes from everywhere"});
     set.add(specular, {"specular", 0.2, 0, 1, "", "Strength of the highlight"});
     camera.declare<{.yaw = 32, .pitch = 24, .distance = 3}>(set);
   }

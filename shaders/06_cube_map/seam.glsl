@@ -13,10 +13,11 @@ Footprint sphere_footprint(vec3 n) {
   vec2 texcoord = sphere_texcoord(n);
 //@step 6.4 begin
 #if SEAM_METHOD == SEAM_METHOD_SELECT
-  // The same place counted from 0 to 1: that one jumps in front. Take the one that does not jump here.
+  // The same place counted from 0 to 1: that one jumps in front. Take it only where it clearly changes less, since
+  // elsewhere rounding would decide, and neighbours would differ by 1 after all.
   // M. Tarini, "Cylindrical and Toroidal Parameterizations Without Vertex Seams", JGT 16 (2012).
   float other = fract(texcoord.x);
-  if (fwidth(other) < fwidth(texcoord.x)) texcoord.x = other;
+  if (fwidth(other) < fwidth(texcoord.x) - 0.001) texcoord.x = other;
 #endif
 #if SEAM_METHOD == SEAM_METHOD_ANALYTIC
   return Footprint(texcoord, sphere_gradient(n, dFdx(n)), sphere_gradient(n, dFdy(n)));

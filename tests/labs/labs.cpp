@@ -49,7 +49,7 @@ void draw(const std::string& lab, const std::vector<Shot>& shots, const Temporar
   const std::string file = (folder / "batch.json").string();
   write_file(file, list.dump());
   const Result result = run_lab(
-      lab, fmt::format("--batch {} --out {} {}", quoted(file), quoted((folder / "").string()), arguments),
+      lab, fmt::format("--batch {} --out {} {}", shell_word(file), shell_word((folder / "").string()), arguments),
       before);
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_EQ(result.output + result.errors, "");
@@ -59,7 +59,7 @@ std::string flags(const Settings& settings) {
   std::string result;
   for (auto [name, value] : settings) {
     std::replace(name.begin(), name.end(), '_', '-');
-    result += fmt::format(" --{} {}", name, quoted(value));
+    result += fmt::format(" --{} {}", name, shell_word(value));
   }
   return result;
 }
@@ -74,7 +74,12 @@ std::vector<Parameter> parameters_of(const std::string& lab) {
   const Result result = run_lab(lab, "--list-parameters --json");
   std::vector<Parameter> parameters;
   for (const Json& json : Json::parse(result.output)) {
-    Parameter p{json.at("name"), json.at("type"), as_text(json.at("default")), json.at("unit"), json.at("help")};
+    Parameter p;
+    p.name = json.at("name");
+    p.type = json.at("type");
+    p.initial = as_text(json.at("default"));
+    p.unit = json.at("unit");
+    p.help = json.at("help");
     if (!json.at("min").is_null()) p.least = json.at("min");
     if (!json.at("max").is_null()) p.most = json.at("max");
     p.choices = names(json.at("choices"));
@@ -100,9 +105,17 @@ Stats stats_of(const std::string& lab, const std::string& arguments) {
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_EQ(result.errors, "");
   const Json json = Json::parse(result.output);
-  Stats stats{json.at("lab"),       json.at("renderer"),   json.at("version"),    json.at("vertices"),
-              json.at("triangles"), json.at("draw_calls"), json.at("peak_bytes"), names(json.at("attributes")),
-              names(json.at("textures")), json.at("warnings"), {}};
+  Stats stats;
+  stats.lab = json.at("lab");
+  stats.renderer = json.at("renderer");
+  stats.version = json.at("version");
+  stats.vertices = json.at("vertices");
+  stats.triangles = json.at("triangles");
+  stats.draw_calls = json.at("draw_calls");
+  stats.peak_bytes = json.at("peak_bytes");
+  stats.attributes = names(json.at("attributes"));
+  stats.textures = names(json.at("textures"));
+  stats.warnings = json.at("warnings").get<std::vector<std::string>>();
   for (const auto& [stage, milliseconds] : json.at("milliseconds").items()) {
     EXPECT_GE(milliseconds.get<double>(), 0) << stage;
     stats.stages.push_back(stage);

@@ -48,7 +48,7 @@ inline Result shell(const std::string& command) {
 }
 
 /// A word that the shell takes as it is.
-inline std::string quoted(const std::string& word) {
+inline std::string shell_word(const std::string& word) {
   std::string result = "'";
   for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return result + "'";

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <limits>
+#include <regex>
 
 #include "../support/picture_files.hpp"
 #include "../support/process.hpp"
@@ -166,6 +167,19 @@ TEST(List, works_from_any_folder) {
 
 TEST(Gallery, lists_the_sources_pictures_as_the_page_does) {
   EXPECT_EQ(texel("gallery --list").output, read_file("docs/pictures.md")) << "./run docs renews it";
+}
+
+TEST(Documents, name_only_files_that_are_there) {
+  const std::regex link("\\]\\(([^):#]+)|src=\"([^\"]+)");
+  for (const char* document : {"README.md", "CONTRIBUTING.md", "docs/architecture.md"}) {
+    const std::string text = read_file(document);
+    for (std::sregex_iterator found(text.begin(), text.end(), link), end; found != end; ++found) {
+      const std::string target = (*found)[1].str() + (*found)[2].str();
+      if (target == "https") continue;
+      const auto path = std::filesystem::path(document).parent_path() / target;
+      EXPECT_TRUE(std::filesystem::exists(path)) << document << " names " << target;
+    }
+  }
 }
 
 TEST(Gallery, draws_a_lab_once_and_again_only_when_it_changed) {

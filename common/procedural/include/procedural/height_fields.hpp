@@ -4,10 +4,10 @@
 
 #include "procedural/dual.hpp"
 
-/// Reliefs as functions of the texture coordinate. Heights and (u, v) have the same unit, the texture's width, so
-/// that dh/du is the slope of the surface. All repeat on the unit square, and their first derivatives are continuous
-/// everywhere. The second derivatives jump where the rounded corner of a brick or plank begins; bump is smooth in
-/// all derivatives.
+/// Reliefs as functions of the texture coordinate. Heights and (u, v) have the same unit, the texture's
+/// width, so that dh/du is the slope of the surface. All repeat on the unit square, and their first
+/// derivatives are continuous everywhere. The second derivatives jump where the rounded corner of a brick or
+/// plank begins; bump is smooth in all derivatives.
 namespace texel::procedural {
 
 enum class HeightField { brick, wood, scales, bump };

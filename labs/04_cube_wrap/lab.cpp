@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// Lab 4: a texture all around a cube. A vertex holds one texture coordinate and one normal. Three faces meet
+// at a cube's corner and each wants another, so eight shared vertices cannot give every face its own copy of
+// the picture, nor its own light. Either the picture is stretched over them, or the vertices are split.
+#include <fmt/format.h>
+
+#include "app/lab.hpp"
+#include "app/models.hpp"
+#include "mesh/cube.hpp"
+#include "mesh/normals.hpp"
+#include "mesh/stretch.hpp"
+#include "mesh/texcoords.hpp"
+#include "mesh/weld.hpp"
+#include "parameters.hpp"
+
+using namespace texel;
+
+namespace {
+
+constexpr float kHalfSize = 0.577F;  // the corners at distance 1
+
+/// The eight corners of the cube with one texture coordinate each.
+mesh::Mesh shared_cube([[maybe_unused]] Method method) {
+  //@step 4.1 begin
+  const mesh::CubeTexcoords table = method == Method::before ? mesh::cube_before : mesh::cube_stretched;
+  //@starter
+  // // front bottom left, upper left, upper right, bottom right; then the same at the back
+  // const mesh::CubeTexcoords table{{{0, 0}, {0, 0}, {1, 1}, {1, 1}, {0, 0}, {0, 0}, {1, 1}, {1, 1}}};
+  //@end
+  return mesh::cube_shared(table, kHalfSize);
+}
+
+/// Any model with one vertex for each point in space: of its faces' texture coordinates the last one stays
+/// (before), or one copy is drawn around the whole model by longitude and latitude (stretched).
+mesh::Mesh shared_vertices(const mesh::Mesh& model, Method method) {
+  mesh::Mesh shared;
+  shared.positions = model.positions;
+  shared.indices = model.indices;
+  shared = mesh::weld(shared);  // vertices have nothing but a position left, so equal positions become one
+  shared.texcoords.resize(shared.vertex_count());
+  for (std::size_t i = 0; i < shared.indices.size(); ++i) {
+    const std::uint32_t vertex = shared.indices[i];
+    shared.texcoords[vertex] = method == Method::before ? model.texcoords[model.indices[i]]
+                                                        : mesh::spherical_texcoord(shared.positions[vertex]);
+  }
+  mesh::smooth_normals(shared, mesh::Weighting::angle);
+  return shared;
+}
+
+/// Each face with vertices of its own: a triangle shares some with the one before it in the list, of which it
+/// may be the other half, and with no other.
+mesh::Mesh split_faces(mesh::Mesh mesh) {
+  //@step 4.4 begin
+  const std::vector<std::uint32_t> old = mesh.indices;
+  std::vector<std::uint32_t> vertices;  // for each new vertex the old one that it is a copy of
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    const std::size_t triangle = i - i % 3;
+    std::size_t known = triangle < 3 ? triangle : triangle - 3;
+    while (known < triangle && old[known] != old[i]) ++known;
+    if (known < triangle) {
+      mesh.indices[i] = mesh.indices[known];
+    } else {
+      mesh.indices[i] = static_cast<std::uint32_t>(vertices.size());
+      vertices.push_back(old[i]);
+    }
+  }
+  mesh::for_each_attribute(mesh, [&](auto& values) {
+    if (values.empty()) return;
+    const auto before = values;
+    values.clear();
+    for (const std::uint32_t vertex : vertices) values.push_back(before[vertex]);
+  });
+  //@starter
+  // mesh::smooth_normals(mesh, mesh::Weighting::angle);  // no vertex is split yet
+  //@end
+  return mesh;
+}
+
+/// What the wrapping costs, and how wrong it is in the two ways that the report names.
+std::vector<std::string> figures(const mesh::Mesh& mesh) {
+  const mesh::Stretch stretch = mesh::measure_stretch(mesh);
+  const mesh::NormalDeviation normals = mesh::measure_normals(mesh);
+  const std::size_t bytes =
+      mesh.vertex_count() * (2 * sizeof(glm::vec3) + sizeof(glm::vec2)) + mesh.indices.size() * 4;
+  return {
+      fmt::format("{} vertices for {} triangles, {} bytes", mesh.vertex_count(), mesh.triangle_count(),
+                  bytes),
+      fmt::format("{} triangles are smeared (no texture area), {} mirrored", stretch.zero_area_triangles,
+                  stretch.mirrored_triangles),
+      fmt::format("stretch of the others: {:.3f} on average (L2), {:.3f} at most (L infinity); 1 is even",
+                  stretch.l2, stretch.l_infinity),
+      fmt::format("shear: {:.1f} degrees on average, {:.1f} at most", stretch.mean_shear, stretch.max_shear),
+      fmt::format("normals: {:.1f} degrees from their face's on average, {:.1f} at most", normals.mean,
+                  normals.max)};
+}
+
+}  // namespace
+
+struct CubeWrap {
+  static constexpr app::View kViews[] = {app::View::color, app::View::normal, app::View::texcoord,
+                                         app::View::lod,   app::View::depth,  app::View::mask};
+  static constexpr app::Info info{4, "cube_wrap", "Cube wrap",
+                                  "Give every face of a cube its own copy of a picture.", kViews};
+  using Parameters = CubeWrapParameters;
+
+  explicit CubeWrap(const app::Assets& assets) : assets_(assets) {}
+
+  void draw(const Parameters& p, app::Frame& frame) {
+    gl::MeshBuffers& buffers = drawn(p).buffers;
+    const gl::Texture& color_map = textures_.get(p.texture, [&] {
+      return gl::make_texture_2d(assets_.texture(p.texture), image::Encoding::srgb, {.anisotropy = 8});
+    });
+    gl::Program& program = frame.program("04_cube_wrap/cube_wrap");
+    program.set("clip_from_world", p.camera.clip_from_world(frame.aspect()));
+    program.set("world_from_object", app::turn_about_y(p.turn));
+    program.set("eye", p.camera.eye());
+    program.set("light", app::direction_from_angles(p.light_yaw, p.light_pitch));
+    gl::bind(0, GL_TEXTURE_2D, color_map);
+    program.set("color_map", 0);
+    buffers.draw(program);
+  }
+
+  /// The vertex stream as drawn.
+  const mesh::Mesh& mesh(const Parameters& p) { return drawn(p).buffers.mesh(); }
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  struct Key {
+    std::string model;
+    Method method;
+    Normals normals;
+    bool operator==(const Key&) const = default;
+  };
+  struct Drawn {
+    gl::MeshBuffers buffers;
+    std::vector<std::string> notes;
+  };
+
+  Drawn& drawn(const Parameters& p) {
+    Drawn& result = meshes_.get({p.model, p.method, p.normals}, [&] {
+      app::Model model = wrap(p);
+      if (p.normals == Normals::shared) mesh::smooth_normals(model.mesh, mesh::Weighting::angle);
+      if (p.normals == Normals::face) mesh::flat_normals(model.mesh);
+      for (std::string& figure : figures(model.mesh)) model.notes.push_back(std::move(figure));
+      return Drawn{gl::MeshBuffers(std::move(model.mesh)), std::move(model.notes)};
+    });
+    notes_ = result.notes;
+    return result;
+  }
+
+  app::Model wrap(const Parameters& p) {
+    const bool is_cube = p.model == "cube";
+    if (is_cube && p.method <= Method::stretched) return {shared_cube(p.method), {}, false};
+    app::Model model = is_cube ? app::Model{mesh::weld(mesh::cube_by_face(kHalfSize)), {}, false}
+                               : app::load_model(assets_, p.model);
+    if (p.method == Method::split) model.mesh = split_faces(std::move(model.mesh));
+    if (p.method <= Method::stretched) model.mesh = shared_vertices(model.mesh, p.method);
+    return model;
+  }
+
+  const app::Assets& assets_;
+  app::Cache<Key, Drawn> meshes_;
+  app::Cache<std::string, gl::Texture> textures_;
+  std::vector<std::string> notes_;
+};
+
+int main(int argc, char** argv) {
+  return app::run<CubeWrap>(argc, argv);
+}

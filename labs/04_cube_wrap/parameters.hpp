@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// What can be chosen in lab 4. Nothing to do for you here.
+#pragma once
+#include "app/camera.hpp"
+#include "app/models.hpp"
+#include "params/set.hpp"
+
+namespace texel {
+
+enum class Method { before, stretched, split, weld };
+inline constexpr params::Item kMethods[] = {
+    {"before", "One vertex a corner of the cube, the report's first table: four faces are smeared"},
+    {"stretched",
+     "One vertex a corner of the cube, the report's workaround: one copy drawn around all sides"},
+    {"split", "Each face has vertices of its own: 24 for the cube"},
+    {"weld", "One vertex for each distinct set of position, texcoord and normal: only what must split does"}};
+
+enum class Normals { by_method, shared, face };
+inline constexpr params::Item kNormals[] = {
+    {"by-method", "Shared where vertices are shared (before, stretched), else the model's own"},
+    {"shared", "One normal for all faces that meet at a point: smooth, and wrong at a cube's edge"},
+    {"face", "Each triangle's own: its vertices cannot be shared with one that faces elsewhere"}};
+
+inline constexpr params::Item kTextures[] = {{"label_grid", "Cells with letters: shows every flip and swap"},
+                                             {"brick", "A brick wall (the report)"},
+                                             {"wood", "Wooden planks"},
+                                             {"scales", "A reptile's scales"},
+                                             {"smile", "A face"},
+                                             {"checker", "Black and white squares: shows stretch and shear"}};
+
+struct CubeWrapParameters {
+  std::string model, texture;
+  Method method{};
+  Normals normals{};
+  float texture_scale{};
+  float light_yaw{}, light_pitch{}, ambient{}, specular{};
+  float turn{};
+  app::OrbitCamera camera;
+
+  void declare(params::Set& set) {
+    set.section("Wrapping");
+    set.add(method, {"method", Method::weld, kMethods, "Which faces share a vertex, and so a texcoord"});
+    set.add(normals, {"normals", Normals::by_method, kNormals, "Which faces share a normal"});
+    set.add(model, {"model", "cube", app::kModels, "What is wrapped"});
+    set.add(texture, {"texture", "label_grid", kTextures, "The picture on it (keys K and L)"});
+    set.add(texture_scale,
+            {"texture_scale", 1, 0.1, 20, "", "Repeats of the picture", params::Scale::logarithmic});
+    set.section("Light");
+    set.add(light_yaw,
+            {"light_yaw", 70, -180, 180, "degrees", "Direction to the light around the vertical axis"});
+    set.add(light_pitch, {"light_pitch", 40, -90, 90, "degrees", "Direction to the light above the horizon"});
+    set.add(ambient, {"ambient", 0.25, 0, 1, "", "Light that comes from everywhere; 1: the picture alone"});
+    set.add(specular, {"specular", 0, 0, 1, "", "Strength of the highlight"});
+    set.section("View");
+    set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});
+    camera.declare<{.yaw = 32, .pitch = 24, .distance = 3}>(set);
+  }
+};
+
+}  // namespace texel

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Lab 8: a mirror ball. The ray from the eye is reflected at the surface, and its direction looked up in the
+// cube map. What is left is to get the ray and the normal right; then glass is only a second ray away.
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "app/environment.hpp"
+#include "app/lab.hpp"
+#include "mesh/primitives.hpp"
+#include "parameters.hpp"
+
+using namespace texel;
+
+struct Reflection {
+  static constexpr app::View kViews[] = {app::View::color, app::View::normal, app::View::direction,
+                                         app::View::depth, app::View::mask};
+  static constexpr app::Info info{8, "reflection", "Reflection",
+                                  "Make the sphere a mirror, then glass, by following one ray.", kViews};
+  using Parameters = ReflectionParameters;
+
+  explicit Reflection(const app::Assets& assets) : assets_(assets), environment_(assets) {}
+
+  void draw(const Parameters& p, app::Frame& frame) {
+    gl::MeshBuffers& ball =
+        balls_.get({p.rings, p.segments}, [&] { return gl::MeshBuffers(mesh::sphere(p.rings, p.segments)); });
+    const glm::mat4 tilted = glm::rotate(glm::mat4(1), glm::radians(p.tilt), glm::vec3(1, 0, 0));
+    const glm::mat4 world_from_object =
+        glm::scale(app::turn_about_y(p.turn) * tilted, glm::vec3(1, p.stretch, 1));
+    // The inverse transpose of a rotation is itself; of a scale it is the reciprocal, so that the normals of
+    // a stretched ball turn away from the axis while its edges turn towards it.
+    const glm::mat3 rotation_and_scale(world_from_object);
+    const glm::mat3 normal_from_object = p.normal_matrix == NormalMatrix::inverse_transpose
+                                             ? glm::transpose(glm::inverse(rotation_and_scale))
+                                             : rotation_and_scale;
+
+    environment_.bind(0, p.cube_map);
+    gl::Program& program = frame.program("08_reflection/reflection");
+    program.set("clip_from_world", p.camera.clip_from_world(frame.aspect()));
+    program.set("world_from_object", world_from_object);
+    program.set("object_from_world", glm::inverse(world_from_object));
+    program.set("normal_from_object", normal_from_object);
+    program.set("eye", p.camera.eye());
+    if (p.lookup == Lookup::cube) {
+      program.set("cube_map", 0);
+    } else {
+      gl::bind(1, GL_TEXTURE_2D, pictures_.get({p.lookup, p.cube_map}, [&] { return picture(p); }));
+      program.set("picture_map", 1);
+    }
+    ball.draw(program);
+    environment_.draw_background(frame, p.camera, 0);
+  }
+
+ private:
+  /// The cube map's six pictures as one, which is looked up by angles or as a mirror ball shows it.
+  gl::Texture picture(const Parameters& p) const {
+    const std::array<image::Image8, 6> faces = assets_.cube_map(p.cube_map);
+    if (p.lookup == Lookup::sphere_map)
+      return gl::make_texture_2d(app::sphere_map(faces), image::Encoding::srgb,
+                                 {.wrap_s = GL_CLAMP_TO_EDGE, .wrap_t = GL_CLAMP_TO_EDGE});
+    return gl::make_texture_2d(app::equirectangular_map(faces), image::Encoding::srgb,
+                               {.wrap_s = GL_REPEAT, .wrap_t = GL_CLAMP_TO_EDGE});
+  }
+
+  const app::Assets& assets_;
+  app::Environment environment_;
+  app::Cache<std::pair<int, int>, gl::MeshBuffers> balls_;
+  app::Cache<std::pair<Lookup, std::string>, gl::Texture> pictures_;
+};
+
+int main(int argc, char** argv) {
+  return app::run<Reflection>(argc, argv);
+}

@@ -1,0 +1,28 @@
+#version 330 core
+// SPDX-License-Identifier: MIT
+in vec3 world_position;
+in vec3 world_normal;
+in vec2 fragment_texcoord;
+
+uniform sampler2D color_map;
+uniform vec3 eye;    // world space
+uniform vec3 light;  // world space, unit vector towards the light
+uniform float ambient;
+uniform float specular;
+
+#include "lib/level_of_detail.glsl"
+#include "lib/light.glsl"
+#include "lib/picture.glsl"
+
+void main() {
+#if VIEW == VIEW_NORMAL
+  picture = vec4(normalize(world_normal), 1.0);
+#elif VIEW == VIEW_TEXCOORD
+  picture = vec4(fragment_texcoord, 0.0, 1.0);
+#elif VIEW == VIEW_LOD
+  picture = vec4(vec3(level_of_detail(fragment_texcoord, vec2(textureSize(color_map, 0)))), 1.0);
+#else
+  vec3 albedo = texture(color_map, fragment_texcoord).rgb;
+  show(vec4(lit(albedo, normalize(world_normal), normalize(eye - world_position)), 1.0));
+#endif
+}

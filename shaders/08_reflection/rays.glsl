@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// The rays at one point of the surface, in world space. The same function serves a vertex and a pixel.
+#include "fresnel.glsl"
+
+uniform vec3 eye;     // world space
+uniform float index;  // of refraction, inside relative to outside
+
+struct Rays {
+  vec3 reflected;
+  vec3 refracted;     // where there is none, the reflected one
+  float reflectance;  // which part of the light is reflected
+};
+
+// Step 8.2. The direction in which the view ray arrives.
+vec3 incident_ray(vec3 position) {
+//@step 8.2 begin
+#if METHOD == METHOD_CONSTANT_EYE
+  return -eye;  // right for one point only: the one in front of the eye
+#else
+  return position - eye;
+#endif
+//@starter
+// return vec3(0.0, 0.0, -1.0) + 0.0 * (position - eye);
+//@end
+}
+
+// Step 8.1. Mirrors a ray at a surface: its part along the normal changes sign. normal: unit length, on either side.
+vec3 reflected_ray(vec3 incident, vec3 normal) {
+//@step 8.1 begin
+  return incident - 2.0 * dot(normal, incident) * normal;  // GLSL's reflect()
+//@starter
+// return normal + 0.0 * incident;
+//@end
+}
+
+// Step 8.3. Bends a unit ray at a surface whose unit normal is on the ray's side (Snell's law). eta: index of refraction
+// here divided by that beyond. (0, 0, 0): none, all light is reflected.
+vec3 refracted_ray(vec3 incident, vec3 normal, float eta) {
+//@step 8.3 begin
+  float cos_i = -dot(normal, incident);
+  float cos_t_squared = 1.0 - eta * eta * (1.0 - cos_i * cos_i);
+  if (cos_t_squared < 0.0) return vec3(0.0);
+  return eta * incident + (eta * cos_i - sqrt(cos_t_squared)) * normal;  // GLSL's refract()
+//@starter
+// return incident + 0.0 * eta * normal;
+//@end
+}
+
+Rays follow_rays(vec3 position, vec3 normal) {
+  vec3 incident = incident_ray(position);
+#if SURFACE == SURFACE_MIRROR
+  return Rays(reflected_ray(incident, normal), vec3(0.0), 1.0);
+#else
+  vec3 unit = normalize(incident);
+  float eta = 1.0 / index;
+  if (dot(unit, normal) > 0.0) {  // the eye is inside: the ray leaves
+    normal = -normal;
+    eta = index;
+  }
+  vec3 reflected = reflected_ray(unit, normal);
+  vec3 refracted = refracted_ray(unit, normal, eta);
+  if (refracted == vec3(0.0)) return Rays(reflected, reflected, 1.0);
+  return Rays(reflected, refracted, fresnel(-dot(unit, normal), eta));
+#endif
+}
