@@ -45,7 +45,7 @@ class Reader {
   }
 
   std::string text(const std::string& key) {
-    const std::string value = text(key, "");
+    std::string value = text(key, "");
     if (value.empty()) throw error(table_, fmt::format("'{}' is missing or empty", key));
     return value;
   }

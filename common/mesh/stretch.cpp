@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/stretch.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -87,6 +89,19 @@ NormalDeviation measure_normals(const Mesh& mesh) {
   }
   if (surface > 0) deviation.mean /= surface;
   return deviation;
+}
+
+std::vector<std::string> describe_stretch(const Mesh& mesh) {
+  const Stretch stretch = measure_stretch(mesh);
+  const NormalDeviation normals = measure_normals(mesh);
+  return {
+      fmt::format("{} of {} triangles are smeared (no texture area), {} mirrored",
+                  stretch.zero_area_triangles, mesh.triangle_count(), stretch.mirrored_triangles),
+      fmt::format("stretch of the others: {:.3f} on average (L2), {:.3f} at most (L infinity); 1 is even",
+                  stretch.l2, stretch.l_infinity),
+      fmt::format("shear: {:.1f} degrees on average, {:.1f} at most", stretch.mean_shear, stretch.max_shear),
+      fmt::format("normals: {:.1f} degrees from their triangle's on average, {:.1f} at most", normals.mean,
+                  normals.max)};
 }
 
 }  // namespace texel::mesh

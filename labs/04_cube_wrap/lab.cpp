@@ -78,20 +78,11 @@ mesh::Mesh split_faces(mesh::Mesh mesh) {
 
 /// What the wrapping costs, and how wrong it is in the two ways that the report names.
 std::vector<std::string> figures(const mesh::Mesh& mesh) {
-  const mesh::Stretch stretch = mesh::measure_stretch(mesh);
-  const mesh::NormalDeviation normals = mesh::measure_normals(mesh);
-  const std::size_t bytes =
-      mesh.vertex_count() * (2 * sizeof(glm::vec3) + sizeof(glm::vec2)) + mesh.indices.size() * 4;
-  return {
-      fmt::format("{} vertices for {} triangles, {} bytes", mesh.vertex_count(), mesh.triangle_count(),
-                  bytes),
-      fmt::format("{} triangles are smeared (no texture area), {} mirrored", stretch.zero_area_triangles,
-                  stretch.mirrored_triangles),
-      fmt::format("stretch of the others: {:.3f} on average (L2), {:.3f} at most (L infinity); 1 is even",
-                  stretch.l2, stretch.l_infinity),
-      fmt::format("shear: {:.1f} degrees on average, {:.1f} at most", stretch.mean_shear, stretch.max_shear),
-      fmt::format("normals: {:.1f} degrees from their face's on average, {:.1f} at most", normals.mean,
-                  normals.max)};
+  const std::size_t bytes_a_vertex = 2 * sizeof(glm::vec3) + sizeof(glm::vec2);
+  std::vector<std::string> lines = mesh::describe_stretch(mesh);
+  lines.push_back(fmt::format("{} vertices, {} bytes with indices", mesh.vertex_count(),
+                              mesh.vertex_count() * bytes_a_vertex + mesh.indices.size() * 4));
+  return lines;
 }
 
 }  // namespace
@@ -107,9 +98,8 @@ struct CubeWrap {
 
   void draw(const Parameters& p, app::Frame& frame) {
     gl::MeshBuffers& buffers = drawn(p).buffers;
-    const gl::Texture& color_map = textures_.get(p.texture, [&] {
-      return gl::make_texture_2d(assets_.texture(p.texture), image::Encoding::srgb, {.anisotropy = 8});
-    });
+    const gl::Texture& color_map = textures_.get(
+        p.texture, [&] { return gl::make_texture_2d(assets_.texture(p.texture), image::Encoding::srgb); });
     gl::Program& program = frame.program("04_cube_wrap/cube_wrap");
     program.set("clip_from_world", p.camera.clip_from_world(frame.aspect()));
     program.set("world_from_object", app::turn_about_y(p.turn));

@@ -47,13 +47,13 @@ struct CubeWrapParameters {
             {"texture_scale", 1, 0.1, 20, "", "Repeats of the picture", params::Scale::logarithmic});
     set.section("Light");
     set.add(light_yaw,
-            {"light_yaw", 70, -180, 180, "degrees", "Direction to the light around the vertical axis"});
-    set.add(light_pitch, {"light_pitch", 40, -90, 90, "degrees", "Direction to the light above the horizon"});
+            {"light_yaw", 48, -180, 180, "degrees", "Direction to the light around the vertical axis"});
+    set.add(light_pitch, {"light_pitch", 42, -90, 90, "degrees", "Direction to the light above the horizon"});
     set.add(ambient, {"ambient", 0.25, 0, 1, "", "Light that comes from everywhere; 1: the picture alone"});
     set.add(specular, {"specular", 0, 0, 1, "", "Strength of the highlight"});
     set.section("View");
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});
-    camera.declare<{.yaw = 32, .pitch = 24, .distance = 3}>(set);
+    camera.declare<{.yaw = 32, .pitch = 24, .distance = 2.7F}>(set);
   }
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The normal of the ball in a pixel, in world space. position: on one of the mesh's triangles, world space; interpolated:
 // between the normals of its corners.
-uniform vec3 eye;  // world space
+#include "rays.glsl"  // for the eye
+
 uniform mat4 object_from_world;
 uniform mat3 normal_from_object;
 

@@ -122,6 +122,15 @@ TEST(NormalDeviation, vanishes_for_flat_normals_and_shrinks_with_finer_spheres) 
   EXPECT_NEAR(fine / coarse, 0.5, 0.03);  // measured 0.507: half the edge, half the angle, and curvature
 }
 
+TEST(Stretch, is_described_in_lines_with_the_figures) {
+  const std::vector<std::string> lines = describe_stretch(cube_shared(cube_stretched));
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_EQ(lines[0], "0 of 12 triangles are smeared (no texture area), 6 mirrored");
+  EXPECT_NE(lines[1].find("1.155 on average (L2), 1.618 at most"), std::string::npos) << lines[1];
+  EXPECT_EQ(lines[2], "shear: 30.0 degrees on average, 45.0 at most");
+  EXPECT_EQ(lines[3], "normals: 54.7 degrees from their triangle's on average, 54.7 at most");
+}
+
 TEST(NormalDeviation, is_an_error_without_normals) {
   Mesh mesh = quad();
   mesh.normals.clear();

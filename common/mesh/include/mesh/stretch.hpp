@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "mesh/mesh.hpp"
 
@@ -33,5 +35,8 @@ struct NormalDeviation {
 
 /// Triangles without area are left out. Throws Error (exit 3) for a mesh without normals.
 NormalDeviation measure_normals(const Mesh& mesh);
+
+/// Both as lines to read. Errors as theirs.
+std::vector<std::string> describe_stretch(const Mesh& mesh);
 
 }  // namespace texel::mesh

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Which picture and which colour each part of a model has.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "import.hpp"
+
+namespace texel {
+
+inline const mesh::Material* material_of(const Imported& imported, const mesh::Group& part) {
+  const auto& materials = imported.materials;
+  const auto found = std::find_if(materials.begin(), materials.end(),
+                                  [&](const mesh::Material& m) { return m.name == part.material; });
+  return found == materials.end() ? nullptr : &*found;
+}
+
+/// The name or path of a part's picture; "" for none.
+inline std::string picture_of(const std::string& texture, const Imported& imported, const mesh::Group& part) {
+  if (texture != "material") return texture;
+  const auto has_picture = [](const mesh::Material& m) { return !m.color_map.empty(); };
+  if (std::none_of(imported.materials.begin(), imported.materials.end(), has_picture)) return "label_grid";
+  const mesh::Material* material = material_of(imported, part);
+  return material != nullptr ? material->color_map : "";
+}
+
+/// The sRGB colour by which the picture of part `i` is multiplied.
+inline glm::vec3 tint_of(Tint tint, const std::string& texture, const Imported& imported, std::size_t i) {
+  if (tint != Tint::none) {
+    // Hues a golden section apart, so that neighbours in the list look different.
+    const auto hue = static_cast<float>(std::fmod(0.618034 * static_cast<double>(i), 1.0));
+    const glm::vec3 phase = 2 * std::numbers::pi_v<float> * (hue + glm::vec3(0, 1, 2) / 3.0F);
+    return 0.6F + 0.4F * glm::cos(phase);
+  }
+  const mesh::Material* material = texture == "material" ? material_of(imported, imported.parts[i]) : nullptr;
+  return material != nullptr ? material->diffuse : glm::vec3(1);
+}
+
+}  // namespace texel

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// From an OBJ file to a mesh that can be drawn. The steps' own functions lie in common/mesh: parsing
+// (obj.cpp), triangulation (polygon.cpp), the vertex stream (weld.cpp), projections (texcoords.cpp).
+#pragma once
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "app/assets.hpp"
+#include "core/stopwatch.hpp"
+#include "mesh/bounds.hpp"
+#include "mesh/normals.hpp"
+#include "mesh/obj.hpp"
+#include "mesh/stretch.hpp"
+#include "mesh/texcoords.hpp"
+#include "mesh/weld.hpp"
+#include "parameters.hpp"
+
+namespace texel {
+
+struct Imported {
+  std::shared_ptr<const mesh::Mesh> mesh;  ///< centred, its farthest vertex at distance 1
+  std::vector<mesh::Group> parts;          ///< at least one
+  std::vector<mesh::Material> materials;   ///< color_map: a path, or "" where there is no such file
+  std::vector<std::string> notes;          ///< repairs, missing files, what was generated
+};
+
+/// Says on stderr how far the import is, once it has taken half a second.
+class ImportProgress {
+ public:
+  explicit ImportProgress(std::string file) : file_(std::move(file)) {}
+  ~ImportProgress() {
+    if (percent_ >= 0) std::fputc('\n', stderr);
+  }
+  ImportProgress(const ImportProgress&) = delete;
+  ImportProgress& operator=(const ImportProgress&) = delete;
+  void report(double part) {
+    const int percent = static_cast<int>(100 * part);
+    if (percent == percent_ || stopwatch_.milliseconds() < 500) return;
+    percent_ = percent;
+    fmt::print(stderr, "\rreading {}: {} %", file_, percent);
+  }
+
+ private:
+  std::string file_;
+  Stopwatch stopwatch_;
+  int percent_ = -1;
+};
+
+/// The file's materials with their pictures' paths, which are relative to the file. A picture that is not
+/// there is a note and no error.
+inline void resolve_pictures(Imported& imported, const std::filesystem::path& file) {
+  for (mesh::Material& material : imported.materials) {
+    if (material.color_map.empty()) continue;
+    const std::filesystem::path picture = std::filesystem::absolute(file.parent_path() / material.color_map);
+    const bool exists = std::filesystem::exists(picture);
+    if (!exists)
+      imported.notes.push_back(
+          fmt::format("material '{}': there is no picture '{}', so it is drawn in its Kd", material.name,
+                      material.color_map));
+    material.color_map = exists ? picture.string() : "";
+  }
+}
+
+inline mesh::Projection mesh_projection(Projection projection) {
+  switch (projection) {
+    case Projection::planar:
+      return mesh::Projection::planar;
+    case Projection::cylindrical:
+      return mesh::Projection::cylindrical;
+    case Projection::spherical:
+      return mesh::Projection::spherical;
+    default:
+      return mesh::Projection::box;
+  }
+}
+
+/// Reads the file, makes what it lacks, and builds the vertex stream. Errors as mesh::load_obj.
+inline Imported import_obj(const std::filesystem::path& file, Projection projection, Normals normals,
+                           Tint tint) {
+  ImportProgress progress(file.filename().string());
+  mesh::ObjData data = mesh::load_obj(file, {.progress = [&](double part) { progress.report(part); }});
+  Imported imported;
+  imported.notes = data.report.warnings;
+  imported.materials = data.materials;
+  resolve_pictures(imported, file);
+  if (tint == Tint::groups) data.material_runs = data.group_runs;  // parts by g and o
+
+  if (normals != Normals::from_file) mesh::remove_normals(data);
+  if (data.normals.empty() && normals == Normals::from_file)
+    imported.notes.emplace_back("the file has no normals: smooth ones are generated");
+  if (data.normals.empty() && normals != Normals::flat)
+    mesh::generate_missing_normals(
+        data, normals == Normals::smooth_area ? mesh::Weighting::area : mesh::Weighting::angle);
+
+  mesh::Mesh mesh = mesh::weld(std::move(data));
+  mesh::normalize_to_unit(mesh);
+  if (normals == Normals::flat) mesh::flat_normals(mesh);
+  if (projection == Projection::triplanar) {
+    mesh.texcoords.clear();  // the shader makes its own from the position
+  } else if (projection != Projection::from_file || mesh.texcoords.empty()) {
+    if (projection == Projection::from_file)
+      imported.notes.emplace_back("the file has no texture coordinates: a box projection is generated");
+    mesh::generate_texcoords(mesh, mesh_projection(projection));
+    for (std::string& line : mesh::describe_stretch(mesh)) imported.notes.push_back(std::move(line));
+  }
+  imported.parts = mesh.groups;
+  if (imported.parts.empty())
+    imported.parts.push_back({"", 0, static_cast<std::uint32_t>(mesh.indices.size())});
+  imported.mesh = std::make_shared<const mesh::Mesh>(std::move(mesh));
+  return imported;
+}
+
+}  // namespace texel

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// Lab 3: a file says which point of a picture belongs to which corner. The importer (import.hpp) turns an
+// OBJ's separate lists of positions, texture coordinates and normals into one stream of vertices; each pixel
+// then reads the picture at its interpolated coordinate.
+#include <map>
+
+#include "app/lab.hpp"
+#include "appearance.hpp"
+#include "image/colour.hpp"
+#include "import.hpp"
+#include "parameters.hpp"
+
+using namespace texel;
+
+struct ObjTexcoords {
+  static constexpr app::View kViews[] = {app::View::color, app::View::normal, app::View::texcoord,
+                                         app::View::lod,   app::View::depth,  app::View::mask};
+  static constexpr app::Info info{3, "obj_texcoords", "OBJ with texture coordinates",
+                                  "Read a model with its texture coordinates, or make some.", kViews};
+  using Parameters = ObjTexcoordsParameters;
+
+  explicit ObjTexcoords(const app::Assets& assets) : assets_(assets) {}
+
+  void draw(const Parameters& p, app::Frame& frame) {
+    Model& model = model_for(p);
+    gl::MeshBuffers& buffers = p.method == Method::per_vertex ? colored(p, model) : model.buffers;
+    gl::Program& program = frame.program("03_obj_texcoords/obj_texcoords");
+    program.set("clip_from_world", p.camera.clip_from_world(frame.aspect()));
+    program.set("world_from_object", app::turn_about_y(p.turn));
+    program.set("eye", p.camera.eye());
+    program.set("light", app::direction_from_angles(p.light_yaw, p.light_pitch));
+    program.set("longest_side", model.longest_side);
+    program.set("color_map", 0);
+    // Encoded arithmetic means that nobody decodes on reading and nobody encodes on writing.
+    if (!p.linear_light) glDisable(GL_FRAMEBUFFER_SRGB);
+
+    const std::vector<mesh::Group>& parts = model.imported.parts;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (p.method == Method::per_fragment)
+        gl::bind(0, GL_TEXTURE_2D, texture(p, picture_of(p.texture, model.imported, parts[i])));
+      glm::vec3 tint = tint_of(p.tint, p.texture, model.imported, i);
+      for (int c = 0; c < 3 && p.linear_light; ++c) tint[c] = image::linear_from_srgb(tint[c]);
+      program.set("tint", tint);
+      buffers.draw(program, parts[i]);
+    }
+  }
+
+  /// The vertex stream as drawn.
+  const mesh::Mesh& mesh(const Parameters& p) {
+    Model& model = model_for(p);
+    return p.method == Method::per_vertex ? colored(p, model).mesh() : model.buffers.mesh();
+  }
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  struct ModelKey {
+    std::string model;
+    Projection projection;
+    Normals normals;
+    Tint tint;
+    bool operator==(const ModelKey&) const = default;
+  };
+  struct Model {
+    Imported imported;
+    gl::MeshBuffers buffers;
+    float longest_side;  // of the box around it
+  };
+  struct TextureKey {
+    std::string picture;
+    bool flip_v, linear_light;
+    bool operator==(const TextureKey&) const = default;
+  };
+  struct ColorKey {
+    ModelKey model;
+    TextureKey texture;
+    float texture_scale;
+    bool operator==(const ColorKey&) const = default;
+  };
+
+  static ModelKey model_key(const Parameters& p) {
+    // A color buffer is filled at one coordinate for each vertex, so triplanar makes do with box there.
+    const bool needs_texcoords = p.method == Method::per_vertex && p.projection == Projection::triplanar;
+    return {p.model, needs_texcoords ? Projection::box : p.projection, p.normals, p.tint};
+  }
+
+  Model& model_for(const Parameters& p) {
+    const ModelKey key = model_key(p);
+    Model& model = models_.get(key, [&] {
+      Imported imported = import_obj(assets_.model(p.model), key.projection, key.normals, key.tint);
+      gl::MeshBuffers buffers(imported.mesh);
+      const glm::vec3 extent = mesh::bounds(*imported.mesh).extent();
+      return Model{std::move(imported), std::move(buffers), std::max({extent.x, extent.y, extent.z})};
+    });
+    notes_ = model.imported.notes;
+    return model;
+  }
+
+  /// The model with the report's color buffer: at each vertex the texel that getPixelColor(u, v) finds.
+  gl::MeshBuffers& colored(const Parameters& p, const Model& model) {
+    const ColorKey key{model_key(p), {p.texture, p.flip_v, p.linear_light}, p.texture_scale};
+    return colored_.get(key, [&] {
+      mesh::Mesh mesh = *model.imported.mesh;
+      const std::vector<mesh::Group>& parts = model.imported.parts;
+      std::vector<std::uint32_t> part_of_corner(mesh.indices.size());
+      for (std::uint32_t i = 0; i < parts.size(); ++i)
+        std::fill_n(part_of_corner.begin() + parts[i].first_index, parts[i].index_count, i);
+      std::map<std::string, image::Image8> pictures;
+      for (const std::uint32_t part : mesh::split_by_label(mesh, part_of_corner)) {
+        const std::string name =
+            part == mesh::no_index ? "" : picture_of(p.texture, model.imported, parts[part]);
+        auto known = pictures.find(name);
+        if (known == pictures.end()) known = pictures.emplace(name, picture(name, p.flip_v)).first;
+        mesh.colors.push_back(
+            pixel_color(known->second, mesh.texcoords[mesh.colors.size()] * p.texture_scale, p.linear_light));
+      }
+      return gl::MeshBuffers(std::move(mesh));
+    });
+  }
+
+  /// The texel that a coordinate falls on, repeating; linear or as it is encoded.
+  static glm::vec3 pixel_color(const image::Image8& picture, const glm::vec2& texcoord, bool linear) {
+    const glm::vec2 tile = glm::fract(texcoord);
+    const int x = std::min(static_cast<int>(tile.x * static_cast<float>(picture.width)), picture.width - 1);
+    const int y = std::min(static_cast<int>(tile.y * static_cast<float>(picture.height)), picture.height - 1);
+    const image::Encoding encoding = linear ? image::Encoding::srgb : image::Encoding::linear;
+    glm::vec3 color;
+    for (int c = 0; c < 3; ++c) color[c] = image::from_encoding8(picture.at(x, y, c), encoding);
+    return color;
+  }
+
+  [[nodiscard]] image::Image8 picture(const std::string& name, bool flip_v) const {
+    if (name.empty()) {
+      image::Image8 white(1, 1, 3);
+      std::fill(white.samples.begin(), white.samples.end(), std::uint8_t{255});
+      return white;
+    }
+    image::Image8 image = gl::expand_grey(assets_.texture(name));
+    return flip_v ? image::flipped(image) : image;
+  }
+
+  const gl::Texture& texture(const Parameters& p, const std::string& name) {
+    return textures_.get({name, p.flip_v, p.linear_light}, [&] {
+      // Trilinear: Mesa's anisotropic filter goes astray where a projection smears the picture.
+      return gl::make_texture_2d(picture(name, p.flip_v),
+                                 p.linear_light ? image::Encoding::srgb : image::Encoding::linear);
+    });
+  }
+
+  const app::Assets& assets_;
+  app::Cache<ModelKey, Model> models_;
+  app::Cache<ColorKey, gl::MeshBuffers> colored_;
+  app::Cache<TextureKey, gl::Texture> textures_;
+  std::vector<std::string> notes_;
+};
+
+int main(int argc, char** argv) {
+  return app::run<ObjTexcoords>(argc, argv);
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// What can be chosen in lab 3. Nothing to do for you here.
+#pragma once
+#include "app/camera.hpp"
+#include "params/set.hpp"
+
+namespace texel {
+
+enum class Method { per_vertex, per_fragment };
+inline constexpr params::Item kMethods[] = {
+    {"per-vertex",
+     "The texel at each vertex is read at import, into the color buffer (the report's first step)"},
+    {"per-fragment", "The texture is read at each pixel's interpolated texture coordinate"}};
+
+enum class Projection { from_file, planar, box, cylindrical, spherical, triplanar };
+inline constexpr params::Item kProjections[] = {
+    {"from-file", "The file's vt; box where it has none"},
+    {"planar", "Along z, as a slide projector does: the sides are smeared"},
+    {"box", "Each triangle along the axis that it faces most: seams, and little stretch"},
+    {"cylindrical", "Around the vertical axis, like a label on a tin: top and bottom are smeared"},
+    {"spherical", "By longitude and latitude from the centre: squeezed at the poles"},
+    {"triplanar", "Three planar projections blended in the shader by the normal: no seams, no vt needed"}};
+
+enum class Normals { from_file, flat, smooth_area, smooth_angle };
+inline constexpr params::Item kNormals[] = {
+    {"from-file", "The file's vn; smooth-angle where it has none"},
+    {"flat", "Each triangle's own: facets"},
+    {"smooth-area", "The mean of the triangles around, each by its area"},
+    {"smooth-angle", "Each by its angle at the corner: how faces are cut does not matter"}};
+
+enum class Tint { none, materials, groups };
+inline constexpr params::Item kTints[] = {{"none", "The picture alone"},
+                                          {"materials", "Each usemtl in a colour of its own"},
+                                          {"groups", "Each g and o in a colour of its own"}};
+
+inline constexpr params::Item kModels[] = {{"gator", "An alligator, six materials"},
+                                           {"ship", "An ocean liner, eight materials"},
+                                           {"cube", "The report's cube: eight v and eight vt"},
+                                           {"cube_before", "The same before the report's adjustment"},
+                                           {"cube_split", "A cube with a copy of the picture on each face"},
+                                           {"sphere", "64 x 32 quads"},
+                                           {"torus", "64 x 32 quads"},
+                                           {"quad", "A square"}};
+
+inline constexpr params::Item kTextures[] = {
+    {"material", "The file's own map_Kd; label_grid when it names no picture at all"},
+    {"brick", "A brick wall"},
+    {"wood", "Wooden planks"},
+    {"scales", "A reptile's scales"},
+    {"smile", "A face"},
+    {"label_grid", "Cells with letters: shows every flip, swap and seam"},
+    {"checker", "Black and white squares: shows stretch and shear"}};
+
+struct ObjTexcoordsParameters {
+  std::string model, texture;
+  Method method{};
+  Projection projection{};
+  Normals normals{};
+  Tint tint{};
+  bool flip_v{}, linear_light{};
+  float texture_scale{};
+  float light_yaw{}, light_pitch{}, ambient{}, specular{};
+  float turn{};
+  app::OrbitCamera camera;
+
+  void declare(params::Set& set) {
+    set.section("File");
+    set.add(model, {"model", "gator", kModels, "The OBJ file"});
+    set.add(projection, {"projection", Projection::from_file, kProjections, "Where vt come from"});
+    set.add(normals, {"normals", Normals::from_file, kNormals, "Where vn come from"});
+    set.section("Texture");
+    set.add(method, {"method", Method::per_fragment, kMethods, "Where the texture is read"});
+    set.add(texture, {"texture", "material", kTextures, "The picture on the model (keys K and L)"});
+    set.add(texture_scale,
+            {"texture_scale", 1, 0.1, 20, "", "Repeats of the picture", params::Scale::logarithmic});
+    set.add(flip_v, {"flip_v", false, "Take the picture's top row for t = 0: upside down in OpenGL"});
+    set.add(tint, {"tint", Tint::none, kTints, "Paint the parts of the file"});
+    set.add(linear_light, {"linear_light", true,
+                           "Light and filter linear light; off: the encoded values, as the report does"});
+    set.section("Light");
+    set.add(light_yaw,
+            {"light_yaw", 48, -180, 180, "degrees", "Direction to the light around the vertical axis"});
+    set.add(light_pitch, {"light_pitch", 42, -90, 90, "degrees", "Direction to the light above the horizon"});
+    set.add(ambient, {"ambient", 0.25, 0, 1, "", "Light that comes from everywhere; 1: the picture alone"});
+    set.add(specular, {"specular", 0.05, 0, 1, "", "Strength of the highlight"});
+    set.section("View");
+    set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});
+    camera.declare<{.yaw = 32, .pitch = 24, .distance = 2.4F}>(set);
+  }
+};
+
+}  // namespace texel

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Lab 9: a bumpy mirror ball. A normal map bends the normals, and with them what the mirror shows. A sphere
+// has no tangents of its own: the frame is built in each pixel from the normal alone, in one of seven ways.
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "app/environment.hpp"
+#include "app/lab.hpp"
+#include "mesh/primitives.hpp"
+#include "parameters.hpp"
+
+using namespace texel;
+
+struct Bump {
+  static constexpr app::View kViews[] = {app::View::color,     app::View::normal,   app::View::tangent,
+                                         app::View::direction, app::View::texcoord, app::View::depth,
+                                         app::View::mask};
+  static constexpr app::Info info{9, "bump", "Bump mapping", "Bend the mirror ball's normals by a picture.",
+                                  kViews};
+  using Parameters = BumpParameters;
+
+  explicit Bump(const app::Assets& assets) : assets_(assets), environment_(assets) {}
+
+  void draw(const Parameters& p, app::Frame& frame) {
+    gl::MeshBuffers& ball =
+        balls_.get({p.rings, p.segments}, [&] { return gl::MeshBuffers(mesh::sphere(p.rings, p.segments)); });
+    const glm::mat4 tilted = glm::rotate(glm::mat4(1), glm::radians(p.tilt), glm::vec3(1, 0, 0));
+
+    environment_.bind(0, p.cube_map);
+    gl::Program& program = frame.program("09_bump/bump");
+    program.set("clip_from_world", p.camera.clip_from_world(frame.aspect()));
+    program.set("world_from_object", tilted * app::turn_about_y(p.turn));
+    program.set("eye", p.camera.eye());
+    program.set("cube_map", 0);
+    if (p.normal_mapping) {
+      // Numbers, not colours: stored linear, so that nothing is decoded. Unit 0 has the cube map.
+      gl::bind(1, GL_TEXTURE_2D, normal_maps_.get(p.normal_map, [&] {
+        return gl::make_texture_2d(assets_.normal_map(p.normal_map), image::Encoding::linear);
+      }));
+      program.set("normal_map", 1);
+    }
+    ball.draw(program);
+    environment_.draw_background(frame, p.camera, 0);
+  }
+
+ private:
+  const app::Assets& assets_;
+  app::Environment environment_;
+  app::Cache<std::pair<int, int>, gl::MeshBuffers> balls_;
+  app::Cache<std::string, gl::Texture> normal_maps_;
+};
+
+int main(int argc, char** argv) {
+  return app::run<Bump>(argc, argv);
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The picture's colour at this pixel, and the coordinate at which it is read.
+#if METHOD == METHOD_PER_VERTEX
+in vec3 vertex_color;
+in vec2 fragment_texcoord;
+
+vec2 surface_texcoord() { return fragment_texcoord; }
+
+// What lies between two vertices is not the picture but a blend of two texels.
+vec3 surface_color() { return vertex_color; }
+
+#elif PROJECTION == PROJECTION_TRIPLANAR
+in vec3 object_coordinate;
+in vec3 object_normal;
+
+// The picture seen straight along each axis, the right way round from both sides.
+vec2 along_x() { return vec2(object_normal.x > 0.0 ? -object_coordinate.z : object_coordinate.z, object_coordinate.y) + 0.5; }
+vec2 along_y() { return vec2(object_coordinate.x, object_normal.y > 0.0 ? -object_coordinate.z : object_coordinate.z) + 0.5; }
+vec2 along_z() { return vec2(object_normal.z < 0.0 ? -object_coordinate.x : object_coordinate.x, object_coordinate.y) + 0.5; }
+
+// How much each axis counts: the more the surface faces it. The power keeps the blend to where two are nearly even.
+vec3 axis_weights() {
+  vec3 weights = pow(abs(normalize(object_normal)), vec3(6.0));
+  return weights / (weights.x + weights.y + weights.z);
+}
+
+// That of the axis that counts most.
+vec2 surface_texcoord() {
+  vec3 weights = axis_weights();
+  if (weights.z >= weights.x && weights.z >= weights.y) return along_z();
+  return weights.x >= weights.y ? along_x() : along_y();
+}
+
+vec3 surface_color() {
+  vec3 weights = axis_weights();
+  return weights.x * texture(color_map, along_x()).rgb + weights.y * texture(color_map, along_y()).rgb +
+         weights.z * texture(color_map, along_z()).rgb;
+}
+
+#else
+in vec2 fragment_texcoord;
+
+vec2 surface_texcoord() { return fragment_texcoord; }
+
+vec3 surface_color() { return texture(color_map, fragment_texcoord).rgb; }
+#endif

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Step 9.4. The direction that the mirror shows at a point of the ball; all in world space.
+uniform vec3 eye;
+
+vec3 reflected_ray(vec3 position, vec3 normal) {
+#if INCIDENT == INCIDENT_CONSTANT_EYE
+  vec3 incident = -eye;
+#else
+  vec3 incident = position - eye;
+#endif
+//@step 9.4 begin
+  return reflect(incident, normal);
+//@starter
+// return normal + 0.0 * incident;
+//@end
+}
