@@ -61,7 +61,7 @@ void make_folder(const fs::path& folder) {
 }
 
 void say(const course::Lab& lab, const char* what) {
-  fmt::print("  lab {:<2} {:<20} {:2} pictures {}\n", lab.number, lab.title, lab.looks.size(), what);
+  fmt::print("  lab {:<2} {:<28} {:2} pictures {}\n", lab.number, lab.title, lab.looks.size(), what);
   std::fflush(stdout);  // a log shows each as it ends
 }
 

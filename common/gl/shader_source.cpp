@@ -42,17 +42,29 @@ std::string_view included(std::string_view line) {
 ShaderSource::ShaderSource(const std::filesystem::path& root, const std::filesystem::path& file)
     : root_(root) {
   std::vector<std::filesystem::path> open;
-  expand(root / file, open);
+  expand(root / file, read_file(root / file), open);
+  check_version();
+}
+
+ShaderSource::ShaderSource(const std::filesystem::path& root, const std::string& name,
+                           const std::string& text)
+    : root_(root) {
+  std::vector<std::filesystem::path> open;
+  expand(root / name, text, open);
+  check_version();
+}
+
+void ShaderSource::check_version() const {
   if (version_.empty())
-    throw Error::failed("the shader has no #version", {file.string(), 1},
+    throw Error::failed("the shader has no #version", {files_.front().lexically_relative(root_).string(), 1},
                         "begin it with '#version 330 core'");
 }
 
-void ShaderSource::expand(const std::filesystem::path& file, std::vector<std::filesystem::path>& open) {
+void ShaderSource::expand(const std::filesystem::path& file, const std::string& text,
+                          std::vector<std::filesystem::path>& open) {
   const auto number = files_.size() + 1;
   files_.push_back(file);
   open.push_back(file);
-  const std::string text = read_file(file);
   const auto mark = [&](int line) {
     body_ += fmt::format("#line {}\n", static_cast<int>(number) * kLinesPerFile + line);
   };
@@ -81,7 +93,8 @@ void ShaderSource::expand(const std::filesystem::path& file, std::vector<std::fi
                           "name a file beside this one or below shaders/");
     if (std::find(open.begin(), open.end(), target) != open.end())
       throw Error::failed(fmt::format("'{}' includes itself", name), place);
-    if (std::find(files_.begin(), files_.end(), target) == files_.end()) expand(target, open);
+    if (std::find(files_.begin(), files_.end(), target) == files_.end())
+      expand(target, read_file(target), open);
     mark(line_number + 1);
   }
   open.pop_back();

@@ -26,26 +26,26 @@ struct Imported {
   std::vector<std::string> notes;          ///< repairs, missing files, what was generated
 };
 
-/// Says on stderr how far the import is, once it has taken half a second.
+/// Says on stderr what the import is doing, once it has taken half a second.
 class ImportProgress {
  public:
   explicit ImportProgress(std::string file) : file_(std::move(file)) {}
   ~ImportProgress() {
-    if (percent_ >= 0) std::fputc('\n', stderr);
+    if (!said_.empty()) std::fputc('\n', stderr);
   }
   ImportProgress(const ImportProgress&) = delete;
   ImportProgress& operator=(const ImportProgress&) = delete;
-  void report(double part) {
-    const int percent = static_cast<int>(100 * part);
-    if (percent == percent_ || stopwatch_.milliseconds() < 500) return;
-    percent_ = percent;
-    fmt::print(stderr, "\rreading {}: {} %", file_, percent);
+  void say(const std::string& what) {
+    if (what == said_ || stopwatch_.milliseconds() < 500) return;
+    said_ = what;
+    fmt::print(stderr, "\r{}: {:<20}", file_, what);  // padded, so that it covers what stood there
+    std::fflush(stderr);
   }
 
  private:
   std::string file_;
   Stopwatch stopwatch_;
-  int percent_ = -1;
+  std::string said_;
 };
 
 /// The file's materials with their pictures' paths, which are relative to the file. A picture that is not
@@ -56,9 +56,8 @@ inline void resolve_pictures(Imported& imported, const std::filesystem::path& fi
     const std::filesystem::path picture = std::filesystem::absolute(file.parent_path() / material.color_map);
     const bool exists = std::filesystem::exists(picture);
     if (!exists)
-      imported.notes.push_back(
-          fmt::format("material '{}': there is no picture '{}', so it is drawn in its Kd", material.name,
-                      material.color_map));
+      imported.notes.push_back(fmt::format("material '{}' names a picture that is not there: {}",
+                                           material.name, picture.string()));
     material.color_map = exists ? picture.string() : "";
   }
 }
@@ -80,7 +79,8 @@ inline mesh::Projection mesh_projection(Projection projection) {
 inline Imported import_obj(const std::filesystem::path& file, Projection projection, Normals normals,
                            Tint tint) {
   ImportProgress progress(file.filename().string());
-  mesh::ObjData data = mesh::load_obj(file, {.progress = [&](double part) { progress.report(part); }});
+  const auto say_part = [&](double part) { progress.say(fmt::format("reading, {:.0f} %", 100 * part)); };
+  mesh::ObjData data = mesh::load_obj(file, {.progress = say_part});
   Imported imported;
   imported.notes = data.report.warnings;
   imported.materials = data.materials;
@@ -90,13 +90,16 @@ inline Imported import_obj(const std::filesystem::path& file, Projection project
   if (normals != Normals::from_file) mesh::remove_normals(data);
   if (data.normals.empty() && normals == Normals::from_file)
     imported.notes.emplace_back("the file has no normals: smooth ones are generated");
+  progress.say("normals");
   if (data.normals.empty() && normals != Normals::flat)
     mesh::generate_missing_normals(
         data, normals == Normals::smooth_area ? mesh::Weighting::area : mesh::Weighting::angle);
 
+  progress.say("vertices");
   mesh::Mesh mesh = mesh::weld(std::move(data));
   mesh::normalize_to_unit(mesh);
   if (normals == Normals::flat) mesh::flat_normals(mesh);
+  progress.say("texture coordinates");
   if (projection == Projection::triplanar) {
     mesh.texcoords.clear();  // the shader makes its own from the position
   } else if (projection != Projection::from_file || mesh.texcoords.empty()) {

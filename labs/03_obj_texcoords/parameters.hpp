@@ -65,7 +65,7 @@ struct ObjTexcoordsParameters {
 
   void declare(params::Set& set) {
     set.section("File");
-    set.add(model, {"model", "gator", kModels, "The OBJ file"});
+    set.add(model, {"model", "ship", kModels, "The OBJ file"});
     set.add(projection, {"projection", Projection::from_file, kProjections, "Where vt come from"});
     set.add(normals, {"normals", Normals::from_file, kNormals, "Where vn come from"});
     set.section("Texture");
@@ -81,11 +81,11 @@ struct ObjTexcoordsParameters {
     set.add(light_yaw,
             {"light_yaw", 48, -180, 180, "degrees", "Direction to the light around the vertical axis"});
     set.add(light_pitch, {"light_pitch", 42, -90, 90, "degrees", "Direction to the light above the horizon"});
-    set.add(ambient, {"ambient", 0.25, 0, 1, "", "Light that comes from everywhere; 1: the picture alone"});
+    set.add(ambient, {"ambient", 0.35, 0, 1, "", "Light that comes from everywhere; 1: the picture alone"});
     set.add(specular, {"specular", 0.05, 0, 1, "", "Strength of the highlight"});
     set.section("View");
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});
-    camera.declare<{.yaw = 32, .pitch = 24, .distance = 2.4F}>(set);
+    camera.declare<{.yaw = 28, .pitch = 20, .distance = 2.7F}>(set);
   }
 };
 

@@ -47,33 +47,29 @@ mesh::Mesh shared_vertices(const mesh::Mesh& model, Method method) {
   return shared;
 }
 
-/// Each face with vertices of its own: a triangle shares some with the one before it in the list, of which it
-/// may be the other half, and with no other.
-mesh::Mesh split_faces(mesh::Mesh mesh) {
+/// The cube with vertices of its own for each face: where the two triangles of a face have equal corners they
+/// share a vertex, and no other triangles do.
+mesh::Mesh split_cube() {
   //@step 4.4 begin
-  const std::vector<std::uint32_t> old = mesh.indices;
-  std::vector<std::uint32_t> vertices;  // for each new vertex the old one that it is a copy of
-  for (std::size_t i = 0; i < old.size(); ++i) {
-    const std::size_t triangle = i - i % 3;
-    std::size_t known = triangle < 3 ? triangle : triangle - 3;
-    while (known < triangle && old[known] != old[i]) ++known;
-    if (known < triangle) {
-      mesh.indices[i] = mesh.indices[known];
-    } else {
-      mesh.indices[i] = static_cast<std::uint32_t>(vertices.size());
-      vertices.push_back(old[i]);
+  const mesh::ObjData data = mesh::cube_by_face(kHalfSize);
+  mesh::Mesh cube;
+  for (std::size_t i = 0; i < data.corners.size(); ++i) {
+    const mesh::Corner& corner = data.corners[i];
+    std::size_t equal = i - i % 6;  // where the face begins
+    while (data.corners[equal] != corner) ++equal;
+    if (equal < i) {
+      cube.indices.push_back(cube.indices[equal]);
+      continue;
     }
+    cube.indices.push_back(static_cast<std::uint32_t>(cube.vertex_count()));
+    cube.positions.push_back(data.positions[corner.position]);
+    cube.texcoords.push_back(data.texcoords[corner.texcoord]);
+    cube.normals.push_back(data.normals[corner.normal]);
   }
-  mesh::for_each_attribute(mesh, [&](auto& values) {
-    if (values.empty()) return;
-    const auto before = values;
-    values.clear();
-    for (const std::uint32_t vertex : vertices) values.push_back(before[vertex]);
-  });
+  return cube;
   //@starter
-  // mesh::smooth_normals(mesh, mesh::Weighting::angle);  // no vertex is split yet
+  // return mesh::cube_shared(mesh::cube_before, kHalfSize);  // nothing is split yet
   //@end
-  return mesh;
 }
 
 /// What the wrapping costs, and how wrong it is in the two ways that the report names.
@@ -139,11 +135,13 @@ struct CubeWrap {
   }
 
   app::Model wrap(const Parameters& p) {
-    const bool is_cube = p.model == "cube";
-    if (is_cube && p.method <= Method::stretched) return {shared_cube(p.method), {}, false};
-    app::Model model = is_cube ? app::Model{mesh::weld(mesh::cube_by_face(kHalfSize)), {}, false}
-                               : app::load_model(assets_, p.model);
-    if (p.method == Method::split) model.mesh = split_faces(std::move(model.mesh));
+    if (p.model == "cube") {
+      if (p.method == Method::split) return {split_cube(), {}, false};
+      if (p.method == Method::weld) return {mesh::weld(mesh::cube_by_face(kHalfSize)), {}, false};
+      return {shared_cube(p.method), {}, false};
+    }
+    app::Model model = app::load_model(assets_, p.model);  // welded
+    if (p.method == Method::split) model.mesh = mesh::split(model.mesh);
     if (p.method <= Method::stretched) model.mesh = shared_vertices(model.mesh, p.method);
     return model;
   }

@@ -12,7 +12,7 @@ inline constexpr params::Item kMethods[] = {
     {"before", "One vertex a corner of the cube, the report's first table: four faces are smeared"},
     {"stretched",
      "One vertex a corner of the cube, the report's workaround: one copy drawn around all sides"},
-    {"split", "Each face has vertices of its own: 24 for the cube"},
+    {"split", "Each face has vertices of its own: 24 for the cube, three a triangle for other models"},
     {"weld", "One vertex for each distinct set of position, texcoord and normal: only what must split does"}};
 
 enum class Normals { by_method, shared, face };

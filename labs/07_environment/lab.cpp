@@ -15,7 +15,7 @@ namespace {
 
 /// Centre and radius of the spheres, world space: one in front, and more of them farther and farther away.
 constexpr glm::vec4 kSpheres[] = {
-    {0, 0, 0, 1}, {-3.2F, 0.6F, -3, 1}, {4, -0.8F, -5, 1.2F}, {-9, -0.5F, -12, 1.6F}, {15, 3, -24, 2.5F}};
+    {0, 0, 0, 1}, {3.4F, -0.6F, -2.2F, 1}, {-4.6F, -0.6F, -7, 1.2F}, {6.5F, 1.8F, -8, 1.2F}, {-7, 8, -16, 2}};
 
 }  // namespace
 
@@ -90,7 +90,7 @@ struct EnvironmentLab {
     //@step 7.3 begin
     return glm::inverse(rotation) * glm::inverse(projection);
     //@starter
-    // return projection * rotation;
+    // return -rotation;
     //@end
   }
 

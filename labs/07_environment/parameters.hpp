@@ -43,7 +43,7 @@ struct EnvironmentParameters {
     set.add(cube_map, {"cube_map", "scene", app::kCubeMaps, "What surrounds the scene (keys K and L)"});
     set.add(method, {"method", Method::analytic_ray, kMethods, "How a pixel finds its direction"});
     set.add(plane,
-            {"plane", Plane::far_plane, kPlanes, "Which points of the quad the matrix takes to directions"});
+            {"plane", Plane::near_plane, kPlanes, "Which points of the quad the matrix takes to directions"});
     set.add(precision,
             {"precision", Precision::double_precision, kPrecisions, "In which the matrix is inverted"});
     set.add(depth_method, {"depth_method", DepthMethod::far_plane, kDepthMethods,
@@ -56,7 +56,7 @@ struct EnvironmentParameters {
     set.section("Spheres");
     set.add(rings, {"rings", 32, 2, 256, "", "Bands from pole to pole"});
     set.add(segments, {"segments", 64, 3, 512, "", "Quads around each band"});
-    camera.declare<{.yaw = 0, .pitch = 0, .distance = 3, .field_of_view = 90}>(set);
+    camera.declare<{.yaw = 0, .pitch = 0, .distance = 2.5F, .field_of_view = 90}>(set);
   }
 };
 

@@ -20,7 +20,7 @@ vec3 incident_ray(vec3 position) {
   return position - eye;
 #endif
 //@starter
-// return vec3(0.0, 0.0, -1.0) + 0.0 * (position - eye);
+// return vec3(0.0, -1.0, 0.0) + 0.0 * (position - eye);
 //@end
 }
 

@@ -9,6 +9,7 @@
 #include "core/files.hpp"
 #include "gl/context.hpp"
 #include "gl/mesh_buffers.hpp"
+#include "gl/probe.hpp"
 #include "gl/program.hpp"
 #include "gl/recorder.hpp"
 #include "gl/target.hpp"
@@ -298,6 +299,26 @@ TEST_P(OpenGl, an_empty_mesh_draws_nothing) {
   Program& program = cache.get("none.vert", "white.frag", {});
   program.use();
   EXPECT_EQ(error_of([&] { buffers.draw(program); }), "");
+}
+
+TEST_P(OpenGl, a_probe_gives_back_what_a_function_makes_of_each_row) {
+  std::filesystem::create_directories(folder_ / "app");
+  write_file(folder_ / "app/present.vert", read_file("shaders/app/present.vert"));
+  write_file(folder_ / "step.glsl", "vec3 scaled(vec3 v, float factor) { return factor * v; }\n");
+  std::vector<std::vector<glm::vec4>> columns(2);
+  for (int i = 0; i < 2500; ++i) {  // more than one row of the folded table
+    columns[0].emplace_back(i, 1e-20F * static_cast<float>(i), -i, 0);
+    columns[1].emplace_back(0.5F);
+  }
+  const auto values = probe(shaders(), "step.glsl", "vec4(scaled(a.xyz, b.x), 1.0)", {}, columns);
+  ASSERT_EQ(values.size(), 2500U);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    ASSERT_EQ(values[i], glm::vec4(0.5F * glm::vec3(columns[0][i]), 1)) << i;  // halving is exact
+}
+
+TEST_P(OpenGl, a_probe_of_columns_of_different_length_is_an_error) {
+  const std::vector<std::vector<glm::vec4>> columns = {{glm::vec4(1)}, {}};
+  EXPECT_NE(error_of([&] { probe(shaders(), "step.glsl", "a", {}, columns); }), "");
 }
 
 /// The recorder, with a square that is drawn into a small target.

@@ -122,7 +122,7 @@ TEST_F(BadFile, config) {
   };
   expect("turn = 3\nbump_strength = = 2\n", kFailed, {"look.toml:2:17: "});
   expect("method = \"raw\nturn = 3\n", kFailed, {"look.toml:1:"});
-  expect("trun = 3\n", kUsage, {"'trun'", "did you mean 'turn'?"});
+  expect("turns = 3\n", kUsage, {"'turns'", "did you mean 'turn'?"});
   expect("turn = 400\n", kUsage, {"from -360 to 360 degrees"});
   expect("turn = \"a\"\n", kUsage, {"from -360 to 360 degrees"});
   expect("turn = [1, 2]\n", kUsage, {"--turn"});
@@ -154,12 +154,14 @@ TEST_F(BadFile, batch) {
   expect("[{\"name\": \"a\", \"size\": \"0x0\"}]", {"entry 1", "'0x0'"});
   expect("[{\"name\": \"a.pfm\"}]", {"entry 1", "--view"});
   expect("[{\"name\": \"a\"}, {\"name\": \"b\", \"set\": {\"tilt\": 90}}]", {"entry 2", "from -89 to 89 degrees"});
-  expect("[{\"name\": \"a\", \"set\": {\"titl\": 3}}]", {"entry 1", "did you mean 'tilt'?"});
+  expect("[{\"name\": \"a\", \"set\": {\"tlt\": 3}}]", {"entry 1", "did you mean 'tilt'?"});
   expect("[{\"name\": \"a\", \"set\": {\"tilt\": null}}]", {"entry 1", "null"});
   expect("[{\"name\": \"a\", \"set\": 3}]", {"list.json"});
   expect("", {"list.json"});
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
-  expect_refused(lab, "--out /dev/null/out --batch", "list.json", "[{\"name\": \"a\"}]", kFailed, {"/dev/null/out"});
+  const std::string list = (folder_ / "list.json").string();
+  write_file(list, "[{\"name\": \"a\"}]");
+  expect_path_refused(lab, "--out /dev/null/out --batch " + shell_word(list), "/dev/null/out", kFailed, {});
 }
 
 TEST_F(BadFile, obj) {
@@ -168,7 +170,7 @@ TEST_F(BadFile, obj) {
     for (const char* lab : {"lab03_obj_texcoords", "lab04_cube_wrap", "lab05_normal_map"})
       expect_refused(lab, "", "bad.obj", text, kFailed, parts);
   };
-  expect("", {"no faces"});
+  expect("", {"empty"});
   expect(std::string(4096, '\0') + "\x7f" + "ELF", {"bad.obj"});
   expect(corners + "f 1 2 0\n", {"bad.obj:4", "0"});
   expect(corners + "f 1 2 4\n", {"bad.obj:4", "4"});
@@ -177,12 +179,12 @@ TEST_F(BadFile, obj) {
   expect(corners + "f 1 2 99999999999999999999\n", {"bad.obj:4"});
   expect("v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", {"bad.obj:1"});
   expect("v 0 0 1e308\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", {"bad.obj:1"});
-  expect(corners, {"no faces"});
+  expect(corners, {"no face of three corners"});
   expect(corners + "f 1 2 x\n", {"bad.obj:4"});
   expect("v 0 0\n", {"bad.obj:1"});
-  // A face of one or two corners is left out: a file of nothing else has no faces.
-  expect(corners + "f 1\n", {"no faces"});
-  expect(corners + "f 1 2\n", {"no faces"});
+  // A face of one or two corners is left out.
+  expect(corners + "f 1\n", {"no face of three corners"});
+  expect(corners + "f 1 2\n", {"no face of three corners"});
   expect_path_refused("lab05_normal_map", "/nonexistent/none.obj", "/nonexistent/none.obj", kFailed, {});
   expect_path_refused("lab05_normal_map", "/tmp", "/tmp", kFailed, {"folder"});
 }
@@ -223,11 +225,11 @@ TEST_F(BadFile, cube_map) {
   for (int i = 0; i < 5; ++i) image::save_png(face(i), image::Image8(8, 8, 3));
   expect(face(5), {});
   image::save_png(face(5), image::Image8(16, 16, 3));
-  expect(face(5), {"16x16", "8x8"});
+  expect(map, {"-Z", "16x16", "8x8"});
   image::save_png(face(5), image::Image8(8, 4, 3));
-  expect(face(5), {"8x4"});
+  expect(map, {"-Z", "8x4"});
   for (int i = 0; i < 6; ++i) image::save_png(face(i), image::Image8(8, 4, 3));
-  expect(face(0), {"8x4", "square"});
+  expect(map, {"8x4", "square"});
 }
 
 TEST_F(BadFile, mesh_of_a_lab_that_has_none) {

@@ -21,6 +21,8 @@ class ShaderSource {
  public:
   /// Throws Error (exit 3) for a missing file, a missing #version or an include in a circle.
   ShaderSource(const std::filesystem::path& root, const std::filesystem::path& file);
+  /// The same for a text that is in no file; messages call it `name`.
+  ShaderSource(const std::filesystem::path& root, const std::string& name, const std::string& text);
 
   /// The text with `defines` behind its #version line.
   [[nodiscard]] std::string text(const std::vector<Define>& defines) const;
@@ -31,7 +33,9 @@ class ShaderSource {
   [[nodiscard]] std::string locate(std::string_view log) const;
 
  private:
-  void expand(const std::filesystem::path& file, std::vector<std::filesystem::path>& open);
+  void expand(const std::filesystem::path& file, const std::string& text,
+              std::vector<std::filesystem::path>& open);
+  void check_version() const;
   std::filesystem::path root_;
   std::vector<std::filesystem::path> files_;
   std::string version_, body_;

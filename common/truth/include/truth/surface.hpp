@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <functional>
+#include <glm/mat2x2.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "procedural/cube.hpp"
+
+namespace texel::truth {
+
+/// What a surface is at one texture coordinate. The derivatives are by the texture coordinate (s, t) and in
+/// closed form. The normal points out of the surface whichever way the texture runs, so cross(ds, dt) has the
+/// opposite sign where the texture is mirrored. The derivatives of the normal hold what the second
+/// derivatives of the position would tell: the curvature.
+struct SurfacePoint {
+  glm::dvec3 position;
+  glm::dvec3 ds, dt;                ///< derivatives of the position, world units per texture width
+  glm::dvec3 normal;                ///< unit length, outward
+  glm::dvec3 normal_ds, normal_dt;  ///< derivatives of the normal
+};
+
+/// A surface with texture coordinates. The ones below lie, point for point, where the shapes of
+/// mesh/primitives.hpp do.
+using Surface = std::function<SurfacePoint(glm::dvec2 texcoord)>;
+
+/// The square (-h, -h) to (h, h) in the plane z = 0, facing +z; (0, 0) at its lower left, (1, 1) at its upper
+/// right.
+Surface quad(double half_size = 0.7);
+
+/// One face of the cube from (-h, -h, -h) to (h, h, h): (0, 0) at its lower left seen from outside, upright;
+/// the lower edge of +y and the upper edge of -y are those at the front (+z).
+Surface cube_face(procedural::Face face, double half_size = 1);
+
+/// A sphere about the origin: s is the longitude / 2 pi, counter-clockwise seen from above, 0 at +z and 1/4
+/// at +x; t is the latitude / pi + 1/2. At the poles, ds is so short that it counts as zero, but its
+/// direction is the limit along the meridian of s.
+Surface sphere(double radius = 1);
+
+/// A torus about the y axis, minor < major: s as on the sphere, t the angle around the tube / 2 pi, 0 at the
+/// outer equator and 1/4 at the top.
+Surface torus(double major, double minor);
+
+/// The texture coordinate of a point on the sphere (of any radius, about the origin), s in [0, 1). The poles
+/// have any s; here s = 0.
+glm::dvec2 sphere_texcoord(glm::dvec3 position);
+
+/// The texture coordinate of a point on the torus with this major radius, s and t in [0, 1).
+glm::dvec2 torus_texcoord(glm::dvec3 position, double major);
+
+/// A change of parameterisation: texcoord = linear * parameter + offset, where `parameter` is the texture
+/// coordinate of one of the surfaces above.
+struct TexcoordMap {
+  glm::dmat2 linear{1};
+  glm::dvec2 offset{0};
+
+  [[nodiscard]] glm::dvec2 texcoord(glm::dvec2 parameter) const { return linear * parameter + offset; }
+  [[nodiscard]] glm::dvec2 parameter(glm::dvec2 texcoord) const;
+};
+
+/// The texture leans by `angle`: the lines of equal s turn by it where s and t of the surface are at right
+/// angles and of equal length. Positive angles lean the lines towards smaller s as t grows.
+TexcoordMap sheared(double angle);
+
+/// The texture repeats `ratio` times as often along s as along t.
+TexcoordMap stretched(double ratio);
+
+/// s runs the other way: 1 - s.
+TexcoordMap mirrored();
+
+/// The same surface with other texture coordinates; `map.linear` must be invertible.
+Surface reparameterised(Surface surface, const TexcoordMap& map);
+
+/// Where an object stands: world = linear * object + offset; `linear` is any invertible matrix, so turns,
+/// non-uniform scales and shears of the space.
+struct Placement {
+  glm::dmat3 linear{1};
+  glm::dvec3 offset{0};
+};
+
+/// The surface in world space. The normal goes by the inverse transpose, which keeps it perpendicular and
+/// outward.
+Surface placed(Surface surface, const Placement& world_from_object);
+
+/// The directions by which a normal map's texel (x, y, z) is read.
+struct Frame {
+  glm::dvec3 tangent, bitangent, normal;  ///< unit length
+  double handedness;                      ///< -1 where the texture is mirrored, else +1
+};
+
+/// T where s grows, B where t grows, both in the surface: the texture's own directions, at right angles only
+/// where the parameterisation is orthogonal.
+Frame parametric_frame(const SurfacePoint& point);
+
+/// The frame of MikkTSpace, which bakers share: T is ds without its part along the normal, at unit length,
+/// and B = handedness * cross(N, T), so at right angles always; under shear B is not where t grows. Source:
+/// M. S. Mikkelsen, "Simulation of Wrinkled Surfaces Revisited" (2008).
+Frame orthonormal_frame(const SurfacePoint& point);
+
+/// The same with a normal that is not the surface's own, such as the smooth one of a flat triangle.
+Frame orthonormal_frame(glm::dvec3 normal, glm::dvec3 ds, glm::dvec3 dt);
+
+}  // namespace texel::truth

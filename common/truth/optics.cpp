@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "truth/optics.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace texel::truth {
+
+using glm::dvec3;
+
+dvec3 reflected(dvec3 incident, dvec3 normal) {
+  return incident - 2 * glm::dot(normal, incident) * normal;
+}
+
+dvec3 reflected_derivative(dvec3 incident, dvec3 d_incident, dvec3 normal, dvec3 d_normal) {
+  const double change = glm::dot(d_incident, normal) + glm::dot(incident, d_normal);
+  return d_incident - 2 * (glm::dot(incident, normal) * d_normal + change * normal);
+}
+
+std::optional<dvec3> refracted(dvec3 incident, dvec3 normal, double n_from, double n_to) {
+  // The part of the ray along the boundary is scaled by the indices; the rest of the unit length goes on.
+  const double across = glm::dot(incident, normal);
+  const dvec3 along = (n_from / n_to) * (incident - across * normal);
+  const double rest = 1 - glm::dot(along, along);
+  if (rest < 0) return std::nullopt;
+  return along + std::copysign(std::sqrt(rest), across) * normal;
+}
+
+double fresnel(double cosine, double n_from, double n_to) {
+  const double cos_a = std::abs(cosine);
+  const double sin_b_squared = (1 - cos_a * cos_a) * (n_from / n_to) * (n_from / n_to);
+  if (sin_b_squared >= 1) return 1;
+  const double cos_b = std::sqrt(1 - sin_b_squared);
+  const double across = (n_from * cos_a - n_to * cos_b) / (n_from * cos_a + n_to * cos_b);
+  const double within = (n_to * cos_a - n_from * cos_b) / (n_to * cos_a + n_from * cos_b);
+  return 0.5 * (across * across + within * within);
+}
+
+double critical_angle(double n_from, double n_to) {
+  return std::asin(n_to / n_from);
+}
+
+std::optional<MirrorPoint> mirror_point(const PixelRay& pixel, const Placement& world_from_object,
+                                        double radius) {
+  const auto hit = hit_sphere(object_ray(pixel.ray, world_from_object), radius);
+  if (!hit) return std::nullopt;
+  MirrorPoint mirror;
+  mirror.texcoord = hit->texcoord;
+  mirror.surface = placed(sphere(radius), world_from_object)(hit->texcoord);
+  mirror.incident = pixel.ray.direction;
+  mirror.reflected = reflected(mirror.incident, mirror.surface.normal);
+  const TexcoordGradient texcoord = texcoord_gradient(pixel, mirror.surface);
+  const auto change = [&](dvec3 d_incident, glm::dvec2 d_texcoord) {
+    const dvec3 d_normal = mirror.surface.normal_ds * d_texcoord.s + mirror.surface.normal_dt * d_texcoord.t;
+    return reflected_derivative(mirror.incident, d_incident, mirror.surface.normal, d_normal);
+  };
+  mirror.reflected_change = {change(pixel.dx, texcoord.dx), change(pixel.dy, texcoord.dy)};
+  return mirror;
+}
+
+}  // namespace texel::truth

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "truth/surface.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+#include <utility>
+
+#include "truth/basis.hpp"
+
+namespace texel::truth {
+
+using glm::dvec2;
+using glm::dvec3;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double tau = 2 * pi;
+
+/// The square about `centre` whose sides are 2 right and 2 up long.
+Surface square(dvec3 centre, dvec3 right, dvec3 up) {
+  const dvec3 normal = glm::normalize(glm::cross(right, up));
+  return [=](dvec2 texcoord) {
+    const dvec2 xy = 2.0 * texcoord - 1.0;
+    return SurfacePoint{.position = centre + xy.x * right + xy.y * up,
+                        .ds = 2.0 * right,
+                        .dt = 2.0 * up,
+                        .normal = normal,
+                        .normal_ds = dvec3(0),
+                        .normal_dt = dvec3(0)};
+  };
+}
+
+/// An angle as a fraction of a turn in [0, 1).
+double turns(double angle) {
+  const double fraction = angle / tau;
+  const double wrapped = fraction - std::floor(fraction);
+  return wrapped < 1 ? wrapped : 0;  // just below 0, the sum rounds to 1
+}
+
+}  // namespace
+
+Surface quad(double half_size) {
+  return square(dvec3(0), dvec3(half_size, 0, 0), dvec3(0, half_size, 0));
+}
+
+Surface cube_face(procedural::Face face, double half_size) {
+  const dvec3 out = procedural::direction(face, 0.5, 0.5);
+  const dvec3 up = out.y == 0 ? dvec3(0, 1, 0) : dvec3(0, 0, -out.y);
+  return square(half_size * out, half_size * glm::cross(up, out), half_size * up);
+}
+
+Surface sphere(double radius) {
+  return [radius](dvec2 texcoord) {
+    const double longitude = tau * texcoord.s, latitude = pi * (texcoord.t - 0.5);
+    const dvec3 outward(std::sin(longitude), 0, std::cos(longitude));
+    const dvec3 east(std::cos(longitude), 0, -std::sin(longitude));
+    const dvec3 north = std::cos(latitude) * dvec3(0, 1, 0) - std::sin(latitude) * outward;
+    SurfacePoint point;
+    point.normal = std::cos(latitude) * outward + std::sin(latitude) * dvec3(0, 1, 0);
+    point.normal_ds = tau * std::cos(latitude) * east;
+    point.normal_dt = pi * north;
+    point.position = radius * point.normal;
+    point.ds = radius * point.normal_ds;
+    point.dt = radius * point.normal_dt;
+    return point;
+  };
+}
+
+Surface torus(double major, double minor) {
+  return [major, minor](dvec2 texcoord) {
+    const double a = tau * texcoord.s, b = tau * texcoord.t;
+    const dvec3 outward(std::sin(a), 0, std::cos(a));
+    const dvec3 east(std::cos(a), 0, -std::sin(a));
+    SurfacePoint point;
+    point.normal = std::cos(b) * outward + std::sin(b) * dvec3(0, 1, 0);
+    point.normal_ds = tau * std::cos(b) * east;
+    point.normal_dt = tau * (std::cos(b) * dvec3(0, 1, 0) - std::sin(b) * outward);
+    point.position = major * outward + minor * point.normal;
+    point.ds = tau * major * east + minor * point.normal_ds;
+    point.dt = minor * point.normal_dt;
+    return point;
+  };
+}
+
+dvec2 sphere_texcoord(dvec3 p) {
+  return {turns(std::atan2(p.x, p.z)), std::atan2(p.y, std::hypot(p.x, p.z)) / pi + 0.5};
+}
+
+dvec2 torus_texcoord(dvec3 p, double major) {
+  return {turns(std::atan2(p.x, p.z)), turns(std::atan2(p.y, std::hypot(p.x, p.z) - major))};
+}
+
+dvec2 TexcoordMap::parameter(dvec2 texcoord) const {
+  return glm::inverse(linear) * (texcoord - offset);
+}
+
+TexcoordMap sheared(double angle) {
+  return {.linear = {dvec2(1, 0), dvec2(std::tan(angle), 1)}};
+}
+
+TexcoordMap stretched(double ratio) {
+  return {.linear = {dvec2(ratio, 0), dvec2(0, 1)}};
+}
+
+TexcoordMap mirrored() {
+  return {.linear = {dvec2(-1, 0), dvec2(0, 1)}, .offset = {1, 0}};
+}
+
+Surface reparameterised(Surface surface, const TexcoordMap& map) {
+  return [surface = std::move(surface), map](dvec2 texcoord) {
+    const SurfacePoint own = surface(map.parameter(texcoord));
+    const glm::dmat2 change = glm::inverse(map.linear);  // columns: how the parameters go with s and with t
+    SurfacePoint point = own;
+    point.ds = own.ds * change[0].x + own.dt * change[0].y;
+    point.dt = own.ds * change[1].x + own.dt * change[1].y;
+    point.normal_ds = own.normal_ds * change[0].x + own.normal_dt * change[0].y;
+    point.normal_dt = own.normal_ds * change[1].x + own.normal_dt * change[1].y;
+    return point;
+  };
+}
+
+Surface placed(Surface surface, const Placement& world_from_object) {
+  const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(world_from_object.linear));
+  return [surface = std::move(surface), world_from_object, normal_matrix](dvec2 texcoord) {
+    const SurfacePoint own = surface(texcoord);
+    const dvec3 normal = normal_matrix * own.normal;
+    const glm::dmat3& linear = world_from_object.linear;
+    return SurfacePoint{.position = linear * own.position + world_from_object.offset,
+                        .ds = linear * own.ds,
+                        .dt = linear * own.dt,
+                        .normal = glm::normalize(normal),
+                        .normal_ds = normalized_derivative(normal, normal_matrix * own.normal_ds),
+                        .normal_dt = normalized_derivative(normal, normal_matrix * own.normal_dt)};
+  };
+}
+
+Frame parametric_frame(const SurfacePoint& point) {
+  return {.tangent = glm::normalize(point.ds),
+          .bitangent = glm::normalize(point.dt),
+          .normal = point.normal,
+          .handedness = handedness(point.ds, point.dt, point.normal)};
+}
+
+Frame orthonormal_frame(const SurfacePoint& point) {
+  return orthonormal_frame(point.normal, point.ds, point.dt);
+}
+
+Frame orthonormal_frame(dvec3 normal, dvec3 ds, dvec3 dt) {
+  const dvec3 tangent = glm::normalize(ds - normal * glm::dot(normal, ds));
+  const double side = handedness(ds, dt, normal);
+  return {tangent, side * glm::cross(normal, tangent), normal, side};
+}
+
+}  // namespace texel::truth

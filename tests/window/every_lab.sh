@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: MIT
+# Each lab opens, shows a picture, and closes.
+source "$(dirname "${BASH_SOURCE[0]}")/window.bash"
+export TEXEL_ROOT=$source_root
+
+labs=("$source_root"/labs/*/lab.cpp)
+check 'there are nine labs' test ${#labs[@]} -eq 9
+shows_colours() { look "$work/now" $picture && has_colours "$work/now" 3000; }
+for lab in "${labs[@]}"; do
+  program=lab$(basename "$(dirname "$lab")")
+  check "$program opens" open_lab "$program"
+  check "$program shows a picture" eventually shows_colours
+  check "$program quits with exit code 0" quits_with 0
+  check "$program leaves standard error empty" test ! -s "$work/errors"
+done

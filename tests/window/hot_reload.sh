@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: MIT
+# A student's edits while the window is open: an error stands over the last good picture, and goes when it is mended.
+source "$(dirname "${BASH_SOURCE[0]}")/window.bash"
+
+export TEXEL_ROOT=$work/root
+mkdir -p "$TEXEL_ROOT/assets"
+cp -r "$source_root/shaders" "$TEXEL_ROOT"
+cp -r "$source_root/assets/textures" "$TEXEL_ROOT/assets"
+shader=$TEXEL_ROOT/shaders/01_texture_quad/texture_quad.frag
+included=$TEXEL_ROOT/shaders/01_texture_quad/sample_color.glsl
+brick=$TEXEL_ROOT/assets/textures/brick.png
+
+check 'the window opens' open_lab lab01_texture_quad
+check 'the picture comes to rest' settle "$work/first"
+# Messages stand at the top: below, the picture must stay as it was.
+lower=620x480+340+240
+look "$work/lower" $lower
+
+# The message is light red on a dark plate: no pixel of a brick wall is.
+shows_red() {
+  look "$work/now" $picture || return
+  local count
+  count=$(convert "$work/now" -fuzz 4% -fill black +opaque 'rgb(255,115,102)' -fill white -opaque 'rgb(255,115,102)' \
+    -format '%[fx:mean*w*h]' info:)
+  ((${count%.*} > 100))
+}
+# breaks NAME FILE command…: the command edits FILE, which is mended afterwards.
+breaks() {
+  local name=$1 file=$2 start
+  cp -p "$file" "$work/good"
+  start=$(date +%s%N)
+  "${@:3}"
+  check "$name: the message stands in red" eventually shows_red
+  printf '      after %d ms\n' $((($(date +%s%N) - start) / 1000000))
+  check "$name: the last good picture stays below it" shows "$work/lower" $lower
+  check "$name: the program runs on" kill -0 "$pid"
+  # A new file takes the place of the old, as editors save.
+  cp "$work/good" "$file.new" && mv "$file.new" "$file"
+  check "$name: mended, the picture is back" returned_to "$work/first"
+}
+append() { printf '%s\n' "$2" >>"$1"; }
+
+breaks 'a syntax error' "$shader" append "$shader" 'void broken( {'
+breaks 'a type error' "$shader" append "$shader" 'vec3 broken() { return vec2(1.0); }'
+breaks 'an error in an included file' "$included" append "$included" 'float broken() { return nothing; }'
+breaks 'an included file that is missing' "$included" rm "$included"
+breaks 'a picture that is cut off' "$brick" truncate -s 2000 "$brick"
+breaks 'a picture that is missing' "$brick" rm "$brick"
+
+cp "$brick" "$work/good.png"
+cp "$TEXEL_ROOT/assets/textures/wood.png" "$brick"
+check 'another picture in the file is shown' changed_from "$work/lower" $lower
+cp "$work/good.png" "$brick"
+check 'and the first again' returned_to "$work/first"
+
+sed -i 's/sample_color(color_map, fragment_texcoord).rgb/sample_color(color_map, fragment_texcoord).bgr/' "$shader"
+check 'an edited shader is shown' changed_from "$work/lower" $lower
+
+check 'Esc quits with exit code 0' quits_with 0
+check 'nothing stands on standard error' test ! -s "$work/errors"

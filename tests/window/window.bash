@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: MIT
+# What the scripts beside this file share: open a lab, send it keys, look at its window, and count what was checked.
+# Each script runs under an X server of its own, without a window manager, as `bash NAME.sh BIN_DIR`.
+set -uo pipefail
+
+bin=$(readlink -f "${1:?the folder of the programs}")
+source_root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
+work=$(mktemp -d)
+passed=0 failed=0 pid='' window=''
+export MESA_SHADER_CACHE_DISABLE=true
+
+end() {
+  [[ -z $pid ]] || kill "$pid" 2>/dev/null
+  rm -rf "$work"
+  printf '%d passed, %d failed\n' "$passed" "$failed"
+  ((failed == 0 && passed > 0)) || exit 1
+}
+trap end EXIT
+
+# check "what must hold" command…
+check() {
+  if "${@:2}"; then
+    printf 'ok    %s\n' "$1"
+    passed=$((passed + 1))
+  else
+    printf 'FAIL  %s\n' "$1"
+    failed=$((failed + 1))
+  fi
+}
+
+# Tries a command again and again for at most 15 seconds: a slow machine waits longer, a quick one does not.
+eventually() {
+  local i
+  for ((i = 0; i < 300; ++i)); do
+    "$@" && return
+    sleep 0.05
+  done
+  return 1
+}
+
+# open_lab PROGRAM arguments…: starts it in $work and waits for its window.
+open_lab() {
+  # Not by a subshell: $! must be the program itself, whose exit code is waited for.
+  pushd "$work" >/dev/null || exit 1
+  "$bin/$1" "${@:2}" >"$work/output" 2>"$work/errors" &
+  pid=$!
+  popd >/dev/null || exit 1
+  window=
+  eventually find_window
+}
+find_window() {
+  window=$(xdotool search --onlyvisible --pid "$pid" 2>/dev/null | head -n 1)
+  [[ -n $window ]]
+}
+
+press() { xdotool key --window "$window" "$1"; }
+
+# The exit code of the program after Esc; what it wrote to standard error is in $work/errors.
+quits_with() {
+  press Escape
+  eventually eval "! kill -0 $pid 2>/dev/null"
+  wait "$pid"
+  local code=$?
+  pid=
+  ((code == $1))
+}
+
+# look FILE [GEOMETRY]: what the window shows, or a part of it such as 620x720+340+0, as a PPM.
+look() { import -silent -window "$window" ${2:+-crop "$2" +repage} "ppm:$1" 2>/dev/null; }
+# The part that no panel covers, at the window's first size of 960x720.
+picture=620x720+340+0
+
+shows() { look "$work/now" "${2:-$picture}" && cmp -s "$work/now" "$1"; }
+shows_other() { look "$work/now" "${2:-$picture}" && ! cmp -s "$work/now" "$1"; }
+# changed_from FILE [GEOMETRY], returned_to FILE [GEOMETRY]: in the end the window shows something else, or this again.
+changed_from() { eventually shows_other "$@"; }
+returned_to() { eventually shows "$@"; }
+
+# settle FILE [GEOMETRY]: keeps what the window shows once it has not changed for a while.
+settled() {
+  look "$work/earlier" "${2:-$picture}" && sleep 0.4 && look "$1" "${2:-$picture}" && cmp -s "$work/earlier" "$1"
+}
+settle() { eventually settled "$@"; }
+
+colours() { identify -format %k "$1"; }
+has_colours() { (($(colours "$1") > $2)); }
