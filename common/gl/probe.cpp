@@ -20,7 +20,7 @@ Texture make_column(const std::vector<glm::vec4>& values, int height) {
   std::vector<glm::vec4> padded = values;
   padded.resize(static_cast<std::size_t>(kWidth) * static_cast<std::size_t>(height), glm::vec4(0));
   Texture texture;
-  glBindTexture(GL_TEXTURE_2D, texture.id());
+  const ScopedBinding binding(GL_TEXTURE_2D, texture);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, kWidth, height, 0, GL_RGBA, GL_FLOAT, padded.data());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "gl/texture.hpp"
 
 namespace texel::gl {
 
@@ -21,7 +22,7 @@ Target::Target(Kind kind, int width, int height, int samples) : kind_(kind), wid
   samples_ = std::clamp(samples, 1, most);
   const GLenum format = kind == Kind::colour ? GL_SRGB8_ALPHA8 : GL_RGBA32F;
 
-  glBindTexture(GL_TEXTURE_2D, texture_.id());
+  const ScopedBinding binding(GL_TEXTURE_2D, texture_);
   glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0, GL_RGBA,
                kind == Kind::colour ? GL_UNSIGNED_BYTE : GL_FLOAT, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);

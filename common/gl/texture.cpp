@@ -55,28 +55,21 @@ void set_sampling(GLenum target, const Sampling& sampling) {
   }
 }
 
+ScopedBinding::ScopedBinding(GLenum target, const Texture& texture) : target_(target) {
+  glGetIntegerv(target == GL_TEXTURE_2D ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_CUBE_MAP, &before_);
+  glBindTexture(target, texture.id());
+}
+
+ScopedBinding::~ScopedBinding() {
+  glBindTexture(target_, static_cast<GLuint>(before_));
+}
+
 namespace {
 
 /// A colour picture in a format that the GPU decodes from sRGB.
 image::Image8 uploadable(const image::Image8& image, image::Encoding encoding) {
   return encoding == image::Encoding::srgb ? expand_grey(image) : image;
 }
-
-/// Binds a texture to the active unit for the length of a scope, so that making one disturbs no unit.
-class ScopedBinding {
- public:
-  ScopedBinding(GLenum target, const Texture& texture) : target_(target) {
-    glGetIntegerv(target == GL_TEXTURE_2D ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_CUBE_MAP, &before_);
-    glBindTexture(target, texture.id());
-  }
-  ~ScopedBinding() { glBindTexture(target_, static_cast<GLuint>(before_)); }
-  ScopedBinding(const ScopedBinding&) = delete;
-  ScopedBinding& operator=(const ScopedBinding&) = delete;
-
- private:
-  GLenum target_;
-  GLint before_ = 0;
-};
 
 bool needs_mipmaps(const Sampling& sampling) {
   return sampling.minify != GL_NEAREST && sampling.minify != GL_LINEAR;

@@ -14,9 +14,18 @@ in vec3 object_coordinate;
 in vec3 object_normal;
 
 // The picture seen straight along each axis, the right way round from both sides.
-vec2 along_x() { return vec2(object_normal.x > 0.0 ? -object_coordinate.z : object_coordinate.z, object_coordinate.y) + 0.5; }
-vec2 along_y() { return vec2(object_coordinate.x, object_normal.y > 0.0 ? -object_coordinate.z : object_coordinate.z) + 0.5; }
-vec2 along_z() { return vec2(object_normal.z < 0.0 ? -object_coordinate.x : object_coordinate.x, object_coordinate.y) + 0.5; }
+vec2 along_x() {
+  float across = object_normal.x > 0.0 ? -object_coordinate.z : object_coordinate.z;
+  return vec2(across, object_coordinate.y) + 0.5;
+}
+vec2 along_y() {
+  float up = object_normal.y > 0.0 ? -object_coordinate.z : object_coordinate.z;
+  return vec2(object_coordinate.x, up) + 0.5;
+}
+vec2 along_z() {
+  float across = object_normal.z < 0.0 ? -object_coordinate.x : object_coordinate.x;
+  return vec2(across, object_coordinate.y) + 0.5;
+}
 
 // How much each axis counts: the more the surface faces it. The power keeps the blend to where two are nearly even.
 vec3 axis_weights() {

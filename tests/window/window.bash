@@ -46,10 +46,14 @@ open_lab() {
   pid=$!
   popd >/dev/null || exit 1
   window=
-  eventually find_window
+  eventually find_window || {
+    printf 'FAIL  no window: %s\n' "$(cat "$work/errors")"
+    failed=$((failed + 1))
+    exit 1
+  }
 }
 find_window() {
-  window=$(xdotool search --onlyvisible --pid "$pid" 2>/dev/null | head -n 1)
+  window=$(xdotool search --onlyvisible --name '^Texel Labs' 2>/dev/null | head -n 1)
   [[ -n $window ]]
 }
 

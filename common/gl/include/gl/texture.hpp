@@ -27,6 +27,20 @@ Format format_of(int channels, image::Encoding encoding);
 /// OpenGL has sRGB formats for RGB and RGBA only: grey colour pictures become RGB, grey and alpha RGBA.
 image::Image8 expand_grey(const image::Image8& image);
 
+/// Binds a texture to the active unit for the length of a scope, so that making one disturbs no unit: a
+/// texture that is bound while it is made would else take the place of the one that the next draw call reads.
+class ScopedBinding {
+ public:
+  ScopedBinding(GLenum target, const Texture& texture);
+  ~ScopedBinding();
+  ScopedBinding(const ScopedBinding&) = delete;
+  ScopedBinding& operator=(const ScopedBinding&) = delete;
+
+ private:
+  GLenum target_;
+  GLint before_ = 0;
+};
+
 /// Uploads one level of the bound texture; rows are tightly packed, whatever their length.
 void upload_level(GLenum target, int level, const image::Image8& image, image::Encoding encoding);
 

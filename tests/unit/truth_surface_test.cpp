@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "truth/surface.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "procedural/noise.hpp"
+#include "truth/basis.hpp"
+
+namespace texel::truth {
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+constexpr double pi = std::numbers::pi;
+
+dvec2 texcoord(int i) {
+  return {procedural::random(i, 0, 5), procedural::random(i, 1, 5)};
+}
+
+struct Named {
+  std::string name;
+  Surface surface;
+};
+
+std::vector<Named> surfaces() {
+  const Placement skewed{{dvec3(2, 0.3, 0), dvec3(-0.4, 0.5, 0.1), dvec3(0.2, 0, 1.5)}, {3, -2, 1}};
+  const Placement mirror{{dvec3(-1, 0, 0), dvec3(0, 4, 0), dvec3(0, 0, 1)}, {0, 0, 0}};
+  std::vector<Named> all{{"quad", quad(0.7)},
+                         {"sphere", sphere(1.5)},
+                         {"torus", torus(1, 0.4)},
+                         {"sheared torus", reparameterised(torus(1, 0.4), sheared(pi / 4))},
+                         {"stretched torus", reparameterised(torus(1, 0.4), stretched(4))},
+                         {"mirrored sphere", reparameterised(sphere(), mirrored())},
+                         {"skewed sphere", placed(sphere(), skewed)},
+                         {"mirrored, stretched torus", placed(torus(1, 0.4), mirror)},
+                         {"both", placed(reparameterised(torus(1, 0.4), sheared(-0.6)), skewed)}};
+  for (const procedural::Face face : procedural::faces)
+    all.push_back({std::string("cube ") + procedural::file_name(face), cube_face(face, 0.5)});
+  return all;
+}
+
+/// The largest error of a derivative against central differences, as a fraction of the derivative's size.
+double worst_difference(const Surface& surface, const std::function<dvec3(const SurfacePoint&)>& value,
+                        const std::function<dvec3(const SurfacePoint&)>& by_s,
+                        const std::function<dvec3(const SurfacePoint&)>& by_t) {
+  constexpr double step = 1e-5;
+  double worst = 0;
+  for (int i = 0; i < 500; ++i) {
+    const dvec2 st = texcoord(i);
+    const SurfacePoint point = surface(st);
+    const auto difference = [&](dvec2 d) { return (value(surface(st + d)) - value(surface(st - d))) / (2 * step); };
+    const double size = std::max({glm::length(point.ds), glm::length(point.dt), 1.0});
+    worst = std::max({worst, glm::distance(by_s(point), difference({step, 0})) / size,
+                      glm::distance(by_t(point), difference({0, step})) / size});
+  }
+  return worst;
+}
+
+TEST(TruthSurface, derivatives_of_the_position_are_what_differences_show) {
+  for (const Named& named : surfaces()) {
+    // Measured: 6.6e-10 (2 pi cubed times the step squared, over 6), 3e-10 elsewhere.
+    EXPECT_LT(worst_difference(
+                  named.surface, [](const SurfacePoint& p) { return p.position; },
+                  [](const SurfacePoint& p) { return p.ds; }, [](const SurfacePoint& p) { return p.dt; }),
+              3e-9)
+        << named.name;
+  }
+}
+
+TEST(TruthSurface, derivatives_of_the_normal_are_what_differences_show) {
+  for (const Named& named : surfaces()) {
+    EXPECT_LT(worst_difference(
+                  named.surface, [](const SurfacePoint& p) { return p.normal; },
+                  [](const SurfacePoint& p) { return p.normal_ds; },
+                  [](const SurfacePoint& p) { return p.normal_dt; }),
+              3e-8)
+        << named.name;
+  }
+}
+
+TEST(TruthSurface, normal_is_unit_and_perpendicular_to_the_surface_and_to_its_own_change) {
+  for (const Named& named : surfaces())
+    for (int i = 0; i < 500; ++i) {
+      const SurfacePoint p = named.surface(texcoord(i));
+      // A few roundings of 1.1e-16 of the lengths involved.
+      EXPECT_NEAR(glm::length(p.normal), 1, 1e-15) << named.name;
+      EXPECT_LT(std::abs(glm::dot(p.normal, p.ds)), 4e-15 * glm::length(p.ds) + 4e-15) << named.name;
+      EXPECT_LT(std::abs(glm::dot(p.normal, p.dt)), 4e-15 * glm::length(p.dt) + 4e-15) << named.name;
+      EXPECT_LT(std::abs(glm::dot(p.normal, p.normal_ds)), 1e-13) << named.name;
+      EXPECT_LT(std::abs(glm::dot(p.normal, p.normal_dt)), 1e-13) << named.name;
+    }
+}
+
+TEST(TruthSurface, normal_points_outward_however_the_texture_or_the_object_is_mirrored) {
+  const Placement mirror{{dvec3(-1, 0, 0), dvec3(0, 4, 0), dvec3(0, 0, 1)}};
+  for (const Surface& ball : {sphere(), reparameterised(sphere(), mirrored()), placed(sphere(), mirror)})
+    for (int i = 0; i < 100; ++i) {
+      const SurfacePoint p = ball(texcoord(i));
+      EXPECT_GT(glm::dot(p.normal, p.position), 0.2);  // at least 1/4 of the ellipsoid's longest axis
+    }
+  for (const procedural::Face face : procedural::faces) {
+    const SurfacePoint p = cube_face(face, 0.5)({0.3, 0.6});
+    EXPECT_EQ(glm::dot(p.normal, p.position), 0.5);
+    EXPECT_EQ(p.normal, procedural::direction(face, 0.5, 0.5));
+  }
+  EXPECT_EQ(quad()({0.3, 0.6}).normal, dvec3(0, 0, 1));
+}
+
+TEST(TruthSurface, corners_and_quarters_lie_where_the_shapes_are_documented) {
+  // Sines and cosines of whole quarters are off by a rounding of pi.
+  const auto expect_at = [](const Surface& surface, dvec2 st, dvec3 expected) {
+    EXPECT_LT(glm::distance(surface(st).position, expected), 1e-15);
+  };
+  expect_at(quad(0.7), {0, 0}, {-0.7, -0.7, 0});
+  expect_at(quad(0.7), {1, 1}, {0.7, 0.7, 0});
+  expect_at(sphere(), {0, 0.5}, {0, 0, 1});
+  expect_at(sphere(), {0.25, 0.5}, {1, 0, 0});
+  expect_at(sphere(), {0.7, 1}, {0, 1, 0});
+  expect_at(sphere(), {0.7, 0}, {0, -1, 0});
+  expect_at(torus(1, 0.25), {0, 0}, {0, 0, 1.25});
+  expect_at(torus(1, 0.25), {0.25, 0.25}, {1, 0.25, 0});
+  expect_at(torus(1, 0.25), {0.25, 0.5}, {0.75, 0, 0});
+  using procedural::Face;
+  expect_at(cube_face(Face::positive_z), {0, 0}, {-1, -1, 1});
+  expect_at(cube_face(Face::negative_z), {0, 0}, {1, -1, -1});
+  expect_at(cube_face(Face::positive_x), {0, 0}, {1, -1, 1});
+  expect_at(cube_face(Face::negative_x), {0, 0}, {-1, -1, -1});
+  expect_at(cube_face(Face::positive_y), {0, 0}, {-1, 1, 1});
+  expect_at(cube_face(Face::negative_y), {0, 0}, {-1, -1, -1});
+  expect_at(cube_face(Face::positive_y), {1, 1}, {1, 1, -1});
+  expect_at(cube_face(Face::negative_y), {1, 1}, {1, -1, 1});
+}
+
+TEST(TruthSurface, texture_coordinate_of_a_point_is_the_one_it_was_made_from) {
+  for (int i = 0; i < 5000; ++i) {
+    const dvec2 st = texcoord(i);
+    // Rounding of the position, 1e-16, over the circle's 2 pi and, for s, over the cosine of the latitude.
+    const dvec2 on_sphere = sphere_texcoord(sphere(3)(st).position);
+    EXPECT_NEAR(on_sphere.s, st.s, 1e-15 / std::sin(pi * st.t));
+    EXPECT_NEAR(on_sphere.t, st.t, 1e-15);
+    const dvec2 on_torus = torus_texcoord(torus(2, 0.5)(st).position, 2);
+    EXPECT_NEAR(on_torus.s, st.s, 1e-15);
+    EXPECT_NEAR(on_torus.t, st.t, 1e-15);
+  }
+  EXPECT_EQ(sphere_texcoord({0, 2, 0}), dvec2(0, 1));
+  EXPECT_EQ(sphere_texcoord({0, -2, 0}), dvec2(0, 0));
+  EXPECT_EQ(sphere_texcoord({0, 0, -1}).s, 0.5);
+  EXPECT_LT(sphere_texcoord({-1e-300, 0, 1}).s, 1.0) << "just below the seam";
+}
+
+TEST(TruthSurface, frame_at_a_pole_is_the_limit_along_the_meridian) {
+  for (const double pole : {0.0, 1.0})
+    for (const double s : {0.0, 0.1, 0.6}) {
+      const dvec3 east(std::cos(2 * pi * s), 0, -std::sin(2 * pi * s));
+      const SurfacePoint at_pole = sphere()({s, pole});
+      EXPECT_LT(glm::length(at_pole.ds), 1e-15);  // the cosine of pi / 2 rounds to 6e-17
+      const Frame frame = orthonormal_frame(at_pole);
+      EXPECT_LT(angle(frame.tangent, east), 1e-15);
+      EXPECT_EQ(frame.handedness, 1.0);
+    }
+}
+
+TEST(TruthSurface, frames_agree_on_the_tangent_and_differ_in_the_bitangent_under_shear) {
+  const double lean = pi / 6;
+  const SurfacePoint straight = quad()({0.5, 0.5});
+  const SurfacePoint leaning = reparameterised(quad(), sheared(lean))({0.5, 0.5});
+  const Frame own = parametric_frame(leaning), right = orthonormal_frame(leaning);
+  EXPECT_EQ(own.tangent, right.tangent);
+  EXPECT_NEAR(angle(own.bitangent, right.bitangent), lean, 1e-15);  // a rounding of the tangent of the angle
+  EXPECT_EQ(right.bitangent, dvec3(0, 1, 0));
+  EXPECT_LT(own.bitangent.x, 0.0) << "a positive angle leans towards smaller s";
+  EXPECT_EQ(orthonormal_frame(straight).bitangent, parametric_frame(straight).bitangent);
+}
+
+TEST(TruthSurface, frames_are_orthonormal_and_their_sign_is_that_of_the_texture) {
+  for (const Named& named : surfaces())
+    for (int i = 0; i < 200; ++i) {
+      const SurfacePoint p = named.surface(texcoord(i));
+      const Frame frame = orthonormal_frame(p);
+      EXPECT_LT(orthonormality({frame.tangent, frame.bitangent, frame.normal}), 1e-14) << named.name;
+      const bool is_mirrored = named.name.find("mirrored") != std::string::npos;
+      EXPECT_EQ(frame.handedness, is_mirrored ? -1.0 : 1.0) << named.name;
+      EXPECT_GT(glm::dot(frame.bitangent, p.dt), 0.0) << named.name;
+      EXPECT_EQ(parametric_frame(p).handedness, frame.handedness) << named.name;
+    }
+}
+
+TEST(TruthSurface, change_of_parameters_moves_no_point_and_goes_back) {
+  for (const TexcoordMap& map : {sheared(0.7), stretched(4), mirrored()})
+    for (int i = 0; i < 100; ++i) {
+      const dvec2 st = texcoord(i);
+      // One rounding of the 2x2 inverse, over the texture of 4 widths.
+      EXPECT_LT(glm::distance(map.parameter(map.texcoord(st)), st), 5e-16);
+      const dvec3 here = torus(1, 0.4)(st).position;
+      EXPECT_LT(glm::distance(reparameterised(torus(1, 0.4), map)(map.texcoord(st)).position, here), 5e-15);
+    }
+  EXPECT_EQ(stretched(4).texcoord({0.5, 0.5}), dvec2(2, 0.5));
+  EXPECT_EQ(mirrored().texcoord({0.25, 0.5}), dvec2(0.75, 0.5));
+}
+
+TEST(TruthSurface, size_and_distance_change_no_angle) {
+  for (const double size : {1e-6, 1e6}) {
+    const Surface big = placed(torus(1, 0.4), {glm::dmat3(size), dvec3(1e6)});
+    for (int i = 0; i < 100; ++i) {
+      const dvec2 st = texcoord(i);
+      const Frame a = orthonormal_frame(torus(1, 0.4)(st)), b = orthonormal_frame(big(st));
+      EXPECT_LT(angle(a.tangent, b.tangent), 1e-15);  // the derivatives never see the offset
+      EXPECT_LT(angle(a.normal, b.normal), 1e-15);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace texel::truth
