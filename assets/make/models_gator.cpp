@@ -395,9 +395,9 @@ std::string Gator::obj() {
 
 std::string gator_materials() {
   return material_text("The alligator's materials. Colours are sRGB. CC0 1.0.",
-                       {{"skin", "0.36 0.44 0.25", "scales.png"},
+                       {{"skin", "1 1 1", "scales.png"},
                         {"mouth", "0.78 0.48 0.42", ""},
-                        {"scutes", "0.27 0.34 0.20", "scales.png"},
+                        {"scutes", "0.75 0.8 0.7", "scales.png"},
                         {"teeth", "0.95 0.92 0.80", ""},
                         {"claws", "0.22 0.20 0.16", ""},
                         {"eyes", "0.90 0.72 0.18", ""},

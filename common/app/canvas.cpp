@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "canvas.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "core/error.hpp"
@@ -71,6 +73,12 @@ void Canvas::draw_into(const gl::Target& target, View view, const std::optional<
 }
 
 void Canvas::draw(View view, glm::ivec2 size, int samples, const std::optional<Split>& split) {
+  error_.reset();
+  figures_.reset();
+  if (view == View::error) {
+    draw_error(size);
+    return;
+  }
   draw_scene(view, size, samples, split);
   finish(view, size);
 }
@@ -79,10 +87,13 @@ gl::Record Canvas::record(View view, glm::ivec2 size, int samples) {
   gl::Record record;
   {
     gl::Recorder recorder;  // of the lab's own draw calls
-    draw_scene(view, size, samples, {});
+    draw_scene(view == View::error ? View::color : view, size, samples, {});
     record = recorder.take();
   }
-  finish(view, size);
+  if (view == View::error)
+    draw(view, size, samples);
+  else
+    finish(view, size);
   return record;
 }
 
@@ -113,6 +124,41 @@ void Canvas::present(View view) {
   glDisable(GL_FRAMEBUFFER_SRGB);  // the colours of present.frag are encoded already
   glBindVertexArray(no_attributes_.id());
   glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+image::ImageF Canvas::measured_picture(const Measure& measure, glm::ivec2 size) {
+  const gl::Target& data = fit(data_, gl::Target::Kind::data, size, 1);
+  if (measure.unit != Unit::steps) {
+    draw_into(data, measure.view, {});
+    return data.read_float();
+  }
+  // Colours are compared as one sees them: in steps of the encoded picture, inside the object's mask.
+  draw_into(data, View::mask, {});
+  image::ImageF picture = data.read_float();
+  const gl::Target& colour = fit(colour_, gl::Target::Kind::colour, size, 1);
+  draw_into(colour, measure.view, {});
+  const image::Image8 shown = colour.read8();
+  for (std::size_t i = 0; i < shown.samples.size(); ++i)
+    if (i % 4 != 3) picture.samples[i] = shown.samples[i];
+  return picture;
+}
+
+void Canvas::draw_error(glm::ivec2 size) {
+  const Measure* measure = lab_.measure();
+  if (measure == nullptr) throw Error::usage("this lab has no view 'error'");
+  const std::string key = fmt::format("{} {}x{}", lab_.parameters().key(), size.x, size.y);
+  if (key != truth_key_) {
+    truth_ = lab_.truth(assets_, size);
+    truth_key_ = key;
+  }
+  if (truth_.samples.empty())
+    throw Error::failed("there is no exact answer to compare with for these parameters", {},
+                        "choose a built-in model that has a formula");
+  error_ = error_picture(measured_picture(*measure, size), truth_, measure->unit);
+  figures_ = figures_of(*error_);
+  const double scale = error_scale_ > 0 ? error_scale_ : round_up(figures_->p99);
+  fit(colour_, gl::Target::Kind::colour, size, 1).write8(error_map(*error_, scale, measure->unit));
+  std::swap(picture_, colour_);
 }
 
 void Canvas::copy_to_window(glm::ivec2 origin, glm::ivec2 size) const {

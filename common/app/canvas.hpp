@@ -39,7 +39,12 @@ class Canvas {
   /// The picture as 8-bit sRGB, RGBA. A data view is shown in colours (shaders/app/present.frag).
   [[nodiscard]] image::Image8 read8() const { return picture_->read8(); }
   /// The values of a data view: RGBA, alpha 1 where the scene is and 0 where the background is.
-  [[nodiscard]] image::ImageF read_float() const { return data_->read_float(); }
+  [[nodiscard]] image::ImageF read_float() const { return error_ ? *error_ : data_->read_float(); }
+  /// Of the last picture, when it was the view `error`.
+  [[nodiscard]] const std::optional<ErrorFigures>& error_figures() const { return figures_; }
+  /// The error at which the heat map ends; 0 takes the 99th percentile, rounded up to 1, 2 or 5 times a power
+  /// of ten.
+  void set_error_scale(double scale) { error_scale_ = scale; }
   /// The value of a data view at one pixel, counted from the bottom left.
   [[nodiscard]] glm::vec4 value_at(View view, glm::ivec2 size, glm::ivec2 pixel);
   /// Copies the 8-bit picture into the window's framebuffer, stretched to `size` pixels; does nothing before
@@ -55,6 +60,8 @@ class Canvas {
   void draw_scene(View view, glm::ivec2 size, int samples, const std::optional<Split>& split);
   void finish(View view, glm::ivec2 size);
   void present(View view);
+  void draw_error(glm::ivec2 size);
+  [[nodiscard]] image::ImageF measured_picture(const Measure& measure, glm::ivec2 size);
   static gl::Target& fit(std::unique_ptr<gl::Target>& target, gl::Target::Kind kind, glm::ivec2 size,
                          int samples);
 
@@ -66,6 +73,12 @@ class Canvas {
   std::unique_ptr<gl::Target> colour_;   ///< the one being drawn
   std::unique_ptr<gl::Target> data_;
   gl::VertexArray no_attributes_;
+
+  double error_scale_ = 0;
+  std::optional<image::ImageF> error_;  ///< when the last picture was the view `error`
+  std::optional<ErrorFigures> figures_;
+  std::string truth_key_;  ///< of which look truth_ is
+  Truth truth_;
 };
 
 }  // namespace texel::app

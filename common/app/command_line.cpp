@@ -95,6 +95,11 @@ std::optional<CommandLine> read_command_line(AnyLab& lab, int argc, char** argv)
   app.add_option("--out", line.out, "Folder for the pictures of --batch");
   app.add_option("--stats", line.stats,
                  "Write as JSON what the scene holds and what each stage took (- prints it)");
+  app.add_option("--measure", line.measure,
+                 "Write as JSON how far the picture is off the exact answer (- prints it)");
+  app.add_option("--error-scale", line.error_scale,
+                 "Where the view error's colours end [the 99th percentile]")
+      ->check(CLI::PositiveNumber);
   app.add_option("--mesh", line.mesh, "Write the vertex stream as drawn, as a binary .ply");
   app.add_option("--frames", line.frames, "Draw so many frames and print the quantiles of their time")
       ->check(CLI::Range(1, 1000000));

@@ -13,8 +13,9 @@ namespace texel::app {
 struct CommandLine {
   std::optional<glm::ivec2> size;
   std::string view = "color";
-  std::filesystem::path snapshot, batch, out, stats, mesh, save_config, assets;
+  std::filesystem::path snapshot, batch, out, stats, measure, mesh, save_config, assets;
   std::string context = "auto";
+  double error_scale = 0;
   int samples = 4;
   int frames = 0;
   bool list_parameters = false, list_views = false, json = false;

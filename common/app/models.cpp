@@ -18,16 +18,16 @@ Model load_model(const Assets& assets, const std::string& name) {
 
   mesh::ObjData data = mesh::load_obj(assets.model(name));
   Model model;
-  model.notes = data.report.warnings;
+  model.notes.warnings = data.report.warnings;
   if (data.normals.empty()) {
     mesh::generate_missing_normals(data, mesh::Weighting::angle);
-    model.notes.emplace_back("the file has no normals: smooth ones are generated");
+    model.notes.facts.emplace_back("the file has no normals: smooth ones are generated");
   }
   model.mesh = mesh::weld(std::move(data));
   mesh::normalize_to_unit(model.mesh);
   if (model.mesh.texcoords.empty()) {
     mesh::generate_texcoords(model.mesh, mesh::Projection::box);
-    model.notes.emplace_back("the file has no texture coordinates: a box projection is generated");
+    model.notes.facts.emplace_back("the file has no texture coordinates: a box projection is generated");
   }
   return model;
 }

@@ -130,6 +130,16 @@ void view_section(AnyLab& lab, WindowState& state) {
     if (ImGui::RadioButton(kViewNames[static_cast<std::size_t>(view)], state.view == view)) state.view = view;
   }
 
+  if (state.figures) {
+    const ErrorFigures& f = *state.figures;
+    ImGui::PushTextWrapPos(0);
+    ImGui::Text("mean %.3g, P99 %.3g, most %.3g %s over %lld pixels", f.mean, f.p99, f.max,
+                name_of(lab.measure()->unit), f.pixels);
+    ImGui::TextColored(f.non_finite == 0 ? kGrey : kRed, "%lld not finite; compared with the %s",
+                       f.non_finite, lab.measure()->truth);
+    ImGui::PopTextWrapPos();
+  }
+
   // Compare: another value of one choice or toggle right of a line.
   const auto comparable = [](const params::Parameter& p) {
     return p.type == Type::choice || p.type == Type::toggle || p.type == Type::file;
@@ -183,11 +193,13 @@ void statistics_section(const WindowState& state) {
     ImGui::TextColored(kGrey, "  %s  %s", use.name.c_str(), bytes_text(use.bytes).c_str());
   for (const auto& use : record.textures)
     ImGui::TextColored(kGrey, "  %s  %dx%d %s", use.name.c_str(), use.width, use.height, use.format.c_str());
-  for (const std::string& note : state.notes) {
+  const auto lines = [](const std::vector<std::string>& texts, const ImVec4& colour) {
     ImGui::PushTextWrapPos(0);
-    ImGui::TextColored(kAmber, "%s", note.c_str());
+    for (const std::string& text : texts) ImGui::TextColored(colour, "%s", text.c_str());
     ImGui::PopTextWrapPos();
-  }
+  };
+  lines(state.notes.warnings, kAmber);
+  lines(state.notes.facts, kGrey);
 }
 
 void pixel_section(const WindowState& state) {

@@ -16,11 +16,12 @@ struct WindowState {
   bool panel_visible = true;
   float panel_width = 0;  ///< window units, 0 while hidden; the picture has the rest
 
-  gl::Record record;               ///< of the last frame that was inspected
-  std::vector<std::string> notes;  ///< of the lab
+  gl::Record record;  ///< of the last frame that was inspected
+  Notes notes;        ///< of the lab
   double frame_milliseconds = 0;
-  std::string error;    ///< over the last good picture, until it is mended
-  std::string message;  ///< what the last action did
+  std::optional<ErrorFigures> figures;  ///< while the view `error` is shown
+  std::string error;                    ///< over the last good picture, until it is mended
+  std::string message;                  ///< what the last action did
 
   /// The pixel that was clicked, from the bottom left, and the value of each data view there.
   struct Inspected {

@@ -52,10 +52,28 @@ std::string to_json(const Statistics& statistics) {
   json["milliseconds"] = Json::object();
   for (const auto& [stage, time] : statistics.milliseconds) json["milliseconds"][stage] = time;
   json["peak_bytes"] = peak_resident_bytes();
-  json["warnings"] = statistics.notes;
+  json["notes"] = statistics.notes.facts;
+  json["warnings"] = statistics.notes.warnings;
   for (const std::string& warning : record.warnings) json["warnings"].push_back(warning);
   json["renderer"] = statistics.renderer;
   json["version"] = statistics.version;
+  return dump(json);
+}
+
+std::string to_json(AnyLab& lab, const ErrorFigures& figures) {
+  const Measure& measure = *lab.measure();
+  Json json;
+  json["lab"] = lab.info().folder();
+  json["parameters"] = lab.parameters().key();
+  json["view"] = kViewNames[static_cast<std::size_t>(measure.view)];
+  json["truth"] = measure.truth;
+  json["unit"] = name_of(measure.unit);
+  json["mean"] = figures.mean;
+  json["rms"] = figures.rms;
+  json["p99"] = figures.p99;
+  json["max"] = figures.max;
+  json["pixels"] = figures.pixels;
+  json["non_finite"] = figures.non_finite;
   return dump(json);
 }
 

@@ -13,11 +13,15 @@ namespace texel::app {
 struct Statistics {
   std::string lab, renderer, version;
   gl::Record record;
-  std::vector<std::string> notes;                            ///< of the lab: repairs, missing files
+  Notes notes;                                               ///< of the lab: repairs, missing files
   std::vector<std::pair<std::string, double>> milliseconds;  ///< by stage
 };
 
 std::string to_json(const Statistics& statistics);
+
+/// What --measure prints: {"lab", "parameters", "view", "truth", "unit", "mean", "rms", "p99", "max",
+/// "pixels", "non_finite"}.
+std::string to_json(AnyLab& lab, const ErrorFigures& figures);
 
 /// --list-parameters, for people and for programs.
 std::string parameters_as_text(const params::Set& parameters);

@@ -27,6 +27,14 @@ void print(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
+/// To standard output for "-".
+void write_report(const std::filesystem::path& file, const std::string& json) {
+  if (file == "-")
+    print(json);
+  else
+    write_file(file, json);
+}
+
 std::unique_ptr<gl::Context> headless_context(const CommandLine& line) {
   if (line.context == "osmesa") return gl::create_headless(gl::ContextKind::osmesa);
   if (line.context == "egl") return gl::create_headless(gl::ContextKind::egl);
@@ -68,8 +76,13 @@ void run_headless(AnyLab& lab, const Assets& assets, const CommandLine& line) {
   const std::unique_ptr<gl::Context> context = headless_context(line);
   const double context_time = start.milliseconds();
   Canvas canvas(*context, assets, lab);
+  canvas.set_error_scale(line.error_scale);
   if (!line.mesh.empty()) write_mesh(lab, assets, line.mesh);
   if (!line.batch.empty()) draw_batch(canvas, lab, line.batch, line.out, line.samples);
+  if (!line.measure.empty()) {
+    canvas.draw(View::error, size, 1);
+    write_report(line.measure, to_json(lab, *canvas.error_figures()));
+  }
   if (line.frames > 0) time_frames(canvas, view, size, line.samples, line.frames);
   if (line.snapshot.empty() && line.stats.empty()) return;
 
@@ -90,10 +103,7 @@ void run_headless(AnyLab& lab, const Assets& assets, const CommandLine& line) {
       {"context", context_time},         {"decode", decode_time},
       {"compile", compile_time},         {"draw", std::max(0.0, draw_time - decode_time - compile_time)},
       {"write", writing.milliseconds()}, {"total", start.milliseconds()}};
-  if (line.stats == "-")
-    print(to_json(statistics));
-  else
-    write_file(line.stats, to_json(statistics));
+  write_report(line.stats, to_json(statistics));
 }
 
 void run_as_asked(AnyLab& lab, const CommandLine& line) {
@@ -109,7 +119,7 @@ void run_as_asked(AnyLab& lab, const CommandLine& line) {
   if (!line.save_config.empty()) save_config(line.save_config, lab.info(), lab.parameters());
   const Assets assets(line.assets);
   const bool headless = !line.snapshot.empty() || !line.batch.empty() || !line.stats.empty() ||
-                        !line.mesh.empty() || line.frames > 0;
+                        !line.mesh.empty() || !line.measure.empty() || line.frames > 0;
   if (headless)
     run_headless(lab, assets, line);
   else if (line.context == "osmesa" || line.context == "egl")

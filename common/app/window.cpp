@@ -199,6 +199,7 @@ class Window {
       inspected_once_ = true;
       state_.frame_milliseconds = stopwatch.milliseconds();
       state_.notes = lab_.notes();
+      state_.figures = canvas_.error_figures();
       state_.error.clear();
       inspect();
     } catch (const Error& error) {
@@ -213,7 +214,7 @@ class Window {
     state_.inspected->values.clear();
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= picture_pixels().x || pixel.y >= picture_pixels().y) return;
     for (const View view : lab_.info().views)
-      if (view != View::color && view != View::mask)
+      if (view != View::color && view != View::mask && view != View::error)
         state_.inspected->values.emplace_back(view, canvas_.value_at(view, picture_pixels(), pixel));
   }
 

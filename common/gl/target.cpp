@@ -79,6 +79,12 @@ image::ImageF Target::read_float() const {
   return image;
 }
 
+void Target::write8(const image::Image8& image) const {
+  const ScopedBinding binding(GL_TEXTURE_2D, texture_);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.samples.data());
+}
+
 image::ImageF Target::read_pixel(int x, int y) const {
   image::ImageF pixel(1, 1, 4);
   bind_for_reading();

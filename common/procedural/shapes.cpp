@@ -86,6 +86,8 @@ std::string_view strokes(char c) {
       return "0110304145361605041343";
     case '+':
       return "0343 2125";
+    case '.':
+      return "2021";
     case '-':
       return "0343";
     case 's':

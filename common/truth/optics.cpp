@@ -8,29 +8,40 @@ namespace texel::truth {
 
 using glm::dvec3;
 
+namespace {
+
+/// The squared cosine behind the boundary, 1 - eta^2 (1 - cosine^2) by Snell's law; negative on total
+/// internal reflection. In this form it is a sum of positive terms into a denser medium, exact at grazing
+/// incidence too.
+double cosine_squared_behind(double cosine, double eta) {
+  return (1 - eta) * (1 + eta) + eta * eta * cosine * cosine;
+}
+
+}  // namespace
+
 dvec3 reflected(dvec3 incident, dvec3 normal) {
   return incident - 2 * glm::dot(normal, incident) * normal;
 }
 
 dvec3 reflected_derivative(dvec3 incident, dvec3 d_incident, dvec3 normal, dvec3 d_normal) {
   const double change = glm::dot(d_incident, normal) + glm::dot(incident, d_normal);
-  return d_incident - 2 * (glm::dot(incident, normal) * d_normal + change * normal);
+  return d_incident - 2.0 * (glm::dot(incident, normal) * d_normal + change * normal);
 }
 
 std::optional<dvec3> refracted(dvec3 incident, dvec3 normal, double n_from, double n_to) {
   // The part of the ray along the boundary is scaled by the indices; the rest of the unit length goes on.
   const double across = glm::dot(incident, normal);
-  const dvec3 along = (n_from / n_to) * (incident - across * normal);
-  const double rest = 1 - glm::dot(along, along);
+  const double rest = cosine_squared_behind(across, n_from / n_to);
   if (rest < 0) return std::nullopt;
+  const dvec3 along = (n_from / n_to) * (incident - across * normal);
   return along + std::copysign(std::sqrt(rest), across) * normal;
 }
 
 double fresnel(double cosine, double n_from, double n_to) {
   const double cos_a = std::abs(cosine);
-  const double sin_b_squared = (1 - cos_a * cos_a) * (n_from / n_to) * (n_from / n_to);
-  if (sin_b_squared >= 1) return 1;
-  const double cos_b = std::sqrt(1 - sin_b_squared);
+  const double cos_b_squared = cosine_squared_behind(cos_a, n_from / n_to);
+  if (cos_b_squared <= 0) return 1;
+  const double cos_b = std::sqrt(cos_b_squared);
   const double across = (n_from * cos_a - n_to * cos_b) / (n_from * cos_a + n_to * cos_b);
   const double within = (n_to * cos_a - n_from * cos_b) / (n_to * cos_a + n_from * cos_b);
   return 0.5 * (across * across + within * within);

@@ -85,17 +85,17 @@ struct MultiTexture {
     square_.draw(program);
   }
 
-  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  [[nodiscard]] const app::Notes& notes() const { return notes_; }
 
  private:
   /// The unit that the parameter names, or the highest that there is.
   int second_unit(const Parameters& p) {
     GLint count = 0;  // over all stages; each stage may read 16 or more of them
     glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &count);
-    notes_.clear();
+    notes_ = {};
     if (p.second_unit >= count)
-      notes_.push_back(fmt::format("this driver's highest texture unit is {}: it is taken in place of {}",
-                                   count - 1, p.second_unit));
+      notes_.warnings.push_back(fmt::format(
+          "this driver's highest texture unit is {}: it is taken in place of {}", count - 1, p.second_unit));
     return std::min(p.second_unit, count - 1);
   }
 
@@ -144,7 +144,7 @@ struct MultiTexture {
   const app::Assets& assets_;
   app::Cache<TextureKey, gl::Texture> textures_;
   gl::MeshBuffers square_{mesh::quad(0.7F)};
-  std::vector<std::string> notes_;
+  app::Notes notes_;
 };
 
 int main(int argc, char** argv) {

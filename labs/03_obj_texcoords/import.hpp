@@ -23,7 +23,7 @@ struct Imported {
   std::shared_ptr<const mesh::Mesh> mesh;  ///< centred, its farthest vertex at distance 1
   std::vector<mesh::Group> parts;          ///< at least one
   std::vector<mesh::Material> materials;   ///< color_map: a path, or "" where there is no such file
-  std::vector<std::string> notes;          ///< repairs, missing files, what was generated
+  app::Notes notes;
 };
 
 /// Says on stderr what the import is doing, once it has taken half a second.
@@ -56,8 +56,8 @@ inline void resolve_pictures(Imported& imported, const std::filesystem::path& fi
     const std::filesystem::path picture = std::filesystem::absolute(file.parent_path() / material.color_map);
     const bool exists = std::filesystem::exists(picture);
     if (!exists)
-      imported.notes.push_back(fmt::format("material '{}' names a picture that is not there: {}",
-                                           material.name, picture.string()));
+      imported.notes.warnings.push_back(fmt::format("material '{}' names a picture that is not there: {}",
+                                                    material.name, picture.string()));
     material.color_map = exists ? picture.string() : "";
   }
 }
@@ -82,14 +82,14 @@ inline Imported import_obj(const std::filesystem::path& file, Projection project
   const auto say_part = [&](double part) { progress.say(fmt::format("reading, {:.0f} %", 100 * part)); };
   mesh::ObjData data = mesh::load_obj(file, {.progress = say_part});
   Imported imported;
-  imported.notes = data.report.warnings;
+  imported.notes.warnings = data.report.warnings;
   imported.materials = data.materials;
   resolve_pictures(imported, file);
   if (tint == Tint::groups) data.material_runs = data.group_runs;  // parts by g and o
 
   if (normals != Normals::from_file) mesh::remove_normals(data);
   if (data.normals.empty() && normals == Normals::from_file)
-    imported.notes.emplace_back("the file has no normals: smooth ones are generated");
+    imported.notes.facts.emplace_back("the file has no normals: smooth ones are generated");
   progress.say("normals");
   if (data.normals.empty() && normals != Normals::flat)
     mesh::generate_missing_normals(
@@ -104,9 +104,9 @@ inline Imported import_obj(const std::filesystem::path& file, Projection project
     mesh.texcoords.clear();  // the shader makes its own from the position
   } else if (projection != Projection::from_file || mesh.texcoords.empty()) {
     if (projection == Projection::from_file)
-      imported.notes.emplace_back("the file has no texture coordinates: a box projection is generated");
+      imported.notes.facts.emplace_back("the file has no texture coordinates: a box projection is generated");
     mesh::generate_texcoords(mesh, mesh_projection(projection));
-    for (std::string& line : mesh::describe_stretch(mesh)) imported.notes.push_back(std::move(line));
+    for (std::string& line : mesh::describe_stretch(mesh)) imported.notes.facts.push_back(std::move(line));
   }
   imported.parts = mesh.groups;
   if (imported.parts.empty())

@@ -50,7 +50,7 @@ struct ObjTexcoords {
     Model& model = model_for(p);
     return p.method == Method::per_vertex ? colored(p, model).mesh() : model.buffers.mesh();
   }
-  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  [[nodiscard]] const app::Notes& notes() const { return notes_; }
 
  private:
   struct ModelKey {
@@ -150,7 +150,7 @@ struct ObjTexcoords {
   app::Cache<ModelKey, Model> models_;
   app::Cache<ColorKey, gl::MeshBuffers> colored_;
   app::Cache<TextureKey, gl::Texture> textures_;
-  std::vector<std::string> notes_;
+  app::Notes notes_;
 };
 
 int main(int argc, char** argv) {

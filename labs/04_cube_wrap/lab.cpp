@@ -108,7 +108,7 @@ struct CubeWrap {
 
   /// The vertex stream as drawn.
   const mesh::Mesh& mesh(const Parameters& p) { return drawn(p).buffers.mesh(); }
-  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  [[nodiscard]] const app::Notes& notes() const { return notes_; }
 
  private:
   struct Key {
@@ -119,7 +119,7 @@ struct CubeWrap {
   };
   struct Drawn {
     gl::MeshBuffers buffers;
-    std::vector<std::string> notes;
+    app::Notes notes;
   };
 
   Drawn& drawn(const Parameters& p) {
@@ -127,7 +127,7 @@ struct CubeWrap {
       app::Model model = wrap(p);
       if (p.normals == Normals::shared) mesh::smooth_normals(model.mesh, mesh::Weighting::angle);
       if (p.normals == Normals::face) mesh::flat_normals(model.mesh);
-      for (std::string& figure : figures(model.mesh)) model.notes.push_back(std::move(figure));
+      for (std::string& figure : figures(model.mesh)) model.notes.facts.push_back(std::move(figure));
       return Drawn{gl::MeshBuffers(std::move(model.mesh)), std::move(model.notes)};
     });
     notes_ = result.notes;
@@ -149,7 +149,7 @@ struct CubeWrap {
   const app::Assets& assets_;
   app::Cache<Key, Drawn> meshes_;
   app::Cache<std::string, gl::Texture> textures_;
-  std::vector<std::string> notes_;
+  app::Notes notes_;
 };
 
 int main(int argc, char** argv) {

@@ -55,7 +55,7 @@ struct NormalMap {
 
   /// The vertex stream as drawn.
   const mesh::Mesh& mesh(const Parameters& p) { return buffers_for(p).mesh(); }
-  [[nodiscard]] std::vector<std::string> notes() const { return notes_; }
+  [[nodiscard]] const app::Notes& notes() const { return notes_; }
 
  private:
   /// The model with the tangents of the method, which only some of them keep in the vertices.
@@ -91,7 +91,7 @@ struct NormalMap {
         break;
       case Method::analytic:
         if (model.is_revolution) return mesh::revolution_tangents(model.mesh);
-        model.notes.emplace_back("this model has no analytic tangents: mikktspace instead");
+        model.notes.facts.emplace_back("this model has no analytic tangents: mikktspace instead");
     }
     mesh::compute_tangents(model.mesh, mesh::TangentMethod::mikktspace);
   }
@@ -127,7 +127,7 @@ struct NormalMap {
   const app::Assets& assets_;
   app::Cache<MeshKey, gl::MeshBuffers> meshes_;
   app::Cache<std::string, gl::Texture> textures_;
-  std::vector<std::string> notes_;
+  app::Notes notes_;
 };
 
 int main(int argc, char** argv) {

@@ -102,7 +102,8 @@ TEST_P(Drawing, shows_finite_values_in_every_view) {
       for (int x = 0; x < values.width; ++x) {
         const double a = values.at(x, y, 0), b = values.at(x, y, 1), c = values.at(x, y, 2);
         not_finite += !std::isfinite(a + b + c);
-        if (mask.at(x, y) == 0) not_background += a != 0 || b != 0 || c != 0;
+        // Lab 7 is about what surrounds the objects: its views show that too.
+        if (mask.at(x, y) == 0 && lab() != "lab07_environment") not_background += a != 0 || b != 0 || c != 0;
         // normalize() in float32: measured 2e-7 off.
         else if (holds_unit_vectors(shot.view)) not_unit += !(std::abs(std::hypot(a, b, c) - 1) < 1e-6);
       }

@@ -42,8 +42,7 @@ TEST(TruthBasis, handedness_changes_with_every_swap_and_turn) {
 TEST(TruthBasis, derivative_of_a_unit_vector_is_what_differences_show) {
   const dvec3 v(0.3, -2, 1.1), dv(0.7, 0.2, -0.4);
   const double step = 1e-5;
-  const dvec3 difference =
-      (glm::normalize(v + step * dv) - glm::normalize(v - step * dv)) / (2 * step);
+  const dvec3 difference = (glm::normalize(v + step * dv) - glm::normalize(v - step * dv)) / (2 * step);
   // The step squared times the third derivative, and 1e-16 / 1e-5 of rounding.
   EXPECT_LT(glm::distance(normalized_derivative(v, dv), difference), 5e-11);
 }

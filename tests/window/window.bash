@@ -31,9 +31,9 @@ check() {
 # Tries a command again and again for at most 15 seconds: a slow machine waits longer, a quick one does not.
 eventually() {
   local i
-  for ((i = 0; i < 300; ++i)); do
+  for ((i = 0; i < 150; ++i)); do
     "$@" && return
-    sleep 0.05
+    sleep 0.1
   done
   return 1
 }
@@ -80,9 +80,10 @@ shows_other() { look "$work/now" "${2:-$picture}" && ! cmp -s "$work/now" "$1"; 
 changed_from() { eventually shows_other "$@"; }
 returned_to() { eventually shows "$@"; }
 
-# settle FILE [GEOMETRY]: keeps what the window shows once it has not changed for a while.
+# settle FILE [GEOMETRY]: keeps what the window shows once it is a picture and has not changed for a while.
 settled() {
-  look "$work/earlier" "${2:-$picture}" && sleep 0.4 && look "$1" "${2:-$picture}" && cmp -s "$work/earlier" "$1"
+  look "$work/earlier" "${2:-$picture}" && has_colours "$work/earlier" 100 && sleep 0.4 &&
+    look "$1" "${2:-$picture}" && cmp -s "$work/earlier" "$1"
 }
 settle() { eventually settled "$@"; }
 

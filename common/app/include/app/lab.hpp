@@ -13,6 +13,8 @@
 
 #include "app/assets.hpp"
 #include "app/camera.hpp"
+#include "app/measure.hpp"
+#include "app/notes.hpp"
 #include "gl/mesh_buffers.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
@@ -26,6 +28,14 @@
 ///       app::Assets& assets); void draw(const Parameters& parameters, app::Frame& frame);
 ///     };
 ///     int main(int argc, char** argv) { return app::run<TextureQuad>(argc, argv); }
+///
+/// A lab that knows the right answer has the view `error` and besides:
+///
+///       static constexpr app::Measure measure{app::View::normal, app::Unit::degrees, "height field"};
+///       app::Truth truth(const Parameters& parameters, glm::ivec2 size) const;
+///
+/// Labs that take any OBJ file have `const mesh::Mesh& mesh(const Parameters&)`; those with something to say
+/// of it `const app::Notes& notes() const`.
 namespace texel::app {
 
 /// The pictures that a lab can draw: the colours, or one of the quantities on the way to them.
@@ -88,8 +98,12 @@ class AnyLab {
   virtual void draw(Frame& frame) = 0;
   /// The vertex stream as drawn, for --mesh; null when the lab has none.
   virtual const mesh::Mesh* mesh(const Assets& assets) = 0;
-  /// What the lab has to say of its input (repairs, missing files), for --stats and the panel.
-  virtual std::vector<std::string> notes() const = 0;
+  /// What its error view measures; null when it knows no truth.
+  [[nodiscard]] virtual const Measure* measure() const = 0;
+  /// The right answer for the present parameters, of `size` pixels; empty where there is none.
+  virtual Truth truth(const Assets& assets, glm::ivec2 size) = 0;
+  /// What the lab has to say of its input, for --stats and the panel.
+  [[nodiscard]] virtual Notes notes() const = 0;
 };
 
 template <class Lab>
@@ -108,9 +122,21 @@ class LabOf final : public AnyLab {
     else
       return nullptr;
   }
-  std::vector<std::string> notes() const override {
+  [[nodiscard]] const Measure* measure() const override {
+    if constexpr (requires { Lab::measure; })
+      return &Lab::measure;
+    else
+      return nullptr;
+  }
+  Truth truth(const Assets& assets, glm::ivec2 size) override {
+    if constexpr (requires { Lab::measure; })
+      return lab(assets).truth(parameters_, size);
+    else
+      return {};
+  }
+  [[nodiscard]] Notes notes() const override {
     if constexpr (requires(const Lab& l) {
-                    { l.notes() } -> std::convertible_to<std::vector<std::string>>;
+                    { l.notes() } -> std::convertible_to<Notes>;
                   })
       if (lab_) return lab_->notes();
     return {};

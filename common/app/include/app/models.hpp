@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/assets.hpp"
+#include "app/notes.hpp"
 #include "mesh/mesh.hpp"
 #include "params/set.hpp"
 
@@ -20,8 +21,8 @@ inline constexpr params::Item kModels[] = {{"cube", "Six faces, each with its ow
 /// A mesh that is ready to be drawn, and what was mended on the way.
 struct Model {
   mesh::Mesh mesh;
-  std::vector<std::string> notes;  ///< repairs, missing files, generated attributes
-  bool is_revolution = false;      ///< sphere or torus: mesh::revolution_tangents are exact
+  Notes notes;
+  bool is_revolution = false;  ///< sphere or torus: mesh::revolution_tangents are exact
 };
 
 /// A built-in model or an OBJ file, centred, its farthest vertex at distance 1. Normals (smooth, by angle)

@@ -29,7 +29,7 @@ class Error : public std::runtime_error {
   [[nodiscard]] const Place& place() const { return place_; }
 
  private:
-  Error(Exit exit, const std::string& message, Place place);
+  Error(Exit exit, const std::string& text, Place place);
   Exit exit_;
   Place place_;
 };

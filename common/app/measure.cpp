@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "app/measure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <limits>
+
+#include "core/error.hpp"
+#include "image/colour.hpp"
+#include "procedural/shapes.hpp"
+
+namespace texel::app {
+namespace {
+
+glm::dvec3 value_at(const image::ImageF& picture, int x, int y) {
+  return {picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2)};
+}
+
+double difference(const glm::dvec3& a, const glm::dvec3& b, Unit unit) {
+  switch (unit) {
+    case Unit::degrees:
+      return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+    case Unit::texels:
+      return glm::length(glm::dvec2(a) - glm::dvec2(b));
+    case Unit::steps: {
+      const glm::dvec3 d = glm::abs(a - b);
+      return std::max({d.x, d.y, d.z});
+    }
+    case Unit::levels:
+      return std::abs(a.x - b.x);
+  }
+  return 0;
+}
+
+using Colour = std::array<std::uint8_t, 3>;
+constexpr Colour kBackground = {52, 56, 64}, kNotFinite = {255, 0, 255}, kWriting = {255, 255, 255};
+
+Colour heat_colour(double t) {
+  const std::array<float, 3> heat = image::heat(static_cast<float>(t));
+  Colour colour;
+  for (std::size_t c = 0; c < 3; ++c) colour[c] = image::to_encoding8(heat[c], image::Encoding::linear);
+  return colour;
+}
+
+void put(image::Image8& picture, int x, int y, const Colour& colour) {
+  for (int c = 0; c < 3; ++c) picture.at(x, y, c) = colour[static_cast<std::size_t>(c)];
+  picture.at(x, y, 3) = 255;
+}
+
+/// Writes a line of text, `height` pixels high, its lower left corner at (left, bottom).
+void write(image::Image8& picture, const std::string& text, double left, double bottom, double height) {
+  const double unit = height / 6;  // a capital is 6 units high and 4 wide
+  const double half_stroke = 0.5;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      const double distance =
+          procedural::distance_to_text(text, (x + 0.5 - left) / unit, (y + 0.5 - bottom) / unit);
+      if (distance < half_stroke) put(picture, x, y, kWriting);
+    }
+}
+
+}  // namespace
+
+const char* name_of(Unit unit) {
+  switch (unit) {
+    case Unit::degrees:
+      return "degrees";
+    case Unit::texels:
+      return "texels";
+    case Unit::steps:
+      return "8-bit steps";
+    case Unit::levels:
+      return "levels";
+  }
+  return "";
+}
+
+image::ImageF error_picture(const image::ImageF& picture, const Truth& truth, Unit unit) {
+  if (picture.width != truth.width || picture.height != truth.height)
+    throw Error::failed("the picture and the truth differ in size");
+  image::ImageF error(picture.width, picture.height, 4);
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      // A NaN in alpha counts as drawn.
+      if (picture.at(x, y, 3) == 0 || truth.at(x, y, 3) == 0) continue;
+      const glm::dvec3 value = value_at(picture, x, y);
+      const bool finite = std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z);
+      error.at(x, y, 0) = finite ? static_cast<float>(difference(value, value_at(truth, x, y), unit))
+                                 : std::numeric_limits<float>::quiet_NaN();
+      error.at(x, y, 3) = 1;
+    }
+  return error;
+}
+
+ErrorFigures figures_of(const image::ImageF& error) {
+  ErrorFigures figures;
+  std::vector<double> values;
+  for (int y = 0; y < error.height; ++y)
+    for (int x = 0; x < error.width; ++x) {
+      if (error.at(x, y, 3) == 0) continue;
+      ++figures.pixels;
+      const auto value = static_cast<double>(error.at(x, y, 0));
+      if (std::isfinite(value))
+        values.push_back(value);
+      else
+        ++figures.non_finite;
+    }
+  if (values.empty()) return figures;
+  double sum = 0, squares = 0;
+  for (const double value : values) {
+    sum += value;
+    squares += value * value;
+  }
+  const auto count = static_cast<double>(values.size());
+  figures.mean = sum / count;
+  figures.rms = std::sqrt(squares / count);
+  const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.99 * count)) - 1;
+  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  figures.p99 = values[static_cast<std::size_t>(rank)];
+  figures.max = *std::max_element(values.begin() + rank, values.end());
+  return figures;
+}
+
+double round_up(double value) {
+  if (!(value > 0)) return 1;
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (factor * power >= value) return factor * power;
+  return 10 * power;
+}
+
+image::Image8 error_map(const image::ImageF& error, double scale, Unit unit) {
+  image::Image8 map(error.width, error.height, 4);
+  for (int y = 0; y < error.height; ++y)
+    for (int x = 0; x < error.width; ++x) {
+      const auto value = static_cast<double>(error.at(x, y, 0));
+      if (error.at(x, y, 3) == 0)
+        put(map, x, y, kBackground);
+      else
+        put(map, x, y, std::isfinite(value) ? heat_colour(value / scale) : kNotFinite);
+    }
+  // The bar lies at the lower edge; small pictures have no room for it.
+  const int margin = error.width / 32, bar_height = error.height / 40, text_height = error.height / 36;
+  if (margin < 6) return map;
+  const int left = margin, right = error.width - margin;
+  for (int x = left; x < right; ++x)
+    for (int y = margin; y < margin + bar_height; ++y)
+      put(map, x, y, heat_colour((x + 0.5 - left) / (right - left)));
+  const double line = margin + bar_height + margin / 3.0;
+  std::string end = fmt::format("{:g} {}", scale, name_of(unit));  // the font has capitals
+  std::transform(end.begin(), end.end(), end.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  write(map, "0", left, line, text_height);
+  write(map, end, right - procedural::text_width(end) / 6 * text_height, line, text_height);
+  return map;
+}
+
+}  // namespace texel::app
