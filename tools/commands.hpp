@@ -31,7 +31,7 @@ Exit compare(const CompareOptions& options);
 struct GalleryOptions {
   std::filesystem::path out = "out/gallery";
   std::vector<int> labs;         ///< numbers; none for all
-  std::filesystem::path heroes;  ///< folder for the heroes at half size, or none
+  std::filesystem::path heroes;  ///< folder for the heroes, small and 3:2, or none
 };
 
 /// `texel gallery`: draws the looks of every lab that changed, and writes the page that shows them.

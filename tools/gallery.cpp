@@ -92,9 +92,20 @@ void draw(const std::vector<Work>& all, const fs::path& root) {
     throw Error::failed("could not draw the pictures of " + failed, {}, "see its message above");
 }
 
+/// The middle of a picture, as large as fits into 3:2, so that pictures stand in even rows.
+image::Image8 middle(const image::Image8& picture) {
+  image::Image8 result(std::min(picture.width, picture.height * 3 / 2),
+                       std::min(picture.height, picture.width * 2 / 3), picture.channels);
+  const int left = (picture.width - result.width) / 2, below = (picture.height - result.height) / 2;
+  const auto row = static_cast<std::ptrdiff_t>(result.width) * result.channels;
+  for (int y = 0; y < result.height; ++y) std::copy_n(&picture.at(left, below + y), row, &result.at(0, y));
+  return result;
+}
+
 /// Half the size, averaged in linear light.
 void save_half(const fs::path& from, const fs::path& to) {
-  const std::vector<image::Image8> levels = image::mip_chain(image::load8(from, 3), image::Encoding::srgb);
+  const std::vector<image::Image8> levels =
+      image::mip_chain(middle(image::load8(from, 3)), image::Encoding::srgb);
   image::save_png(to, levels[std::min<std::size_t>(1, levels.size() - 1)], {}, 9);
 }
 

@@ -42,7 +42,7 @@ void add_gallery(CLI::App& app, GalleryOptions& options, bool& list) {
   command->add_option("--lab", options.labs, "Draw only this lab (may be given again)")
       ->check(CLI::Range(1, 99));
   command->add_option("--heroes", options.heroes,
-                      "Folder for the heroes at half size, as the README shows them");
+                      "Folder for the heroes, small and cut to 3:2, as the README shows them");
   command->add_flag("--list", list, "Print as Markdown which command draws which picture of the sources");
 }
 

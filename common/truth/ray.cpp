@@ -81,7 +81,7 @@ std::optional<Hit> hit_cube(const Ray& ray, double half_size) {
   const double distance = outside ? enter : leave;
   const int axis = outside ? enter_axis : leave_axis;
   const bool negative = (ray.direction[axis] > 0) == outside;
-  const auto face = procedural::faces[static_cast<std::size_t>(2 * axis + (negative ? 1 : 0))];
+  const auto face = static_cast<procedural::Face>(2 * axis + (negative ? 1 : 0));
   const dvec3 position = ray.origin + distance * ray.direction;
   const SurfacePoint middle = cube_face(face, half_size)({0.5, 0.5});
   // ds and dt are at right angles and as long as the face is wide.
@@ -90,21 +90,18 @@ std::optional<Hit> hit_cube(const Ray& ray, double half_size) {
 }
 
 std::optional<Hit> hit_sphere(const Ray& ray, double radius) {
-  const double a = glm::dot(ray.direction, ray.direction);
-  const double b =
-      -glm::dot(ray.origin, ray.direction);  // distance to the nearest point of the line, times a
-  const dvec3 nearest = ray.origin + (b / a) * ray.direction;
+  const double squared = glm::dot(ray.direction, ray.direction);
+  const double middle =
+      -glm::dot(ray.origin, ray.direction) / squared;  // where the ray is nearest to the centre
+  const dvec3 nearest = ray.origin + middle * ray.direction;
   const double discriminant = radius * radius - glm::dot(nearest, nearest);
   if (discriminant < 0) return std::nullopt;
-  const double q = b + std::copysign(std::sqrt(a * discriminant), b);
-  const double c = glm::dot(ray.origin, ray.origin) - radius * radius;
-  const double first = std::min(c / q, q / a), second = std::max(c / q, q / a);
-  const double distance = first > 0 ? first : second;
-  if (!(distance > 0)) return std::nullopt;
+  const double half = std::sqrt(discriminant / squared);
+  const double from_middle = middle > half ? -half : half;
+  if (middle + from_middle <= 0) return std::nullopt;
   // From the nearest point, so that an eye far away costs no digits of the position.
-  const double side = distance < b / a ? -1 : 1;
-  const dvec3 position = nearest + side * std::sqrt(discriminant / a) * ray.direction;
-  return Hit{.distance = distance, .texcoord = sphere_texcoord(position)};
+  return Hit{.distance = middle + from_middle,
+             .texcoord = sphere_texcoord(nearest + from_middle * ray.direction)};
 }
 
 PositionGradient position_gradient(const PixelRay& pixel, const SurfacePoint& point) {

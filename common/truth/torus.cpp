@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <span>
-#include <vector>
 
 #include "truth/ray.hpp"
 
@@ -41,18 +41,27 @@ double root_between(std::span<const double> c, double low, double high) {
   return t;
 }
 
-/// Where the polynomial changes its sign between low and high, from the lowest up. Between two neighbouring
-/// roots of its derivative it does so once at most.
-std::vector<double> sign_changes(std::span<const double> c, double low, double high) {
-  if (c.size() < 2) return {};
-  std::vector<double> derivative;
-  for (std::size_t i = 1; i < c.size(); ++i) derivative.push_back(static_cast<double>(i) * c[i]);
-  std::vector<double> ends = sign_changes(derivative, low, high);
-  ends.push_back(high);
-  std::vector<double> roots;
-  for (double begin = low; const double end : ends) {
+/// Up to six numbers in a row, without the cost of memory for each ray.
+struct Few {
+  std::array<double, 6> values{};
+  std::size_t count = 0;
+
+  void add(double value) { values[count++] = value; }
+  [[nodiscard]] std::span<const double> all() const { return std::span(values).first(count); }
+};
+
+/// Where the polynomial, of degree 4 at most, changes its sign between low and high, from the lowest up.
+/// Between two neighbouring roots of its derivative it does so once at most.
+Few sign_changes(std::span<const double> c, double low, double high) {
+  Few roots;
+  if (c.size() < 2) return roots;
+  Few derivative;
+  for (std::size_t i = 1; i < c.size(); ++i) derivative.add(static_cast<double>(i) * c[i]);
+  Few ends = sign_changes(derivative.all(), low, high);
+  ends.add(high);
+  for (double begin = low; const double end : ends.all()) {
     if ((evaluate(c, begin).value < 0) != (evaluate(c, end).value < 0))
-      roots.push_back(root_between(c, begin, end));
+      roots.add(root_between(c, begin, end));
     begin = end;
   }
   return roots;
@@ -90,11 +99,11 @@ std::optional<Hit> hit_torus(const Ray& ray, double major, double minor) {
                                  2 * k - 4 * R * R * (d.x * d.x + d.z * d.z), 0, 1};
   // A little beyond the sphere around the torus, so that a root on it is still between signs.
   const double far = 1.0001 * std::sqrt(reach) + 1e-9;
-  if (start >= far) return std::nullopt;
-  const std::vector<double> roots = sign_changes(coefficients, std::max(start, -far), far);
-  if (roots.empty()) return std::nullopt;
+  if (start >= far) return std::nullopt;  // it looks away
+  const Few roots = sign_changes(coefficients, std::max(start, -far), far);
+  if (roots.count == 0) return std::nullopt;
 
-  double t = roots.front();
+  double t = roots.values.front();
   Distance here = torus_distance(o + t * d, R, r);
   for (int step = 0; step < 4; ++step) {
     const double next = t - here.value / glm::dot(here.gradient, d);

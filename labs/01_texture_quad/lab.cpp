@@ -7,6 +7,7 @@
 #include "app/lab.hpp"
 #include "image/mipmaps.hpp"
 #include "parameters.hpp"
+#include "truth.hpp"
 
 using namespace texel;
 
@@ -28,10 +29,12 @@ constexpr GLenum kMinifyModes[] = {0,
 
 struct TextureQuad {
   static constexpr app::View kViews[] = {app::View::color, app::View::texcoord, app::View::lod,
-                                         app::View::depth, app::View::mask};
+                                         app::View::depth, app::View::mask,     app::View::error};
   static constexpr app::Info info{1, "texture_quad", "Texture quad",
                                   "Paste a picture on a square, and filter it.", kViews};
 
+  static constexpr app::Measure measure{app::View::color, app::Unit::steps,
+                                        "the mean of the picture's function over the pixel"};
   using Parameters = TextureQuadParameters;
 
   explicit TextureQuad(const app::Assets&) {
@@ -74,6 +77,8 @@ struct TextureQuad {
     glBindVertexArray(vertex_array_.id());
     glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_INT, nullptr);
   }
+
+  app::Truth truth(const Parameters& p, glm::ivec2 size) const { return texture_quad_truth(p, size); }
 
  private:
   /// One attribute in a buffer of its own, `components` floats a vertex.

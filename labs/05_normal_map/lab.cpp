@@ -9,14 +9,18 @@
 #include "mesh/primitives.hpp"
 #include "mesh/tangents.hpp"
 #include "parameters.hpp"
+#include "truth.hpp"
 
 using namespace texel;
 
 struct NormalMap {
   static constexpr app::View kViews[] = {app::View::color,    app::View::normal, app::View::tangent,
-                                         app::View::texcoord, app::View::depth,  app::View::mask};
+                                         app::View::texcoord, app::View::depth,  app::View::mask,
+                                         app::View::error};
   static constexpr app::Info info{5, "normal_map", "Normal map", "Give a flat surface the light of a relief.",
                                   kViews};
+  static constexpr app::Measure measure{app::View::normal, app::Unit::degrees,
+                                        "the exact relief, of the parameter truth"};
   using Parameters = NormalMapParameters;
 
   explicit NormalMap(const app::Assets& assets) : assets_(assets) {}
@@ -56,6 +60,9 @@ struct NormalMap {
   /// The vertex stream as drawn.
   const mesh::Mesh& mesh(const Parameters& p) { return buffers_for(p).mesh(); }
   [[nodiscard]] const app::Notes& notes() const { return notes_; }
+  app::Truth truth(const Parameters& p, glm::ivec2 size) const {
+    return normal_map_truth(p, normal_map_name(p), size);
+  }
 
  private:
   /// The model with the tangents of the method, which only some of them keep in the vertices.

@@ -3,6 +3,7 @@
 #pragma once
 #include "app/camera.hpp"
 #include "app/models.hpp"
+#include "app/relief_truth.hpp"
 #include "params/set.hpp"
 
 namespace texel {
@@ -55,6 +56,7 @@ struct NormalMapParameters {
   Method method{};
   Decode decode{};
   float bump_strength{}, texture_scale{};
+  app::ReliefTruth truth{};
   float light_yaw{}, light_pitch{}, ambient{}, specular{};
   float turn{}, stretch{};
   app::OrbitCamera camera;
@@ -67,6 +69,9 @@ struct NormalMapParameters {
     set.add(decode, {"decode", Decode::standard, kDecodes, "How a colour becomes a normal"});
     set.add(bump_strength,
             {"bump_strength", 1, 0, 4, "", "Steepness of the relief: multiplies the normal's x and y"});
+    set.section("Error");
+    set.add(truth, {"truth", app::ReliefTruth::height_field, app::kReliefTruths,
+                    "What the view error compares with"});
     set.section("Textures");
     set.add(texture, {"texture", "brick", kTextures, "Colour of the surface (keys K and L)"});
     set.add(normal_map, {"normal_map", "matching", kNormalMaps, "Relief of the surface"});

@@ -8,15 +8,18 @@
 #include "image/mipmaps.hpp"
 #include "mesh/primitives.hpp"
 #include "parameters.hpp"
+#include "truth.hpp"
 
 using namespace texel;
 
 struct CubeMap {
   static constexpr app::View kViews[] = {app::View::color,    app::View::normal, app::View::direction,
                                          app::View::texcoord, app::View::lod,    app::View::depth,
-                                         app::View::mask};
+                                         app::View::mask,     app::View::error};
   static constexpr app::Info info{
       6, "cube_map", "Cube map", "Dress a sphere in six pictures, without a seam and without poles.", kViews};
+  static constexpr app::Measure measure{app::View::color, app::Unit::steps,
+                                        "the mean of the pictures' function over the pixel"};
   using Parameters = CubeMapParameters;
 
   explicit CubeMap(const app::Assets& assets) : assets_(assets) {}
@@ -42,6 +45,8 @@ struct CubeMap {
     }
     sphere.draw(program);
   }
+
+  app::Truth truth(const Parameters& p, glm::ivec2 size) const { return cube_map_truth(p, size); }
 
  private:
   const gl::Texture& cube_map(const Parameters& p) {

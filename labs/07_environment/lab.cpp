@@ -8,25 +8,18 @@
 #include "app/lab.hpp"
 #include "mesh/primitives.hpp"
 #include "parameters.hpp"
+#include "scene.hpp"
+#include "truth.hpp"
 
 using namespace texel;
 
-namespace {
-
-/// Centre and radius of the spheres, world space: one in front, and more of them farther and farther away.
-constexpr glm::vec4 kSpheres[] = {{0, 0, 0, 1},
-                                  {3.1F, -0.6F, -2.2F, 0.9F},
-                                  {-4.6F, -0.6F, -7, 1.2F},
-                                  {6.5F, 1.8F, -8, 1.2F},
-                                  {-7, 8, -16, 2}};
-
-}  // namespace
-
 struct EnvironmentLab {
   static constexpr app::View kViews[] = {app::View::color, app::View::direction, app::View::depth,
-                                         app::View::mask};
+                                         app::View::mask, app::View::error};
   static constexpr app::Info info{7, "environment", "Environment",
                                   "Surround the scene with a cube map, behind everything.", kViews};
+  static constexpr app::Measure measure{app::View::direction, app::Unit::degrees,
+                                        "the ray of the pixel, beside the spheres"};
   using Parameters = EnvironmentParameters;
 
   explicit EnvironmentLab(const app::Assets& assets) : environment_(assets), quad_(make_quad()) {}
@@ -50,6 +43,8 @@ struct EnvironmentLab {
     // draw_background(p, frame);
     //@end
   }
+
+  app::Truth truth(const Parameters& p, glm::ivec2 size) const { return environment_truth(p, size); }
 
  private:
   /// The corners of the picture in clip space; the shader adds z and w.

@@ -7,14 +7,17 @@
 #include "app/lab.hpp"
 #include "mesh/primitives.hpp"
 #include "parameters.hpp"
+#include "truth.hpp"
 
 using namespace texel;
 
 struct Reflection {
   static constexpr app::View kViews[] = {app::View::color, app::View::normal, app::View::direction,
-                                         app::View::depth, app::View::mask};
+                                         app::View::depth, app::View::mask,   app::View::error};
   static constexpr app::Info info{8, "reflection", "Reflection",
                                   "Make the sphere a mirror, then glass, by following one ray.", kViews};
+  static constexpr app::Measure measure{app::View::direction, app::Unit::degrees,
+                                        "the ray of the exact ball"};
   using Parameters = ReflectionParameters;
 
   explicit Reflection(const app::Assets& assets) : assets_(assets), environment_(assets) {}
@@ -48,6 +51,8 @@ struct Reflection {
     ball.draw(program);
     environment_.draw_background(frame, p.camera, 0);
   }
+
+  app::Truth truth(const Parameters& p, glm::ivec2 size) const { return reflection_truth(p, size); }
 
  private:
   /// The cube map's six pictures as one, which is looked up by angles or as a mirror ball shows it.

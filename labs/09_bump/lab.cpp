@@ -7,15 +7,18 @@
 #include "app/lab.hpp"
 #include "mesh/primitives.hpp"
 #include "parameters.hpp"
+#include "truth.hpp"
 
 using namespace texel;
 
 struct Bump {
   static constexpr app::View kViews[] = {app::View::color,     app::View::normal,   app::View::tangent,
                                          app::View::direction, app::View::texcoord, app::View::depth,
-                                         app::View::mask};
+                                         app::View::mask,      app::View::error};
   static constexpr app::Info info{9, "bump", "Bump mapping", "Bend the mirror ball's normals by a picture.",
                                   kViews};
+  static constexpr app::Measure measure{app::View::direction, app::Unit::degrees,
+                                        "the ray at the exact relief, of the parameter truth"};
   using Parameters = BumpParameters;
 
   explicit Bump(const app::Assets& assets) : assets_(assets), environment_(assets) {}
@@ -41,6 +44,8 @@ struct Bump {
     ball.draw(program);
     environment_.draw_background(frame, p.camera, 0);
   }
+
+  app::Truth truth(const Parameters& p, glm::ivec2 size) const { return bump_truth(p, size); }
 
  private:
   const app::Assets& assets_;

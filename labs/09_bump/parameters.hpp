@@ -3,6 +3,7 @@
 #pragma once
 #include "app/camera.hpp"
 #include "app/environment.hpp"
+#include "app/relief_truth.hpp"
 #include "params/set.hpp"
 
 namespace texel {
@@ -41,6 +42,7 @@ struct BumpParameters {
   int repeats{};
   MipFilter mip_filter{};
   Incident incident{};
+  app::ReliefTruth truth{};
   int rings{}, segments{};
   float tilt{}, turn{};
   app::OrbitCamera camera;
@@ -61,6 +63,9 @@ struct BumpParameters {
     set.add(cube_map, {"cube_map", "scene", app::kCubeMaps, "What is reflected (keys K and L)"});
     set.add(incident,
             {"incident", Incident::per_fragment, kIncidents, "The ray that arrives at the surface (lab 8)"});
+    set.section("Error");
+    set.add(truth, {"truth", app::ReliefTruth::height_field, app::kReliefTruths,
+                    "What the view error compares with"});
     set.section("Ball");
     set.add(rings, {"rings", 64, 2, 256, "", "Bands from pole to pole"});
     set.add(segments, {"segments", 128, 3, 512, "", "Quads around each band"});

@@ -17,7 +17,8 @@ constexpr int kUsage = 2, kFailed = 3;
 class BadArguments : public EveryLab {
  protected:
   /// Asks for a snapshot, which must not be there afterwards.
-  void expect_no_snapshot(const std::string& arguments, int exit_code, const std::vector<std::string>& parts) {
+  void expect_no_snapshot(const std::string& arguments, int exit_code,
+                          const std::vector<std::string>& parts) {
     SCOPED_TRACE(arguments);
     const std::string file = shell_word((folder_ / "a.png").string());
     expect_error(run_lab(lab(), fmt::format("--snapshot {} {}", file, arguments)), exit_code, lab(), parts);
@@ -35,10 +36,12 @@ TEST_P(BadArguments, name_the_nearest_option) {
 TEST_P(BadArguments, name_range_and_unit_of_each_number) {
   for (const Parameter& p : parameters_of(lab())) {
     if (p.type == "number" || p.type == "integer") {
-      const std::string range = fmt::format("from {} to {}{}{}", p.least, p.most, p.unit.empty() ? "" : " ", p.unit);
+      const std::string range =
+          fmt::format("from {} to {}{}{}", p.least, p.most, p.unit.empty() ? "" : " ", p.unit);
       for (const std::string& value :
            {fmt::format("{}", p.most * 2 + 1), std::string("abc"), std::string("nan"), std::string("1e999")})
-        expect_no_snapshot(fmt::format("{} {}", p.flag(), value), kUsage, {p.flag(), range, "'" + value + "'"});
+        expect_no_snapshot(fmt::format("{} {}", p.flag(), value), kUsage,
+                           {p.flag(), range, "'" + value + "'"});
     } else if (p.type == "choice") {
       expect_no_snapshot(fmt::format("{} {}x", p.flag(), p.choices[0]), kUsage,
                          {p.flag(), p.choices.back(), "did you mean '" + p.choices[0] + "'?"});
@@ -64,9 +67,11 @@ TEST_P(BadArguments, name_the_file_that_cannot_be_written) {
   for (const char* file : {"/nonexistent/a.png", "/dev/null/a.png", "/proc/a.png"})
     expect_error(run_lab(lab(), fmt::format("--snapshot {}", file)), kFailed, lab(), {file});
   for (const char* ending : {".jpg", ".jpeg", "", ".PNG.gz"})
-    expect_error(run_lab(lab(), fmt::format("--snapshot {}{}", a, ending)), kUsage, lab(), {a + ending, ".png or .pfm"});
+    expect_error(run_lab(lab(), fmt::format("--snapshot {}{}", a, ending)), kUsage, lab(),
+                 {a + ending, ".png or .pfm"});
   expect_error(run_lab(lab(), fmt::format("--snapshot {}.pfm", a)), kUsage, lab(), {"--view"});
-  expect_error(run_lab(lab(), fmt::format("--snapshot {0}.png --stats {0}/none/b.json", a)), kFailed, lab(), {"none"});
+  expect_error(run_lab(lab(), fmt::format("--snapshot {0}.png --stats {0}/none/b.json", a)), kFailed, lab(),
+               {"none"});
 }
 
 TEST_P(BadArguments, say_that_a_device_is_full_and_leave_it) {
@@ -74,7 +79,8 @@ TEST_P(BadArguments, say_that_a_device_is_full_and_leave_it) {
   const std::filesystem::path full = folder_ / "full";
   std::filesystem::create_symlink("/dev/full", full);
   for (const char* option : {"--stats", "--save-config"}) {
-    expect_error(run_lab(lab(), fmt::format("{} {}", option, full.string())), kFailed, lab(), {"full", "No space"});
+    expect_error(run_lab(lab(), fmt::format("{} {}", option, full.string())), kFailed, lab(),
+                 {"full", "No space"});
     EXPECT_TRUE(std::filesystem::is_character_file(full)) << option;
   }
 }
@@ -83,8 +89,8 @@ TEST_P(BadArguments, say_that_there_is_no_display) {
   const std::string no_display = "env -u DISPLAY -u WAYLAND_DISPLAY";
   expect_error(run_lab(lab(), "", no_display), kFailed, lab(), {"display"});
   expect_error(run_lab(lab(), "", "DISPLAY=:4711"), kFailed, lab(), {"display"});
-  expect_error(run_lab(lab(), "--context window --snapshot " + (folder_ / "a.png").string(), no_display), kFailed,
-               lab(), {"display"});
+  expect_error(run_lab(lab(), "--context window --snapshot " + (folder_ / "a.png").string(), no_display),
+               kFailed, lab(), {"display"});
   expect_error(run_lab(lab(), "--context osmesa"), kUsage, lab(), {"--snapshot"});
   EXPECT_TRUE(folder_.empty());
 }
@@ -92,8 +98,8 @@ TEST_P(BadArguments, say_that_there_is_no_display) {
 /// A file of the user's that is given to a lab.
 class BadFile : public testing::Test {
  protected:
-  /// Writes `bytes` to a file and gives it to the lab behind `option`. The message names the file and `parts`, and
-  /// nothing else is written.
+  /// Writes `bytes` to a file and gives it to the lab behind `option`. The message names the file and
+  /// `parts`, and nothing else is written.
   void expect_refused(const std::string& lab, const std::string& option, const std::string& name,
                       const std::string& bytes, int exit_code, std::vector<std::string> parts) {
     SCOPED_TRACE(name + ": " + bytes.substr(0, 60));
@@ -107,8 +113,8 @@ class BadFile : public testing::Test {
                            int exit_code, std::vector<std::string> parts) {
     parts.push_back(file);
     const std::string picture = (folder_ / "a.png").string();
-    expect_error(run_lab(lab, fmt::format("--size 64x64 --snapshot {} {}", shell_word(picture), arguments)), exit_code,
-                 lab, parts);
+    expect_error(run_lab(lab, fmt::format("--size 64x64 --snapshot {} {}", shell_word(picture), arguments)),
+                 exit_code, lab, parts);
     EXPECT_FALSE(std::filesystem::exists(picture));
   }
 
@@ -153,7 +159,8 @@ TEST_F(BadFile, batch) {
   expect("[{\"name\": \"a\", \"view\": \"normals\"}]", {"entry 1", "'normals'"});
   expect("[{\"name\": \"a\", \"size\": \"0x0\"}]", {"entry 1", "'0x0'"});
   expect("[{\"name\": \"a.pfm\"}]", {"entry 1", "--view"});
-  expect("[{\"name\": \"a\"}, {\"name\": \"b\", \"set\": {\"tilt\": 90}}]", {"entry 2", "from -89 to 89 degrees"});
+  expect("[{\"name\": \"a\"}, {\"name\": \"b\", \"set\": {\"tilt\": 90}}]",
+         {"entry 2", "from -89 to 89 degrees"});
   expect("[{\"name\": \"a\", \"set\": {\"tlt\": 3}}]", {"entry 1", "did you mean 'tilt'?"});
   expect("[{\"name\": \"a\", \"set\": {\"tilt\": null}}]", {"entry 1", "null"});
   expect("[{\"name\": \"a\", \"set\": 3}]", {"list.json"});
@@ -191,12 +198,14 @@ TEST_F(BadFile, obj) {
 
 TEST_F(BadFile, texture) {
   image::Image8 picture(64, 64, 3);
-  for (std::size_t i = 0; i < picture.samples.size(); ++i) picture.samples[i] = static_cast<std::uint8_t>(i * i);
+  for (std::size_t i = 0; i < picture.samples.size(); ++i)
+    picture.samples[i] = static_cast<std::uint8_t>(i * i);
   const std::string good = (folder_ / "good.png").string();
   image::save_png(good, picture);
   const std::string bytes = read_file(good);
   std::filesystem::remove(good);
-  const auto expect = [&](const std::string& name, const std::string& text, const std::vector<std::string>& parts) {
+  const auto expect = [&](const std::string& name, const std::string& text,
+                          const std::vector<std::string>& parts) {
     for (const char* lab : {"lab01_texture_quad", "lab05_normal_map"})
       expect_refused(lab, "--texture", name, text, kFailed, parts);
   };

@@ -25,8 +25,8 @@ std::size_t distinct_colours(const Image8& picture) {
   return colours.size();
 }
 
-/// Share of the pixels that are not the colour of the empty picture (app/canvas.cpp, 0.035 0.042 0.055 in linear
-/// light).
+/// Share of the pixels that are not the colour of the empty picture (app/canvas.cpp, 0.035 0.042 0.055 in
+/// linear light).
 double covered(const Image8& picture) {
   int count = 0;
   for (std::size_t i = 0; i < picture.samples.size(); i += 3)
@@ -105,7 +105,8 @@ TEST_P(Drawing, shows_finite_values_in_every_view) {
         // Lab 7 is about what surrounds the objects: its views show that too.
         if (mask.at(x, y) == 0 && lab() != "lab07_environment") not_background += a != 0 || b != 0 || c != 0;
         // normalize() in float32: measured 2e-7 off.
-        else if (holds_unit_vectors(shot.view)) not_unit += !(std::abs(std::hypot(a, b, c) - 1) < 1e-6);
+        else if (holds_unit_vectors(shot.view))
+          not_unit += !(std::abs(std::hypot(a, b, c) - 1) < 1e-6);
       }
     EXPECT_EQ(not_finite, 0);
     EXPECT_EQ(not_unit, 0);

@@ -52,15 +52,17 @@ TEST_P(Interface, explains_every_option_in_its_help) {
     EXPECT_TRUE(has(help.output, p.flag() + " ")) << p.flag();
     for (const std::string& choice : p.choices) EXPECT_TRUE(has(help.output, choice + ": ")) << choice;
   }
-  for (const char* option : {"--snapshot", "--view", "--batch", "--out", "--stats", "--mesh", "--frames", "--config",
-                             "--save-config", "--context", "--assets", "--size", "--list-parameters", "--list-views"})
+  for (const char* option :
+       {"--snapshot", "--view", "--batch", "--out", "--stats", "--mesh", "--frames", "--config",
+        "--save-config", "--context", "--assets", "--size", "--list-parameters", "--list-views"})
     EXPECT_TRUE(has(help.output, option)) << option;
   const std::string text = run_lab(lab(), "--list-parameters").output;
-  for (const Parameter& p : parameters_of(lab())) EXPECT_TRUE(has(text, p.flag() + " (" + p.type)) << p.flag();
+  for (const Parameter& p : parameters_of(lab()))
+    EXPECT_TRUE(has(text, p.flag() + " (" + p.type)) << p.flag();
 }
 
-/// What the default look shows: the eight materials of lab 3's ship, lab 7's five spheres and what surrounds them, the
-/// ball of labs 8 and 9 and what it mirrors; else one object.
+/// What the default look shows: the eight materials of lab 3's ship, lab 7's five spheres and what surrounds
+/// them, the ball of labs 8 and 9 and what it mirrors; else one object.
 int objects_of(const std::string& lab) {
   if (lab.starts_with("lab03")) return 8;
   if (lab.starts_with("lab07")) return 6;

@@ -49,7 +49,8 @@ void draw(const std::string& lab, const std::vector<Shot>& shots, const Temporar
   const std::string file = (folder / "batch.json").string();
   write_file(file, list.dump());
   const Result result = run_lab(
-      lab, fmt::format("--batch {} --out {} {}", shell_word(file), shell_word((folder / "").string()), arguments),
+      lab,
+      fmt::format("--batch {} --out {} {}", shell_word(file), shell_word((folder / "").string()), arguments),
       before);
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_EQ(result.output + result.errors, "");
@@ -90,7 +91,8 @@ std::vector<Parameter> parameters_of(const std::string& lab) {
 
 bool has_parameter(const std::string& lab, const std::string& name) {
   const std::vector<Parameter> parameters = parameters_of(lab);
-  return std::any_of(parameters.begin(), parameters.end(), [&](const Parameter& p) { return p.name == name; });
+  return std::any_of(parameters.begin(), parameters.end(),
+                     [&](const Parameter& p) { return p.name == name; });
 }
 
 std::vector<std::string> views_of(const std::string& lab) {
@@ -115,6 +117,7 @@ Stats stats_of(const std::string& lab, const std::string& arguments) {
   stats.peak_bytes = json.at("peak_bytes");
   stats.attributes = names(json.at("attributes"));
   stats.textures = names(json.at("textures"));
+  stats.notes = json.at("notes").get<std::vector<std::string>>();
   stats.warnings = json.at("warnings").get<std::vector<std::string>>();
   for (const auto& [stage, milliseconds] : json.at("milliseconds").items()) {
     EXPECT_GE(milliseconds.get<double>(), 0) << stage;
@@ -137,7 +140,8 @@ void expect_error(const Result& result, int exit_code, const std::string& lab,
   EXPECT_TRUE(result.errors.starts_with(lab + ": ")) << result.errors;
   EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
   EXPECT_TRUE(result.errors.ends_with('\n'));
-  for (const std::string& part : parts) EXPECT_TRUE(has(result.errors, part)) << part << "\n" << result.errors;
+  for (const std::string& part : parts)
+    EXPECT_TRUE(has(result.errors, part)) << part << "\n" << result.errors;
 }
 
 }  // namespace texel::test

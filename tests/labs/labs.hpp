@@ -13,9 +13,9 @@
 
 namespace texel::test {
 
-inline constexpr const char* kLabs[] = {
-    "lab01_texture_quad", "lab02_multi_texture", "lab03_obj_texcoords", "lab04_cube_wrap", "lab05_normal_map",
-    "lab06_cube_map",     "lab07_environment",   "lab08_reflection",    "lab09_bump"};
+inline constexpr const char* kLabs[] = {"lab01_texture_quad", "lab02_multi_texture", "lab03_obj_texcoords",
+                                        "lab04_cube_wrap",    "lab05_normal_map",    "lab06_cube_map",
+                                        "lab07_environment",  "lab08_reflection",    "lab09_bump"};
 
 /// A suite that runs once for each lab; GetParam() is the program's name.
 class EveryLab : public testing::TestWithParam<const char*> {
@@ -72,7 +72,7 @@ std::vector<std::string> views_of(const std::string& lab);
 struct Stats {
   std::string lab, renderer, version;
   double vertices = 0, triangles = 0, draw_calls = 0, peak_bytes = 0;
-  std::vector<std::string> attributes, textures, warnings, stages;
+  std::vector<std::string> attributes, textures, notes, warnings, stages;
 };
 Stats stats_of(const std::string& lab, const std::string& arguments = {});
 

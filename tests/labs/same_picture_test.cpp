@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A picture depends on its parameters alone: not on the run, the working directory, the number of threads or how it
-// was asked for.
+// A picture depends on its parameters alone: not on the run, the working directory, the number of threads or
+// how it was asked for.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -20,14 +20,15 @@ class SamePicture : public EveryLab {
   [[nodiscard]] std::string snapshot(const std::string& name, const std::string& arguments = {},
                                      const std::string& before = {}) const {
     const std::filesystem::path file = folder_ / name;
-    const Result result =
-        run_lab(lab(), fmt::format("--size 160x120 --snapshot {} {}", shell_word(file.string()), arguments), before);
+    const Result result = run_lab(
+        lab(), fmt::format("--size 160x120 --snapshot {} {}", shell_word(file.string()), arguments), before);
     EXPECT_EQ(result.exit_code, 0) << result.errors;
     return read_file(file);
   }
 
   /// Expects that a snapshot has the same bytes as `expected`.
-  void expect_same(const std::string& expected, const std::string& arguments, const std::string& before = {}) const {
+  void expect_same(const std::string& expected, const std::string& arguments,
+                   const std::string& before = {}) const {
     EXPECT_TRUE(snapshot("other.png", arguments, before) == expected) << before << " " << arguments;
   }
 

@@ -90,6 +90,12 @@ TEST(TruthRay, first_hit_of_a_torus_lies_on_it) {
   }
 }
 
+TEST(TruthRay, edge_of_a_cube_belongs_to_the_first_axis) {
+  EXPECT_EQ(hit_cube({{2, 2, 0.25}, {-1, -1, 0}})->face, procedural::Face::positive_x);
+  EXPECT_EQ(hit_cube({{0.25, -2, -2}, {0, 1, 1}})->face, procedural::Face::negative_y);
+  EXPECT_EQ(hit_cube({{0, 0, 0}, {-1, 1, 1}})->face, procedural::Face::negative_x) << "a corner from inside";
+}
+
 TEST(TruthRay, quad_is_hit_from_both_sides_and_not_beside_or_behind) {
   const auto hit = hit_quad({{0.35, -0.7, 2}, {0, 0, -1}}, 0.7);
   ASSERT_TRUE(hit);

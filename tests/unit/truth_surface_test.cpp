@@ -198,6 +198,18 @@ TEST(TruthSurface, frames_are_orthonormal_and_their_sign_is_that_of_the_texture)
     }
 }
 
+TEST(TruthSurface, frame_of_another_normal_is_orthonormal_and_keeps_the_side_of_the_tangent) {
+  // A flat square with the normal of a smooth neighbour, 45 degrees off towards +x.
+  const SurfacePoint flat = reparameterised(quad(), mirrored())({0.5, 0.5});
+  const dvec3 normal = glm::normalize(dvec3(1, 0, 1));
+  const Frame frame = orthonormal_frame(normal, flat.ds, flat.dt);
+  EXPECT_LT(angle(frame.tangent, {-1, 0, 1}), 1e-15);  // ds runs to -x, turned into the normal's plane
+  EXPECT_LT(angle(frame.bitangent, {0, 1, 0}), 1e-15);
+  EXPECT_EQ(frame.normal, normal);
+  EXPECT_EQ(frame.handedness, -1.0);
+  EXPECT_LT(orthonormality({frame.tangent, frame.bitangent, frame.normal}), 1e-15);
+}
+
 TEST(TruthSurface, change_of_parameters_moves_no_point_and_goes_back) {
   for (const TexcoordMap& map : {sheared(0.7), stretched(4), mirrored()})
     for (int i = 0; i < 100; ++i) {

@@ -16,13 +16,13 @@ check 'the picture comes to rest' settle "$work/first"
 lower=620x480+340+240
 look "$work/lower" $lower
 
-# The message is light red on a dark plate: no pixel of a brick wall is.
+# The message is light red on a dark plate, in a strip that else is slate.
 shows_red() {
-  look "$work/now" $picture || return
+  look "$work/now" 620x60+340+0 || return
   local count
-  count=$(convert "$work/now" -fuzz 4% -fill black +opaque 'rgb(255,115,102)' -fill white -opaque 'rgb(255,115,102)' \
+  count=$(convert "$work/now" -fuzz 15% -fill black +opaque 'rgb(255,115,102)' -fill white -opaque 'rgb(255,115,102)' \
     -format '%[fx:mean*w*h]' info:)
-  ((${count%.*} > 100))
+  ((${count%.*} > 50))
 }
 # breaks NAME FILE command…: the command edits FILE, which is mended afterwards.
 breaks() {

@@ -57,7 +57,7 @@ drag 230 250 60 0
 check 'a drag over the panel leaves the picture' returned_to "$work/first"
 
 press h
-check 'H hides the panel' changed_from "$work/first" 
+check 'H hides the panel' changed_from "$work/first"
 settle "$work/wide" 960x720+0+0
 check 'the picture has its place' has_colours "$work/wide" 5000
 press h
@@ -82,7 +82,9 @@ press F12
 check 'F12 never writes over it' eventually test -s "$work/lab05_normal_map-002.png"
 
 look "$work/before" 340x720+0+0
-xdotool mousemove --window "$window" 650 360 click 1
+xdotool mousemove --window "$window" 650 360
+settle "$work/now"
+xdotool click 1
 check 'a click marks the pixel' changed_from "$work/first"
 check 'and the panel says what is there' changed_from "$work/before" 340x720+0+0
 

@@ -28,10 +28,10 @@ check() {
   fi
 }
 
-# Tries a command again and again for at most 15 seconds: a slow machine waits longer, a quick one does not.
+# Tries a command again and again for some 15 seconds at most: a quick machine waits no longer than it must.
 eventually() {
   local i
-  for ((i = 0; i < 150; ++i)); do
+  for ((i = 0; i < 100; ++i)); do
     "$@" && return
     sleep 0.1
   done

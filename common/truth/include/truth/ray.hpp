@@ -53,10 +53,9 @@ std::optional<Hit> hit_quad(const Ray& ray, double half_size = 0.7);
 /// The cube of cube_face(); from inside too. On an edge, the face named first along x, y, z.
 std::optional<Hit> hit_cube(const Ray& ray, double half_size = 1);
 
-/// The sphere of sphere(); from inside too. The distance is the quadratic's root without cancellation, and
-/// the discriminant comes from the ray's distance to the centre, so that a small sphere far away keeps its
-/// accuracy (Haines, Guenther and Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray
-/// Tracing Gems, 2019, chapter 7).
+/// The sphere of sphere(); from inside too. Everything is measured from the point of the ray that is nearest
+/// to the centre, so that a small sphere far away keeps its accuracy (Haines, Guenther and Akenine-Moeller,
+/// "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019, chapter 7).
 std::optional<Hit> hit_sphere(const Ray& ray, double radius = 1);
 
 /// The torus of torus(), minor < major; from inside the tube too. The quartic's roots are enclosed between
@@ -70,12 +69,14 @@ struct TexcoordGradient {
   glm::dvec2 dx, dy;  ///< derivatives by window x and y, texture widths per pixel
 };
 
-/// The position's derivatives by window x and y at the point that the ray meets: the change of direction,
-/// carried along the ray and then along it into the tangent plane (Igehy, "Tracing Ray Differentials",
-/// SIGGRAPH 1999, on transfer). Infinite where the ray grazes.
+/// How the place on the surface changes from pixel to pixel.
 struct PositionGradient {
-  glm::dvec3 dx, dy;  ///< world units per pixel
+  glm::dvec3 dx, dy;  ///< derivatives by window x and y, world units per pixel
 };
+
+/// The position's change at the point that the ray meets: the change of direction, carried to the surface and
+/// then along the ray into the tangent plane (Igehy, "Tracing Ray Differentials", SIGGRAPH 1999, on
+/// transfer). Not finite where the ray grazes.
 PositionGradient position_gradient(const PixelRay& pixel, const SurfacePoint& point);
 
 /// The texture coordinate's derivatives at that point, by solving ds * s_x + dt * t_x = position_x in the

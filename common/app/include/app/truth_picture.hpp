@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "app/camera.hpp"
+#include "app/measure.hpp"
+#include "truth/ray.hpp"
+
+/// What the labs' truths have in common: the scene's numbers in double precision, and the loop over the
+/// pixels.
+namespace texel::app {
+
+/// The camera of a picture of `size` pixels.
+inline truth::Camera truth_camera(const OrbitCamera& camera, glm::ivec2 size) {
+  return {.yaw = camera.yaw,
+          .pitch = camera.pitch,
+          .distance = camera.distance,
+          .field_of_view = camera.field_of_view,
+          .width = size.x,
+          .height = size.y};
+}
+
+/// Rotations by `degrees`: about x, +y leans forward to +z; about y, +z turns to +x.
+inline glm::dmat3 about_x(double degrees) {
+  return glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(degrees), glm::dvec3(1, 0, 0)));
+}
+inline glm::dmat3 about_y(double degrees) {
+  return glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(degrees), glm::dvec3(0, 1, 0)));
+}
+
+/// The picture of `answer(window)`, a std::optional<glm::dvec3> at the middle of each pixel, in pixels from
+/// the lower left corner; where it has no value or no finite one there is no truth. `answer` is called by
+/// several threads at a time.
+template <class Answer>
+Truth truth_picture(glm::ivec2 size, const Answer& answer) {
+  Truth picture(size.x, size.y, 4);
+  const auto fill_row = [&](int y) {
+    for (int x = 0; x < size.x; ++x) {
+      const std::optional<glm::dvec3> value = answer(glm::dvec2(x + 0.5, y + 0.5));
+      if (!value || !std::isfinite(value->x + value->y + value->z)) continue;
+      for (int c = 0; c < 3; ++c) picture.at(x, y, c) = static_cast<float>((*value)[c]);
+      picture.at(x, y, 3) = 1;
+    }
+  };
+  const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  std::vector<std::jthread> workers;
+  for (int first = 0; first < threads; ++first)
+    workers.emplace_back([=, &fill_row] {  // every row once, the hard ones shared out
+      for (int y = first; y < size.y; y += threads) fill_row(y);
+    });
+  workers.clear();  // waits for them
+  return picture;
+}
+
+}  // namespace texel::app

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The right answer of lab 1: what a pixel should show is the mean of the picture over the pixel's area. The
+// picture is taken as the function that the file was made from, without texels, and many rays through each
+// pixel look it up, in double precision and linear light. See common/truth/include/truth/texture.hpp.
+#pragma once
+#include "app/colour_truth.hpp"
+#include "app/truth_picture.hpp"
+#include "parameters.hpp"
+#include "truth/texture.hpp"
+
+namespace texel {
+
+/// The function of one of the bundled pictures; nothing where the file is not the picture of one.
+inline std::optional<procedural::Texture> texture_of(const std::string& name) {
+  if (name == "brick_32") return procedural::Texture::brick;
+  if (name == "label_npot") return procedural::Texture::label_grid;
+  for (const procedural::Texture texture : procedural::textures)
+    if (procedural::name(texture) == name) return texture;
+  return std::nullopt;
+}
+
+/// A coordinate as the wrap mode takes it back to 0..1.
+inline double wrapped(double s, Wrap wrap) {
+  if (wrap == Wrap::clamp) return std::clamp(s, 1e-9, 1 - 1e-9);  // at 1 itself the next tile begins
+  const double tile = std::floor(s), within = s - tile;
+  return wrap == Wrap::mirrored && std::fmod(tile, 2) != 0 ? 1 - within : within;
+}
+
+/// Colours in 8-bit steps, as the view `color` has them with one sample in each pixel. Empty for other
+/// pictures.
+inline app::Truth texture_quad_truth(const TextureQuadParameters& p, glm::ivec2 size) {
+  const auto texture = texture_of(p.texture);
+  if (!texture) return {};
+  const auto look_up = [&](glm::dvec2 texcoord) {
+    const double s = wrapped(texcoord.s, p.wrap), t = wrapped(texcoord.t, p.wrap);
+    return procedural::colour(*texture, s, p.flip_v ? 1 - t : t);
+  };
+  const truth::QuadPicture picture{
+      .camera = app::truth_camera(p.camera, size),
+      .world_from_object = truth::tilted(p.tilt),
+      .texcoord_map = {.linear = glm::dmat2(p.texture_scale), .offset = glm::dvec2(p.texture_offset)},
+      .texture = look_up};
+  const app::ColourAt colour = [&](glm::dvec2 window) { return picture.at(window); };
+  return app::truth_picture(size, [&](glm::dvec2 middle) { return app::mean_in_steps(colour, middle); });
+}
+
+}  // namespace texel
