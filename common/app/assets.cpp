@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
+#include "gl/cube_map.hpp"
 #include "image/load.hpp"
 
 namespace texel::app {
@@ -84,6 +85,7 @@ std::array<image::Image8, 6> Assets::cube_map(const std::string& name) const {
   std::array<image::Image8, 6> faces;
   // The loader puts the bottom row first; cube maps want the top row.
   for (std::size_t i = 0; i < 6; ++i) faces[i] = image::flipped(load(folder / kFaces[i], 3));
+  gl::check_cube_faces(faces, folder.string());
   return faces;
 }
 

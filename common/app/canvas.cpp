@@ -23,6 +23,7 @@ gl::Target& Canvas::fit(std::unique_ptr<gl::Target>& target, gl::Target::Kind ki
 }
 
 void Canvas::draw_into(const gl::Target& target, View view, const std::optional<Split>& split) {
+  static_cast<void>(context_.take_errors());  // of a frame that was broken off
   target.bind();
   glDisable(GL_SCISSOR_TEST);
   const bool colour = target.kind() == gl::Target::Kind::colour;

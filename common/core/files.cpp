@@ -66,13 +66,19 @@ std::string read_file(const std::filesystem::path& path) {
 }
 
 void write_file(const std::filesystem::path& path, std::string_view bytes) {
-  const std::string beside = fmt::format("{}.{}.part", path.string(), ::getpid());
+  std::error_code ignored;
+  const std::filesystem::path target =
+      std::filesystem::is_symlink(path, ignored) ? std::filesystem::weakly_canonical(path, ignored) : path;
+  const std::filesystem::file_status status = std::filesystem::status(target, ignored);
+  const bool in_place = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+  const std::string beside =
+      in_place ? target.string() : fmt::format("{}.{}.part", target.string(), ::getpid());
   const auto fail = [&](const char* doing, int error) {
-    ::unlink(beside.c_str());
+    if (!in_place) ::unlink(beside.c_str());
     return Error::failed(fmt::format("cannot {}: {}", doing, std::strerror(error)), {path.string()},
                          "check that the folder exists, can be written and has room");
   };
-  Descriptor file(::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  Descriptor file(::open(beside.c_str(), O_WRONLY | O_CLOEXEC | (in_place ? 0 : O_CREAT | O_TRUNC), 0666));
   if (file.get() < 0) throw fail("write", errno);
   while (!bytes.empty()) {
     const ssize_t put = ::write(file.get(), bytes.data(), bytes.size());
@@ -81,7 +87,7 @@ void write_file(const std::filesystem::path& path, std::string_view bytes) {
     bytes.remove_prefix(static_cast<std::size_t>(put));
   }
   if (file.close() != 0) throw fail("write", errno);
-  if (std::rename(beside.c_str(), path.c_str()) != 0) throw fail("rename into place", errno);
+  if (!in_place && std::rename(beside.c_str(), target.c_str()) != 0) throw fail("rename into place", errno);
 }
 
 MappedFile::MappedFile(const std::filesystem::path& path) {

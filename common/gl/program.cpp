@@ -190,6 +190,7 @@ Program& ProgramCache::get(const std::string& vertex, const std::string& fragmen
 }
 
 void ProgramCache::clear() {
+  glUseProgram(0);  // a deleted program must not stay in use: the panel would restore it
   programs_.clear();
   sources_.clear();
   tried_.clear();

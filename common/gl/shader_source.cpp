@@ -37,6 +37,14 @@ std::string_view included(std::string_view line) {
                                                                 : std::string_view{};
 }
 
+/// Is it an #else, #elif or #endif?
+bool ends_branch(std::string_view line) {
+  line = trimmed(line);
+  if (!line.starts_with('#')) return false;
+  line = trimmed(line.substr(1));
+  return line.starts_with("else") || line.starts_with("elif") || line.starts_with("endif");
+}
+
 }  // namespace
 
 ShaderSource::ShaderSource(const std::filesystem::path& root, const std::filesystem::path& file)
@@ -83,6 +91,8 @@ void ShaderSource::expand(const std::filesystem::path& file, const std::string& 
     const std::string_view name = included(line);
     if (name.empty()) {
       body_.append(line).append("\n");
+      // In a branch that is left out the compiler skips our #line marks too.
+      if (ends_branch(line)) mark(line_number + 1);
       continue;
     }
     const Place place{file.lexically_relative(root_).string(), line_number};

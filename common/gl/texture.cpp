@@ -96,13 +96,19 @@ Texture make_texture_2d(const image::Image8& image, image::Encoding encoding, co
   return texture;
 }
 
-void check_cube_faces(std::span<const image::Image8, 6> faces) {
+void check_cube_faces(std::span<const image::Image8, 6> faces, const std::string& from) {
   static constexpr const char* kNames[] = {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
-  for (std::size_t i = 0; i < 6; ++i)
-    if (faces[i].width != faces[0].width || faces[i].height != faces[0].width)
-      throw Error::failed(fmt::format("the cube map's face {} has {}x{} texels, but face +X {}x{}", kNames[i],
-                                      faces[i].width, faces[i].height, faces[0].width, faces[0].height),
-                          {}, "give six squares of one size");
+  const auto fail = [&](const std::string& what) {
+    return Error::failed("the cube map's " + what, {from}, "give six squares of one size");
+  };
+  for (std::size_t i = 0; i < 6; ++i) {
+    const int width = faces[i].width, height = faces[i].height, first = faces[0].width;
+    if (width != height)
+      throw fail(fmt::format("face {} has {}x{} texels and is no square", kNames[i], width, height));
+    if (width != first)
+      throw fail(
+          fmt::format("face {} has {}x{} texels, but face +X {}x{}", kNames[i], width, height, first, first));
+  }
 }
 
 Texture make_cube_map(std::span<const image::Image8, 6> faces, image::Encoding encoding,

@@ -70,7 +70,7 @@ struct NormalMapParameters {
     set.add(bump_strength,
             {"bump_strength", 1, 0, 4, "", "Steepness of the relief: multiplies the normal's x and y"});
     set.section("Error");
-    set.add(truth, {"truth", app::ReliefTruth::height_field, app::kReliefTruths,
+    set.add(truth, {"truth", app::ReliefTruth::baked_map, app::kReliefTruths,
                     "What the view error compares with"});
     set.section("Textures");
     set.add(texture, {"texture", "brick", kTextures, "Colour of the surface (keys K and L)"});

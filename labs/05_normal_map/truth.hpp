@@ -51,15 +51,16 @@ inline app::Truth normal_map_truth(const NormalMapParameters& p, const std::stri
   const double repeats = p.texture_scale;
   const truth::TexcoordMap tiles{.linear = glm::dmat2(repeats)};
 
+  const app::Relief relief{p.truth, *gradient, p.bump_strength, shape->width / repeats};
+
   return app::truth_picture(size, [&](glm::dvec2 window) -> std::optional<glm::dvec3> {
-    const truth::Ray ray = truth::pixel_ray(camera, window).ray;
-    const auto hit = shape->hit(truth::object_ray(ray, place));
+    const truth::PixelRay pixel = truth::pixel_ray(camera, window);
+    const auto hit = shape->hit(truth::object_ray(pixel.ray, place));
     if (!hit) return std::nullopt;
     const truth::Surface surface =
         truth::placed(truth::reparameterised(shape->surface(hit->face), tiles), place);
     const glm::dvec2 texcoord = tiles.texcoord(hit->texcoord);
-    const glm::dvec2 slope = static_cast<double>(p.bump_strength) * (*gradient)(texcoord);
-    return app::relief_normal(p.truth, surface(texcoord), slope, shape->width / repeats);
+    return relief.mean_normal(pixel, surface(texcoord), texcoord);
   });
 }
 

@@ -64,7 +64,7 @@ struct BumpParameters {
     set.add(incident,
             {"incident", Incident::per_fragment, kIncidents, "The ray that arrives at the surface (lab 8)"});
     set.section("Error");
-    set.add(truth, {"truth", app::ReliefTruth::height_field, app::kReliefTruths,
+    set.add(truth, {"truth", app::ReliefTruth::baked_map, app::kReliefTruths,
                     "What the view error compares with"});
     set.section("Ball");
     set.add(rings, {"rings", 64, 2, 256, "", "Bands from pole to pole"});

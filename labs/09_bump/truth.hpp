@@ -27,15 +27,16 @@ inline app::Truth bump_truth(const BumpParameters& p, glm::ivec2 size) {
   const truth::TexcoordMap worksheet{.linear = glm::dmat2(-repeats), .offset = {0, repeats}};
   const truth::Surface surface = truth::placed(truth::reparameterised(truth::sphere(), worksheet), ball);
   // The relief is as high as a map must be that fits the half meridian `repeats` times: no stretch along v.
-  const double width = glm::pi<double>() / repeats;
+  const app::Relief relief{p.truth, *gradient, p.bump_strength, glm::pi<double>() / repeats};
 
   return app::truth_picture(size, [&](glm::dvec2 window) -> std::optional<glm::dvec3> {
-    const truth::Ray ray = truth::pixel_ray(camera, window).ray;
-    const auto hit = truth::hit_sphere(truth::object_ray(ray, ball));
+    const truth::PixelRay pixel = truth::pixel_ray(camera, window);
+    const auto hit = truth::hit_sphere(truth::object_ray(pixel.ray, ball));
     if (!hit) return std::nullopt;
     const glm::dvec2 texcoord = worksheet.texcoord(hit->texcoord);
-    const glm::dvec2 slope = static_cast<double>(p.bump_strength) * (*gradient)(texcoord);
-    return truth::reflected(ray.direction, app::relief_normal(p.truth, surface(texcoord), slope, width));
+    const auto normal = relief.mean_normal(pixel, surface(texcoord), texcoord);
+    if (!normal) return std::nullopt;
+    return truth::reflected(pixel.ray.direction, *normal);
   });
 }
 

@@ -112,6 +112,14 @@ TEST_P(OpenGl, lines_after_an_include_keep_their_numbers) {
   EXPECT_TRUE(error.starts_with("student.frag:4:")) << error;
 }
 
+TEST_P(OpenGl, lines_after_an_include_that_is_left_out_keep_their_numbers) {
+  write_file(folder_ / "step.glsl", "float one() { return 1.0; }\n\n\n\n");
+  const std::string error = compile_error(
+      "#version 330 core\n#if 0\n#include \"step.glsl\"\n#endif\nout vec4 c;\nvoid main() { c = vec3(1.0); "
+      "}\n");
+  EXPECT_TRUE(error.starts_with("student.frag:6:")) << error;
+}
+
 TEST_P(OpenGl, a_missing_include_names_the_line_that_asks_for_it) {
   const std::string error = compile_error("#version 330 core\n\n#include \"nowhere.glsl\"\nvoid main() {}\n");
   EXPECT_NE(error.find("student.frag:3: there is no file 'nowhere.glsl'"), std::string::npos) << error;

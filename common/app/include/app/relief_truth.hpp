@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <functional>
-#include <glm/vec2.hpp>
+#include <glm/glm.hpp>
 #include <optional>
 #include <string>
 
+#include "app/truth_picture.hpp"
 #include "params/set.hpp"
 #include "procedural/height_fields.hpp"
+#include "truth/ray.hpp"
 #include "truth/relief.hpp"
 
 /// The exact normals of the bundled normal maps' reliefs. There are two (truth/relief.hpp), which differ by
@@ -38,12 +40,37 @@ inline std::optional<HeightGradient> height_gradient(const std::string& normal_m
   return std::nullopt;
 }
 
-/// The relief's unit normal at a point of a surface. `slope`: as above, times the bump strength. As a height
-/// field the relief is as high as if a texture width were `width` world units long.
-inline glm::dvec3 relief_normal(ReliefTruth truth, const truth::SurfacePoint& point, glm::dvec2 slope,
-                                double width) {
-  if (truth == ReliefTruth::height_field) return truth::relief_normal(point, width * slope);
-  return truth::mapped_normal(truth::orthonormal_frame(point), {-slope.s, -slope.t, 1});
-}
+/// A relief over a surface.
+struct Relief {
+  static constexpr std::uint32_t kSamples = 8;
+  ReliefTruth truth;
+  HeightGradient gradient;
+  double strength;  ///< multiplies its slopes
+  double width;     ///< as a height field it is as high as if a texture width were so many world units long
+
+  /// Its unit normal at a point of the surface whose slope there is that of the relief at `texcoord`.
+  [[nodiscard]] glm::dvec3 normal(const truth::SurfacePoint& point, glm::dvec2 texcoord) const {
+    const glm::dvec2 slope = strength * gradient(texcoord);
+    if (truth == ReliefTruth::height_field) return truth::relief_normal(point, width * slope);
+    return truth::mapped_normal(truth::orthonormal_frame(point), {-slope.s, -slope.t, 1});
+  }
+
+  /// The mean of the normals that a pixel covers, at unit length: a texture filter gives no more than that.
+  /// The pixel sees the parallelogram around `texcoord` that the derivatives at the middle span; `point` is
+  /// what the ray meets there. Nothing where the parallelogram has no end, as at a sphere's poles.
+  [[nodiscard]] std::optional<glm::dvec3> mean_normal(const truth::PixelRay& pixel,
+                                                      const truth::SurfacePoint& point,
+                                                      glm::dvec2 texcoord) const {
+    constexpr double most = 1e3;  // texture widths
+    const truth::TexcoordGradient step = truth::texcoord_gradient(pixel, point);
+    if (!(glm::length(step.dx) + glm::length(step.dy) < most)) return std::nullopt;
+    glm::dvec3 sum(0);
+    for (std::uint32_t i = 0; i < kSamples; ++i) {
+      const glm::dvec2 place = place_in_pixel(i) + 0.5 / kSamples;  // their mean is the pixel's middle
+      sum += normal(point, texcoord + place.x * step.dx + place.y * step.dy);
+    }
+    return glm::normalize(sum);
+  }
+};
 
 }  // namespace texel::app

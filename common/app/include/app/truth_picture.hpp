@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/gtc/matrix_transform.hpp>
 #include <optional>
 #include <thread>
@@ -30,6 +32,20 @@ inline glm::dmat3 about_x(double degrees) {
 }
 inline glm::dmat3 about_y(double degrees) {
   return glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(degrees), glm::dvec3(0, 1, 0)));
+}
+
+/// The i-th place in a pixel at which it is looked at, -1/2 to 1/2 from its middle. The first 2^k places lie
+/// one in each of 2^k columns, rows, and boxes of any shape between: an edge, upright or level, is found to
+/// 1/2^k of a pixel, which takes a square grid as many samples along a side. Source: Sobol's (0, 2)-sequence
+/// as T. Kollig and A. Keller have it, "Efficient Multidimensional Sampling" (2002).
+inline glm::dvec2 place_in_pixel(std::uint32_t i) {
+  std::uint32_t x = 0, y = 0;
+  for (std::uint32_t bit = 1U << 31, direction = bit; i != 0; i >>= 1, bit >>= 1, direction ^= direction >> 1)
+    if ((i & 1) != 0) {
+      x ^= bit;
+      y ^= direction;
+    }
+  return glm::dvec2(x, y) * 0x1p-32 - 0.5;
 }
 
 /// The picture of `answer(window)`, a std::optional<glm::dvec3> at the middle of each pixel, in pixels from

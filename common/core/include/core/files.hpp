@@ -12,8 +12,8 @@ namespace texel {
 std::string read_file(const std::filesystem::path& path);
 
 /// Writes a whole file: beside its place under a temporary name, then renamed, so that no half file is ever
-/// seen and an existing one survives a failure. Throws Error (exit 3) when the folder is missing or the disk
-/// full.
+/// seen and an existing one survives a failure. A link is followed; a device or pipe is written to as it is.
+/// Throws Error (exit 3) when the folder is missing or the disk full.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 /// A file's bytes mapped read-only into memory; an empty file gives an empty view.
