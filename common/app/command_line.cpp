@@ -136,7 +136,7 @@ std::optional<CommandLine> read_command_line(AnyLab& lab, int argc, char** argv)
     model_parameter(lab.parameters())->set(bare ? "./" + model : model);
   }
   line.turn_given = lab.parameters().find("turn") != nullptr && app.count("--turn") > 0;
-  if (!size.empty()) line.size = parse_size(size);
+  if (app.count("--size") > 0) line.size = parse_size(size);
   find_view(info, line.view);
   if (!line.batch.empty() && line.out.empty()) throw Error::usage("--batch needs --out DIR");
   return line;

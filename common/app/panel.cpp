@@ -235,7 +235,7 @@ Action buttons(WindowState& state) {
   button("Snapshot", Action::snapshot, "Writes the picture beside where you started the program (F12)");
   ImGui::SameLine();
   button("Default look", Action::reset_parameters, "All parameters back to their defaults (J)");
-  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 11);
+  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 13.5F);
   ImGui::InputText("##config", &state.config_file);
   tooltip("The file that Save writes and Load reads: all parameters, as --config takes them");
   ImGui::SameLine();

@@ -323,13 +323,18 @@ class Window {
       p->set_value(std::clamp(p->value() * factor + offset, p->least, p->most));
   }
 
+  /// By the mouse's place now: ImGui's WantCaptureMouse is that of the last frame.
+  [[nodiscard]] bool over_picture() const {
+    return in_picture(mouse_).x >= 0 && !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+  }
+
   void on_scroll(double dy) {
-    if (!ImGui::GetIO().WantCaptureMouse) change("distance", std::pow(0.9, dy), 0);
+    if (over_picture()) change("distance", std::pow(0.9, dy), 0);
   }
 
   void on_button(int button, int action) {
     if (button != GLFW_MOUSE_BUTTON_LEFT) return;
-    if (action == GLFW_PRESS && !ImGui::GetIO().WantCaptureMouse) {
+    if (action == GLFW_PRESS && over_picture()) {
       drag_ = Drag::picture;
       if (state_.split &&
           std::abs(in_picture(mouse_).x - state_.split->position * picture_units().x) < 8 * scale_)

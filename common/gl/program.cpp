@@ -163,7 +163,8 @@ void Program::check_uniforms() const {
 std::shared_ptr<const ShaderSource> ProgramCache::source(const std::string& file) {
   auto& source = sources_[file];
   if (source == nullptr) {
-    tried_.push_back(root_ / file);
+    // If a file is missing, no file changes when it comes: its folder does.
+    tried_.insert(tried_.end(), {root_ / file, (root_ / file).parent_path(), root_ / "lib"});
     source = std::make_shared<const ShaderSource>(root_, file);
   }
   return source;

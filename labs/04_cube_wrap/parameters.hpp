@@ -51,7 +51,7 @@ struct CubeWrapParameters {
     set.add(light_pitch, {"light_pitch", 42, -90, 90, "degrees", "Direction to the light above the horizon"});
     set.add(ambient, {"ambient", 0.25, 0, 1, "", "Light that comes from everywhere; 1: the picture alone"});
     set.add(specular, {"specular", 0, 0, 1, "", "Strength of the highlight"});
-    set.section("View");
+    set.section("Turn");
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});
     camera.declare<{.yaw = 32, .pitch = 24, .distance = 2.7F}>(set);
   }

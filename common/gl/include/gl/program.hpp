@@ -76,7 +76,7 @@ class ProgramCache {
   Program& get(const std::string& vertex, const std::string& fragment, const std::vector<Define>& defines);
   /// Forgets everything, so that edited files are read again.
   void clear();
-  /// Every file that was read, for a watcher.
+  /// Every file that was read, and the folders in which more are looked for, for a watcher.
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
   [[nodiscard]] std::size_t size() const { return programs_.size(); }
   /// Milliseconds spent in reading and compiling.
@@ -88,7 +88,7 @@ class ProgramCache {
   std::map<std::string, std::shared_ptr<const ShaderSource>> sources_;
   std::map<std::string, std::unique_ptr<Program>> programs_;
   double milliseconds_ = 0;
-  std::vector<std::filesystem::path> tried_;  ///< files of a source that could not be expanded
+  std::vector<std::filesystem::path> tried_;  ///< where sources were looked for
 };
 
 }  // namespace texel::gl
