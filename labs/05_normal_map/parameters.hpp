@@ -70,8 +70,8 @@ struct NormalMapParameters {
     set.add(bump_strength,
             {"bump_strength", 1, 0, 4, "", "Steepness of the relief: multiplies the normal's x and y"});
     set.section("Error");
-    set.add(truth, {"truth", app::ReliefTruth::baked_map, app::kReliefTruths,
-                    "What the view error compares with"});
+    set.add(truth,
+            {"truth", app::ReliefTruth::baked_map, app::kReliefTruths, "What the view error compares with"});
     set.section("Textures");
     set.add(texture, {"texture", "brick", kTextures, "Colour of the surface (keys K and L)"});
     set.add(normal_map, {"normal_map", "matching", kNormalMaps, "Relief of the surface"});

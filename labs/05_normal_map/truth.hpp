@@ -50,7 +50,6 @@ inline app::Truth normal_map_truth(const NormalMapParameters& p, const std::stri
                                    app::about_y(p.turn) * glm::dmat3(1, 0, 0, 0, p.stretch, 0, 0, 0, 1)};
   const double repeats = p.texture_scale;
   const truth::TexcoordMap tiles{.linear = glm::dmat2(repeats)};
-
   const app::Relief relief{p.truth, *gradient, p.bump_strength, shape->width / repeats};
 
   return app::truth_picture(size, [&](glm::dvec2 window) -> std::optional<glm::dvec3> {

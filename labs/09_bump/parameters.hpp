@@ -64,8 +64,8 @@ struct BumpParameters {
     set.add(incident,
             {"incident", Incident::per_fragment, kIncidents, "The ray that arrives at the surface (lab 8)"});
     set.section("Error");
-    set.add(truth, {"truth", app::ReliefTruth::baked_map, app::kReliefTruths,
-                    "What the view error compares with"});
+    set.add(truth,
+            {"truth", app::ReliefTruth::baked_map, app::kReliefTruths, "What the view error compares with"});
     set.section("Ball");
     set.add(rings, {"rings", 64, 2, 256, "", "Bands from pole to pole"});
     set.add(segments, {"segments", 128, 3, 512, "", "Quads around each band"});

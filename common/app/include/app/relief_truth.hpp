@@ -66,7 +66,7 @@ struct Relief {
     if (!(glm::length(step.dx) + glm::length(step.dy) < most)) return std::nullopt;
     glm::dvec3 sum(0);
     for (std::uint32_t i = 0; i < kSamples; ++i) {
-      const glm::dvec2 place = place_in_pixel(i) + 0.5 / kSamples;  // their mean is the pixel's middle
+      const glm::dvec2 place = place_in_pixel(i, kSamples);
       sum += normal(point, texcoord + place.x * step.dx + place.y * step.dy);
     }
     return glm::normalize(sum);

@@ -34,18 +34,19 @@ inline glm::dmat3 about_y(double degrees) {
   return glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(degrees), glm::dvec3(0, 1, 0)));
 }
 
-/// The i-th place in a pixel at which it is looked at, -1/2 to 1/2 from its middle. The first 2^k places lie
-/// one in each of 2^k columns, rows, and boxes of any shape between: an edge, upright or level, is found to
-/// 1/2^k of a pixel, which takes a square grid as many samples along a side. Source: Sobol's (0, 2)-sequence
-/// as T. Kollig and A. Keller have it, "Efficient Multidimensional Sampling" (2002).
-inline glm::dvec2 place_in_pixel(std::uint32_t i) {
+/// The i-th of `count` places (a power of two) at which a pixel is looked at, -1/2 to 1/2 from its middle,
+/// which is their mean. One lies in the middle of each of `count` columns and rows, and in each box of any
+/// shape between: an edge, upright or level, is found to 1/count of a pixel, for which a square grid needs
+/// count^2 places. The earlier half of them is spread as evenly as the later half. Source: Sobol's (0,
+/// 2)-sequence as T. Kollig and A. Keller have it, "Efficient Multidimensional Sampling" (2002).
+inline glm::dvec2 place_in_pixel(std::uint32_t i, std::uint32_t count) {
   std::uint32_t x = 0, y = 0;
   for (std::uint32_t bit = 1U << 31, direction = bit; i != 0; i >>= 1, bit >>= 1, direction ^= direction >> 1)
     if ((i & 1) != 0) {
       x ^= bit;
       y ^= direction;
     }
-  return glm::dvec2(x, y) * 0x1p-32 - 0.5;
+  return glm::dvec2(x, y) * 0x1p-32 + 0.5 / count - 0.5;
 }
 
 /// The picture of `answer(window)`, a std::optional<glm::dvec3> at the middle of each pixel, in pixels from
