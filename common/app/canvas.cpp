@@ -154,7 +154,7 @@ void Canvas::draw_error(glm::ivec2 size) {
   }
   if (truth_.samples.empty())
     throw Error::failed("there is no exact answer to compare with for these parameters", {},
-                        "choose a built-in model that has a formula");
+                        "choose a built-in model, picture or cube map that has a formula");
   error_ = error_picture(measured_picture(*measure, size), truth_, measure->unit);
   figures_ = figures_of(*error_);
   const double scale = error_scale_ > 0 ? error_scale_ : round_up(figures_->p99);
