@@ -6,7 +6,8 @@
 
 namespace texel::app {
 
-/// Notices edited files by their time and size, and folders in which a file came or went. Editors that write beside and rename are noticed too.
+/// Notices edited files by their time and size, and folders in which a file came or went. Editors that write
+/// beside and rename are noticed too.
 class Watcher {
  public:
   /// Which of `files` are not as they were at the last call (a file seen for the first time is not changed).
