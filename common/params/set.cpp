@@ -185,17 +185,17 @@ void Set::add(bool& variable, Toggle toggle) {
 }
 
 void Set::add(int& variable, Number number) {
-  Parameter& parameter = append(number.name, number.unit, number.help, Type::integer);
-  parameter.variable_ = &variable;
-  parameter.least = number.least;
-  parameter.most = number.most;
-  parameter.scale = number.scale;
-  finish(parameter, fmt::format("{}", number.initial));
+  add_number(&variable, number, Type::integer);
 }
 
 void Set::add(float& variable, Number number) {
-  Parameter& parameter = append(number.name, number.unit, number.help, Type::number);
-  parameter.variable_ = &variable;
+  add_number(&variable, number, Type::number);
+}
+
+template <class Variable>
+void Set::add_number(Variable* variable, const Number& number, Type type) {
+  Parameter& parameter = append(number.name, number.unit, number.help, type);
+  parameter.variable_ = variable;
   parameter.least = number.least;
   parameter.most = number.most;
   parameter.scale = number.scale;

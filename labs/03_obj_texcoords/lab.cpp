@@ -28,7 +28,7 @@ struct ObjTexcoords {
     program.set("clip_from_world", p.camera.clip_from_world(frame.aspect()));
     program.set("world_from_object", app::turn_about_y(p.turn));
     program.set("eye", p.camera.eye());
-    program.set("light", app::direction_from_angles(p.light_yaw, p.light_pitch));
+    program.set("light", p.light.direction());
     program.set("longest_side", model.longest_side);
     program.set("color_map", 0);
     // Encoded arithmetic means that nobody decodes on reading and nobody encodes on writing.

@@ -2,6 +2,7 @@
 // What can be chosen in lab 3. Nothing to do for you here.
 #pragma once
 #include "app/camera.hpp"
+#include "app/light.hpp"
 #include "params/set.hpp"
 
 namespace texel {
@@ -59,7 +60,7 @@ struct ObjTexcoordsParameters {
   Tint tint{};
   bool flip_v{}, linear_light{};
   float texture_scale{};
-  float light_yaw{}, light_pitch{}, ambient{}, specular{};
+  app::Light light;
   float turn{};
   app::OrbitCamera camera;
 
@@ -77,12 +78,7 @@ struct ObjTexcoordsParameters {
     set.add(tint, {"tint", Tint::none, kTints, "Paint the parts of the file"});
     set.add(linear_light, {"linear_light", true,
                            "Light and filter linear light; off: the encoded values, as the report does"});
-    set.section("Light");
-    set.add(light_yaw,
-            {"light_yaw", 48, -180, 180, "degrees", "Direction to the light around the vertical axis"});
-    set.add(light_pitch, {"light_pitch", 42, -90, 90, "degrees", "Direction to the light above the horizon"});
-    set.add(ambient, {"ambient", 0.35, 0, 1, "", "Light that comes from everywhere; 1: the picture alone"});
-    set.add(specular, {"specular", 0.05, 0, 1, "", "Strength of the highlight"});
+    light.declare<{.ambient = 0.35F, .specular = 0.05F}>(set);
     set.section("Turn");
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});
     camera.declare<{.yaw = 28, .pitch = 20, .distance = 2.7F}>(set);

@@ -100,7 +100,7 @@ struct CubeWrap {
     program.set("clip_from_world", p.camera.clip_from_world(frame.aspect()));
     program.set("world_from_object", app::turn_about_y(p.turn));
     program.set("eye", p.camera.eye());
-    program.set("light", app::direction_from_angles(p.light_yaw, p.light_pitch));
+    program.set("light", p.light.direction());
     gl::bind(0, GL_TEXTURE_2D, color_map);
     program.set("color_map", 0);
     buffers.draw(program);

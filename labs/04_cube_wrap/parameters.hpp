@@ -2,6 +2,7 @@
 // What can be chosen in lab 4. Nothing to do for you here.
 #pragma once
 #include "app/camera.hpp"
+#include "app/light.hpp"
 #include "app/models.hpp"
 #include "params/set.hpp"
 
@@ -33,7 +34,7 @@ struct CubeWrapParameters {
   Method method{};
   Normals normals{};
   float texture_scale{};
-  float light_yaw{}, light_pitch{}, ambient{}, specular{};
+  app::Light light;
   float turn{};
   app::OrbitCamera camera;
 
@@ -45,12 +46,7 @@ struct CubeWrapParameters {
     set.add(texture, {"texture", "label_grid", kTextures, "The picture on it (keys K and L)"});
     set.add(texture_scale,
             {"texture_scale", 1, 0.1, 20, "", "Repeats of the picture", params::Scale::logarithmic});
-    set.section("Light");
-    set.add(light_yaw,
-            {"light_yaw", 48, -180, 180, "degrees", "Direction to the light around the vertical axis"});
-    set.add(light_pitch, {"light_pitch", 42, -90, 90, "degrees", "Direction to the light above the horizon"});
-    set.add(ambient, {"ambient", 0.25, 0, 1, "", "Light that comes from everywhere; 1: the picture alone"});
-    set.add(specular, {"specular", 0, 0, 1, "", "Strength of the highlight"});
+    light.declare<{}>(set);
     set.section("Turn");
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});
     camera.declare<{.yaw = 32, .pitch = 24, .distance = 2.7F}>(set);

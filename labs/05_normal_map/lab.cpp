@@ -43,7 +43,7 @@ struct NormalMap {
     program.set("world_from_object", world_from_object);
     program.set("normal_from_object", normal_from_object);
     program.set("eye", p.camera.eye());
-    program.set("light", app::direction_from_angles(p.light_yaw, p.light_pitch));
+    program.set("light", p.light.direction());
     gl::bind(0, GL_TEXTURE_2D, color_map);
     program.set("color_map", 0);
     if (p.normal_mapping && p.method != Method::per_vertex) {

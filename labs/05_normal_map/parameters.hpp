@@ -2,6 +2,7 @@
 // What can be chosen in lab 5. Nothing to do for you here.
 #pragma once
 #include "app/camera.hpp"
+#include "app/light.hpp"
 #include "app/models.hpp"
 #include "app/relief_truth.hpp"
 #include "params/set.hpp"
@@ -57,7 +58,7 @@ struct NormalMapParameters {
   Decode decode{};
   float bump_strength{}, texture_scale{};
   app::ReliefTruth truth{};
-  float light_yaw{}, light_pitch{}, ambient{}, specular{};
+  app::Light light;
   float turn{}, stretch{};
   app::OrbitCamera camera;
 
@@ -82,12 +83,7 @@ struct NormalMapParameters {
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});
     set.add(stretch,
             {"stretch", 1, 0.25, 4, "", "Scales the model along y: normals need the inverse transpose"});
-    set.section("Light");
-    set.add(light_yaw,
-            {"light_yaw", 70, -180, 180, "degrees", "Direction to the light around the vertical axis"});
-    set.add(light_pitch, {"light_pitch", 35, -90, 90, "degrees", "Direction to the light above the horizon"});
-    set.add(ambient, {"ambient", 0.2, 0, 1, "", "Light that comes from everywhere"});
-    set.add(specular, {"specular", 0.2, 0, 1, "", "Strength of the highlight"});
+    light.declare<{.yaw = 70, .pitch = 35, .ambient = 0.2F, .specular = 0.2F}>(set);
     camera.declare<{.yaw = 32, .pitch = 24, .distance = 3}>(set);
   }
 };

@@ -189,6 +189,8 @@ class Set {
  private:
   void add_choice(Parameter::Enumeration variable, const char* name, int initial, std::span<const Item> items,
                   const char* help);
+  template <class Variable>
+  void add_number(Variable* variable, const Number& number, Parameter::Type type);
   Parameter& append(const char* name, const char* unit, const char* help, Parameter::Type type);
   void finish(Parameter& parameter, std::string_view initial);
   std::vector<Parameter> parameters_;
