@@ -307,7 +307,7 @@ Action draw_panel(AnyLab& lab, WindowState& state, float scale) {
 void draw_overlay(AnyLab& lab, const WindowState& state, glm::vec2 size, float pixels_per_unit, float scale) {
   ImDrawList& canvas = *ImGui::GetBackgroundDrawList();
   const float origin = state.panel_width;
-  if (state.split) {
+  if (state.split && state.view != View::error) {  // the error is drawn whole
     const float x = std::round(origin + state.split->position * size.x);
     canvas.AddLine({x, 0}, {x, size.y}, IM_COL32(255, 255, 255, 220), 2 * scale);
     const std::string left = lab.parameters().at(state.split->parameter).text(), right = state.split->value;

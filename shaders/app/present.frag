@@ -6,10 +6,10 @@ uniform int view;  // app::View
 
 out vec4 picture;
 
-const int kNormal = 1, kTangent = 2, kTexcoord = 3, kDirection = 4, kLod = 5, kDepth = 6, kMask = 7, kError = 8;
+const int kNormal = 1, kTangent = 2, kTexcoord = 3, kDirection = 4, kLod = 5, kDepth = 6, kMask = 7;
 const vec3 kBackground = vec3(0.20, 0.22, 0.25);
 
-// Dark violet over green to yellow, for levels and errors: t from 0 to 1, lightness grows with it.
+// Dark violet over green to yellow, for levels: t from 0 to 1, lightness grows with it.
 vec3 heat(float t) {
   t = clamp(t, 0.0, 1.0);
   return clamp(vec3(0.27 + t * (-0.35 + t * 1.06), 0.02 + t * (1.15 - t * 0.27), 0.33 + t * (0.98 - t * 1.20)), 0.0, 1.0);
@@ -28,7 +28,6 @@ void main() {
     if (view == kLod) color = heat(value.x / 9.0);
     if (view == kDepth) color = vec3(1.0 / (1.0 + 0.25 * value.x));
     if (view == kMask) color = vec3(value.x);
-    if (view == kError) color = heat(value.x / 45.0);
   }
   picture = vec4(color, 1.0);
 }

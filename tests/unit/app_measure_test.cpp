@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "app/measure.hpp"
+#include "core/error.hpp"
+
+namespace texel::app {
+namespace {
+
+/// A picture one pixel high; each pixel has three values and alpha.
+image::ImageF row(std::initializer_list<std::array<float, 4>> pixels) {
+  image::ImageF picture(static_cast<int>(pixels.size()), 1, 4);
+  auto sample = picture.samples.begin();
+  for (const auto& pixel : pixels) sample = std::copy(pixel.begin(), pixel.end(), sample);
+  return picture;
+}
+
+TEST(ErrorPicture, counts_in_its_unit) {
+  const image::ImageF a = row({{1, 0, 0, 1}}), b = row({{0, 2, 0, 1}});
+  // Angles do not depend on lengths; 90 degrees is exact by atan2 but for the conversion from radians.
+  EXPECT_FLOAT_EQ(error_picture(a, b, Unit::degrees).at(0, 0), 90);
+  EXPECT_FLOAT_EQ(error_picture(a, b, Unit::texels).at(0, 0), std::sqrt(5.0F));
+  EXPECT_FLOAT_EQ(error_picture(a, b, Unit::steps).at(0, 0), 2);
+  EXPECT_FLOAT_EQ(error_picture(a, b, Unit::levels).at(0, 0), 1);
+}
+
+TEST(ErrorPicture, is_known_only_where_both_have_a_value) {
+  const image::ImageF error = error_picture(row({{1, 0, 0, 1}, {1, 0, 0, 0}, {1, 0, 0, 1}}),
+                                            row({{0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0}}), Unit::levels);
+  EXPECT_EQ(error.at(0, 0, 3), 1);
+  EXPECT_EQ(error.at(1, 0, 3), 0);
+  EXPECT_EQ(error.at(2, 0, 3), 0);
+}
+
+TEST(ErrorPicture, refuses_pictures_of_different_size) {
+  EXPECT_THROW(error_picture(row({{1, 0, 0, 1}}), image::ImageF(2, 1, 4), Unit::levels), Error);
+}
+
+TEST(ErrorFigures, leave_out_what_is_not_finite_and_count_it) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const ErrorFigures figures = figures_of(row({{3, 0, 0, 1}, {nan, 0, 0, 1}, {4, 0, 0, 1}, {99, 0, 0, 0}}));
+  EXPECT_EQ(figures.pixels, 3);
+  EXPECT_EQ(figures.non_finite, 1);
+  EXPECT_DOUBLE_EQ(figures.mean, 3.5);
+  EXPECT_DOUBLE_EQ(figures.rms, std::sqrt(12.5));
+  EXPECT_EQ(figures.max, 4);
+}
+
+TEST(ErrorFigures, take_the_99th_percentile_by_nearest_rank) {
+  image::ImageF error(200, 1, 4);
+  for (int x = 0; x < 200; ++x) {
+    error.at(x, 0, 0) = static_cast<float>(200 - x);
+    error.at(x, 0, 3) = 1;
+  }
+  EXPECT_EQ(figures_of(error).p99, 198);  // 99 % of 200 values are 198
+  EXPECT_EQ(figures_of(error).max, 200);
+}
+
+TEST(ErrorScale, ends_at_1_2_or_5_times_a_power_of_ten) {
+  EXPECT_EQ(round_up(0), 1);
+  EXPECT_EQ(round_up(1), 1);
+  EXPECT_EQ(round_up(1.2), 2);
+  EXPECT_EQ(round_up(23), 50);
+  EXPECT_EQ(round_up(51), 100);
+}
+
+TEST(ErrorMap, shows_what_is_not_finite_in_magenta) {
+  const image::Image8 map =
+      error_map(row({{std::numeric_limits<float>::infinity(), 0, 0, 1}}), 1, Unit::steps);
+  EXPECT_EQ(map.samples, (std::vector<std::uint8_t>{255, 0, 255, 255}));
+}
+
+}  // namespace
+}  // namespace texel::app
