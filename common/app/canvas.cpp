@@ -145,17 +145,18 @@ image::ImageF Canvas::measured_picture(const Measure& measure, glm::ivec2 size) 
 }
 
 void Canvas::draw_error(glm::ivec2 size) {
-  const Measure* measure = lab_.measure();
-  if (measure == nullptr) throw Error::usage("this lab has no view 'error'");
+  const std::optional<Measure> measure = lab_.measure();
+  if (!measure) throw Error::usage("this lab has no view 'error'");
   const std::string key = fmt::format("{} {}x{}", lab_.parameters().key(), size.x, size.y);
   if (key != truth_key_) {
-    truth_ = lab_.truth(assets_, size);
+    const Truth truth = lab_.truth(size);
+    if (!truth)
+      throw Error::failed("there is no exact answer to compare with for these parameters", {},
+                          "choose a built-in model, picture or cube map that has a formula");
+    truth_ = truth_picture(truth, size);
     truth_key_ = key;
   }
-  if (truth_.samples.empty())
-    throw Error::failed("there is no exact answer to compare with for these parameters", {},
-                        "choose a built-in model, picture or cube map that has a formula");
-  error_ = error_picture(measured_picture(*measure, size), truth_, measure->unit);
+  error_ = error_picture(measured_picture(*measure, size), truth_, *measure);
   figures_ = figures_of(*error_);
   const double scale = error_scale_ > 0 ? error_scale_ : round_up(figures_->p99);
   fit(colour_, gl::Target::Kind::colour, size, 1).write8(error_map(*error_, scale, measure->unit));
@@ -177,6 +178,18 @@ glm::vec4 Canvas::value_at(View view, glm::ivec2 size, glm::ivec2 pixel) {
   draw_into(fit(data_, gl::Target::Kind::data, size, 1), view, {});
   const image::ImageF value = data_->read_pixel(pixel.x, pixel.y);
   return {value.samples[0], value.samples[1], value.samples[2], value.samples[3]};
+}
+
+std::optional<Canvas::Comparison> Canvas::compare_at(glm::ivec2 size, glm::ivec2 pixel) {
+  const std::optional<Measure> measure = lab_.measure();
+  const Truth truth = measure ? lab_.truth(size) : Truth();
+  const std::optional<glm::dvec3> right = truth ? truth(glm::dvec2(pixel) + 0.5) : std::nullopt;
+  if (!right) return {};
+  const image::ImageF picture = measured_picture(*measure, size);
+  if (picture.at(pixel.x, pixel.y, 3) == 0) return {};
+  glm::dvec3 value;
+  for (int c = 0; c < 3; ++c) value[c] = picture.at(pixel.x, pixel.y, c);
+  return Comparison{*measure, value, *right, error_of(value, *right, *measure)};
 }
 
 }  // namespace texel::app

@@ -47,6 +47,17 @@ class Canvas {
   void set_error_scale(double scale) { error_scale_ = scale; }
   /// The value of a data view at one pixel, counted from the bottom left.
   [[nodiscard]] glm::vec4 value_at(View view, glm::ivec2 size, glm::ivec2 pixel);
+
+  /// What the lab measures at one pixel, as method and truth have it: directions, coordinates, or 8-bit steps
+  /// of the picture with one sample a pixel.
+  struct Comparison {
+    Measure measure;
+    glm::dvec3 value, truth;
+    double error;
+  };
+  /// Nothing where there is no truth: beside the object, or for a model from a file.
+  [[nodiscard]] std::optional<Comparison> compare_at(glm::ivec2 size, glm::ivec2 pixel);
+
   /// Copies the 8-bit picture into the window's framebuffer, stretched to `size` pixels; does nothing before
   /// the first.
   void copy_to_window(glm::ivec2 origin, glm::ivec2 size) const;
@@ -78,7 +89,7 @@ class Canvas {
   std::optional<image::ImageF> error_;  ///< when the last picture was the view `error`
   std::optional<ErrorFigures> figures_;
   std::string truth_key_;  ///< of which look truth_ is
-  Truth truth_;
+  image::ImageF truth_;
 };
 
 }  // namespace texel::app

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 #include <limits>
+#include <thread>
 
 #include "core/error.hpp"
 #include "image/colour.hpp"
@@ -17,22 +18,6 @@ namespace {
 
 glm::dvec3 value_at(const image::ImageF& picture, int x, int y) {
   return {picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2)};
-}
-
-double difference(const glm::dvec3& a, const glm::dvec3& b, Unit unit) {
-  switch (unit) {
-    case Unit::degrees:
-      return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
-    case Unit::texels:
-      return glm::length(glm::dvec2(a) - glm::dvec2(b));
-    case Unit::steps: {
-      const glm::dvec3 d = glm::abs(a - b);
-      return std::max({d.x, d.y, d.z});
-    }
-    case Unit::levels:
-      return std::abs(a.x - b.x);
-  }
-  return 0;
 }
 
 using Colour = std::array<std::uint8_t, 3>;
@@ -78,7 +63,44 @@ const char* name_of(Unit unit) {
   return "";
 }
 
-image::ImageF error_picture(const image::ImageF& picture, const Truth& truth, Unit unit) {
+image::ImageF truth_picture(const Truth& truth, glm::ivec2 size) {
+  image::ImageF picture(size.x, size.y, 4);
+  const auto fill_row = [&](int y) {
+    for (int x = 0; x < size.x; ++x) {
+      const std::optional<glm::dvec3> value = truth(glm::dvec2(x + 0.5, y + 0.5));
+      if (!value || !std::isfinite(value->x + value->y + value->z)) continue;
+      for (int c = 0; c < 3; ++c) picture.at(x, y, c) = static_cast<float>((*value)[c]);
+      picture.at(x, y, 3) = 1;
+    }
+  };
+  const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  std::vector<std::jthread> workers;
+  for (int first = 0; first < threads; ++first)
+    workers.emplace_back([=, &fill_row] {  // every row once, the hard ones shared out
+      for (int y = first; y < size.y; y += threads) fill_row(y);
+    });
+  workers.clear();  // waits for them
+  return picture;
+}
+
+double error_of(const glm::dvec3& value, const glm::dvec3& truth, const Measure& measure) {
+  switch (measure.unit) {
+    case Unit::degrees:
+      return glm::degrees(std::atan2(glm::length(glm::cross(value, truth)), glm::dot(value, truth)));
+    case Unit::texels:
+      return measure.scale * glm::length(glm::dvec2(value) - glm::dvec2(truth));
+    case Unit::steps: {
+      const glm::dvec3 apart = glm::abs(value - truth);
+      return measure.scale * std::max({apart.x, apart.y, apart.z});
+    }
+    case Unit::levels:
+      return measure.scale * std::abs(value.x - truth.x);
+  }
+  return 0;
+}
+
+image::ImageF error_picture(const image::ImageF& picture, const image::ImageF& truth,
+                            const Measure& measure) {
   if (picture.width != truth.width || picture.height != truth.height)
     throw Error::failed("the picture and the truth differ in size");
   image::ImageF error(picture.width, picture.height, 4);
@@ -88,7 +110,7 @@ image::ImageF error_picture(const image::ImageF& picture, const Truth& truth, Un
       if (picture.at(x, y, 3) == 0 || truth.at(x, y, 3) == 0) continue;
       const glm::dvec3 value = value_at(picture, x, y);
       const bool finite = std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z);
-      error.at(x, y, 0) = finite ? static_cast<float>(difference(value, value_at(truth, x, y), unit))
+      error.at(x, y, 0) = finite ? static_cast<float>(error_of(value, value_at(truth, x, y), measure))
                                  : std::numeric_limits<float>::quiet_NaN();
       error.at(x, y, 3) = 1;
     }

@@ -202,6 +202,25 @@ void statistics_section(const WindowState& state) {
   lines(state.notes.facts, kGrey);
 }
 
+/// Method and truth side by side, and how far they are apart.
+void comparison_lines(const Canvas::Comparison& c) {
+  ImGui::Separator();
+  const auto line = [&](const char* name, const glm::dvec3& v) {
+    if (c.measure.unit == Unit::texels)
+      ImGui::Text("%-10s %.5f  %.5f", name, v.x, v.y);
+    else if (c.measure.unit == Unit::levels)
+      ImGui::Text("%-10s %.5g", name, v.x);
+    else if (c.measure.unit == Unit::steps)
+      ImGui::Text("%-10s %7.1f  %7.1f  %7.1f", name, v.x, v.y, v.z);
+    else
+      ImGui::Text("%-10s %+.4f  %+.4f  %+.4f", name, v.x, v.y, v.z);
+  };
+  ImGui::TextColored(kGrey, "%s against the truth", kViewNames[static_cast<std::size_t>(c.measure.view)]);
+  line("method", c.value);
+  line("truth", c.truth);
+  ImGui::Text("%-10s %.4g %s", "error", c.error, name_of(c.measure.unit));
+}
+
 void pixel_section(const WindowState& state) {
   if (!ImGui::CollapsingHeader("Pixel", ImGuiTreeNodeFlags_DefaultOpen)) return;
   if (!state.inspected) {
@@ -222,6 +241,7 @@ void pixel_section(const WindowState& state) {
       ImGui::Text("%-10s %+.4f  %+.4f  %+.4f", name, static_cast<double>(value.x),
                   static_cast<double>(value.y), static_cast<double>(value.z));
   }
+  if (state.inspected->comparison) comparison_lines(*state.inspected->comparison);
 }
 
 Action buttons(WindowState& state) {

@@ -27,6 +27,7 @@ struct WindowState {
   struct Inspected {
     glm::ivec2 pixel;
     std::vector<std::pair<View, glm::vec4>> values;
+    std::optional<Canvas::Comparison> comparison;  ///< of the method with the truth
   };
   std::optional<Inspected> inspected;
 

@@ -61,7 +61,7 @@ std::string to_json(const Statistics& statistics) {
 }
 
 std::string to_json(AnyLab& lab, const ErrorFigures& figures) {
-  const Measure& measure = *lab.measure();
+  const Measure measure = *lab.measure();
   Json json;
   json["lab"] = lab.info().folder();
   json["parameters"] = lab.parameters().key();

@@ -212,10 +212,12 @@ class Window {
     if (!state_.inspected) return;
     const glm::ivec2 pixel = state_.inspected->pixel;
     state_.inspected->values.clear();
+    state_.inspected->comparison.reset();
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= picture_pixels().x || pixel.y >= picture_pixels().y) return;
     for (const View view : lab_.info().views)
       if (view != View::color && view != View::mask && view != View::error)
         state_.inspected->values.emplace_back(view, canvas_.value_at(view, picture_pixels(), pixel));
+    state_.inspected->comparison = canvas_.compare_at(picture_pixels(), pixel);
   }
 
   void perform(Action action) {
@@ -348,7 +350,7 @@ class Window {
 
   void click() {
     const glm::vec2 pixel = in_picture(mouse_) * pixels_per_unit();
-    state_.inspected = {{static_cast<int>(pixel.x), pixels().y - 1 - static_cast<int>(pixel.y)}, {}};
+    state_.inspected = {{static_cast<int>(pixel.x), pixels().y - 1 - static_cast<int>(pixel.y)}, {}, {}};
     drawn_ = {};
   }
 

@@ -33,8 +33,6 @@ struct TextureQuad {
   static constexpr app::Info info{1, "texture_quad", "Texture quad",
                                   "Paste a picture on a square, and filter it.", kViews};
 
-  static constexpr app::Measure measure{app::View::color, app::Unit::steps,
-                                        "the mean of the picture's function over the pixel"};
   using Parameters = TextureQuadParameters;
 
   explicit TextureQuad(const app::Assets&) {
@@ -78,7 +76,10 @@ struct TextureQuad {
     glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_INT, nullptr);
   }
 
-  app::Truth truth(const Parameters& p, glm::ivec2 size) const { return texture_quad_truth(p, size); }
+  static app::Measure measure(const Parameters&) {
+    return {app::View::color, app::Unit::steps, "the mean of the picture's function over the pixel"};
+  }
+  static app::Truth truth(const Parameters& p, glm::ivec2 size) { return texture_quad_truth(p, size); }
 
  private:
   /// One attribute in a buffer of its own, `components` floats a vertex.

@@ -4,7 +4,7 @@
 // pixel look it up, in double precision and linear light. See common/truth/include/truth/texture.hpp.
 #pragma once
 #include "app/colour_truth.hpp"
-#include "app/truth_picture.hpp"
+#include "app/truth_scene.hpp"
 #include "parameters.hpp"
 #include "truth/texture.hpp"
 
@@ -31,17 +31,16 @@ inline double wrapped(double s, Wrap wrap) {
 inline app::Truth texture_quad_truth(const TextureQuadParameters& p, glm::ivec2 size) {
   const auto texture = texture_of(p.texture);
   if (!texture) return {};
-  const auto look_up = [&](glm::dvec2 texcoord) {
-    const double s = wrapped(texcoord.s, p.wrap), t = wrapped(texcoord.t, p.wrap);
-    return procedural::colour(*texture, s, p.flip_v ? 1 - t : t);
+  const auto look_up = [texture, wrap = p.wrap, flip_v = p.flip_v](glm::dvec2 texcoord) {
+    const double s = wrapped(texcoord.s, wrap), t = wrapped(texcoord.t, wrap);
+    return procedural::colour(*texture, s, flip_v ? 1 - t : t);
   };
   const truth::QuadPicture picture{
       .camera = app::truth_camera(p.camera, size),
       .world_from_object = truth::tilted(p.tilt),
       .texcoord_map = {.linear = glm::dmat2(p.texture_scale), .offset = glm::dvec2(p.texture_offset)},
       .texture = look_up};
-  const app::ColourAt colour = [&](glm::dvec2 window) { return picture.at(window); };
-  return app::truth_picture(size, [&](glm::dvec2 middle) { return app::mean_in_steps(colour, middle); });
+  return app::mean_in_steps([picture](glm::dvec2 window) { return picture.at(window); });
 }
 
 }  // namespace texel

@@ -19,8 +19,6 @@ struct NormalMap {
                                          app::View::error};
   static constexpr app::Info info{5, "normal_map", "Normal map", "Give a flat surface the light of a relief.",
                                   kViews};
-  static constexpr app::Measure measure{app::View::normal, app::Unit::degrees,
-                                        "the exact relief, of the parameter truth"};
   using Parameters = NormalMapParameters;
 
   explicit NormalMap(const app::Assets& assets) : assets_(assets) {}
@@ -60,7 +58,10 @@ struct NormalMap {
   /// The vertex stream as drawn.
   const mesh::Mesh& mesh(const Parameters& p) { return buffers_for(p).mesh(); }
   [[nodiscard]] const app::Notes& notes() const { return notes_; }
-  app::Truth truth(const Parameters& p, glm::ivec2 size) const {
+  static app::Measure measure(const Parameters& p) {
+    return {app::View::normal, app::Unit::degrees, app::name_of(p.truth)};
+  }
+  static app::Truth truth(const Parameters& p, glm::ivec2 size) {
     return normal_map_truth(p, normal_map_name(p), size);
   }
 

@@ -8,7 +8,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "app/relief_truth.hpp"
-#include "app/truth_picture.hpp"
+#include "app/truth_scene.hpp"
 #include "parameters.hpp"
 
 namespace texel {
@@ -52,7 +52,7 @@ inline app::Truth normal_map_truth(const NormalMapParameters& p, const std::stri
   const truth::TexcoordMap tiles{.linear = glm::dmat2(repeats)};
   const app::Relief relief{p.truth, *gradient, p.bump_strength, shape->width / repeats};
 
-  return app::truth_picture(size, [&](glm::dvec2 window) -> std::optional<glm::dvec3> {
+  return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
     const truth::PixelRay pixel = truth::pixel_ray(camera, window);
     const auto hit = shape->hit(truth::object_ray(pixel.ray, place));
     if (!hit) return std::nullopt;
@@ -60,7 +60,7 @@ inline app::Truth normal_map_truth(const NormalMapParameters& p, const std::stri
         truth::placed(truth::reparameterised(shape->surface(hit->face), tiles), place);
     const glm::dvec2 texcoord = tiles.texcoord(hit->texcoord);
     return relief.mean_normal(pixel, surface(texcoord), texcoord);
-  });
+  };
 }
 
 }  // namespace texel

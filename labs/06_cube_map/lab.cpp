@@ -18,8 +18,6 @@ struct CubeMap {
                                          app::View::mask,     app::View::error};
   static constexpr app::Info info{
       6, "cube_map", "Cube map", "Dress a sphere in six pictures, without a seam and without poles.", kViews};
-  static constexpr app::Measure measure{app::View::color, app::Unit::steps,
-                                        "the mean of the pictures' function over the pixel"};
   using Parameters = CubeMapParameters;
 
   explicit CubeMap(const app::Assets& assets) : assets_(assets) {}
@@ -46,7 +44,10 @@ struct CubeMap {
     sphere.draw(program);
   }
 
-  app::Truth truth(const Parameters& p, glm::ivec2 size) const { return cube_map_truth(p, size); }
+  static app::Measure measure(const Parameters&) {
+    return {app::View::color, app::Unit::steps, "the mean of the pictures' function over the pixel"};
+  }
+  static app::Truth truth(const Parameters& p, glm::ivec2 size) { return cube_map_truth(p, size); }
 
  private:
   const gl::Texture& cube_map(const Parameters& p) {

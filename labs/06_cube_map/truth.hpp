@@ -5,7 +5,7 @@
 // sphere, in double precision and linear light. See common/truth/include/truth/cube_map.hpp.
 #pragma once
 #include "app/colour_truth.hpp"
-#include "app/truth_picture.hpp"
+#include "app/truth_scene.hpp"
 #include "parameters.hpp"
 #include "procedural/textures.hpp"
 #include "truth/cube_map.hpp"
@@ -36,12 +36,11 @@ inline app::Truth cube_map_truth(const CubeMapParameters& p, glm::ivec2 size) {
   if (!wears) return {};
   const truth::Camera camera = app::truth_camera(p.camera, size);
   const truth::Placement place{.linear = app::about_x(p.tilt) * app::about_y(p.turn)};
-  const app::ColourAt colour = [&](glm::dvec2 window) {
+  return app::mean_in_steps([=](glm::dvec2 window) {
     const truth::Ray ray = truth::object_ray(truth::pixel_ray(camera, window).ray, place);
     const auto hit = truth::hit_sphere(ray);
     return hit ? glm::dvec4((*wears)(ray.origin + hit->distance * ray.direction), 1) : glm::dvec4(0);
-  };
-  return app::truth_picture(size, [&](glm::dvec2 middle) { return app::mean_in_steps(colour, middle); });
+  });
 }
 
 }  // namespace texel

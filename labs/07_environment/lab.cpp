@@ -18,8 +18,6 @@ struct EnvironmentLab {
                                          app::View::mask, app::View::error};
   static constexpr app::Info info{7, "environment", "Environment",
                                   "Surround the scene with a cube map, behind everything.", kViews};
-  static constexpr app::Measure measure{app::View::direction, app::Unit::degrees,
-                                        "the ray of the pixel, beside the spheres"};
   using Parameters = EnvironmentParameters;
 
   explicit EnvironmentLab(const app::Assets& assets) : environment_(assets), quad_(make_quad()) {}
@@ -44,7 +42,10 @@ struct EnvironmentLab {
     //@end
   }
 
-  app::Truth truth(const Parameters& p, glm::ivec2 size) const { return environment_truth(p, size); }
+  static app::Measure measure(const Parameters&) {
+    return {app::View::direction, app::Unit::degrees, "the ray of the pixel, beside the spheres"};
+  }
+  static app::Truth truth(const Parameters& p, glm::ivec2 size) { return environment_truth(p, size); }
 
  private:
   /// The corners of the picture in clip space; the shader adds z and w.

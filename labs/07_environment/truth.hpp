@@ -5,7 +5,7 @@
 #pragma once
 #include <algorithm>
 
-#include "app/truth_picture.hpp"
+#include "app/truth_scene.hpp"
 #include "parameters.hpp"
 #include "scene.hpp"
 #include "truth/environment.hpp"
@@ -16,7 +16,7 @@ namespace texel {
 /// what is seen there is its triangles' normals, which are the business of labs 6 and 8.
 inline app::Truth environment_truth(const EnvironmentParameters& p, glm::ivec2 size) {
   const truth::Camera camera = app::truth_camera(p.camera, size);
-  return app::truth_picture(size, [&](glm::dvec2 window) -> std::optional<glm::dvec3> {
+  return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
     const truth::Ray ray = truth::pixel_ray(camera, window).ray;
     // The triangles lie inside of the true sphere, so whatever passes the sphere passes them too.
     const bool hidden = std::any_of(std::begin(kSpheres), std::end(kSpheres), [&](const glm::dvec4& sphere) {
@@ -24,7 +24,7 @@ inline app::Truth environment_truth(const EnvironmentParameters& p, glm::ivec2 s
     });
     if (hidden) return std::nullopt;
     return truth::background_direction(camera, window);
-  });
+  };
 }
 
 }  // namespace texel

@@ -16,8 +16,6 @@ struct Reflection {
                                          app::View::depth, app::View::mask,   app::View::error};
   static constexpr app::Info info{8, "reflection", "Reflection",
                                   "Make the sphere a mirror, then glass, by following one ray.", kViews};
-  static constexpr app::Measure measure{app::View::direction, app::Unit::degrees,
-                                        "the ray of the exact ball"};
   using Parameters = ReflectionParameters;
 
   explicit Reflection(const app::Assets& assets) : assets_(assets), environment_(assets) {}
@@ -52,7 +50,10 @@ struct Reflection {
     environment_.draw_background(frame, p.camera, 0);
   }
 
-  app::Truth truth(const Parameters& p, glm::ivec2 size) const { return reflection_truth(p, size); }
+  static app::Measure measure(const Parameters&) {
+    return {app::View::direction, app::Unit::degrees, "the ray of the exact ball"};
+  }
+  static app::Truth truth(const Parameters& p, glm::ivec2 size) { return reflection_truth(p, size); }
 
  private:
   /// The cube map's six pictures as one, which is looked up by angles or as a mirror ball shows it.

@@ -4,7 +4,7 @@
 // equation), and is reflected, or refracted by Snell's law, at the ball's exact normal. See
 // common/truth/include/truth/optics.hpp.
 #pragma once
-#include "app/truth_picture.hpp"
+#include "app/truth_scene.hpp"
 #include "parameters.hpp"
 #include "truth/optics.hpp"
 
@@ -16,14 +16,14 @@ inline app::Truth reflection_truth(const ReflectionParameters& p, glm::ivec2 siz
   const truth::Camera camera = app::truth_camera(p.camera, size);
   const truth::Placement ball{.linear = app::about_y(p.turn) * app::about_x(p.tilt) *
                                         glm::dmat3(1, 0, 0, 0, p.stretch, 0, 0, 0, 1)};
-  return app::truth_picture(size, [&](glm::dvec2 window) -> std::optional<glm::dvec3> {
+  return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
     const auto seen = truth::mirror_point(truth::pixel_ray(camera, window), ball);
     if (!seen) return std::nullopt;
     if (p.surface != Surface::refraction) return seen->reflected;
     const bool leaves = glm::dot(seen->incident, seen->surface.normal) > 0;  // the eye is inside
     const double index = p.index, here = leaves ? index : 1, beyond = leaves ? 1 : index;
     return truth::refracted(seen->incident, seen->surface.normal, here, beyond).value_or(seen->reflected);
-  });
+  };
 }
 
 }  // namespace texel

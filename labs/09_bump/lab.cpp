@@ -17,8 +17,6 @@ struct Bump {
                                          app::View::mask,      app::View::error};
   static constexpr app::Info info{9, "bump", "Bump mapping", "Bend the mirror ball's normals by a picture.",
                                   kViews};
-  static constexpr app::Measure measure{app::View::direction, app::Unit::degrees,
-                                        "the ray at the exact relief, of the parameter truth"};
   using Parameters = BumpParameters;
 
   explicit Bump(const app::Assets& assets) : assets_(assets), environment_(assets) {}
@@ -45,7 +43,10 @@ struct Bump {
     environment_.draw_background(frame, p.camera, 0);
   }
 
-  app::Truth truth(const Parameters& p, glm::ivec2 size) const { return bump_truth(p, size); }
+  static app::Measure measure(const Parameters& p) {
+    return {app::View::direction, app::Unit::degrees, app::name_of(p.truth)};
+  }
+  static app::Truth truth(const Parameters& p, glm::ivec2 size) { return bump_truth(p, size); }
 
  private:
   const app::Assets& assets_;

@@ -8,7 +8,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "app/relief_truth.hpp"
-#include "app/truth_picture.hpp"
+#include "app/truth_scene.hpp"
 #include "parameters.hpp"
 #include "truth/optics.hpp"
 
@@ -29,7 +29,7 @@ inline app::Truth bump_truth(const BumpParameters& p, glm::ivec2 size) {
   // The relief is as high as a map must be that fits the half meridian `repeats` times: no stretch along v.
   const app::Relief relief{p.truth, *gradient, p.bump_strength, glm::pi<double>() / repeats};
 
-  return app::truth_picture(size, [&](glm::dvec2 window) -> std::optional<glm::dvec3> {
+  return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
     const truth::PixelRay pixel = truth::pixel_ray(camera, window);
     const auto hit = truth::hit_sphere(truth::object_ray(pixel.ray, ball));
     if (!hit) return std::nullopt;
@@ -37,7 +37,7 @@ inline app::Truth bump_truth(const BumpParameters& p, glm::ivec2 size) {
     const auto normal = relief.mean_normal(pixel, surface(texcoord), texcoord);
     if (!normal) return std::nullopt;
     return truth::reflected(pixel.ray.direction, *normal);
-  });
+  };
 }
 
 }  // namespace texel

@@ -10,6 +10,10 @@
 namespace texel::app {
 namespace {
 
+Measure in(Unit unit, double scale = 1) {
+  return {View{}, unit, "", scale};
+}
+
 /// A picture one pixel high; each pixel has three values and alpha.
 image::ImageF row(std::initializer_list<std::array<float, 4>> pixels) {
   image::ImageF picture(static_cast<int>(pixels.size()), 1, 4);
@@ -21,22 +25,38 @@ image::ImageF row(std::initializer_list<std::array<float, 4>> pixels) {
 TEST(ErrorPicture, counts_in_its_unit) {
   const image::ImageF a = row({{1, 0, 0, 1}}), b = row({{0, 2, 0, 1}});
   // Angles do not depend on lengths; 90 degrees is exact by atan2 but for the conversion from radians.
-  EXPECT_FLOAT_EQ(error_picture(a, b, Unit::degrees).at(0, 0), 90);
-  EXPECT_FLOAT_EQ(error_picture(a, b, Unit::texels).at(0, 0), std::sqrt(5.0F));
-  EXPECT_FLOAT_EQ(error_picture(a, b, Unit::steps).at(0, 0), 2);
-  EXPECT_FLOAT_EQ(error_picture(a, b, Unit::levels).at(0, 0), 1);
+  EXPECT_FLOAT_EQ(error_picture(a, b, in(Unit::degrees)).at(0, 0), 90);
+  EXPECT_FLOAT_EQ(error_picture(a, b, in(Unit::texels)).at(0, 0), std::sqrt(5.0F));
+  EXPECT_FLOAT_EQ(error_picture(a, b, in(Unit::steps)).at(0, 0), 2);
+  EXPECT_FLOAT_EQ(error_picture(a, b, in(Unit::levels)).at(0, 0), 1);
+  EXPECT_FLOAT_EQ(error_picture(a, b, in(Unit::levels, 512)).at(0, 0), 512);
 }
 
 TEST(ErrorPicture, is_known_only_where_both_have_a_value) {
-  const image::ImageF error = error_picture(row({{1, 0, 0, 1}, {1, 0, 0, 0}, {1, 0, 0, 1}}),
-                                            row({{0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0}}), Unit::levels);
+  const image::ImageF error =
+      error_picture(row({{1, 0, 0, 1}, {1, 0, 0, 0}, {1, 0, 0, 1}}),
+                    row({{0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0}}), in(Unit::levels));
   EXPECT_EQ(error.at(0, 0, 3), 1);
   EXPECT_EQ(error.at(1, 0, 3), 0);
   EXPECT_EQ(error.at(2, 0, 3), 0);
 }
 
 TEST(ErrorPicture, refuses_pictures_of_different_size) {
-  EXPECT_THROW(error_picture(row({{1, 0, 0, 1}}), image::ImageF(2, 1, 4), Unit::levels), Error);
+  EXPECT_THROW(error_picture(row({{1, 0, 0, 1}}), image::ImageF(2, 1, 4), in(Unit::levels)), Error);
+}
+
+TEST(TruthPicture, asks_at_the_middle_of_each_pixel) {
+  const image::ImageF picture = truth_picture(
+      [](glm::dvec2 window) -> std::optional<glm::dvec3> {
+        if (window.x > 2) return std::nullopt;
+        return glm::dvec3(window, window.y > 2 ? NAN : 0.0);
+      },
+      {3, 3});
+  EXPECT_EQ(picture.at(0, 0, 0), 0.5F);
+  EXPECT_EQ(picture.at(1, 1, 1), 1.5F);
+  EXPECT_EQ(picture.at(1, 1, 3), 1);
+  EXPECT_EQ(picture.at(2, 0, 3), 0);  // no answer
+  EXPECT_EQ(picture.at(0, 2, 3), 0);  // no finite one
 }
 
 TEST(ErrorFigures, leave_out_what_is_not_finite_and_count_it) {

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 
-#include "app/truth_picture.hpp"
+#include "app/truth_scene.hpp"
 #include "image/colour.hpp"
 
 namespace texel::app {
@@ -38,6 +38,10 @@ inline std::optional<glm::dvec3> mean_in_steps(const ColourAt& colour, glm::dvec
     const glm::dvec3 apart = glm::abs(steps(earlier) - steps(later));
     if (std::max({apart.r, apart.g, apart.b}) < 2) return steps(all);
   }
+}
+/// The truth of a picture of such colours.
+inline Truth mean_in_steps(ColourAt colour) {
+  return [colour = std::move(colour)](glm::dvec2 middle) { return mean_in_steps(colour, middle); };
 }
 
 }  // namespace texel::app

@@ -31,8 +31,8 @@
 ///
 /// A lab that knows the right answer has the view `error` and besides:
 ///
-///       static constexpr app::Measure measure{app::View::normal, app::Unit::degrees, "height field"};
-///       app::Truth truth(const Parameters& parameters, glm::ivec2 size) const;
+///       static app::Measure measure(const Parameters& parameters);
+///       static app::Truth truth(const Parameters& parameters, glm::ivec2 size);
 ///
 /// Labs that take any OBJ file have `const mesh::Mesh& mesh(const Parameters&)`; those with something to say
 /// of it `const app::Notes& notes() const`.
@@ -98,10 +98,10 @@ class AnyLab {
   virtual void draw(Frame& frame) = 0;
   /// The vertex stream as drawn, for --mesh; null when the lab has none.
   virtual const mesh::Mesh* mesh(const Assets& assets) = 0;
-  /// What its error view measures; null when it knows no truth.
-  [[nodiscard]] virtual const Measure* measure() const = 0;
-  /// The right answer for the present parameters, of `size` pixels; empty where there is none.
-  virtual Truth truth(const Assets& assets, glm::ivec2 size) = 0;
+  /// What its error view measures with the present parameters; nothing when it knows no truth.
+  [[nodiscard]] virtual std::optional<Measure> measure() const = 0;
+  /// The right answer for the present parameters in a picture of `size` pixels; empty where there is none.
+  [[nodiscard]] virtual Truth truth(glm::ivec2 size) const = 0;
   /// What the lab has to say of its input, for --stats and the panel.
   [[nodiscard]] virtual Notes notes() const = 0;
 };
@@ -122,15 +122,15 @@ class LabOf final : public AnyLab {
     else
       return nullptr;
   }
-  [[nodiscard]] const Measure* measure() const override {
-    if constexpr (requires { Lab::measure; })
-      return &Lab::measure;
+  [[nodiscard]] std::optional<Measure> measure() const override {
+    if constexpr (requires { Lab::measure(parameters_); })
+      return Lab::measure(parameters_);
     else
-      return nullptr;
+      return {};
   }
-  Truth truth(const Assets& assets, glm::ivec2 size) override {
-    if constexpr (requires { Lab::measure; })
-      return lab(assets).truth(parameters_, size);
+  [[nodiscard]] Truth truth(glm::ivec2 size) const override {
+    if constexpr (requires { Lab::truth(parameters_, size); })
+      return Lab::truth(parameters_, size);
     else
       return {};
   }

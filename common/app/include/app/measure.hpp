@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <functional>
+#include <glm/glm.hpp>
+#include <optional>
+
 #include "image/image.hpp"
 
 namespace texel::app {
@@ -21,13 +25,17 @@ struct Measure {
   View view;  ///< the data view that holds it; color for 8-bit steps
   Unit unit;
   const char* truth;  ///< what it is compared with, in a few words: "height field on the exact surface"
+  double scale = 1;   ///< a difference in the view is so many units: texels in a texture's width
 };
 
-/// What the view should show, from the analytic answer in double precision: RGBA of the picture's size, alpha
-/// 1 where there is an answer. Unit vectors for degrees, (s, t) in texels for texels, 8-bit values (not
-/// rounded) for steps, levels in red. Empty where the lab's parameters leave the analytic world (an OBJ
-/// file).
-using Truth = image::ImageF;
+/// What the view should show at a place of the picture, in pixels from its lower left corner, from the
+/// analytic answer in double precision: a unit vector for degrees, (s, t) for texels, 8-bit values (not
+/// rounded) for steps, a level in x. Nothing beside the object. May be called by several threads at a time.
+/// An empty function where the lab's parameters leave the analytic world (an OBJ file).
+using Truth = std::function<std::optional<glm::dvec3>(glm::dvec2 window)>;
+
+/// The truth at the middle of each pixel: RGBA, alpha 1 where there is one and it is finite.
+image::ImageF truth_picture(const Truth& truth, glm::ivec2 size);
 
 /// Mean, root mean square, 99th percentile (nearest rank) and largest value of an error picture.
 struct ErrorFigures {
@@ -36,9 +44,12 @@ struct ErrorFigures {
   long long non_finite = 0;  ///< of them NaN or infinite in the picture; in none of the other figures
 };
 
+/// How far two values of the measure's view are apart, in its unit.
+double error_of(const glm::dvec3& value, const glm::dvec3& truth, const Measure& measure);
+
 /// The error at each pixel in red, alpha 1 where it is known. Where the picture is not finite the error is
-/// NaN. Both have the same size and hold what Truth says; the picture's alpha is the object's mask.
-image::ImageF error_picture(const image::ImageF& picture, const Truth& truth, Unit unit);
+/// NaN. Both have the same size; alpha is 1 where the object is, and where there is a truth.
+image::ImageF error_picture(const image::ImageF& picture, const image::ImageF& truth, const Measure& measure);
 
 ErrorFigures figures_of(const image::ImageF& error);
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/truth_picture.hpp"
+#include "app/truth_scene.hpp"
 #include "params/set.hpp"
 #include "procedural/height_fields.hpp"
 #include "truth/ray.hpp"
@@ -21,6 +21,12 @@ inline constexpr params::Item kReliefTruths[] = {
     {"height-field", "The relief as a height on the surface: its slope is taken per length in the world"},
     {"baked-map",
      "The relief's slope per texture width, however long that is: what baking programs agreed on"}};
+
+/// What the error is counted from, in a few words.
+inline const char* name_of(ReliefTruth truth) {
+  return truth == ReliefTruth::height_field ? "the exact relief as a height field"
+                                            : "the exact relief as a baked map";
+}
 
 /// (dh/ds, dh/dt) of a bundled normal map's relief at a texture coordinate; both h and (s, t) in texture
 /// widths. Nothing for a file of the user's, of which only the pixels are known.

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <glm/gtc/matrix_transform.hpp>
-#include <optional>
-#include <thread>
-#include <vector>
 
 #include "app/camera.hpp"
 #include "app/measure.hpp"
 #include "truth/ray.hpp"
 
-/// What the labs' truths have in common: the scene's numbers in double precision, and the loop over the
-/// pixels.
+/// What the labs' truths have in common: the scene's numbers in double precision.
 namespace texel::app {
 
 /// The camera of a picture of `size` pixels.
@@ -47,30 +41,6 @@ inline glm::dvec2 place_in_pixel(std::uint32_t i, std::uint32_t count) {
       y ^= direction;
     }
   return glm::dvec2(x, y) * 0x1p-32 + 0.5 / count - 0.5;
-}
-
-/// The picture of `answer(window)`, a std::optional<glm::dvec3> at the middle of each pixel, in pixels from
-/// the lower left corner; where it has no value or no finite one there is no truth. `answer` is called by
-/// several threads at a time.
-template <class Answer>
-Truth truth_picture(glm::ivec2 size, const Answer& answer) {
-  Truth picture(size.x, size.y, 4);
-  const auto fill_row = [&](int y) {
-    for (int x = 0; x < size.x; ++x) {
-      const std::optional<glm::dvec3> value = answer(glm::dvec2(x + 0.5, y + 0.5));
-      if (!value || !std::isfinite(value->x + value->y + value->z)) continue;
-      for (int c = 0; c < 3; ++c) picture.at(x, y, c) = static_cast<float>((*value)[c]);
-      picture.at(x, y, 3) = 1;
-    }
-  };
-  const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  std::vector<std::jthread> workers;
-  for (int first = 0; first < threads; ++first)
-    workers.emplace_back([=, &fill_row] {  // every row once, the hard ones shared out
-      for (int y = first; y < size.y; y += threads) fill_row(y);
-    });
-  workers.clear();  // waits for them
-  return picture;
 }
 
 }  // namespace texel::app
