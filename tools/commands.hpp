@@ -13,6 +13,11 @@ namespace texel::tools {
 
 /// The labs of the course: from TEXEL_ROOT, else beside the program, else the source tree.
 std::vector<course::Lab> course_labs();
+/// Those of these numbers; all when there is none. Throws Error (usage) for a number that no lab has.
+std::vector<course::Lab> chosen_labs(const std::vector<int>& numbers);
+
+/// Makes a folder that is missing, with those above it. Throws Error (exit 3).
+void make_folder(const std::filesystem::path& folder);
 
 /// `texel list`: the labs at a glance.
 Exit list();
@@ -39,5 +44,26 @@ Exit gallery(const GalleryOptions& options);
 
 /// `texel gallery --list`: prints docs/pictures.md, the sources' pictures with their commands.
 Exit list_sources();
+
+struct BenchOptions {
+  std::vector<int> labs;                    ///< numbers; none for all
+  std::filesystem::path out = "out/bench";  ///< folder for the page and the labs' own figures
+  std::filesystem::path json, markdown;     ///< files to write besides, or none
+  std::filesystem::path from;               ///< an earlier --json to show in place of measuring
+  std::filesystem::path against;            ///< an earlier --json whose errors must be the same
+  bool errors_only = false;                 ///< no clock
+};
+
+/// `texel bench`: error against cost of every method. Differs when an error is not that of `against`.
+Exit bench(const BenchOptions& options);
+
+struct MutantsOptions {
+  std::filesystem::path catalogue, root, report, work;  ///< empty: those of the course
+  std::vector<std::string> only;                        ///< names, or files with names; none for all
+};
+
+/// `texel mutants`: makes each mutant of the catalogue in a copy of the tree and runs the tests on it.
+/// Differs when they catch fewer than 90 %.
+Exit mutants(const MutantsOptions& options);
 
 }  // namespace texel::tools

@@ -53,13 +53,6 @@ bool is_current(const Work& work, const fs::path& root) {
   });
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {folder.string()});
-}
-
 void say(const course::Lab& lab, const char* what) {
   fmt::print("  lab {:<2} {:<28} {:2} pictures {}\n", lab.number, lab.title, lab.looks.size(), what);
   std::fflush(stdout);  // a log shows each as it ends
@@ -128,18 +121,6 @@ std::string renderer(const std::vector<course::Lab>& labs, const fs::path& out) 
       for (const image::Text& text : image::read_png_text(out / picture(lab, lab.looks.front())))
         if (text.key == "Renderer") return text.value;
   return "an unnamed renderer";
-}
-
-std::vector<course::Lab> chosen_labs(const std::vector<int>& numbers) {
-  std::vector<course::Lab> labs = course_labs();
-  if (numbers.empty()) return labs;
-  for (const int number : numbers)
-    if (std::none_of(labs.begin(), labs.end(), [&](const course::Lab& lab) { return lab.number == number; }))
-      throw Error::usage(fmt::format("there is no lab {}", number), "see 'texel list'");
-  std::erase_if(labs, [&](const course::Lab& lab) {
-    return std::find(numbers.begin(), numbers.end(), lab.number) == numbers.end();
-  });
-  return labs;
 }
 
 }  // namespace

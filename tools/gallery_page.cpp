@@ -3,26 +3,10 @@
 
 #include "embedded.hpp"
 #include "gallery.hpp"
+#include "html.hpp"
 
 namespace texel::tools {
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += c;
-  }
-  return result;
-}
 
 std::string size_attributes(const course::Look& look) {
   const std::size_t x = look.size.find('x');

@@ -12,6 +12,25 @@ std::vector<course::Lab> course_labs() {
   return course::read_labs(app::Assets().shader_root().parent_path() / "labs");
 }
 
+std::vector<course::Lab> chosen_labs(const std::vector<int>& numbers) {
+  std::vector<course::Lab> labs = course_labs();
+  if (numbers.empty()) return labs;
+  for (const int number : numbers)
+    if (std::none_of(labs.begin(), labs.end(), [&](const course::Lab& lab) { return lab.number == number; }))
+      throw Error::usage(fmt::format("there is no lab {}", number), "see 'texel list'");
+  std::erase_if(labs, [&](const course::Lab& lab) {
+    return std::find(numbers.begin(), numbers.end(), lab.number) == numbers.end();
+  });
+  return labs;
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {folder.string()});
+}
+
 Exit list() {
   const std::vector<course::Lab> labs = course_labs();
   std::size_t width = 0;

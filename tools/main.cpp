@@ -46,6 +46,36 @@ void add_gallery(CLI::App& app, GalleryOptions& options, bool& list) {
   command->add_flag("--list", list, "Print as Markdown which command draws which picture of the sources");
 }
 
+void add_bench(CLI::App& app, BenchOptions& options) {
+  CLI::App* command =
+      app.add_subcommand("bench", "Measure every method's error and cost, and show one against the other");
+  command->footer(
+      "Exit codes: 0 holds, 1 an error is not that of --against, 2 wrong usage, 3 could not measure.");
+  command->add_option("LAB", options.labs, "Numbers of labs [all]")->check(CLI::Range(1, 99));
+  command->add_option("--out", options.out, "Folder for the page with the plots [out/bench]");
+  command->add_option("--json", options.json, "Write all figures as JSON");
+  command->add_option(
+      "--markdown", options.markdown,
+      "Write the tables as Markdown, and the plots into a folder of the file's name beside it");
+  command->add_option("--from", options.from, "Measure nothing: take what an earlier --json wrote");
+  command->add_option("--against", options.against, "Compare the errors with those of an earlier --json");
+  command->add_flag("--errors-only", options.errors_only, "Time nothing");
+}
+
+void add_mutants(CLI::App& app, MutantsOptions& options) {
+  CLI::App* command = app.add_subcommand(
+      "mutants", "Make small wrong changes in a copy of the tree, and see whether the tests notice");
+  command->footer(
+      "Exit codes: 0 at least 90 % caught, 1 fewer, 2 wrong usage, 3 a mutant does not apply or build.");
+  command->add_option("--catalogue", options.catalogue, "Folder of the mutants [tests/mutants]");
+  command->add_option("--root", options.root, "The tree [the source tree]");
+  command->add_option("--only", options.only, "Names with commas between them, or a file with one a line")
+      ->delimiter(',');
+  command->add_option("--report", options.report,
+                      "Write each result as it comes into this .md or .json; it holds earlier ones too");
+  command->add_option("--work", options.work, "Folder for the copy, its build and the logs [build/mutants]");
+}
+
 /// CLI11 says only that a command is needed; this names the nearest.
 void reject_unknown_command(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
@@ -64,10 +94,14 @@ Exit run(int argc, char** argv) {
   app.require_subcommand(1);
   CompareOptions compare_options;
   GalleryOptions gallery_options;
+  BenchOptions bench_options;
+  MutantsOptions mutants_options;
   bool list_only = false;
   app.add_subcommand("list", "The labs at a glance");
   add_gallery(app, gallery_options, list_only);
   add_compare(app, compare_options);
+  add_bench(app, bench_options);
+  add_mutants(app, mutants_options);
   reject_unknown_command(app, argc, argv);
   try {
     app.parse(argc, argv);
@@ -79,6 +113,8 @@ Exit run(int argc, char** argv) {
   }
   if (app.got_subcommand("list")) return list();
   if (app.got_subcommand("compare")) return compare(compare_options);
+  if (app.got_subcommand("bench")) return bench(bench_options);
+  if (app.got_subcommand("mutants")) return mutants(mutants_options);
   return list_only ? list_sources() : gallery(gallery_options);
 }
 

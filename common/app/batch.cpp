@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "command_line.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "settings.hpp"
 #include "snapshot.hpp"
 
 namespace texel::app {
@@ -20,18 +20,10 @@ struct Entry {
   std::filesystem::path file;
   View view;
   glm::ivec2 size;
-  std::vector<std::pair<std::string, std::string>> values;
+  Settings values;
 };
 
-std::string as_text(const Json& value) {
-  if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_number_integer()) return fmt::format("{}", value.get<long long>());
-  if (value.is_number()) return fmt::format("{}", static_cast<float>(value.get<double>()));
-  throw Error::usage(fmt::format("a parameter's value is a string, number or boolean, not {}", value.dump()));
-}
-
-Entry parse_entry(const Json& json, const Info& info) {
+Entry parse_entry(const Json& json, AnyLab& lab) {
   if (!json.is_object()) throw Error::usage("an entry is an object {name, view, size, set}");
   for (const auto& [key, value] : json.items())
     if (key != "name" && key != "view" && key != "size" && key != "set")
@@ -41,14 +33,12 @@ Entry parse_entry(const Json& json, const Info& info) {
   if (name.empty() || name.find('/') != std::string::npos || name.starts_with('.'))
     throw Error::usage(fmt::format("'{}' is no file name", name), "give each entry a name without folders");
   Entry entry{name,
-              find_view(info, json.value("view", std::string("color"))),
+              find_view(lab.info(), json.value("view", std::string("color"))),
               parse_size(json.value("size", std::string("512x512"))),
               {}};
   if (entry.file.extension() != ".png" && entry.file.extension() != ".pfm") entry.file += ".png";
   check_ending(entry.file, entry.view);
-  if (json.contains("set"))
-    for (const auto& [parameter, value] : json.at("set").items())
-      entry.values.emplace_back(parameter, as_text(value));
+  entry.values = read_settings(json, "set", lab.parameters());
   return entry;
 }
 
@@ -61,15 +51,9 @@ std::vector<Entry> parse_list(const std::filesystem::path& list, AnyLab& lab) {
     if (!json.is_array()) throw Error::usage("the file is a list of entries");
     for (const Json& item : json) {
       ++index;
-      entries.push_back(parse_entry(item, lab.info()));
+      entries.push_back(parse_entry(item, lab));
       if (!names.insert(entries.back().file).second)
         throw Error::usage(fmt::format("two entries are called '{}'", entries.back().file.string()));
-      for (const auto& [parameter, value] : entries.back().values) {
-        params::Parameter& p = lab.parameters().at(parameter);
-        const std::string before = p.text();
-        p.set(value);
-        p.set(before);
-      }
     }
   } catch (const Json::exception& error) {
     throw Error::usage(fmt::format("{}: {}", list.string(), error.what()));
@@ -89,12 +73,9 @@ void draw_batch(Canvas& canvas, AnyLab& lab, const std::filesystem::path& list,
   std::filesystem::create_directories(folder, error);
   if (error)
     throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {folder.string()});
-  std::vector<std::string> start;
-  for (const params::Parameter& p : lab.parameters()) start.push_back(p.text());
+  const StartValues start(lab.parameters());
   for (const Entry& entry : entries) {
-    auto value = start.begin();
-    for (params::Parameter& p : lab.parameters()) p.set(*value++);
-    for (const auto& [parameter, text] : entry.values) lab.parameters().at(parameter).set(text);
+    start.set(entry.values);
     write_snapshot(canvas, lab, entry.view, entry.size, samples, folder / entry.file);
   }
 }

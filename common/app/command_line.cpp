@@ -97,6 +97,9 @@ std::optional<CommandLine> read_command_line(AnyLab& lab, int argc, char** argv)
                  "Write as JSON what the scene holds and what each stage took (- prints it)");
   app.add_option("--measure", line.measure,
                  "Write as JSON how far the picture is off the exact answer (- prints it)");
+  app.add_option("--bench", line.bench,
+                 "Measure error and cost of the cases in a JSON file, which texel bench writes");
+  app.add_option("--report", line.report, "Where --bench writes its figures, as JSON [-]");
   app.add_option("--error-scale", line.error_scale,
                  "Where the view error's colours end [the 99th percentile]")
       ->check(CLI::PositiveNumber);

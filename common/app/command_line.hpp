@@ -13,7 +13,7 @@ namespace texel::app {
 struct CommandLine {
   std::optional<glm::ivec2> size;
   std::string view = "color";
-  std::filesystem::path snapshot, batch, out, stats, measure, mesh, save_config, assets;
+  std::filesystem::path snapshot, batch, out, stats, measure, bench, report = "-", mesh, save_config, assets;
   std::string context = "auto";
   double error_scale = 0;
   int samples = 4;

@@ -87,8 +87,10 @@ double error_of(const glm::dvec3& value, const glm::dvec3& truth, const Measure&
   switch (measure.unit) {
     case Unit::degrees:
       return glm::degrees(std::atan2(glm::length(glm::cross(value, truth)), glm::dot(value, truth)));
-    case Unit::texels:
-      return measure.scale * glm::length(glm::dvec2(value) - glm::dvec2(truth));
+    case Unit::texels: {
+      const glm::dvec2 apart(value - truth);
+      return measure.scale * glm::length(measure.repeats ? apart - glm::round(apart) : apart);
+    }
     case Unit::steps: {
       const glm::dvec3 apart = glm::abs(value - truth);
       return measure.scale * std::max({apart.x, apart.y, apart.z});

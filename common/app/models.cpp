@@ -10,11 +10,15 @@
 
 namespace texel::app {
 
-Model load_model(const Assets& assets, const std::string& name) {
-  if (name == "cube") return {mesh::cube_split(0.577F), {}, false};  // half-size: the corners at distance 1
-  if (name == "sphere") return {mesh::sphere(32, 64), {}, true};
-  if (name == "torus") return {mesh::torus(0.7F, 0.3F, 96, 48), {}, true};
-  if (name == "quad") return {mesh::quad(0.7F), {}, false};
+Model load_model(const Assets& assets, const std::string& name, Tessellation tessellation) {
+  const auto segments_or = [&](int own) { return tessellation.segments > 0 ? tessellation.segments : own; };
+  const mesh::Jitter jitter{.amount = 0.5F * tessellation.jitter};  // of a cell; see mesh::Jitter
+  if (name == "cube")                                               // half-size: the corners at distance 1
+    return {mesh::cube_split(0.577F, segments_or(1), jitter), {}, false};
+  if (name == "sphere") return {mesh::sphere(segments_or(64) / 2, segments_or(64), 1, jitter), {}, true};
+  if (name == "torus")
+    return {mesh::torus(0.7F, 0.3F, segments_or(96), segments_or(96) / 2, jitter), {}, true};
+  if (name == "quad") return {mesh::grid(0.7F, segments_or(1), jitter), {}, false};
 
   mesh::ObjData data = mesh::load_obj(assets.model(name));
   Model model;
@@ -24,6 +28,9 @@ Model load_model(const Assets& assets, const std::string& name) {
     model.notes.facts.emplace_back("the file has no normals: smooth ones are generated");
   }
   model.mesh = mesh::weld(std::move(data));
+  if (tessellation.segments > 0 || tessellation.jitter > 0)
+    model.notes.facts.emplace_back(
+        "segments and jitter are for the built-in shapes: a file's triangles stay");
   mesh::normalize_to_unit(model.mesh);
   if (model.mesh.texcoords.empty()) {
     mesh::generate_texcoords(model.mesh, mesh::Projection::box);

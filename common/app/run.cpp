@@ -7,6 +7,7 @@
 
 #include "app/lab.hpp"
 #include "batch.hpp"
+#include "bench.hpp"
 #include "canvas.hpp"
 #include "command_line.hpp"
 #include "config.hpp"
@@ -83,6 +84,7 @@ void run_headless(AnyLab& lab, const Assets& assets, const CommandLine& line) {
     canvas.draw(View::error, size, 1);
     write_report(line.measure, to_json(lab, *canvas.error_figures()));
   }
+  if (!line.bench.empty()) write_report(line.report, run_bench(canvas, lab, line.bench));
   if (line.frames > 0) time_frames(canvas, view, size, line.samples, line.frames);
   if (line.snapshot.empty() && line.stats.empty()) return;
 
@@ -119,7 +121,7 @@ void run_as_asked(AnyLab& lab, const CommandLine& line) {
   if (!line.save_config.empty()) save_config(line.save_config, lab.info(), lab.parameters());
   const Assets assets(line.assets);
   const bool headless = !line.snapshot.empty() || !line.batch.empty() || !line.stats.empty() ||
-                        !line.mesh.empty() || !line.measure.empty() || line.frames > 0;
+                        !line.mesh.empty() || !line.measure.empty() || !line.bench.empty() || line.frames > 0;
   if (headless)
     run_headless(lab, assets, line);
   else if (line.context == "osmesa" || line.context == "egl")

@@ -2,95 +2,60 @@
 #include "course/lab_file.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 
-#include "core/error.hpp"
-#include "core/files.hpp"
 #include "params/set.hpp"
+#include "reader.hpp"
 
 namespace texel::course {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A table of the file that is read key by key; what nobody asked for is an error.
-class Reader {
- public:
-  Reader(const toml::table& table, std::string file) : table_(table), file_(std::move(file)) {}
+/// A parameter's value as the command line takes it.
+std::string as_text(const toml::node& value, const Reader& reader) {
+  if (const auto* toggle = value.as_boolean()) return toggle->get() ? "on" : "off";
+  if (const auto* integer = value.as_integer()) return fmt::format("{}", integer->get());
+  if (const auto* number = value.as_floating_point()) return fmt::format("{}", number->get());
+  if (const auto* word = value.as_string()) return word->get();
+  throw reader.error(value, "a parameter's value is a text, number or boolean");
+}
 
-  [[nodiscard]] Error error(const toml::node& node, const std::string& what,
-                            const std::string& remedy = {}) const {
-    const toml::source_position at = node.source().begin;
-    return Error::failed(what, {file_, static_cast<int>(at.line), static_cast<int>(at.column)}, remedy);
-  }
-
-  const toml::node* find(const std::string& key) {
-    known_.push_back(key);
-    return table_.get(key);
-  }
-
-  template <class Value>
-  Value optional(const std::string& key, Value otherwise, const char* type) {
-    const toml::node* node = find(key);
-    if (node == nullptr) return otherwise;
-    const std::optional<Value> value = node->value_exact<Value>();
-    if (!value) throw error(*node, fmt::format("'{}' is {}", key, type));
-    return *value;
-  }
-
-  std::string text(const std::string& key, const std::string& otherwise) {
-    return optional<std::string>(key, otherwise, "a text in quotes");
-  }
-
-  std::string text(const std::string& key) {
-    std::string value = text(key, "");
-    if (value.empty()) throw error(table_, fmt::format("'{}' is missing or empty", key));
-    return value;
-  }
-
-  void reject_unknown() const {
-    for (const auto& [key, node] : table_) {
-      if (std::find(known_.begin(), known_.end(), key.str()) != known_.end()) continue;
-      const std::string near = nearest(std::string(key.str()), known_);
-      throw error(node, fmt::format("there is no key '{}'", key.str()),
-                  near.empty() ? fmt::format("the keys are {}", fmt::join(known_, ", "))
-                               : fmt::format("did you mean '{}'?", near));
-    }
-  }
-
- private:
-  const toml::table& table_;
-  std::string file_;
-  std::vector<std::string> known_;
-};
+/// The entries of an inline table in the order of the file, which the table itself sorts by key.
+std::vector<std::pair<std::string, const toml::node*>> in_order(const toml::table& table) {
+  std::vector<std::pair<std::string, const toml::node*>> entries;
+  for (const auto& [key, value] : table) entries.emplace_back(key.str(), &value);
+  std::sort(entries.begin(), entries.end(),
+            [](const auto& a, const auto& b) { return a.second->source().begin < b.second->source().begin; });
+  return entries;
+}
 
 std::vector<Setting> read_settings(Reader& reader) {
   const toml::node* node = reader.find("set");
   if (node == nullptr) return {};
   const toml::table* table = node->as_table();
   if (table == nullptr) throw reader.error(*node, "'set' is a table { parameter = value, … }");
-  std::vector<std::pair<toml::source_position, Setting>> found;
-  for (const auto& [key, value] : *table) {
-    std::string text;
-    if (const auto* toggle = value.as_boolean())
-      text = toggle->get() ? "on" : "off";
-    else if (const auto* integer = value.as_integer())
-      text = fmt::format("{}", integer->get());
-    else if (const auto* number = value.as_floating_point())
-      text = fmt::format("{}", number->get());
-    else if (const auto* word = value.as_string())
-      text = word->get();
-    else
-      throw reader.error(value, "a parameter's value is a text, number or boolean");
-    found.emplace_back(value.source().begin, Setting{std::string(key.str()), text});
-  }
-  // The table is sorted by key; the author's order reads better in a command.
-  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Setting> settings;
-  for (auto& [position, setting] : found) settings.push_back(std::move(setting));
+  for (const auto& [parameter, value] : in_order(*table))
+    settings.push_back({parameter, as_text(*value, reader)});
   return settings;
+}
+
+std::vector<Variation> read_variations(Reader& reader, const toml::table& bench) {
+  const toml::node* node = reader.find("vary");
+  const toml::table* table = node == nullptr ? nullptr : node->as_table();
+  if (table == nullptr || table->empty())
+    throw reader.error(node == nullptr ? bench : *node,
+                       "'vary' is a table { parameter = [values], … }; [] for all values of a choice");
+  std::vector<Variation> variations;
+  for (const auto& [parameter, values] : in_order(*table)) {
+    if (!values->is_array()) throw reader.error(*values, fmt::format("'{}' is a list of values", parameter));
+    Variation variation{parameter, {}};
+    for (const toml::node& value : *values->as_array()) variation.values.push_back(as_text(value, reader));
+    variations.push_back(std::move(variation));
+  }
+  return variations;
 }
 
 bool is_file_name(const std::string& name) {
@@ -112,32 +77,38 @@ Look read_look(Reader& reader) {
   return look;
 }
 
-std::vector<Look> read_looks(const toml::node& node, const Reader& head, const std::string& file) {
-  const toml::array* tables = node.as_array();
-  if (tables == nullptr) throw head.error(node, "looks are written as [[look]] tables");
+std::vector<Look> read_looks(Reader& head, const std::string& file) {
   std::vector<Look> looks;
-  for (const toml::node& entry : *tables) {
-    if (!entry.is_table()) throw head.error(entry, "looks are written as [[look]] tables");
-    Reader reader(*entry.as_table(), file);
+  for (const toml::table* table : head.tables("look")) {
+    Reader reader(*table, file);
     Look look = read_look(reader);
     if (!is_file_name(look.name))
-      throw head.error(entry, fmt::format("'{}' is no picture's name", look.name),
+      throw head.error(*table, fmt::format("'{}' is no picture's name", look.name),
                        "use lower-case letters, digits, '_' and '-'");
     if (std::any_of(looks.begin(), looks.end(), [&](const Look& l) { return l.name == look.name; }))
-      throw head.error(entry, fmt::format("two looks are called '{}'", look.name));
+      throw head.error(*table, fmt::format("two looks are called '{}'", look.name));
     looks.push_back(std::move(look));
   }
   return looks;
 }
 
-toml::table parse(const fs::path& file) {
-  try {
-    return toml::parse(read_file(file), file.string());
-  } catch (const toml::parse_error& error) {
-    const toml::source_position at = error.source().begin;
-    throw Error::failed(std::string(error.description()),
-                        {file.string(), static_cast<int>(at.line), static_cast<int>(at.column)});
+std::vector<BenchCase> read_bench(Reader& head, const std::string& file) {
+  std::vector<BenchCase> cases;
+  for (const toml::table* table : head.tables("bench")) {
+    Reader reader(*table, file);
+    BenchCase c;
+    c.name = reader.text("case");
+    c.teaches = reader.text("teaches");
+    c.hard = reader.optional("hard", c.hard, "true or false");
+    c.settings = read_settings(reader);
+    c.variations = read_variations(reader, *table);
+    c.size = reader.text("size", c.size);
+    reader.reject_unknown();
+    if (std::any_of(cases.begin(), cases.end(), [&](const BenchCase& other) { return other.name == c.name; }))
+      throw head.error(*table, fmt::format("two cases are called '{}'", c.name));
+    cases.push_back(std::move(c));
   }
+  return cases;
 }
 
 /// "05_normal_map" is lab 5; 0 for a folder that is none.
@@ -156,11 +127,12 @@ Lab read_lab(const fs::path& file) {
   lab.folder = reader.text("lab");
   lab.number = lab_number(lab.folder);
   if (lab.number == 0 || lab.folder != fs::absolute(file).parent_path().filename())
-    throw reader.error(*table.get("lab"),
-                       fmt::format("'{}' is not the name of the file's folder", lab.folder));
+    throw reader.error("lab", fmt::format("'{}' is not the name of the file's folder", lab.folder));
   lab.title = reader.text("title");
   lab.lesson = reader.text("lesson");
-  if (const toml::node* looks = reader.find("look")) lab.looks = read_looks(*looks, reader, file.string());
+  lab.looks = read_looks(reader, file.string());
+  lab.bench = read_bench(reader, file.string());
+  lab.choice = reader.text("choice", "");
   reader.find("step");
   reader.find("case");
   reader.reject_unknown();

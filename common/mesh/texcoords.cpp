@@ -128,4 +128,14 @@ void generate_texcoords(Mesh& mesh, Projection projection) {
   for (const std::uint32_t n : label) mesh.texcoords.push_back(n == no_index ? glm::vec2(0.0f) : distinct[n]);
 }
 
+void lay_texture(Mesh& mesh, const TextureLayout& layout) {
+  for (glm::vec2& texcoord : mesh.texcoords) {
+    const double s = layout.stretch * (texcoord.s + double{layout.shear} * texcoord.t);
+    texcoord.s = static_cast<float>(layout.mirror ? 1.0 - s : s);
+  }
+  if (layout.mirror)
+    for (glm::vec4& tangent : mesh.tangents) tangent = -tangent;
+  mesh.bitangents.clear();
+}
+
 }  // namespace texel::mesh

@@ -97,7 +97,8 @@ std::optional<Hit> hit_sphere(const Ray& ray, double radius) {
   const double discriminant = radius * radius - glm::dot(nearest, nearest);
   if (discriminant < 0) return std::nullopt;
   const double half = std::sqrt(discriminant / squared);
-  const double from_middle = middle > half ? -half : half;
+  // An eye on the sphere itself sees its far side: the rounding of where it stands is no hit.
+  const double from_middle = middle > half * (1 + 1e-12) ? -half : half;
   if (middle + from_middle <= 0) return std::nullopt;
   // From the nearest point, so that an eye far away costs no digits of the position.
   return Hit{.distance = middle + from_middle,

@@ -79,7 +79,7 @@ struct TextureQuadParameters {
     set.add(texture_offset, {"texture_offset", 0, 0, 1e7, "",
                              "Added to the coordinates: a float32 of 1e6 has 4 bits left for the fraction"});
     set.section("Filter");
-    set.add(method, {"method", Method::anisotropic, kMethods, "How texels become a pixel"});
+    set.add(method, {"method", Method::supersampled, kMethods, "How texels become a pixel"});
     set.add(minify, {"minify", Minify::by_method, kMinify, "Filter where a pixel covers several texels"});
     set.add(magnify, {"magnify", Magnify::by_method, kMagnify, "Filter where a texel covers several pixels"});
     set.add(linear_light,

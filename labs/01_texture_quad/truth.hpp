@@ -10,15 +10,6 @@
 
 namespace texel {
 
-/// The function of one of the bundled pictures; nothing where the file is not the picture of one.
-inline std::optional<procedural::Texture> texture_of(const std::string& name) {
-  if (name == "brick_32") return procedural::Texture::brick;
-  if (name == "label_npot") return procedural::Texture::label_grid;
-  for (const procedural::Texture texture : procedural::textures)
-    if (procedural::name(texture) == name) return texture;
-  return std::nullopt;
-}
-
 /// A coordinate as the wrap mode takes it back to 0..1.
 inline double wrapped(double s, Wrap wrap) {
   if (wrap == Wrap::clamp) return std::clamp(s, 1e-9, 1 - 1e-9);  // at 1 itself the next tile begins
@@ -29,7 +20,7 @@ inline double wrapped(double s, Wrap wrap) {
 /// Colours in 8-bit steps, as the view `color` has them with one sample in each pixel. Empty for other
 /// pictures.
 inline app::Truth texture_quad_truth(const TextureQuadParameters& p, glm::ivec2 size) {
-  const auto texture = texture_of(p.texture);
+  const auto texture = app::texture_of(p.texture);
   if (!texture) return {};
   const auto look_up = [texture, wrap = p.wrap, flip_v = p.flip_v](glm::dvec2 texcoord) {
     const double s = wrapped(texcoord.s, wrap), t = wrapped(texcoord.t, wrap);

@@ -11,6 +11,7 @@
 #include "image/mipmaps.hpp"
 #include "mesh/primitives.hpp"
 #include "parameters.hpp"
+#include "truth.hpp"
 
 using namespace texel;
 
@@ -40,7 +41,7 @@ image::Image8 premultiplied(image::Image8 picture) {
 
 struct MultiTexture {
   static constexpr app::View kViews[] = {app::View::color, app::View::texcoord, app::View::lod,
-                                         app::View::depth, app::View::mask};
+                                         app::View::depth, app::View::mask,     app::View::error};
   static constexpr app::Info info{2, "multi_texture", "Multi-texture",
                                   "Combine two pictures on one square, each from its own texture unit.",
                                   kViews};
@@ -86,6 +87,19 @@ struct MultiTexture {
   }
 
   [[nodiscard]] const app::Notes& notes() const { return notes_; }
+  static app::Measure measure(const Parameters&) {
+    return {app::View::color, app::Unit::steps, "the mean of the combined light over the pixel"};
+  }
+  static app::Truth truth(const Parameters& p, glm::ivec2 size) { return multi_texture_truth(p, size); }
+  app::Preparation preparation(const Parameters& p) const {
+    const image::Image8 picture = gl::expand_grey(assets_.texture(p.texture0));
+    return {"texel", picture.samples.size() / static_cast<std::size_t>(picture.channels), [picture, p] {
+              const image::Encoding encoding =
+                  p.method == Method::encoded ? image::Encoding::linear : image::Encoding::srgb;
+              upload(picture, encoding, p.mipmaps);
+              glFinish();
+            }};
+  }
 
  private:
   /// The unit that the parameter names, or the highest that there is.

@@ -25,14 +25,17 @@ inline std::string picture_of(const std::string& texture, const Imported& import
   return material != nullptr ? material->color_map : "";
 }
 
+/// The sRGB colour in which part `i` is painted: hues a golden section apart, so that neighbours in the list
+/// look different.
+inline glm::vec3 part_color(std::size_t i) {
+  const auto hue = static_cast<float>(std::fmod(0.618034 * static_cast<double>(i), 1.0));
+  const glm::vec3 phase = 2 * std::numbers::pi_v<float> * (hue + glm::vec3(0, 1, 2) / 3.0F);
+  return 0.6F + 0.4F * glm::cos(phase);
+}
+
 /// The sRGB colour by which the picture of part `i` is multiplied.
 inline glm::vec3 tint_of(Tint tint, const std::string& texture, const Imported& imported, std::size_t i) {
-  if (tint != Tint::none) {
-    // Hues a golden section apart, so that neighbours in the list look different.
-    const auto hue = static_cast<float>(std::fmod(0.618034 * static_cast<double>(i), 1.0));
-    const glm::vec3 phase = 2 * std::numbers::pi_v<float> * (hue + glm::vec3(0, 1, 2) / 3.0F);
-    return 0.6F + 0.4F * glm::cos(phase);
-  }
+  if (tint != Tint::none) return part_color(i);
   const mesh::Material* material = texture == "material" ? material_of(imported, imported.parts[i]) : nullptr;
   return material != nullptr ? material->diffuse : glm::vec3(1);
 }

@@ -9,12 +9,14 @@
 #include "image/colour.hpp"
 #include "import.hpp"
 #include "parameters.hpp"
+#include "truth.hpp"
 
 using namespace texel;
 
 struct ObjTexcoords {
   static constexpr app::View kViews[] = {app::View::color, app::View::normal, app::View::texcoord,
-                                         app::View::lod,   app::View::depth,  app::View::mask};
+                                         app::View::lod,   app::View::depth,  app::View::mask,
+                                         app::View::error};
   static constexpr app::Info info{3, "obj_texcoords", "OBJ with texture coordinates",
                                   "Read a model with its texture coordinates, or make some.", kViews};
   using Parameters = ObjTexcoordsParameters;
@@ -51,6 +53,8 @@ struct ObjTexcoords {
     return p.method == Method::per_vertex ? colored(p, model).mesh() : model.buffers.mesh();
   }
   [[nodiscard]] const app::Notes& notes() const { return notes_; }
+  static app::Measure measure(const Parameters& p) { return obj_texcoords_measure(p); }
+  static app::Truth truth(const Parameters& p, glm::ivec2 size) { return obj_texcoords_truth(p, size); }
 
  private:
   struct ModelKey {
@@ -100,6 +104,7 @@ struct ObjTexcoords {
     const ColorKey key{model_key(p), {p.texture, p.flip_v, p.linear_light}, p.texture_scale};
     return colored_.get(key, [&] {
       mesh::Mesh mesh = *model.imported.mesh;
+      mesh.colors.clear();  // those of the file
       const std::vector<mesh::Group>& parts = model.imported.parts;
       std::vector<std::uint32_t> part_of_corner(mesh.indices.size());
       for (std::uint32_t i = 0; i < parts.size(); ++i)

@@ -34,6 +34,12 @@ inline constexpr params::Item kTints[] = {{"none", "The picture alone"},
                                           {"materials", "Each usemtl in a colour of its own"},
                                           {"groups", "Each g and o in a colour of its own"}};
 
+enum class Quantity { color, texcoord, normal };
+inline constexpr params::Item kQuantities[] = {
+    {"color", "The lit picture, in 8-bit steps: what all the others come to"},
+    {"texcoord", "The texture coordinate, in texels: what is lost between vertices and at seams"},
+    {"normal", "The normal, in degrees: what flat and smooth normals miss"}};
+
 inline constexpr params::Item kModels[] = {{"gator", "An alligator, six materials"},
                                            {"ship", "An ocean liner, eight materials"},
                                            {"cube", "The report's cube: eight v and eight vt"},
@@ -60,6 +66,7 @@ struct ObjTexcoordsParameters {
   Tint tint{};
   bool flip_v{}, linear_light{};
   float texture_scale{};
+  Quantity truth{};
   app::Light light;
   float turn{};
   app::OrbitCamera camera;
@@ -78,6 +85,9 @@ struct ObjTexcoordsParameters {
     set.add(tint, {"tint", Tint::none, kTints, "Paint the parts of the file"});
     set.add(linear_light, {"linear_light", true,
                            "Light and filter linear light; off: the encoded values, as the report does"});
+    set.section("Error");
+    set.add(truth,
+            {"truth", Quantity::color, kQuantities, "What the view error compares with the exact one"});
     light.declare<{.ambient = 0.35F, .specular = 0.05F}>(set);
     set.section("Turn");
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});

@@ -12,6 +12,7 @@
 #include "mesh/texcoords.hpp"
 #include "mesh/weld.hpp"
 #include "parameters.hpp"
+#include "truth.hpp"
 
 using namespace texel;
 
@@ -85,7 +86,8 @@ std::vector<std::string> figures(const mesh::Mesh& mesh) {
 
 struct CubeWrap {
   static constexpr app::View kViews[] = {app::View::color, app::View::normal, app::View::texcoord,
-                                         app::View::lod,   app::View::depth,  app::View::mask};
+                                         app::View::lod,   app::View::depth,  app::View::mask,
+                                         app::View::error};
   static constexpr app::Info info{4, "cube_wrap", "Cube wrap",
                                   "Give every face of a cube its own copy of a picture.", kViews};
   using Parameters = CubeWrapParameters;
@@ -109,6 +111,11 @@ struct CubeWrap {
   /// The vertex stream as drawn.
   const mesh::Mesh& mesh(const Parameters& p) { return drawn(p).buffers.mesh(); }
   [[nodiscard]] const app::Notes& notes() const { return notes_; }
+  app::Preparation preparation(const Parameters& p) {
+    return {"triangle", mesh(p).triangle_count(), [this, p] { static_cast<void>(wrap(p)); }};
+  }
+  static app::Measure measure(const Parameters& p) { return cube_wrap_measure(p); }
+  static app::Truth truth(const Parameters& p, glm::ivec2 size) { return cube_wrap_truth(p, size); }
 
  private:
   struct Key {

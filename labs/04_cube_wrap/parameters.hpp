@@ -22,6 +22,11 @@ inline constexpr params::Item kNormals[] = {
     {"shared", "One normal for all faces that meet at a point: smooth, and wrong at a cube's edge"},
     {"face", "Each triangle's own: its vertices cannot be shared with one that faces elsewhere"}};
 
+enum class Quantity { texcoord, normal };
+inline constexpr params::Item kQuantities[] = {
+    {"texcoord", "The texture coordinate, in texels from where each face has a copy of its own"},
+    {"normal", "The normal, in degrees from the face's"}};
+
 inline constexpr params::Item kTextures[] = {{"label_grid", "Cells with letters: shows every flip and swap"},
                                              {"brick", "A brick wall (the report)"},
                                              {"wood", "Wooden planks"},
@@ -34,6 +39,7 @@ struct CubeWrapParameters {
   Method method{};
   Normals normals{};
   float texture_scale{};
+  Quantity truth{};
   app::Light light;
   float turn{};
   app::OrbitCamera camera;
@@ -46,6 +52,9 @@ struct CubeWrapParameters {
     set.add(texture, {"texture", "label_grid", kTextures, "The picture on it (keys K and L)"});
     set.add(texture_scale,
             {"texture_scale", 1, 0.1, 20, "", "Repeats of the picture", params::Scale::logarithmic});
+    set.section("Error");
+    set.add(truth,
+            {"truth", Quantity::texcoord, kQuantities, "What the view error compares with the exact one"});
     light.declare<{}>(set);
     set.section("Turn");
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});

@@ -5,9 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "app/lab.hpp"
-#include "app/models.hpp"
-#include "mesh/primitives.hpp"
-#include "mesh/tangents.hpp"
+#include "model.hpp"
 #include "parameters.hpp"
 #include "truth.hpp"
 
@@ -64,44 +62,38 @@ struct NormalMap {
   static app::Truth truth(const Parameters& p, glm::ivec2 size) {
     return normal_map_truth(p, normal_map_name(p), size);
   }
+  /// The tangents that are computed for the vertices.
+  std::optional<app::Preparation> preparation(const Parameters& p) const {
+    const auto method = kept_tangents(p.method);
+    const mesh::Mesh plain = textured_model(assets_, p).mesh;
+    if (!method || !plain.tangents.empty()) return {};
+    return app::Preparation{"triangle", plain.triangle_count(), [plain, method] {
+                              mesh::Mesh mesh = plain;
+                              mesh::compute_tangents(mesh, *method);
+                            }};
+  }
 
  private:
+  struct Drawn {
+    gl::MeshBuffers buffers;
+    app::Notes notes;
+  };
+
   /// The model with the tangents of the method, which only some of them keep in the vertices.
   gl::MeshBuffers& buffers_for(const Parameters& p) {
     const bool reads_map = p.method == Method::per_vertex && p.normal_mapping;
-    return meshes_.get({p.model, p.method, reads_map ? normal_map_name(p) : ""}, [&] {
-      app::Model model = app::load_model(assets_, p.model);
-      add_tangents(model, p.method);
-      if (reads_map)
-        model.mesh.normals = normals_at_vertices(model.mesh, assets_.normal_map(normal_map_name(p)), p);
-      notes_ = model.notes;
-      return gl::MeshBuffers(std::move(model.mesh));
+    const MeshKey key{
+        p.model,        p.method, reads_map ? normal_map_name(p) : "", reads_map ? p.texture_scale : 0,
+        p.tessellation, p.layout};
+    Drawn& drawn = meshes_.get(key, [&] {
+      app::Model model = textured_model(assets_, p);
+      if (const auto method = kept_tangents(p.method); method && model.mesh.tangents.empty())
+        mesh::compute_tangents(model.mesh, *method);
+      if (reads_map) model.mesh.normals = normals_at_vertices(model.mesh, assets_.normal_map(key.normals), p);
+      return Drawn{gl::MeshBuffers(std::move(model.mesh)), model.notes};
     });
-  }
-
-  static void add_tangents(app::Model& model, Method method) {
-    switch (method) {
-      case Method::per_vertex:
-      case Method::raw:
-      case Method::screen_axes:
-      case Method::cotangent:
-        return;  // made in the shader, or not needed
-      case Method::averaged:
-        mesh::compute_tangents(model.mesh, mesh::TangentMethod::averaged);
-        return;
-      case Method::gram_schmidt:
-        mesh::compute_tangents(model.mesh, mesh::TangentMethod::gram_schmidt);
-        return;
-      case Method::angle_weighted:
-        mesh::compute_tangents(model.mesh, mesh::TangentMethod::angle_weighted);
-        return;
-      case Method::mikktspace:
-        break;
-      case Method::analytic:
-        if (model.is_revolution) return mesh::revolution_tangents(model.mesh);
-        model.notes.facts.emplace_back("this model has no analytic tangents: mikktspace instead");
-    }
-    mesh::compute_tangents(model.mesh, mesh::TangentMethod::mikktspace);
+    notes_ = drawn.notes;
+    return drawn.buffers;
   }
 
   /// The report's first attempt: the map's normal at each vertex's texture coordinate, in place of the
@@ -129,11 +121,14 @@ struct NormalMap {
   struct MeshKey {
     std::string model;
     Method method;
-    std::string vertex_normals;
+    std::string normals;  ///< the map that the vertices' normals were read from, and its repeats
+    float repeats;
+    app::Tessellation tessellation;
+    mesh::TextureLayout layout;
     bool operator==(const MeshKey&) const = default;
   };
   const app::Assets& assets_;
-  app::Cache<MeshKey, gl::MeshBuffers> meshes_;
+  app::Cache<MeshKey, Drawn> meshes_;
   app::Cache<std::string, gl::Texture> textures_;
   app::Notes notes_;
 };

@@ -5,6 +5,7 @@
 #include "app/light.hpp"
 #include "app/models.hpp"
 #include "app/relief_truth.hpp"
+#include "mesh/texcoords.hpp"
 #include "params/set.hpp"
 
 namespace texel {
@@ -29,7 +30,7 @@ inline constexpr params::Item kMethods[] = {
     {"gram-schmidt", "Averaged tangents made orthogonal to the normal, with the sign of the bitangent"},
     {"angle-weighted", "The same, each triangle weighted by its angle at the vertex"},
     {"mikktspace", "Mikkelsen's rules, as the programs that bake normal maps have them"},
-    {"analytic", "Exact tangents of sphere, torus and quad; others fall back to mikktspace"}};
+    {"analytic", "Exact tangents of sphere and torus; mikktspace elsewhere, exact on flat faces"}};
 
 enum class Decode { standard, exact_flat };
 inline constexpr params::Item kDecodes[] = {
@@ -57,7 +58,9 @@ struct NormalMapParameters {
   Method method{};
   Decode decode{};
   float bump_strength{}, texture_scale{};
+  mesh::TextureLayout layout;
   app::ReliefTruth truth{};
+  app::Tessellation tessellation;
   app::Light light;
   float turn{}, stretch{};
   app::OrbitCamera camera;
@@ -78,8 +81,18 @@ struct NormalMapParameters {
     set.add(normal_map, {"normal_map", "matching", kNormalMaps, "Relief of the surface"});
     set.add(texture_scale,
             {"texture_scale", 1, 0.1, 20, "", "Repeats of the texture", params::Scale::logarithmic});
+    set.add(layout.shear, {"texture_shear", 0, -2, 2, "",
+                           "Leans the texture: s grows by so much of t; 1 is 45 degrees on a square"});
+    set.add(layout.stretch, {"texture_stretch", 1, 0.1, 10, "", "Repeats along s alone: squeezes the texture",
+                             params::Scale::logarithmic});
+    set.add(layout.mirror, {"mirror", false, "s runs the other way, so the frame is left-handed"});
     set.section("Model");
     set.add(model, {"model", "cube", app::kModels, "What is drawn"});
+    set.add(tessellation.segments,
+            {"segments", 0, 0, 256, "",
+             "Squares along the longer side; 0: sphere 64, torus 96, cube and quad 1. Not for files"});
+    set.add(tessellation.jitter,
+            {"jitter", 0, 0, 1, "", "Slides the vertices along the exact surface: irregular triangles"});
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});
     set.add(stretch,
             {"stretch", 1, 0.25, 4, "", "Scales the model along y: normals need the inverse transpose"});

@@ -44,9 +44,7 @@ struct CubeMap {
     sphere.draw(program);
   }
 
-  static app::Measure measure(const Parameters&) {
-    return {app::View::color, app::Unit::steps, "the mean of the pictures' function over the pixel"};
-  }
+  static app::Measure measure(const Parameters& p) { return cube_map_measure(p); }
   static app::Truth truth(const Parameters& p, glm::ivec2 size) { return cube_map_truth(p, size); }
 
  private:

@@ -2,13 +2,15 @@
 // The right answer of lab 6: what a pixel should show is the mean, over the pixel's area, of what the sphere
 // wears. That is taken as the function that the files were made from, without texels: of the direction for a
 // cube map, of the worksheet's two angles for one picture. Many rays through each pixel meet the exact
-// sphere, in double precision and linear light. See common/truth/include/truth/cube_map.hpp.
+// sphere, in double precision and linear light. And the level of detail should be that of the formula's
+// derivative. See common/truth/include/truth/cube_map.hpp.
 #pragma once
 #include "app/colour_truth.hpp"
 #include "app/truth_scene.hpp"
 #include "parameters.hpp"
-#include "procedural/textures.hpp"
 #include "truth/cube_map.hpp"
+#include "truth/surface.hpp"
+#include "truth/texture.hpp"
 
 namespace texel {
 
@@ -21,26 +23,71 @@ inline std::optional<SphereColour> sphere_colour(const CubeMapParameters& p) {
     if (p.cube_map == "smooth") return procedural::smooth_colour;
     return std::nullopt;
   }
-  for (const procedural::Texture texture : procedural::textures)
-    if (procedural::name(texture) == p.picture)
-      return [texture](glm::dvec3 direction) {
-        const glm::dvec2 texcoord = truth::worksheet_texcoord(direction);
-        return glm::dvec3(procedural::colour(texture, texcoord.s, texcoord.t));
-      };
+  const auto texture = app::texture_of(p.picture);
+  if (!texture) return std::nullopt;
+  return [texture = *texture](glm::dvec3 direction) {
+    const glm::dvec2 texcoord = truth::worksheet_texcoord(direction);
+    return glm::dvec3(procedural::colour(texture, texcoord.s, texcoord.t));
+  };
+}
+
+inline truth::Placement sphere_placement(const CubeMapParameters& p) {
+  return {.linear = app::about_x(p.tilt) * app::about_y(p.turn)};
+}
+
+/// How many texels the bundled picture, or each of the six, is wide. Nothing for the user's own.
+inline std::optional<double> texels_across(const CubeMapParameters& p) {
+  const std::string& name = p.mapping == Mapping::cube ? p.cube_map : p.picture;
+  for (const params::Item& item : p.mapping == Mapping::cube ? std::span<const params::Item>(app::kCubeMaps)
+                                                             : std::span<const params::Item>(kPictures))
+    if (name == item.name) return name == "labelled" ? 256 : name == "smooth" ? 128 : 512;
   return std::nullopt;
 }
 
+/// Levels of detail, as the view `lod` has them. Nothing at the sphere's rim, the outermost hundredth of its
+/// pixels: there the footprint has no end, and the triangles decide.
+inline app::Truth level_truth(const CubeMapParameters& p, glm::ivec2 size) {
+  constexpr double kRim = 0.1;  // cosine between ray and normal
+  const auto texels = texels_across(p);
+  if (!texels) return {};
+  const truth::Camera camera = app::truth_camera(p.camera, size);
+  const truth::Placement place = sphere_placement(p);
+  return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
+    const truth::PixelRay pixel = truth::pixel_ray(camera, window);
+    const auto hit = truth::hit_sphere(truth::object_ray(pixel.ray, place));
+    if (!hit) return std::nullopt;
+    const truth::SurfacePoint point = truth::placed(truth::sphere(), place)(hit->texcoord);
+    if (-glm::dot(pixel.ray.direction, point.normal) < kRim) return std::nullopt;
+    const truth::PositionGradient step = truth::position_gradient(pixel, point);
+    const glm::dmat3 object_from_world = glm::transpose(place.linear);  // a rotation
+    const glm::dvec3 direction = object_from_world * point.position;
+    const truth::DirectionGradient change{object_from_world * step.dx, object_from_world * step.dy};
+    return glm::dvec3(
+        p.mapping == Mapping::cube
+            ? truth::cube_level_of_detail(direction, change, *texels)
+            : truth::level_of_detail(truth::worksheet_gradient(direction, change), glm::dvec2(*texels)));
+  };
+}
+
 /// Colours in 8-bit steps, as the view `color` has them with one sample in each pixel.
-inline app::Truth cube_map_truth(const CubeMapParameters& p, glm::ivec2 size) {
+inline app::Truth color_truth(const CubeMapParameters& p, glm::ivec2 size) {
   const auto wears = sphere_colour(p);
   if (!wears) return {};
   const truth::Camera camera = app::truth_camera(p.camera, size);
-  const truth::Placement place{.linear = app::about_x(p.tilt) * app::about_y(p.turn)};
+  const truth::Placement place = sphere_placement(p);
   return app::mean_in_steps([=](glm::dvec2 window) {
     const truth::Ray ray = truth::object_ray(truth::pixel_ray(camera, window).ray, place);
     const auto hit = truth::hit_sphere(ray);
     return hit ? glm::dvec4((*wears)(ray.origin + hit->distance * ray.direction), 1) : glm::dvec4(0);
   });
+}
+
+inline app::Measure cube_map_measure(const CubeMapParameters& p) {
+  if (p.truth == TruthOf::level) return {app::View::lod, app::Unit::levels, "the formula's own derivative"};
+  return {app::View::color, app::Unit::steps, "the mean of the pictures' function over the pixel"};
+}
+inline app::Truth cube_map_truth(const CubeMapParameters& p, glm::ivec2 size) {
+  return p.truth == TruthOf::level ? level_truth(p, size) : color_truth(p, size);
 }
 
 }  // namespace texel

@@ -50,7 +50,7 @@ struct EnvironmentParameters {
                            "How the background stays behind the spheres"});
     set.section("Projection");
     set.add(near_plane,
-            {"near", 0.0001, 1e-5, 1, "units", "Distance of the near plane", params::Scale::logarithmic});
+            {"near", 0.0001, 1e-5, 2, "units", "Distance of the near plane", params::Scale::logarithmic});
     set.add(far_plane,
             {"far", 100, 20, 1000, "units", "Distance of the far plane", params::Scale::logarithmic});
     set.section("Spheres");

@@ -5,6 +5,7 @@
 
 #include "app/environment.hpp"
 #include "app/lab.hpp"
+#include "cost.hpp"
 #include "mesh/primitives.hpp"
 #include "parameters.hpp"
 #include "truth.hpp"
@@ -47,6 +48,7 @@ struct Bump {
     return {app::View::direction, app::Unit::degrees, app::name_of(p.truth)};
   }
   static app::Truth truth(const Parameters& p, glm::ivec2 size) { return bump_truth(p, size); }
+  static app::Preparation preparation(const Parameters& p) { return bases_around(p.method); }
 
  private:
   const app::Assets& assets_;

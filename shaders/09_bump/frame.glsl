@@ -12,9 +12,9 @@ mat3 frame_at(vec3 n) {
 }
 
 #elif METHOD == METHOD_SIGN_CORRECTED
-// The same for n.z >= 0; for the other half the frame of (n.x, n.y, -n.z), mirrored. The small term keeps sign() from 0.
+// The same for n.z >= 0; for the other half the frame of (n.x, n.y, -n.z), mirrored.
 mat3 frame_at(vec3 n) {
-  float side = sign(n.z + 1e-12);
+  float side = n.z < 0.0 ? -1.0 : 1.0;  // sign(n.z) is 0 on the border, and so would B be
   float a = 1.0 / (1.0 + abs(n.z)), b = -n.x * n.y * a;
   return mat3(vec3(1.0 - n.x * n.x * a, b, -side * n.x), side * vec3(b, 1.0 - n.y * n.y * a, -side * n.y), n);
 }
@@ -45,11 +45,11 @@ mat3 frame_at(vec3 n) {
 
 #else
 // Step 9.3. T along the circle of latitude, where u grows (to -x on the side that faces +z); B along the meridian, where
-// v grows (down). At the poles u has no direction: any will do.
+// v grows (down). At the poles u has no direction: any will do; and nearer to them the squares in length() lose digits.
 mat3 frame_at(vec3 n) {
 //@step 9.3 begin
   float radius = length(n.xz);
-  vec3 T = radius > 0.0 ? vec3(-n.z, 0.0, n.x) / radius : vec3(-1.0, 0.0, 0.0);
+  vec3 T = radius > 1e-16 ? vec3(-n.z, 0.0, n.x) / radius : vec3(-1.0, 0.0, 0.0);
   return mat3(T, cross(n, T), n);
 //@starter
 // return mat3(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), n);

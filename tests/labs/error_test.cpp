@@ -1,33 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The view `error`: each method against the exact answer, in figures that an independent reasoning gives as
 // well.
-#include <fmt/format.h>
-
-#include <nlohmann/json.hpp>
-
 #include "labs.hpp"
 
 namespace texel::test {
 namespace {
-
-struct Figures {
-  double mean = 0, p99 = 0, most = 0;
-  int pixels = 0, non_finite = 0;
-};
-
-/// What --measure - prints of a look in 256x256 pixels.
-Figures measured(const std::string& lab, const Settings& values) {
-  const Result result = run_lab(lab, "--measure - --size 256x256" + flags(values));
-  EXPECT_EQ(result.exit_code, 0) << lab << flags(values) << "\n" << result.errors;
-  if (result.exit_code != 0) return {};
-  const auto json = nlohmann::json::parse(result.output);
-  return {json.at("mean"), json.at("p99"), json.at("max"), json.at("pixels"), json.at("non_finite")};
-}
-
-Settings operator+(Settings a, const Settings& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
 
 // ---- Lab 1: 8-bit steps against the mean over each pixel.
 
@@ -37,13 +14,13 @@ TEST(ErrorOfLab1, falls_from_nearest_to_supersampled_on_a_fine_checker) {
     return measured("lab01_texture_quad", tilted + Settings{{"method", method}}).mean;
   };
   // Fields are narrower than pixels far away: without mipmaps black or white stands where grey should (188 of
-  // 255 in linear light). Measured 116, 115, 14.2 and 10.6.
+  // 255 in linear light). Measured 118, 117, 11.7 and 6.2.
   const double nearest = mean("nearest"), bilinear = mean("bilinear"), trilinear = mean("trilinear"),
                supersampled = mean("supersampled");
   EXPECT_GT(nearest, bilinear);
   EXPECT_GT(bilinear, 5 * trilinear);
-  EXPECT_GT(trilinear, 1.2 * supersampled);
-  EXPECT_LT(supersampled, 12);
+  EXPECT_GT(trilinear, 1.5 * supersampled);
+  EXPECT_LT(supersampled, 8);
 }
 
 TEST(ErrorOfLab1, is_that_of_the_wrap_mode_and_place_that_are_asked_for) {
@@ -63,7 +40,7 @@ TEST(ErrorOfLab1, is_that_of_the_wrap_mode_and_place_that_are_asked_for) {
 }
 
 TEST(ErrorOfLab1, shows_that_a_large_coordinate_has_lost_its_fraction) {
-  // A float32 of 1e6 counts in steps of 1/16 of the texture: half a cell of the label grid. Measured 76
+  // A float32 of 1e6 counts in steps of 1/16 of the texture: half a cell of the label grid. Measured 73
   // steps.
   EXPECT_GT(measured("lab01_texture_quad", {{"texture", "label_grid"}, {"texture_offset", "1e6"}}).mean, 40);
 }
@@ -126,7 +103,7 @@ TEST(ErrorOfLab5, knows_no_truth_for_a_model_from_a_file) {
 TEST(ErrorOfLab6, of_the_right_faces_is_small_and_of_the_worksheet_s_order_is_not) {
   const Settings smooth = {{"cube_map", "smooth"}};
   // Rounding to 8 bits in the file and again in the picture: 0.25 steps each for one channel, more for the
-  // largest of three. Measured 0.59; the worksheet's order and flip 89.
+  // largest of three. Measured 0.60; the worksheet's order and flip 89.
   EXPECT_LT(measured("lab06_cube_map", smooth).mean, 1);
   EXPECT_LT(
       measured("lab06_cube_map", smooth + Settings{{"tilt", "30"}, {"turn", "50"}, {"pitch", "20"}}).mean, 1);
@@ -136,7 +113,7 @@ TEST(ErrorOfLab6, of_the_right_faces_is_small_and_of_the_worksheet_s_order_is_no
 TEST(ErrorOfLab6, of_one_picture_by_two_angles_is_larger_with_the_naive_seam) {
   const Settings seam = {
       {"mapping", "sphere-2d"}, {"picture", "brick"}, {"turn", "180"}, {"tilt", "50"}, {"yaw", "10"}};
-  // A line of pixels a few wide through 256: measured 4.26 against 4.51 in the mean.
+  // A line of pixels a few wide through 256: measured 4.20 against 4.45 in the mean.
   const double analytic = measured("lab06_cube_map", seam).mean;
   EXPECT_LT(analytic, 6);
   EXPECT_GT(measured("lab06_cube_map", seam + Settings{{"seam_method", "naive"}}).mean, analytic + 0.1);

@@ -133,6 +133,19 @@ Stats stats_of(const std::string& lab, const std::string& arguments) {
   return stats;
 }
 
+Settings operator+(Settings first, const Settings& then) {
+  first.insert(first.end(), then.begin(), then.end());
+  return first;
+}
+
+Figures measured(const std::string& lab, const Settings& values, const std::string& size) {
+  const Result result = run_lab(lab, "--measure - --size " + size + flags(values));
+  EXPECT_EQ(result.exit_code, 0) << lab << flags(values) << "\n" << result.errors;
+  if (result.exit_code != 0) return {};
+  const auto json = Json::parse(result.output);
+  return {json.at("mean"), json.at("p99"), json.at("max"), json.at("pixels"), json.at("non_finite")};
+}
+
 void expect_error(const Result& result, int exit_code, const std::string& lab,
                   const std::vector<std::string>& parts) {
   EXPECT_EQ(result.exit_code, exit_code) << result.errors;

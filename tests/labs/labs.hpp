@@ -40,6 +40,9 @@ Result run_lab(const std::string& lab, const std::string& arguments, const std::
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
+/// Both, the later ones counting where both name a parameter.
+Settings operator+(Settings first, const Settings& then);
+
 /// One picture of a batch.
 struct Shot {
   std::string name;  ///< the file; .png is added unless it ends in .pfm
@@ -75,6 +78,13 @@ struct Stats {
   std::vector<std::string> attributes, textures, notes, warnings, stages;
 };
 Stats stats_of(const std::string& lab, const std::string& arguments = {});
+
+/// What --measure - prints of a look.
+struct Figures {
+  double mean = 0, p99 = 0, most = 0;
+  int pixels = 0, non_finite = 0;
+};
+Figures measured(const std::string& lab, const Settings& values, const std::string& size = "256x256");
 
 /// Expects that the program ended with `exit_code`, printed nothing but one line of error that begins with
 /// its name and contains each of `parts`.

@@ -32,6 +32,14 @@ TEST(ErrorPicture, counts_in_its_unit) {
   EXPECT_FLOAT_EQ(error_picture(a, b, in(Unit::levels, 512)).at(0, 0), 512);
 }
 
+TEST(ErrorPicture, goes_the_short_way_round_a_surface_that_closes) {
+  const image::ImageF a = row({{0.125F, 0.5F, 0, 1}}), b = row({{0.875F, 2.5F, 0, 1}});
+  Measure texels = in(Unit::texels, 512);
+  EXPECT_FLOAT_EQ(error_picture(a, b, texels).at(0, 0), 512 * std::hypot(0.75F, 2.0F));
+  texels.repeats = true;
+  EXPECT_FLOAT_EQ(error_picture(a, b, texels).at(0, 0), 512 * 0.25F);
+}
+
 TEST(ErrorPicture, is_known_only_where_both_have_a_value) {
   const image::ImageF error =
       error_picture(row({{1, 0, 0, 1}, {1, 0, 0, 0}, {1, 0, 0, 1}}),

@@ -81,7 +81,7 @@ TEST(LabFile, refuses_an_unknown_key_with_its_line) {
   EXPECT_EQ(refusal(kHead + "[[look]]\nname = \"a\"\ncaption = \"A\"\nheros = true\n"),
             "7:9: there is no key 'heros'; did you mean 'hero'?");
   EXPECT_EQ(refusal(kHead + "colour = 1\n"),
-            "4:10: there is no key 'colour'; the keys are lab, title, lesson, look, step, case");
+            "4:10: there is no key 'colour'; the keys are lab, title, lesson, look, bench, choice, step, case");
 }
 
 TEST(LabFile, refuses_a_wrong_type_with_its_line) {
@@ -91,6 +91,36 @@ TEST(LabFile, refuses_a_wrong_type_with_its_line) {
   EXPECT_EQ(refusal(kHead + "[[look]]\nname = \"a\"\ncaption = \"A\"\nset = { a = [1] }\n"),
             "7:13: a parameter's value is a text, number or boolean");
   EXPECT_EQ(refusal(kHead + "look = 1\n"), "4:8: looks are written as [[look]] tables");
+}
+
+TEST(LabFile, has_the_cases_of_the_benchmark) {
+  const LabFile file(kHead + R"(choice = "The first"
+[[bench]]
+case = "jittered torus"
+teaches = "Weights matter"
+hard = true
+set = { model = "torus", jitter = 0.5 }
+vary = { method = [], segments = [16, 32] }
+)");
+  const Lab lab = read_lab(file.path());
+  EXPECT_EQ(lab.choice, "The first");
+  ASSERT_EQ(lab.bench.size(), 1U);
+  const BenchCase& bench = lab.bench[0];
+  EXPECT_EQ(bench.name, "jittered torus");
+  EXPECT_EQ(bench.teaches, "Weights matter");
+  EXPECT_TRUE(bench.hard);
+  EXPECT_EQ(bench.settings, (std::vector<Setting>{{"model", "torus"}, {"jitter", "0.5"}}));
+  EXPECT_EQ(bench.variations, (std::vector<Variation>{{"method", {}}, {"segments", {"16", "32"}}}));
+  EXPECT_EQ(bench.size, "256x256");
+}
+
+TEST(LabFile, refuses_a_case_of_the_benchmark_that_varies_nothing_or_has_a_name_twice) {
+  const std::string bench = "[[bench]]\ncase = \"a\"\nteaches = \"A\"\n";
+  EXPECT_EQ(refusal(kHead + bench),
+            "4:1: 'vary' is a table { parameter = [values], … }; [] for all values of a choice");
+  EXPECT_EQ(refusal(kHead + bench + "vary = { method = \"all\" }\n"), "7:19: 'method' is a list of values");
+  EXPECT_EQ(refusal(kHead + bench + "vary = { a = [] }\n" + bench + "vary = { a = [] }\n"),
+            "8:1: two cases are called 'a'");
 }
 
 TEST(LabFile, refuses_a_name_that_is_taken_or_no_file_name) {

@@ -64,7 +64,8 @@ TEST(Primitives, have_the_counts_that_their_parameters_give) {
 
 TEST(Primitives, face_outward_with_the_texture_upright) {
   for (const Mesh& mesh : {quad(), grid(2.0f, 3), cube_split(), sphere(7, 9), torus(1.0f, 0.4f, 11, 7),
-                           torus_jittered(1.0f, 0.4f, 11, 7, 0.49f, 3)})
+                           torus(1.0f, 0.4f, 11, 7, {0.49f, 3}), sphere(7, 9, 1.0f, {0.49f, 3}),
+                           grid(2.0f, 5, {0.49f, 3}), cube_split(1.0f, 4, {0.49f, 3})})
     expect_outward(mesh);
   expect_outward(icosphere(2), false);
 }
@@ -73,24 +74,30 @@ TEST(Primitives, are_closed) {
   expect_closed(cube_split());
   expect_closed(sphere(7, 9));
   expect_closed(torus(1.0f, 0.4f, 11, 7));
+  // Sliding vertices stay together at edges, seams and poles.
+  expect_closed(cube_split(1.0f, 4, {0.5f, 1}));
+  expect_closed(sphere(7, 9, 1.0f, {0.5f, 1}));
+  expect_closed(torus(1.0f, 0.4f, 11, 7, {0.5f, 1}));
   expect_closed(icosphere(2));
 }
 
-TEST(Primitives, sphere_lies_where_its_texture_coordinates_say) {
-  const Mesh mesh = sphere(10, 16, 2.0f);
-  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    const glm::dvec2 st(mesh.texcoords[v]);
-    const double lat = std::numbers::pi * (st.t - 0.5), lon = 2.0 * std::numbers::pi * st.s;
-    const glm::dvec3 expected(std::cos(lat) * std::sin(lon), std::sin(lat), std::cos(lat) * std::cos(lon));
-    // s and t are rounded to float32: 2 pi * 2^-24 of a turn, times the radius 2.
-    EXPECT_LT(glm::distance(glm::dvec3(mesh.positions[v]), 2.0 * expected), 1e-6);
-    EXPECT_LT(glm::distance(glm::dvec3(mesh.normals[v]), expected), 5e-7);
+TEST(Primitives, sphere_lies_where_its_texture_coordinates_say_jittered_or_not) {
+  for (const float amount : {0.0f, 0.8f}) {
+    const Mesh mesh = sphere(10, 16, 2.0f, {amount, 11});
+    for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+      const glm::dvec2 st(mesh.texcoords[v]);
+      const double lat = std::numbers::pi * (st.t - 0.5), lon = 2.0 * std::numbers::pi * st.s;
+      const glm::dvec3 expected(std::cos(lat) * std::sin(lon), std::sin(lat), std::cos(lat) * std::cos(lon));
+      // s and t are rounded to float32: 2 pi * 2^-24 of a turn, times the radius 2.
+      EXPECT_LT(glm::distance(glm::dvec3(mesh.positions[v]), 2.0 * expected), 1e-6);
+      EXPECT_LT(glm::distance(glm::dvec3(mesh.normals[v]), expected), 5e-7);
+    }
   }
 }
 
 TEST(Primitives, torus_lies_where_its_texture_coordinates_say_jittered_or_not) {
   for (const float amount : {0.0f, 0.8f}) {
-    const Mesh mesh = torus_jittered(1.5f, 0.5f, 24, 12, amount, 11);
+    const Mesh mesh = torus(1.5f, 0.5f, 24, 12, {amount, 11});
     for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
       const double a = 2.0 * std::numbers::pi * double(mesh.texcoords[v].s);
       const double b = 2.0 * std::numbers::pi * double(mesh.texcoords[v].t);
@@ -103,10 +110,23 @@ TEST(Primitives, torus_lies_where_its_texture_coordinates_say_jittered_or_not) {
 }
 
 TEST(Primitives, jitter_is_the_same_for_the_same_seed_only) {
-  const Mesh a = torus_jittered(1.0f, 0.4f, 9, 6, 0.5f, 1), b = torus_jittered(1.0f, 0.4f, 9, 6, 0.5f, 1);
+  const Mesh a = torus(1.0f, 0.4f, 9, 6, {0.5f, 1}), b = torus(1.0f, 0.4f, 9, 6, {0.5f, 1});
   EXPECT_EQ(a.positions, b.positions);
-  EXPECT_NE(a.positions, torus_jittered(1.0f, 0.4f, 9, 6, 0.5f, 2).positions);
+  EXPECT_NE(a.positions, torus(1.0f, 0.4f, 9, 6, {0.5f, 2}).positions);
   EXPECT_EQ(a.positions.front(), a.positions.back()) << "both copies of the seam's corner";
+}
+
+TEST(Primitives, jitter_slides_the_inner_vertices_of_a_plane_alone) {
+  const Mesh even = grid(1.0f, 4), rough = grid(1.0f, 4, {0.5f, 1});
+  int moved = 0;
+  for (std::size_t v = 0; v < even.vertex_count(); ++v) {
+    const glm::vec2 here(rough.positions[v]), st = rough.texcoords[v];
+    EXPECT_LT(glm::distance(here, 2.0f * st - 1.0f), 1e-6f) << "the place that its texture coordinate says";
+    const glm::vec2 way = glm::abs(here - glm::vec2(even.positions[v]));
+    EXPECT_LE(std::max(way.x, way.y), 0.125f) << "a quarter of a cell of 1/2";
+    if (way != glm::vec2(0.0f)) ++moved;
+  }
+  EXPECT_EQ(moved, 3 * 3);
 }
 
 TEST(Primitives, exact_tangents_follow_growing_s) {

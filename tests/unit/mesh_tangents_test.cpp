@@ -118,8 +118,7 @@ TEST(Tangents, follow_a_sheared_and_stretched_texture) {
 }
 
 TEST(Tangents, come_near_the_exact_ones_on_curved_surfaces) {
-  Mesh ball = sphere(32, 64), ring = torus(1.0f, 0.4f, 64, 32),
-       rough = torus_jittered(1.0f, 0.4f, 64, 32, 0.5f, 5);
+  Mesh ball = sphere(32, 64), ring = torus(1.0f, 0.4f, 64, 32), rough = torus(1.0f, 0.4f, 64, 32, {0.5f, 5});
   for (Mesh* mesh : {&ball, &ring, &rough}) revolution_tangents(*mesh);
   struct Row {
     const char* name;
@@ -244,7 +243,7 @@ TEST(Tangents, are_usable_on_a_heap_of_random_triangles) {
 }
 
 TEST(Mikktspace, gives_separate_triangles_the_tangents_of_the_indexed_mesh) {
-  const Mesh whole = torus_jittered(1.0f, 0.4f, 20, 10, 0.5f, 2);
+  const Mesh whole = torus(1.0f, 0.4f, 20, 10, {0.5f, 2});
   Mesh indexed = whole, soup = split(whole);
   compute_tangents(indexed, TangentMethod::mikktspace);
   compute_tangents(soup, TangentMethod::mikktspace);

@@ -98,5 +98,17 @@ TEST(Texcoords, are_finite_for_any_mesh) {
     }
 }
 
+TEST(TextureLayout, leans_squeezes_and_turns_s_round) {
+  Mesh mesh = quad();
+  plane_tangents(mesh);
+  lay_texture(mesh, {.shear = 1, .stretch = 4, .mirror = true});
+  // The corners (0, 0), (1, 0), (0, 1), (1, 1): s = 1 - 4 (s + t).
+  EXPECT_EQ(mesh.texcoords, (std::vector<glm::vec2>{{1, 0}, {-3, 0}, {-3, 1}, {-7, 1}}));
+  EXPECT_EQ(mesh.tangents[0], glm::vec4(-1, 0, 0, -1)) << "T along growing s, and left-handed";
+  Mesh same = quad();
+  lay_texture(same, {});
+  EXPECT_EQ(same.texcoords, quad().texcoords);
+}
+
 }  // namespace
 }  // namespace texel::mesh

@@ -72,6 +72,16 @@ TEST(TruthRay, first_hit_of_a_sphere_lies_on_it) {
   EXPECT_GT(hits, 300);
 }
 
+TEST(TruthRay, from_a_sphere_itself_the_far_side_is_seen) {
+  for (int i = 1; i < 200; ++i) {  // rounding puts the eye now inside and now outside
+    const dvec3 eye = glm::normalize(dvec3(std::sin(i), std::cos(3.0 * i), std::sin(2.0 * i)));
+    const dvec3 target = glm::normalize(dvec3(std::cos(i), std::sin(5.0 * i), std::cos(2.0 * i)));
+    const auto hit = hit_sphere({eye, glm::normalize(target - eye)});
+    ASSERT_TRUE(hit);
+    EXPECT_NEAR(hit->distance, glm::distance(eye, target), 1e-14) << i;
+  }
+}
+
 TEST(TruthRay, first_hit_of_a_cube_lies_on_it) {
   const int hits = expect_first_hits(
       [](const Ray& r) { return hit_cube(r, 0.8); }, [](dvec3 p) { return cube_distance(p, 0.8); },

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <concepts>
+#include <functional>
 #include <glm/glm.hpp>
 #include <memory>
 #include <optional>
@@ -35,7 +36,8 @@
 ///       static app::Truth truth(const Parameters& parameters, glm::ivec2 size);
 ///
 /// Labs that take any OBJ file have `const mesh::Mesh& mesh(const Parameters&)`; those with something to say
-/// of it `const app::Notes& notes() const`.
+/// of it `const app::Notes& notes() const`; those whose methods differ before the first frame
+/// `app::Preparation preparation(const Parameters&)`.
 namespace texel::app {
 
 /// The pictures that a lab can draw: the colours, or one of the quantities on the way to them.
@@ -87,6 +89,13 @@ class Frame {
   std::vector<const gl::Program*> used_;
 };
 
+/// What the present look needs once, before its first frame, for so many elements: the benchmark times it.
+struct Preparation {
+  const char* element;  ///< "triangle"
+  std::size_t elements;
+  std::function<void()> work;  ///< does it all again
+};
+
 /// A lab of any type with its parameters: what the window, the snapshots and the panel work with.
 class AnyLab {
  public:
@@ -102,6 +111,8 @@ class AnyLab {
   [[nodiscard]] virtual std::optional<Measure> measure() const = 0;
   /// The right answer for the present parameters in a picture of `size` pixels; empty where there is none.
   [[nodiscard]] virtual Truth truth(glm::ivec2 size) const = 0;
+  /// Nothing when the lab's methods differ in the frame alone.
+  virtual std::optional<Preparation> preparation(const Assets& assets) = 0;
   /// What the lab has to say of its input, for --stats and the panel.
   [[nodiscard]] virtual Notes notes() const = 0;
 };
@@ -131,6 +142,12 @@ class LabOf final : public AnyLab {
   [[nodiscard]] Truth truth(glm::ivec2 size) const override {
     if constexpr (requires { Lab::truth(parameters_, size); })
       return Lab::truth(parameters_, size);
+    else
+      return {};
+  }
+  std::optional<Preparation> preparation(const Assets& assets) override {
+    if constexpr (requires(Lab & l) { l.preparation(parameters_); })
+      return lab(assets).preparation(parameters_);
     else
       return {};
   }

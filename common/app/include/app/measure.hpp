@@ -26,6 +26,9 @@ struct Measure {
   Unit unit;
   const char* truth;  ///< what it is compared with, in a few words: "height field on the exact surface"
   double scale = 1;   ///< a difference in the view is so many units: texels in a texture's width
+  /// Texture coordinates a whole number apart are the same place: on a surface that closes, where a triangle
+  /// may lie a pixel off on the other side of the seam. The difference is then taken the short way round.
+  bool repeats = false;
 };
 
 /// What the view should show at a place of the picture, in pixels from its lower left corner, from the

@@ -25,8 +25,19 @@ struct Model {
   bool is_revolution = false;  ///< sphere or torus: mesh::revolution_tangents are exact
 };
 
+/// How the built-in shapes are cut into triangles.
+struct Tessellation {
+  /// Quads along the longer direction of sphere and torus (half as many along the other) and along each side
+  /// of a square; 0: 64 on the sphere, 96 on the torus, 1 on quad and cube.
+  int segments = 0;
+  /// 0 to 1: irregular triangles with exact vertices (mesh::Jitter); at 1 just short of turning one over.
+  float jitter = 0;
+  bool operator==(const Tessellation&) const = default;
+};
+
 /// A built-in model or an OBJ file, centred, its farthest vertex at distance 1. Normals (smooth, by angle)
-/// and texture coordinates (box projection) are generated where the file has none. Errors as mesh::load_obj.
-Model load_model(const Assets& assets, const std::string& name);
+/// and texture coordinates (box projection) are generated where the file has none; its triangles stay as they
+/// are. Errors as mesh::load_obj.
+Model load_model(const Assets& assets, const std::string& name, Tessellation tessellation = {});
 
 }  // namespace texel::app

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-/// What `labs/NN_name/lab.toml` says of a lab: its title and lesson, and the looks that are worth seeing.
+/// What `labs/NN_name/lab.toml` says of a lab: its title and lesson, the looks that are worth seeing, and the
+/// cases on which its methods are measured.
 ///
 ///     lab = "05_normal_map"
 ///     title = "Normal map"
@@ -17,6 +18,15 @@
 ///     size = "512x512"                                    # optional
 ///     source = "Report, section 3.2, 'Cube before …'"     # optional: the sources' picture that this is
 ///     hero = true                                         # optional: at the top of the gallery
+///     [[bench]]
+///     case = "jittered torus"                             # unique in the lab
+///     teaches = "A sentence or two, below the table"
+///     hard = true                                         # optional
+///     set = { model = "torus", jitter = 0.5 }             # optional
+///     vary = { method = [], segments = [16, 32] }         # every combination; []: all values of a choice
+///     size = "256x256"                                    # optional
+///
+/// and at the top, after the lesson, `choice`: which method the lab takes by default, and why.
 namespace texel::course {
 
 /// A parameter and its value as the command line takes it: {"normal_map", "on"}.
@@ -37,11 +47,30 @@ struct Look {
   bool hero = false;   ///< shown at the top of the gallery and in the README
 };
 
+/// A parameter and the values that it takes one after the other; none for all of a choice.
+struct Variation {
+  std::string parameter;
+  std::vector<std::string> values;
+
+  bool operator==(const Variation&) const = default;
+};
+
+/// A scene on which methods are measured against the truth and against the clock.
+struct BenchCase {
+  std::string name, teaches;  ///< plain text
+  bool hard = false;          ///< one that breaks the naive method
+  std::vector<Setting> settings;
+  std::vector<Variation> variations;  ///< at least one
+  std::string size = "256x256";
+};
+
 struct Lab {
   int number = 0;
   std::string folder;  ///< "05_normal_map"
   std::string title, lesson;
+  std::string choice;  ///< which method is the default, and why; or ""
   std::vector<Look> looks;
+  std::vector<BenchCase> bench;
 
   [[nodiscard]] std::string program() const { return "lab" + folder; }
 };

@@ -10,32 +10,37 @@
 /// below or by a method of tangents.hpp.
 namespace texel::mesh {
 
+/// Vertices slide along the exact surface, each by up to +-amount/2 of a cell in s and in t; below an amount
+/// of 1/2 no triangle can turn over. Texture coordinates and normals stay exact. The way is a hash of the
+/// vertex's place in the grid, so the same seed gives the same mesh and both copies of a seam's vertex slide
+/// alike. A plane's border and a sphere's poles stay where they are.
+struct Jitter {
+  float amount = 0.0f;
+  std::uint32_t seed = 0;
+};
+
 /// A square in the plane z = 0 facing +z: corners (-h, -h) to (h, h), texture coordinates 0..1, 4 vertices.
 Mesh quad(float half_size = 0.7f);
 
 /// The same square cut into cells x cells squares of two triangles.
-Mesh grid(float half_size, int cells);
+Mesh grid(float half_size, int cells, Jitter jitter = {});
 
-/// A cube with 24 vertices: each face has its own copy of the whole texture, upright seen from outside (the
-/// top's lower edge and the bottom's upper edge are those at the front). Faces +z, -z, +x, -x, +y, -y.
-Mesh cube_split(float half_size = 1.0f);
+/// A cube whose faces are such grids, 4 vertices each unless they are cut: each face has its own copy of the
+/// whole texture, upright seen from outside (the top's lower edge and the bottom's upper edge are those at
+/// the front). Faces +z, -z, +x, -x, +y, -y.
+Mesh cube_split(float half_size = 1.0f, int cells = 1, Jitter jitter = {});
 
 /// A sphere about the origin from `rings` bands of `segments` quads (at least 2 and 3):
 /// s is the longitude / 2 pi, counter-clockwise seen from above, 0 at +z and 1/4 at +x; t is 0 at the south
 /// and 1 at the north pole, even in latitude:
 /// position = radius (cos(lat) sin(2 pi s), sin(lat), cos(lat) cos(2 pi s)), lat = pi (t - 1/2).
 /// The seam's vertices are there twice (s = 0 and 1); each pole has one vertex a segment, at its middle s.
-Mesh sphere(int rings, int segments, float radius = 1.0f);
+Mesh sphere(int rings, int segments, float radius = 1.0f, Jitter jitter = {});
 
 /// A torus about the y axis: position = ((R + r cos b) sin a, r sin b, (R + r cos b) cos a) with a = 2 pi s
 /// and b = 2 pi t, so s runs as on the sphere and t = 0 is the outer equator. `segments` steps in s, `sides`
 /// in t (at least 3); seams doubled.
-Mesh torus(float major, float minor, int segments, int sides);
-
-/// The torus with each vertex moved along the surface by up to +-amount/2 of a cell in s and t; below an
-/// amount of 1/2 no triangle can turn over. Texture coordinates and normals stay exact. The same seed gives
-/// the same mesh.
-Mesh torus_jittered(float major, float minor, int segments, int sides, float amount, std::uint32_t seed);
+Mesh torus(float major, float minor, int segments, int sides, Jitter jitter = {});
 
 /// A sphere of nearly equal triangles: an icosahedron split `subdivisions` times (0 to 8), 20 * 4^n
 /// triangles, 10 * 4^n + 2 vertices; normals, and no texture coordinates.

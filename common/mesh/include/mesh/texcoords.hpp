@@ -28,4 +28,17 @@ glm::vec2 spherical_texcoord(const glm::vec3& from_center);
 /// texture.
 void generate_texcoords(Mesh& mesh, Projection projection);
 
+/// How a texture lies on a surface that has one already: s' = stretch (s + shear t), and 1 - s' when
+/// mirrored.
+struct TextureLayout {
+  float shear = 0.0f;    ///< 1: the lines of equal s lean by 45 degrees where the texture was square
+  float stretch = 1.0f;  ///< positive: so many times as often along s
+  bool mirror = false;
+  bool operator==(const TextureLayout&) const = default;
+};
+
+/// Lays the texture anew. t stays, so that s grows along the same line as before: tangents that are there
+/// stay exact, turned round when mirrored; bitangents, which lean, are emptied.
+void lay_texture(Mesh& mesh, const TextureLayout& layout);
+
 }  // namespace texel::mesh

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "course/mutant_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reader.hpp"
+
+namespace texel::course {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+bool is_name(const std::string& name) {
+  return std::all_of(name.begin(), name.end(),
+                     [](char c) { return (c >= 'a' && c <= 'z') || is_digit(c) || c == '-'; });
+}
+
+bool is_below_root(const fs::path& file) {
+  return file.is_relative() && std::find(file.begin(), file.end(), "..") == file.end();
+}
+
+/// Two numbers with a point between them.
+bool is_step(const std::string& step) {
+  const std::size_t point = step.find('.');
+  if (point == 0 || point == std::string::npos || point + 1 == step.size()) return false;
+  return std::all_of(step.begin(), step.end(), [](char c) { return is_digit(c) || c == '.'; }) &&
+         step.rfind('.') == point;
+}
+
+Mutant read_mutant(const toml::table& table, const std::string& file) {
+  Reader reader(table, file);
+  Mutant mutant;
+  mutant.place = place_of(table, file);
+  mutant.name = reader.text("name");
+  mutant.file = reader.text("file");
+  mutant.what = reader.text("what");
+  const toml::node* by = reader.find("by");
+  if (by == nullptr) throw reader.error(table, "'by' is missing", "write by = \"\" to take the text away");
+  mutant.by = reader.text("by", "");
+  mutant.step = reader.text("step", "");
+  mutant.says = reader.text("says");
+  mutant.survives = reader.text("survives", "");
+  reader.reject_unknown();
+  if (!is_name(mutant.name))
+    throw reader.error("name", fmt::format("'{}' is no mutant's name", mutant.name),
+                       "use lower-case letters, digits and '-'");
+  if (!is_below_root(mutant.file))
+    throw reader.error("file", fmt::format("'{}' is no path below the project's root", mutant.file),
+                       "write it as shaders/lib/light.glsl");
+  if (!mutant.step.empty() && !is_step(mutant.step))
+    throw reader.error("step", fmt::format("'{}' is no step", mutant.step), "write it as 5.1");
+  if (mutant.what == mutant.by) throw reader.error("by", "the replacement changes nothing");
+  return mutant;
+}
+
+/// Adds a mutant whose name no other has.
+void add(std::vector<Mutant>& mutants, Mutant mutant) {
+  const auto same = std::find_if(mutants.begin(), mutants.end(),
+                                 [&](const Mutant& other) { return other.name == mutant.name; });
+  if (same != mutants.end())
+    throw Error::failed(fmt::format("two mutants are called '{}'", mutant.name), mutant.place,
+                        fmt::format("the other one is at {}:{}", same->place.file, same->place.line));
+  mutants.push_back(std::move(mutant));
+}
+
+}  // namespace
+
+std::vector<Mutant> read_mutants(const fs::path& file) {
+  const toml::table table = parse(file);
+  Reader reader(table, file.string());
+  std::vector<Mutant> mutants;
+  for (const toml::table* entry : reader.tables("mutant")) add(mutants, read_mutant(*entry, file.string()));
+  reader.reject_unknown();
+  return mutants;
+}
+
+std::vector<Mutant> read_catalogue(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code missing;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, missing))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::vector<Mutant> mutants;
+  for (const fs::path& file : files)
+    for (Mutant& mutant : read_mutants(file)) add(mutants, std::move(mutant));
+  if (mutants.empty()) throw Error::failed("holds no mutants", {folder.string()}, "name another catalogue");
+  return mutants;
+}
+
+std::string mutated(const Mutant& mutant, const std::string& text) {
+  const std::size_t at = text.find(mutant.what);
+  if (at == std::string::npos)
+    throw Error::failed(fmt::format("'{}' does not apply: its text is not in {}", mutant.name, mutant.file),
+                        mutant.place, "copy the text from the file as it is now");
+  if (text.find(mutant.what, at + 1) != std::string::npos)
+    throw Error::failed(
+        fmt::format("'{}' does not apply: its text is more than once in {}", mutant.name, mutant.file),
+        mutant.place, "take more of what stands around it");
+  return text.substr(0, at) + mutant.by + text.substr(at + mutant.what.size());
+}
+
+}  // namespace texel::course

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The right answer of lab 2: what a pixel should show is the mean, over the pixel's area, of the two
+// pictures' light combined. The pictures are taken as the functions that the files were made from, without
+// texels, and many rays through each pixel look them up, in double precision. No method does that: each
+// filters the two pictures apart and combines the means, and the mean of a product is not the product of the
+// means.
+#pragma once
+#include "app/colour_truth.hpp"
+#include "app/truth_scene.hpp"
+#include "parameters.hpp"
+#include "truth/texture.hpp"
+
+namespace texel {
+
+/// A picture as a function: linear light and straight alpha. Nothing for files of the user's.
+inline std::optional<truth::TextureFunction> picture_function(const std::string& name) {
+  const auto texture = app::texture_of(name);
+  if (!texture) return std::nullopt;
+  return [texture = *texture](glm::dvec2 texcoord) {
+    const glm::dvec4 colour = procedural::colour(texture, texcoord.s, texcoord.t);
+    return colour.a > 0 ? colour : glm::dvec4(0);  // the decal's file is black where it is not seen
+  };
+}
+
+/// Light of the first picture, already multiplied by the colour, and of the second as the README has it.
+inline glm::dvec3 combined(const MultiTextureParameters& p, glm::dvec3 first, glm::dvec4 second) {
+  const glm::dvec3 light(second);
+  switch (p.combine) {
+    case Combine::multiply:
+      return first * light;
+    case Combine::mix:
+      return (1.0 - p.mix_factor) * first + double{p.mix_factor} * light;
+    case Combine::add:
+      return first + light;
+    case Combine::decal:
+      break;
+  }
+  return (1.0 - second.a) * first + second.a * light;
+}
+
+/// Colours in 8-bit steps, as the view `color` has them with one sample in each pixel. `method`, filters and
+/// mipmaps have no part in it.
+inline app::Truth multi_texture_truth(const MultiTextureParameters& p, glm::ivec2 size) {
+  const truth::TextureFunction white = [](glm::dvec2) { return glm::dvec4(1); };
+  const auto first = p.unit0_on ? picture_function(p.texture0) : white;
+  const auto second = p.unit1_on ? picture_function(p.texture1) : white;
+  if (!first || !second) return {};
+  const auto look_up = [p, first = *first, second = *second](glm::dvec2 texcoord) {
+    const glm::dvec3 color = glm::dvec3(p.red, p.green, p.blue) * glm::dvec3(first(texcoord));
+    return glm::dvec4(p.unit1_on ? combined(p, color, second(texcoord)) : color, 1);
+  };
+  const truth::QuadPicture picture{.camera = app::truth_camera(p.camera, size),
+                                   .world_from_object = truth::tilted(p.tilt),
+                                   .texcoord_map = {.linear = glm::dmat2(p.texture_scale)},
+                                   .texture = look_up};
+  return app::mean_in_steps([picture](glm::dvec2 window) { return picture.at(window); });
+}
+
+}  // namespace texel

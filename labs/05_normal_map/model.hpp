@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The model of lab 5 before its tangents are made. Nothing to do for you here: the tangents' steps are in
+// common/mesh/tangents.cpp.
+#pragma once
+#include <optional>
+
+#include "app/models.hpp"
+#include "mesh/primitives.hpp"
+#include "mesh/tangents.hpp"
+#include "parameters.hpp"
+
+namespace texel {
+
+/// The model with its texture; and with its tangents, where they have a formula and that is asked for.
+inline app::Model textured_model(const app::Assets& assets, const NormalMapParameters& p) {
+  app::Model model = app::load_model(assets, p.model, p.tessellation);
+  if (p.method == Method::analytic) {
+    if (model.is_revolution)
+      mesh::revolution_tangents(model.mesh);
+    else
+      model.notes.facts.emplace_back("this model has no formula for its tangents: mikktspace instead");
+  }
+  mesh::lay_texture(model.mesh, p.layout);
+  return model;
+}
+
+/// How tangents are made for the vertices; nothing where the shader makes them, or needs none.
+inline std::optional<mesh::TangentMethod> kept_tangents(Method method) {
+  switch (method) {
+    case Method::averaged:
+      return mesh::TangentMethod::averaged;
+    case Method::gram_schmidt:
+      return mesh::TangentMethod::gram_schmidt;
+    case Method::angle_weighted:
+      return mesh::TangentMethod::angle_weighted;
+    case Method::mikktspace:
+    case Method::analytic:  // where there is no formula
+      return mesh::TangentMethod::mikktspace;
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace texel

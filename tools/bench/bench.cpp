@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "core/files.hpp"
+#include "core/stopwatch.hpp"
+#include "processes.hpp"
+#include "report.hpp"
+
+namespace texel::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// How long the frames of a lab are timed in all, and of one case at most. With the truths to be computed
+/// this keeps a lab below 40 s on two cores.
+constexpr double kSecondsALab = 12, kSecondsACase = 2;
+
+/// What the lab's program reads with --bench.
+std::string case_list(const course::Lab& lab, bool errors_only) {
+  using Json = nlohmann::ordered_json;
+  const double seconds =
+      errors_only ? 0 : std::min(kSecondsACase, kSecondsALab / static_cast<double>(lab.bench.size()));
+  Json json = {{"seconds", seconds}, {"cases", Json::array()}};
+  for (const course::BenchCase& bench : lab.bench) {
+    Json set = Json::object(), vary = Json::object();
+    for (const course::Setting& setting : bench.settings) set[setting.parameter] = setting.value;
+    for (const course::Variation& variation : bench.variations)
+      vary[variation.parameter] = Json(variation.values);
+    json["cases"].push_back({{"case", bench.name}, {"size", bench.size}, {"set", set}, {"vary", vary}});
+  }
+  return json.dump(2) + "\n";
+}
+
+/// Runs the lab's program and reads what it wrote.
+BenchReport measured(const course::Lab& lab, const fs::path& folder, bool errors_only) {
+  const fs::path cases = folder / (lab.folder + "-cases.json"),
+                 output = folder / (lab.folder + "-times.json");
+  write_file(cases, case_list(lab, errors_only));
+  const std::string program = fs::read_symlink("/proc/self/exe").parent_path() / lab.program();
+  int status = 0;
+  run_all({{program, "--bench", cases.string(), "--report", output.string()}}, 1,
+          [&](std::size_t, int s) { status = s; });
+  if (status != 0) throw Error::failed("could not measure " + lab.program(), {}, "see its message above");
+  return read_lab_output(output, lab);
+}
+
+BenchReport measure(const std::vector<course::Lab>& labs, const BenchOptions& options) {
+  make_folder(options.out);
+  BenchReport all;
+  const Stopwatch whole;
+  for (const course::Lab& lab : labs) {
+    fmt::print(stderr, "lab {} {}: {} cases\n", lab.number, lab.title, lab.bench.size());
+    const Stopwatch one;
+    BenchReport report = measured(lab, options.out, options.errors_only);
+    all.renderer = report.renderer;
+    std::move(report.results.begin(), report.results.end(), std::back_inserter(all.results));
+    fmt::print(stderr, "  {:.0f} s, {:.0f} s in all\n", one.milliseconds() / 1e3, whole.milliseconds() / 1e3);
+  }
+  return all;
+}
+
+void write_markdown(const std::vector<LabResults>& labs, const std::string& renderer, const fs::path& file) {
+  const fs::path folder = file.parent_path() / file.stem();
+  make_folder(folder);
+  for (const LabResults& lab : labs) {
+    const std::vector<Plot> drawn = plots(lab);
+    for (std::size_t i = 0; i < drawn.size(); ++i) write_file(folder / plot_file(lab.lab, i), svg(drawn[i]));
+  }
+  write_file(file, bench_markdown(labs, renderer, file.stem().string()));
+}
+
+}  // namespace
+
+Exit bench(const BenchOptions& options) {
+  std::vector<course::Lab> labs = chosen_labs(options.labs);
+  std::erase_if(labs, [](const course::Lab& lab) { return lab.bench.empty(); });
+  const BenchReport report = options.from.empty() ? measure(labs, options) : read_report_json(options.from);
+  const std::vector<LabResults> results = by_lab(labs, report);
+  if (!options.json.empty()) write_file(options.json, to_json(report));
+  if (!options.markdown.empty()) write_markdown(results, report.renderer, options.markdown);
+  if (!options.against.empty()) {
+    const std::vector<std::string> lines = differences(read_report_json(options.against), report);
+    for (const std::string& line : lines) fmt::print("{}\n", line);
+    fmt::print("{} of {} errors differ from {}\n", lines.size(), report.results.size(),
+               options.against.string());
+    return lines.empty() ? Exit::holds : Exit::differs;
+  }
+  if (!options.from.empty() && options.markdown.empty() && options.json.empty())
+    for (const LabResults& lab : results) fmt::print("{}", terminal_table(lab));
+  if (options.from.empty()) {
+    for (const LabResults& lab : results) fmt::print("{}", terminal_table(lab));
+    const fs::path page = options.out / "index.html";
+    write_file(page, bench_page(results, report.renderer));
+    fmt::print("\nplots: {}\n", page.string());
+  }
+  return Exit::holds;
+}
+
+}  // namespace texel::tools

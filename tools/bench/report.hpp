@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <vector>
+
+#include "course/lab_file.hpp"
+#include "plot.hpp"
+#include "results.hpp"
+
+namespace texel::tools {
+
+/// A lab with what was measured of it.
+struct LabResults {
+  course::Lab lab;
+  std::vector<BenchResult> results;  ///< of its cases, in their order, then those over all cases
+};
+
+/// The results of a report by lab, those over all cases added. Cases that the lab.toml no longer has are left
+/// out.
+std::vector<LabResults> by_lab(const std::vector<course::Lab>& labs, const BenchReport& report);
+
+/// A table as the terminal shows it.
+std::string terminal_table(const LabResults& lab);
+
+/// Error against cost, one plot for each unit and set of parameters that vary; and error against the number,
+/// for each case over one.
+std::vector<Plot> plots(const LabResults& lab);
+
+/// The whole page as HTML, which names nothing outside of itself.
+std::string bench_page(const std::vector<LabResults>& labs, const std::string& renderer);
+
+/// docs/accuracy.md, whose plots are `folder`/NN_name-1.svg …
+std::string bench_markdown(const std::vector<LabResults>& labs, const std::string& renderer,
+                           const std::string& folder);
+
+/// The name of a lab's plot, counted from 0, without a folder: "05_normal_map-1.svg".
+std::string plot_file(const course::Lab& lab, std::size_t index);
+
+}  // namespace texel::tools

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace texel::tools {
+
+/// One entry of ctest.
+struct Test {
+  int number = 0;      ///< ctest's, from 1
+  std::string name;    ///< as ctest prints it
+  std::string key;     ///< its program and its name, in lower case
+  std::string target;  ///< what must be built for it: its program, or "" for everything
+  double seconds = 0;  ///< in the unchanged tree
+  bool is_used = true;
+};
+
+/// How tests are told apart: those that are likely to notice a change run first, and of those that are as
+/// likely the quick ones. Tests with one rank and pace run together.
+struct Order {
+  int rank = 0;
+  bool is_slow = false;
+
+  auto operator<=>(const Order&) const = default;
+};
+
+/// When `test` runs after a change of `file` (relative to `tree`): first the tests whose program or name has
+/// the file's lab ("lab05") or subject ("mesh_weld"), then those of its folder ("mesh_"), then the others, at
+/// the end those of the assets, the compiler and the window. A file of shaders/lib belongs to the labs whose
+/// shaders include it. None for a test in which the file has no part.
+std::optional<Order> order_of(const Test& test, const std::filesystem::path& tree, const std::string& file);
+
+/// What the tests say of a changed tree.
+struct Verdict {
+  bool builds = true;     ///< C++ and GLSL
+  std::string caught_by;  ///< the first test that failed, or ""
+};
+
+/// The tests of a tree: a CMake project with a preset `release`, built in build/release.
+class Suite {
+ public:
+  /// `logs`: a folder for what the build and the tests print.
+  Suite(std::filesystem::path tree, std::filesystem::path logs);
+
+  /// Configures and builds. Throws Error (exit 3) when that fails.
+  void prepare() const;
+
+  /// Runs every test of the unchanged tree and takes its time; from `logs` when `again` is false and that was
+  /// done already. Tests that fail, and those that read the catalogue, are not used. Throws Error (exit 3)
+  /// when no test passes.
+  void measure(bool again);
+
+  [[nodiscard]] const std::vector<Test>& tests() const { return tests_; }
+
+  /// Runs the tests until one fails, and builds first what they need. `name`: that of the log.
+  [[nodiscard]] Verdict judge(const std::string& file, const std::string& name) const;
+
+ private:
+  /// Builds these targets, or all when there are none; false when that fails.
+  [[nodiscard]] bool build(const std::set<std::string>& targets, const std::filesystem::path& log) const;
+  /// Runs the tests of these numbers, with ctest's options besides; JUnit's XML goes into `xml`.
+  void run(const std::vector<int>& numbers, const std::string& options, const std::filesystem::path& xml,
+           const std::filesystem::path& log) const;
+  void list();
+
+  std::filesystem::path tree_, logs_;
+  std::vector<Test> tests_;
+};
+
+}  // namespace texel::tools
