@@ -202,23 +202,39 @@ void statistics_section(const WindowState& state) {
   lines(state.notes.facts, kGrey);
 }
 
-/// Method and truth side by side, and how far they are apart.
-void comparison_lines(const Canvas::Comparison& c) {
-  ImGui::Separator();
-  const auto line = [&](const char* name, const glm::dvec3& v) {
-    if (c.measure.unit == Unit::texels)
-      ImGui::Text("%-10s %.5f  %.5f", name, v.x, v.y);
-    else if (c.measure.unit == Unit::levels)
-      ImGui::Text("%-10s %.5g", name, v.x);
-    else if (c.measure.unit == Unit::steps)
-      ImGui::Text("%-10s %7.1f  %7.1f  %7.1f", name, v.x, v.y, v.z);
-    else
-      ImGui::Text("%-10s %+.4f  %+.4f  %+.4f", name, v.x, v.y, v.z);
-  };
-  ImGui::TextColored(kGrey, "%s against the truth", kViewNames[static_cast<std::size_t>(c.measure.view)]);
-  line("method", c.value);
-  line("truth", c.truth);
-  ImGui::Text("%-10s %.4g %s", "error", c.error, name_of(c.measure.unit));
+/// A name, and its value in a column.
+void pixel_row(const char* name, const std::string& value) {
+  ImGui::TextUnformatted(name);
+  ImGui::SameLine(ImGui::GetFontSize() * 6);
+  ImGui::TextUnformatted(value.c_str());
+}
+
+/// Three components, or as many as the view has, each in a column of its own.
+void pixel_row(const char* name, const glm::dvec3& value, int components, const char* format) {
+  ImGui::TextUnformatted(name);
+  for (int c = 0; c < components; ++c) {
+    ImGui::SameLine(ImGui::GetFontSize() * (6 + 5 * static_cast<float>(c)));
+    ImGui::Text(format, value[c]);
+  }
+}
+
+/// How a value of the view is written; 8-bit steps for colours.
+void pixel_row(const char* name, View view, const glm::dvec3& value) {
+  switch (view) {
+    case View::lod:
+    case View::depth:
+    case View::mask:
+    case View::error:
+      return pixel_row(name, value, 1, "%.5g");
+    case View::texcoord:
+      return pixel_row(name, value, 2, "%.5f");
+    case View::color:
+      return pixel_row(name, value, 3, "%.1f");
+    case View::normal:
+    case View::tangent:
+    case View::direction:
+      return pixel_row(name, value, 3, "%+.4f");
+  }
 }
 
 void pixel_section(const WindowState& state) {
@@ -230,18 +246,18 @@ void pixel_section(const WindowState& state) {
   ImGui::Text("x %d, y %d (from the bottom left)", state.inspected->pixel.x, state.inspected->pixel.y);
   for (const auto& [view, value] : state.inspected->values) {
     const char* name = kViewNames[static_cast<std::size_t>(view)];
-    const bool scalar = view == View::lod || view == View::depth || view == View::mask || view == View::error;
     if (value.w <= 0)
-      ImGui::TextColored(kGrey, "%-10s background", name);
-    else if (scalar)
-      ImGui::Text("%-10s %.5g", name, static_cast<double>(value.x));
-    else if (view == View::texcoord)
-      ImGui::Text("%-10s %.5f  %.5f", name, static_cast<double>(value.x), static_cast<double>(value.y));
+      pixel_row(name, "background");
     else
-      ImGui::Text("%-10s %+.4f  %+.4f  %+.4f", name, static_cast<double>(value.x),
-                  static_cast<double>(value.y), static_cast<double>(value.z));
+      pixel_row(name, view, glm::dvec3(value));
   }
-  if (state.inspected->comparison) comparison_lines(*state.inspected->comparison);
+  if (!state.inspected->comparison) return;
+  const Canvas::Comparison& c = *state.inspected->comparison;
+  ImGui::Separator();
+  ImGui::TextColored(kGrey, "%s against the truth", kViewNames[static_cast<std::size_t>(c.measure.view)]);
+  pixel_row("method", c.measure.view, c.value);
+  pixel_row("truth", c.measure.view, c.truth);
+  pixel_row("error", fmt::format("{:.4g} {}", c.error, name_of(c.measure.unit)));
 }
 
 Action buttons(WindowState& state) {

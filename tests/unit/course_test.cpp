@@ -80,8 +80,9 @@ step = "5.1"
 TEST(LabFile, refuses_an_unknown_key_with_its_line) {
   EXPECT_EQ(refusal(kHead + "[[look]]\nname = \"a\"\ncaption = \"A\"\nheros = true\n"),
             "7:9: there is no key 'heros'; did you mean 'hero'?");
-  EXPECT_EQ(refusal(kHead + "colour = 1\n"),
-            "4:10: there is no key 'colour'; the keys are lab, title, lesson, look, bench, choice, step, case");
+  EXPECT_EQ(
+      refusal(kHead + "colour = 1\n"),
+      "4:10: there is no key 'colour'; the keys are lab, title, lesson, look, bench, choice, step, case");
 }
 
 TEST(LabFile, refuses_a_wrong_type_with_its_line) {
