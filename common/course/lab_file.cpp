@@ -111,6 +111,16 @@ std::vector<BenchCase> read_bench(Reader& head, const std::string& file) {
   return cases;
 }
 
+std::vector<Claim> read_claims(Reader& head, const std::string& file) {
+  std::vector<Claim> claims;
+  for (const toml::table* table : head.tables("claim")) {
+    Reader reader(*table, file);
+    claims.push_back({reader.text("source"), reader.text("says"), reader.text("found"), reader.text("see")});
+    reader.reject_unknown();
+  }
+  return claims;
+}
+
 /// "05_normal_map" is lab 5; 0 for a folder that is none.
 int lab_number(const std::string& folder) {
   const auto digit = [&](std::size_t i) { return folder[i] >= '0' && folder[i] <= '9'; };
@@ -132,6 +142,7 @@ Lab read_lab(const fs::path& file) {
   lab.lesson = reader.text("lesson");
   lab.looks = read_looks(reader, file.string());
   lab.bench = read_bench(reader, file.string());
+  lab.claims = read_claims(reader, file.string());
   lab.choice = reader.text("choice", "");
   reader.find("step");
   reader.find("case");

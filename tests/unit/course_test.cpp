@@ -80,9 +80,9 @@ step = "5.1"
 TEST(LabFile, refuses_an_unknown_key_with_its_line) {
   EXPECT_EQ(refusal(kHead + "[[look]]\nname = \"a\"\ncaption = \"A\"\nheros = true\n"),
             "7:9: there is no key 'heros'; did you mean 'hero'?");
-  EXPECT_EQ(
-      refusal(kHead + "colour = 1\n"),
-      "4:10: there is no key 'colour'; the keys are lab, title, lesson, look, bench, choice, step, case");
+  EXPECT_EQ(refusal(kHead + "colour = 1\n"),
+            "4:10: there is no key 'colour'; the keys are lab, title, lesson, look, bench, claim, choice, "
+            "step, case");
 }
 
 TEST(LabFile, refuses_a_wrong_type_with_its_line) {
@@ -113,6 +113,18 @@ vary = { method = [], segments = [16, 32] }
   EXPECT_EQ(bench.settings, (std::vector<Setting>{{"model", "torus"}, {"jitter", "0.5"}}));
   EXPECT_EQ(bench.variations, (std::vector<Variation>{{"method", {}}, {"segments", {"16", "32"}}}));
   EXPECT_EQ(bench.size, "256x256");
+}
+
+TEST(LabFile, has_what_the_sources_say) {
+  const std::string claim = "[[claim]]\nsource = \"Slides\"\nsays = \"Small\"\nfound = \"True\"\n";
+  const LabFile file(kHead + claim + "see = \"./run bench 5\"\n");
+  const Lab lab = read_lab(file.path());
+  ASSERT_EQ(lab.claims.size(), 1U);
+  EXPECT_EQ(lab.claims[0].source, "Slides");
+  EXPECT_EQ(lab.claims[0].says, "Small");
+  EXPECT_EQ(lab.claims[0].found, "True");
+  EXPECT_EQ(lab.claims[0].see, "./run bench 5");
+  EXPECT_EQ(refusal(kHead + claim), "4:1: 'see' is missing or empty");
 }
 
 TEST(LabFile, refuses_a_case_of_the_benchmark_that_varies_nothing_or_has_a_name_twice) {

@@ -203,6 +203,19 @@ std::string markdown_row(const Row& row) {
   return fmt::format("| {} |\n", fmt::join(row, " | "));
 }
 
+/// What the sources say, and what measuring it gave.
+std::string claims(const std::vector<LabResults>& labs) {
+  std::string out = "\n## What the sources say, put to the test\n\n" +
+                    markdown_row({"lab", "says", "found", "see"}) +
+                    markdown_row({"---", "---", "---", "---"});
+  for (const LabResults& lab : labs)
+    for (const course::Claim& claim : lab.lab.claims)
+      out +=
+          markdown_row({fmt::format("{}", lab.lab.number), fmt::format("{} ({})", claim.says, claim.source),
+                        claim.found, fmt::format("`{}`", claim.see)});
+  return out;
+}
+
 }  // namespace
 
 std::vector<LabResults> by_lab(const std::vector<course::Lab>& labs, const BenchReport& report) {
@@ -301,6 +314,7 @@ std::string bench_markdown(const std::vector<LabResults>& labs, const std::strin
       "distance of its quartiles;\ncosts within that (3 % at least) and errors within 1 % count as equal. "
       "`memory` holds vertices, indices and textures.\n",
       renderer);
+  out += claims(labs);
   for (const LabResults& lab : labs) {
     out += fmt::format("\n## {} {}\n\n{}\n", lab.lab.number, lab.lab.title, lab.lab.choice);
     const std::vector<Plot> drawn = plots(lab);

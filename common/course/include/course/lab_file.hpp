@@ -26,6 +26,12 @@
 ///     vary = { method = [], segments = [16, 32] }         # every combination; []: all values of a choice
 ///     size = "256x256"                                    # optional
 ///
+///     [[claim]]
+///     source = "Slides, 'Normal Mapping'"                 # who says it
+///     says = "If the triangles are small, …"              # and what
+///     found = "True: …"                                   # what measuring it gave
+///     see = "./run bench 5"                               # a command that shows it
+///
 /// and at the top, after the lesson, `choice`: which method the lab takes by default, and why.
 namespace texel::course {
 
@@ -64,6 +70,11 @@ struct BenchCase {
   std::string size = "256x256";
 };
 
+/// What one of the sources says, put to the test.
+struct Claim {
+  std::string source, says, found, see;
+};
+
 struct Lab {
   int number = 0;
   std::string folder;  ///< "05_normal_map"
@@ -71,6 +82,7 @@ struct Lab {
   std::string choice;  ///< which method is the default, and why; or ""
   std::vector<Look> looks;
   std::vector<BenchCase> bench;
+  std::vector<Claim> claims;
 
   [[nodiscard]] std::string program() const { return "lab" + folder; }
 };
