@@ -12,7 +12,7 @@
 namespace texel::tools {
 namespace {
 
-constexpr double kLeft = 74, kTop = 16, kWidth = 520, kHeight = 350, kLegend = 622, kLine = 17;
+constexpr double kLeft = 74, kTop = 16, kWidth = 520, kHeight = 350, kLegend = 622, kLine = 17, kWhole = 960;
 /// Apart also for those who do not see red from green (M. Okabe and K. Ito, "Color Universal Design", 2008).
 constexpr std::array kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                  "#e69f00", "#56b4e9", "#7f6a00", "#777777"};
@@ -36,11 +36,14 @@ class Axis {
     const double decades = most_ - least_;
     std::vector<double> result;
     const int step = std::max(1, static_cast<int>(std::ceil(decades / 8)));
+    std::vector<double> digits = {1};
+    if (decades < 2.2) digits = {1, 2, 5};
+    if (decades < 0.7) digits = {1, 1.5, 2, 3, 4, 5, 6, 8};
     for (int power = static_cast<int>(std::floor(least_)); power <= most_; ++power)
-      for (const double digit : {1.0, 2.0, 5.0}) {
+      for (const double digit : digits) {
         const double value = digit * std::pow(10, power);
-        if (std::log10(value) < least_ || std::log10(value) > most_) continue;
-        if (digit == 1 ? power % step == 0 : decades < 2.2) result.push_back(value);
+        if (std::log10(value) < least_ || std::log10(value) > most_ || power % step != 0) continue;
+        result.push_back(value);
       }
     return result;
   }
@@ -53,35 +56,45 @@ std::string text(double x, double y, const std::string& content, const char* att
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, attributes, escaped(content));
 }
 
-/// Dots that would cover each other stand as one, with all their labels.
+/// Dots of a series that would cover each other stand as one, with all their labels.
 struct Dot {
   double x, y;
   std::string label, title;
   bool filled;
+
+  [[nodiscard]] double half_width() const {
+    return label.empty() ? 5 : std::max(8.5, 3.4 * static_cast<double>(label.size()) + 4);
+  }
+  [[nodiscard]] double half_height() const { return label.empty() ? 5 : 8.5; }
+  [[nodiscard]] bool covers(const Dot& other) const {
+    return filled == other.filled && std::abs(x - other.x) < half_width() + other.half_width() - 3 &&
+           std::abs(y - other.y) < half_height() + other.half_height() - 3;
+  }
 };
 
 std::vector<Dot> dots(const Plot::Series& series, const Axis& x_axis, const Axis& y_axis) {
-  constexpr double kApart = 13;
   std::vector<Dot> result;
   for (const Plot::Point& point : series.points) {
-    const double x = x_axis.place(point.x);
-    const double y = point.y > 0 ? y_axis.place(point.y) : kTop + kHeight;
-    const auto near = std::find_if(result.begin(), result.end(), [&](const Dot& dot) {
-      return dot.filled == point.filled && std::hypot(dot.x - x, dot.y - y) < kApart;
-    });
-    if (near == result.end()) {
-      result.push_back({x, y, point.label, point.title, point.filled});
-    } else {
-      near->label += " " + point.label;
-      near->title += "\n\n" + point.title;
+    Dot dot{x_axis.place(point.x), point.y > 0 ? y_axis.place(point.y) : kTop + kHeight, point.label,
+            point.title, point.filled};
+    // Each that it covers is taken in, which makes it wider; it stays where the first one is.
+    for (auto other = result.begin(); !dot.label.empty() && other != result.end();) {
+      if (!dot.covers(*other)) {
+        ++other;
+        continue;
+      }
+      dot = {other->x, other->y, other->label + " " + dot.label, other->title + "\n\n" + dot.title,
+             dot.filled};
+      result.erase(other);
+      other = result.begin();
     }
+    result.push_back(std::move(dot));
   }
   return result;
 }
 
 std::string drawn(const Dot& dot, const char* colour) {
-  const double half = dot.label.empty() ? 5 : std::max(8.5, 3.4 * static_cast<double>(dot.label.size()) + 4);
-  const double high = dot.label.empty() ? 5 : 8.5;
+  const double half = dot.half_width(), high = dot.half_height();
   return fmt::format(
       "<g class=\"dot\" tabindex=\"0\"><title>{}</title><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
       "height=\"{}\" rx=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"1.6\"/>"
@@ -110,13 +123,13 @@ std::string svg(const Plot& plot) {
       kLine * static_cast<double>(plot.series.size() + plot.legend.size() + 2) + kTop;
   const double height = std::max(kTop + kHeight + 52, legend_height);
   std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 880 {0:.0f}\" width=\"880\" "
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {3} {0:.0f}\" width=\"{3}\" "
       "height=\"{0:.0f}\" "
       "role=\"img\" aria-label=\"{1} against {2}\" font-family=\"system-ui, 'Segoe UI', Roboto, 'DejaVu "
       "Sans', "
-      "sans-serif\" font-size=\"12.5\">\n<rect width=\"880\" height=\"{0:.0f}\" fill=\"var(--card, "
+      "sans-serif\" font-size=\"12.5\">\n<rect width=\"{3}\" height=\"{0:.0f}\" fill=\"var(--card, "
       "#fff)\"/>\n",
-      height, escaped(plot.y_label), escaped(plot.x_label));
+      height, escaped(plot.y_label), escaped(plot.x_label), kWhole);
   for (const double tick : x_axis.ticks()) {
     out += fmt::format("<path d=\"M{0:.1f} {1}V{2}\" stroke=\"var(--line, #dedbd3)\"/>\n", x_axis.place(tick),
                        kTop, kTop + kHeight);
@@ -137,7 +150,7 @@ std::string svg(const Plot& plot) {
       kTop + kHeight / 2, escaped(plot.y_label));
 
   double y = kTop + 12;
-  std::string all_dots;
+  std::string hollow, filled;  // the front in front
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Plot::Series& series = plot.series[i];
     const std::vector<Dot> found = dots(series, x_axis, y_axis);
@@ -151,7 +164,7 @@ std::string svg(const Plot& plot) {
       out +=
           fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\" opacity=\"0.55\"/>\n",
                       path, colour(i));
-    for (const Dot& dot : found) all_dots += drawn(dot, colour(i));
+    for (const Dot& dot : found) (dot.filled ? filled : hollow) += drawn(dot, colour(i));
     out += fmt::format("<rect x=\"{}\" y=\"{:.1f}\" width=\"11\" height=\"11\" rx=\"5.5\" fill=\"{}\"/>\n",
                        kLegend, y - 10, colour(i));
     out += text(kLegend + 18, y, series.name, "fill=\"var(--ink, #1d1f23)\"");
@@ -162,7 +175,7 @@ std::string svg(const Plot& plot) {
     out += text(kLegend, y, entry, "fill=\"var(--quiet, #5f646d)\"");
     y += kLine;
   }
-  return out + all_dots + "</svg>\n";
+  return out + hollow + filled + "</svg>\n";
 }
 
 }  // namespace texel::tools

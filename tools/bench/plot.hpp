@@ -23,7 +23,7 @@ struct Plot {
   std::vector<std::string> legend;  ///< what the dots' labels stand for, one a line
 };
 
-/// The whole picture as an <svg> element, 880 units wide. Its colours are the page's custom properties --ink,
+/// The whole picture as an <svg> element, 960 units wide. Its colours are the page's custom properties --ink,
 /// --quiet, --line and --card, with light ones to fall back on, so that it is a file of its own as well.
 std::string svg(const Plot& plot);
 
