@@ -27,25 +27,6 @@ using image::ImageF;
 
 const char* const kLab5 = "lab05_normal_map";
 
-/// The float pictures of the shots, by name. Drawn in one process.
-std::map<std::string, ImageF> float_pictures(std::vector<Shot> shots) {
-  const TemporaryFolder folder(fmt::format("lab5_{}", ::getpid()));
-  for (Shot& shot : shots) shot.name += ".pfm";
-  draw(kLab5, shots, folder);
-  std::map<std::string, ImageF> pictures;
-  for (const Shot& shot : shots)
-    pictures[shot.name.substr(0, shot.name.size() - 4)] = image::load_pfm(folder / shot.name);
-  return pictures;
-}
-
-int count_non_finite(const ImageF& picture) {
-  int count = 0;
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x)
-      if (!std::isfinite(picture.at(x, y, 0) + picture.at(x, y, 1) + picture.at(x, y, 2))) ++count;
-  return count;
-}
-
 // ---- Tangents on surfaces with a formula, pixel by pixel.
 
 const truth::Camera kCamera{.yaw = 32, .pitch = 24, .distance = 3};  // the lab's
@@ -115,7 +96,7 @@ const Layout kLeaning{"leaning", {{"texture_shear", "1"}}, truth::sheared(std::a
 ImageF tangents(const std::string& model, const Layout& layout, const std::string& method) {
   const Settings look =
       Settings{{"model", model}, {"method", method}, {"normal_map", "flat"}} + layout.settings;
-  return float_pictures({{"tangent", look, "tangent", "128x128"}}).at("tangent");
+  return float_pictures(kLab5, {{"tangent", look, "tangent", "128x128"}}).at("tangent");
 }
 
 TEST(HardCaseOfLab5, derivative_frame_is_exact_where_the_texture_keeps_right_angles) {
@@ -195,10 +176,10 @@ TEST(HardCaseOfLab5, derivative_frame_has_the_slope_of_a_height_field_but_for_on
   // that of t; squeezed, 4 times. Measured 0.14 and 0.21 where pixels are small: 8 bits and the filter.
   for (const auto& [layout, factor] : {std::pair(kLeaning, std::sqrt(2.0)), {kSqueezed, 4.0}}) {
     const ImageF normals =
-        float_pictures(
-            {{"normal",
-              Settings{{"model", "quad"}, {"method", "cotangent"}, {"normal_map", "bump"}} + layout.settings,
-              "normal", "512x512"}})
+        float_pictures(kLab5, {{"normal",
+                                Settings{{"model", "quad"}, {"method", "cotangent"}, {"normal_map", "bump"}} +
+                                    layout.settings,
+                                "normal", "512x512"}})
             .at("normal");
     const auto relief = [&, factor = factor](const truth::SurfacePoint& point, dvec2 texcoord) {
       const procedural::Dual height =
@@ -276,7 +257,7 @@ TEST(HardCaseOfLab5, normals_that_mipmaps_shorten_are_made_unit_again) {
   // Far away a pixel covers many bumps, whose mean is shorter than 1 and nearly (0, 0, 1).
   const Settings far = {
       {"model", "cube"}, {"texture_scale", "20"}, {"distance", "10"}, {"bump_strength", "4"}};
-  const ImageF normals = float_pictures({{"normal", far, "normal", "64x64"}}).at("normal");
+  const ImageF normals = float_pictures(kLab5, {{"normal", far, "normal", "64x64"}}).at("normal");
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) {
       const double length = glm::length(dvec3(normals.at(x, y, 0), normals.at(x, y, 1), normals.at(x, y, 2)));
@@ -387,7 +368,7 @@ TEST(HardCaseOfLab5, no_model_makes_a_normal_nan_and_only_the_derivative_frame_h
   }
   // Where the derivatives see no area of the texture (or one below the smallest float), T is (0, 0, 0): the
   // normal stays the surface's own, and the view says NaN, so that it is seen.
-  for (const auto& [name, picture] : float_pictures(shots)) {
+  for (const auto& [name, picture] : float_pictures(kLab5, shots)) {
     // Per vertex and raw need no frame; what their view shows is the derivative frame.
     const bool by_derivatives = name.find("cotangent") != std::string::npos ||
                                 name.find("per-vertex") != std::string::npos ||

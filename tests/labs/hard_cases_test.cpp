@@ -28,31 +28,8 @@ using image::ImageF;
 
 // ---- Float pictures.
 
-using Pictures = std::map<std::string, ImageF>;
-
-/// Draws the shots, whose names need no ".pfm", from one process.
-Pictures float_pictures(const std::string& lab, std::vector<Shot> shots) {
-  const TemporaryFolder folder(fmt::format("hard_{}_{}", lab, ::getpid()));
-  for (Shot& shot : shots) shot.name += ".pfm";
-  draw(lab, shots, folder);
-  Pictures pictures;
-  for (const Shot& shot : shots)
-    pictures[shot.name.substr(0, shot.name.size() - 4)] = image::load_pfm(folder / shot.name);
-  return pictures;
-}
-
 dvec3 value_at(const ImageF& picture, int x, int y) {
   return {picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2)};
-}
-
-int count_non_finite(const ImageF& picture) {
-  int count = 0;
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x) {
-      const dvec3 v = value_at(picture, x, y);
-      if (!std::isfinite(v.x + v.y + v.z)) ++count;
-    }
-  return count;
 }
 
 /// Calls action(x, y, window) for each pixel; `window` is its middle.

@@ -2,12 +2,15 @@
 #include "labs.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "core/files.hpp"
+#include "image/load.hpp"
 
 namespace texel::test {
 namespace {
@@ -54,6 +57,24 @@ void draw(const std::string& lab, const std::vector<Shot>& shots, const Temporar
       before);
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_EQ(result.output + result.errors, "");
+}
+
+Pictures float_pictures(const std::string& lab, std::vector<Shot> shots) {
+  const TemporaryFolder folder(fmt::format("{}_{}", lab, ::getpid()));
+  for (Shot& shot : shots) shot.name += ".pfm";
+  draw(lab, shots, folder);
+  Pictures pictures;
+  for (const Shot& shot : shots)
+    pictures[shot.name.substr(0, shot.name.size() - 4)] = image::load_pfm(folder / shot.name);
+  return pictures;
+}
+
+int count_non_finite(const image::ImageF& picture) {
+  int count = 0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      if (!std::isfinite(picture.at(x, y, 0) + picture.at(x, y, 1) + picture.at(x, y, 2))) ++count;
+  return count;
 }
 
 std::string flags(const Settings& settings) {

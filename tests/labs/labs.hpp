@@ -3,6 +3,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,6 +55,12 @@ struct Shot {
 /// Draws the pictures from one process into `folder`. A failure fails the running test.
 void draw(const std::string& lab, const std::vector<Shot>& shots, const TemporaryFolder& folder,
           const std::string& arguments = {}, const std::string& before = {});
+
+/// The float pictures of the shots, whose names need no ".pfm", by name; drawn from one process.
+using Pictures = std::map<std::string, image::ImageF>;
+Pictures float_pictures(const std::string& lab, std::vector<Shot> shots);
+/// Pixels of which a component is NaN or infinite.
+int count_non_finite(const image::ImageF& picture);
 
 /// The settings as flags of the command line.
 std::string flags(const Settings& settings);
