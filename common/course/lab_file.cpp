@@ -121,6 +121,112 @@ std::vector<Claim> read_claims(Reader& head, const std::string& file) {
   return claims;
 }
 
+std::vector<std::string> read_texts(Reader& reader, const std::string& key) {
+  const toml::node* node = reader.find(key);
+  if (node == nullptr) return {};
+  std::vector<std::string> texts;
+  const toml::array* array = node->as_array();
+  for (std::size_t i = 0; array != nullptr && i < array->size(); ++i)
+    if (const auto* text = array->get(i)->as_string(); text != nullptr && !text->get().empty())
+      texts.push_back(text->get());
+  if (array == nullptr || texts.size() != array->size())
+    throw reader.error(*node, fmt::format("'{}' is a list of texts", key));
+  return texts;
+}
+
+double read_number(Reader& reader, const std::string& key, const toml::table& table) {
+  const toml::node* node = reader.find(key);
+  const std::optional<double> value = node == nullptr ? std::nullopt : node->value<double>();
+  if (!value || !(*value >= 0))
+    throw reader.error(node == nullptr ? table : *node, fmt::format("'{}' is a number from 0 up", key));
+  return *value;
+}
+
+bool has_step(const std::vector<Step>& steps, const std::string& id) {
+  return std::any_of(steps.begin(), steps.end(), [&](const Step& step) { return step.id == id; });
+}
+
+std::vector<Step> read_steps(Reader& head, const std::string& file, int lab) {
+  std::vector<Step> steps;
+  for (const toml::table* table : head.tables("step")) {
+    Reader reader(*table, file);
+    Step step;
+    step.id = reader.text("id");
+    step.title = reader.text("title");
+    step.points = read_number(reader, "points", *table);
+    step.needs = read_texts(reader, "needs");
+    step.hints = read_texts(reader, "hints");
+    reader.reject_unknown();
+    const std::string expected = fmt::format("{}.{}", lab, steps.size() + 1);
+    if (step.id != expected)
+      throw reader.error("id", fmt::format("step '{}' stands where '{}' belongs", step.id, expected));
+    for (const std::string& need : step.needs)
+      if (!has_step(steps, need))
+        throw reader.error("needs", fmt::format("there is no step '{}' before this one", need));
+    if (step.hints.empty() || step.hints.size() > 3)
+      throw reader.error("hints", "a step has one to three hints");
+    steps.push_back(std::move(step));
+  }
+  return steps;
+}
+
+std::vector<Hidden> read_hidden(Reader& reader) {
+  const toml::node* node = reader.find("hidden");
+  if (node == nullptr) return {};
+  const toml::table* table = node->as_table();
+  if (table == nullptr) throw reader.error(*node, "'hidden' is a table { parameter = [values], … }");
+  std::vector<Hidden> all;
+  for (const auto& [parameter, values] : in_order(*table)) {
+    Hidden hidden{parameter, 0, 0, {}};
+    const toml::array* array = values->as_array();
+    const bool is_range =
+        array != nullptr && array->size() == 2 && array->get(0)->is_number() && array->get(1)->is_number();
+    if (is_range) {
+      hidden.least = *array->get(0)->value<double>();
+      hidden.most = *array->get(1)->value<double>();
+    } else {
+      for (std::size_t i = 0; array != nullptr && i < array->size(); ++i)
+        hidden.values.push_back(as_text(*array->get(i), reader));
+    }
+    if (is_range ? !(hidden.least < hidden.most) : hidden.values.size() < 2)
+      throw reader.error(*values,
+                         fmt::format("'{}' is drawn from a range [least, most] of numbers, or from a "
+                                     "list of two texts or more",
+                                     parameter));
+    all.push_back(std::move(hidden));
+  }
+  return all;
+}
+
+std::vector<GradedCase> read_cases(Reader& head, const std::string& file, const std::vector<Step>& steps) {
+  std::vector<GradedCase> cases;
+  for (const toml::table* table : head.tables("case")) {
+    Reader reader(*table, file);
+    GradedCase c;
+    c.name = reader.text("name");
+    c.step = reader.text("step");
+    c.settings = read_settings(reader);
+    c.view = reader.text("view", c.view);
+    c.size = reader.text("size", c.size);
+    c.limit = read_number(reader, "limit", *table);
+    c.why = reader.text("why");
+    c.hidden = read_hidden(reader);
+    reader.reject_unknown();
+    if (!is_file_name(c.name))
+      throw reader.error("name", fmt::format("'{}' is no case's name", c.name),
+                         "use lower-case letters, digits, '_' and '-'");
+    if (std::any_of(cases.begin(), cases.end(),
+                    [&](const GradedCase& other) { return other.name == c.name; }))
+      throw reader.error("name", fmt::format("two cases are called '{}'", c.name));
+    if (!has_step(steps, c.step)) throw reader.error("step", fmt::format("there is no step '{}'", c.step));
+    cases.push_back(std::move(c));
+  }
+  for (const Step& step : steps)
+    if (std::none_of(cases.begin(), cases.end(), [&](const GradedCase& c) { return c.step == step.id; }))
+      throw head.error("step", fmt::format("no case judges step '{}'", step.id));
+  return cases;
+}
+
 /// "05_normal_map" is lab 5; 0 for a folder that is none.
 int lab_number(const std::string& folder) {
   const auto digit = [&](std::size_t i) { return folder[i] >= '0' && folder[i] <= '9'; };
@@ -144,8 +250,8 @@ Lab read_lab(const fs::path& file) {
   lab.bench = read_bench(reader, file.string());
   lab.claims = read_claims(reader, file.string());
   lab.choice = reader.text("choice", "");
-  reader.find("step");
-  reader.find("case");
+  lab.steps = read_steps(reader, file.string(), lab.number);
+  lab.cases = read_cases(reader, file.string(), lab.steps);
   reader.reject_unknown();
   return lab;
 }

@@ -53,10 +53,6 @@ hero = true
 [[look]]
 name = "plain"
 caption = "As it opens"
-[[step]]
-id = "5.1"
-[[case]]
-step = "5.1"
 )");
   const Lab lab = read_lab(file.path());
   EXPECT_EQ(lab.number, 5);
@@ -125,6 +121,51 @@ TEST(LabFile, has_what_the_sources_say) {
   EXPECT_EQ(lab.claims[0].found, "True");
   EXPECT_EQ(lab.claims[0].see, "./run bench 5");
   EXPECT_EQ(refusal(kHead + claim), "4:1: 'see' is missing or empty");
+}
+
+const std::string kStep =
+    "[[step]]\nid = \"5.1\"\ntitle = \"Decode\"\npoints = 2\nhints = [\"Look\", \"Twice\"]\n";
+const std::string kCase = "[[case]]\nname = \"flat\"\nstep = \"5.1\"\nlimit = 0.5\nwhy = \"measured\"\n";
+
+TEST(LabFile, has_steps_and_the_cases_that_judge_them) {
+  const LabFile file(kHead + kStep + kCase +
+                     "view = \"normal\"\nset = { turn = 30 }\nhidden = { yaw = [-180, 180], normal_map = "
+                     "[\"brick\", \"wood\"] }\n");
+  const Lab lab = read_lab(file.path());
+  ASSERT_EQ(lab.steps.size(), 1U);
+  EXPECT_EQ(lab.steps[0].id, "5.1");
+  EXPECT_EQ(lab.steps[0].points, 2);
+  EXPECT_EQ(lab.steps[0].hints, (std::vector<std::string>{"Look", "Twice"}));
+  ASSERT_EQ(lab.cases.size(), 1U);
+  const GradedCase& c = lab.cases[0];
+  EXPECT_EQ(c.step, "5.1");
+  EXPECT_EQ(c.view, "normal");
+  EXPECT_EQ(c.limit, 0.5);
+  EXPECT_EQ(c.settings, (std::vector<Setting>{{"turn", "30"}}));
+  ASSERT_EQ(c.hidden.size(), 2U);
+  EXPECT_EQ(c.hidden[0].least, -180);
+  EXPECT_EQ(c.hidden[0].most, 180);
+  EXPECT_EQ(c.hidden[1].values, (std::vector<std::string>{"brick", "wood"}));
+}
+
+TEST(LabFile, refuses_steps_and_cases_that_do_not_fit) {
+  const auto replaced = [](std::string text, const std::string& what, const std::string& by) {
+    return text.replace(text.find(what), what.size(), by);
+  };
+  EXPECT_EQ(refusal(kHead + kStep), "4:1: no case judges step '5.1'");
+  EXPECT_EQ(refusal(kHead + replaced(kStep, "5.1", "5.2") + kCase),
+            "5:6: step '5.2' stands where '5.1' belongs");
+  EXPECT_EQ(refusal(kHead + kStep + "needs = [\"5.3\"]\n" + kCase),
+            "9:9: there is no step '5.3' before this one");
+  EXPECT_EQ(refusal(kHead + replaced(kStep, "[\"Look\", \"Twice\"]", "[]") + kCase),
+            "8:9: a step has one to three hints");
+  EXPECT_EQ(refusal(kHead + replaced(kStep, "points = 2", "points = -2") + kCase),
+            "7:10: 'points' is a number from 0 up");
+  EXPECT_EQ(refusal(kHead + kStep + replaced(kCase, "5.1", "5.9")), "11:8: there is no step '5.9'");
+  EXPECT_EQ(refusal(kHead + kStep + kCase + kCase), "15:8: two cases are called 'flat'");
+  EXPECT_EQ(
+      refusal(kHead + kStep + kCase + "hidden = { yaw = [3, 3] }\n"),
+      "14:18: 'yaw' is drawn from a range [least, most] of numbers, or from a list of two texts or more");
 }
 
 TEST(LabFile, refuses_a_case_of_the_benchmark_that_varies_nothing_or_has_a_name_twice) {

@@ -4,6 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "course/setting.hpp"
+#include "course/step.hpp"
+
 /// What `labs/NN_name/lab.toml` says of a lab: its title and lesson, the looks that are worth seeing, and the
 /// cases on which its methods are measured.
 ///
@@ -32,15 +35,9 @@
 ///     found = "True: …"                                   # what measuring it gave
 ///     see = "./run bench 5"                               # a command that shows it
 ///
-/// and at the top, after the lesson, `choice`: which method the lab takes by default, and why.
+/// and at the top, after the lesson, `choice`: which method the lab takes by default, and why. The steps and
+/// the cases by which they are graded are in course/step.hpp.
 namespace texel::course {
-
-/// A parameter and its value as the command line takes it: {"normal_map", "on"}.
-struct Setting {
-  std::string parameter, value;
-
-  bool operator==(const Setting&) const = default;
-};
 
 /// One picture of a lab.
 struct Look {
@@ -83,13 +80,15 @@ struct Lab {
   std::vector<Look> looks;
   std::vector<BenchCase> bench;
   std::vector<Claim> claims;
+  std::vector<Step> steps;
+  std::vector<GradedCase> cases;  ///< at least one for each step
 
   [[nodiscard]] std::string program() const { return "lab" + folder; }
 };
 
-/// Reads a lab.toml. The tables `[[step]]` and `[[case]]` belong to the grader and are passed over. Throws
-/// Error (exit 3) with file and line for broken TOML, an unknown key, a wrong type, a missing or empty text,
-/// a look's name that is taken or no file name, and a `lab` that is not the name of the file's folder.
+/// Reads a lab.toml. Throws Error (exit 3) with file and line for broken TOML, an unknown key, a wrong type,
+/// a missing or empty text, a name that is taken or no file name, a step or case that does not fit the
+/// others, and a `lab` that is not the name of the file's folder.
 Lab read_lab(const std::filesystem::path& file);
 
 /// Every `NN_name/lab.toml` below `folder`, by number. Throws Error (exit 3) when there is none, or as
