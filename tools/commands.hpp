@@ -23,9 +23,12 @@ void make_folder(const std::filesystem::path& folder);
 Exit list();
 
 struct CompareOptions {
-  std::filesystem::path reference, image, mask, heatmap;
-  std::string unit = "auto";  ///< of two .pfm files: auto, own or degrees
-  std::optional<double> max, mean, p99;
+  std::filesystem::path reference, image, mask, heatmap, flip_heatmap;
+  std::string unit = "auto";  ///< of two .pfm files: auto, own, degrees or texels
+  std::vector<int> texels;    ///< for texels: the texture's width and height, or its one size
+  bool edge_tolerance = false;
+  std::optional<double> pixels_per_degree;  ///< of FLIP, if not the paper's
+  std::optional<double> max, mean, p99, flip;
   bool json = false;
 };
 

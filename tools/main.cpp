@@ -24,16 +24,26 @@ void add_compare(CLI::App& app, CompareOptions& options) {
   command->add_flag("--json", options.json, "Print one JSON object");
   command->add_option("--mask", options.mask, "Only pixels where this picture is not black count");
   command->add_option("--heatmap", options.heatmap, "Write where they differ as a .png");
+  command->add_option("--flip-heatmap", options.flip_heatmap,
+                      "Write where a viewer sees the difference (FLIP) as a .png");
   command->add_option("--max", options.max, "Limit of the largest difference over R, G and B");
   command->add_option("--mean", options.mean, "Limit of the mean over samples");
   command->add_option("--p99", options.p99,
                       "Limit of the 99th percentile over pixels of each pixel's largest");
+  command->add_option("--flip", options.flip, "Limit of the mean of FLIP, 0 to 1");
+  command->add_option("--ppd", options.pixels_per_degree,
+                      "FLIP's pixels for each degree of view, 1 to 1000 [67.02]");
+  command->add_flag("--edge-tolerance", options.edge_tolerance,
+                    "At edges, let a pixel of one picture fit any of the 3x3 in the other");
   command
-      ->add_option(
-          "--unit", options.unit,
-          "How two .pfm files are compared: own unit, degrees between directions, or auto: degrees when "
-          "REF holds unit vectors (or zero) only [auto]")
-      ->check(CLI::IsMember({"auto", "own", "degrees"}));
+      ->add_option("--unit", options.unit,
+                   "How two .pfm files are compared: own unit, degrees between directions, texels between "
+                   "texture coordinates, or auto: degrees when REF holds unit vectors (or zero) only [auto]")
+      ->check(CLI::IsMember({"auto", "own", "degrees", "texels"}));
+  command->add_option("--texels", options.texels, "For --unit texels: the texture's size, 512 or 512x256")
+      ->delimiter('x')
+      ->expected(1, 2)
+      ->check(CLI::Range(1, 1 << 20));
 }
 
 void add_gallery(CLI::App& app, GalleryOptions& options, bool& list) {

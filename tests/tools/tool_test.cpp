@@ -4,15 +4,19 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "../support/picture_files.hpp"
 #include "../support/process.hpp"
 #include "core/files.hpp"
 #include "course/lab_file.hpp"
+#include "image/flip.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
+#include "image/ssim.hpp"
 
 namespace texel {
 namespace {
@@ -70,7 +74,9 @@ TEST_F(Compare, holds_when_the_pictures_are_the_same) {
   const Result result = compare("a.png", "a.png", "--json");
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.output,
-            "{\"width\": 10, \"height\": 10, \"max\": 0, \"mean\": 0, \"p99\": 0, \"non_finite\": 0, "
+            "{\"width\": 10, \"height\": 10, \"max\": 0, \"mean\": 0, \"p99\": 0, \"flip_mean\": 0, "
+            "\"flip_p99\": 0, "
+            "\"ssim\": 1, \"non_finite\": 0, \"flip_weighted_quartiles\": [0, 0, 0], \"forgiven\": 0, "
             "\"unit\": \"8-bit steps\"}\n");
 }
 
@@ -111,6 +117,84 @@ TEST_F(Compare, measures_directions_in_degrees) {
   EXPECT_TRUE(has(compare("long.pfm", "y.pfm", "--json --unit degrees").output, "\"max\": 90, "));
 }
 
+TEST_F(Compare, measures_texture_coordinates_in_texels) {
+  save_vector("here.pfm", 0.25F, 0.5F, 0);
+  save_vector("there.pfm", 0.25F + 3.0F / 512, 0.5F + 4.0F / 512, 0);
+  const Result square = compare("here.pfm", "there.pfm", "--json --unit texels --texels 512");
+  EXPECT_TRUE(has(square.output, "\"max\": 5, ")) << square.output;
+  EXPECT_TRUE(has(square.output, "\"unit\": \"texels\"")) << square.output;
+  // 3 texels of 512 and 4 / 512 of 1024
+  EXPECT_TRUE(has(compare("here.pfm", "there.pfm", "--json --unit texels --texels 512x1024").output,
+                  fmt::format("\"max\": {}, ", std::hypot(3.0, 8.0))));
+}
+
+TEST_F(Compare, prints_flip_and_ssim) {
+  const Result text = compare("a.png", "b.png");
+  for (const char* name : {"FLIP mean", "FLIP p99", "SSIM"})
+    EXPECT_TRUE(has(text.output, name)) << text.output;
+  const auto json = nlohmann::json::parse(compare("a.png", "b.png", "--json").output);
+  const image::ImageF errors = image::flip_errors(image::load8(file("a.png")), image::load8(file("b.png")));
+  EXPECT_EQ(json["flip_mean"], image::flip_figures(errors).mean);
+  EXPECT_EQ(json["flip_p99"], image::flip_figures(errors).p99);
+  EXPECT_EQ(json["flip_weighted_quartiles"][1], image::flip_figures(errors).median);
+  EXPECT_EQ(json["ssim"], image::ssim(image::load8(file("a.png")), image::load8(file("b.png"))));
+  // From farther away less is seen of two pixels.
+  const auto far = nlohmann::json::parse(compare("a.png", "b.png", "--json --ppd 300").output);
+  EXPECT_LT(far["flip_p99"], json["flip_p99"]);
+}
+
+TEST_F(Compare, has_no_flip_of_float_pictures) {
+  save_vector("x.pfm", 1, 0, 0);
+  const auto json = nlohmann::json::parse(compare("x.pfm", "x.pfm", "--json").output);
+  for (const char* key : {"flip_mean", "flip_p99", "flip_weighted_quartiles", "ssim"})
+    EXPECT_TRUE(json.at(key).is_null()) << key;
+  EXPECT_FALSE(has(compare("x.pfm", "x.pfm").output, "FLIP"));
+  for (const std::string rest : {"--flip 1", "--ppd 60", "--flip-heatmap f.png"})
+    EXPECT_EQ(compare("x.pfm", "x.pfm", rest).exit_code, 2) << rest;
+}
+
+TEST_F(Compare, holds_up_to_the_limit_of_flip) {
+  EXPECT_EQ(compare("a.png", "b.png", "--flip 1").exit_code, 0);
+  const Result over = compare("a.png", "b.png", "--flip 0.001");
+  EXPECT_EQ(over.exit_code, 1);
+  EXPECT_TRUE(has(over.output, "texel: flip is ")) << over.output;
+  EXPECT_TRUE(has(over.output, ", over the limit 0.001")) << over.output;
+  EXPECT_EQ(compare("a.png", "b.png", "--flip 1 --max 59").exit_code, 1);
+}
+
+TEST_F(Compare, pools_flip_and_ssim_within_the_mask) {
+  Image8 corner(10, 10, 1);
+  corner.at(0, 9) = 255;
+  image::save_png(file("corner.png"), corner);
+  const auto whole = nlohmann::json::parse(compare("a.png", "b.png", "--json").output);
+  const auto masked = nlohmann::json::parse(
+      compare("a.png", "b.png", fmt::format("--json --mask '{}'", file("corner.png"))).output);
+  // One pixel, 6 from the nearest difference: the filters still reach it.
+  EXPECT_GT(masked["flip_mean"], 0);
+  EXPECT_LT(masked["flip_mean"], whole["flip_mean"]);
+  EXPECT_EQ(masked["flip_mean"], masked["flip_p99"]);
+  EXPECT_GT(masked["ssim"], whole["ssim"]);
+}
+
+TEST_F(Compare, writes_the_heat_map_of_flip) {
+  static_cast<void>(compare("a.png", "b.png", fmt::format("--flip-heatmap '{}'", file("flip.png"))));
+  const image::ImageF errors = image::flip_errors(image::load8(file("a.png")), image::load8(file("b.png")));
+  EXPECT_EQ(image::load8(file("flip.png")), image::flip_heatmap(errors));
+}
+
+TEST_F(Compare, forgives_edges_when_asked) {
+  Image8 square(60, 60, 1);
+  for (int y = 10; y < 50; ++y)
+    for (int x = 10; x < 50; ++x) square.at(x, y) = 200;
+  image::save_png(file("square.png"), square);
+  square.at(49, 20) = 0;
+  image::save_png(file("dent.png"), square);
+  EXPECT_EQ(compare("square.png", "dent.png").exit_code, 1);
+  const Result tolerant = compare("square.png", "dent.png", "--edge-tolerance");
+  EXPECT_EQ(tolerant.exit_code, 0) << tolerant.output;
+  EXPECT_TRUE(has(tolerant.output, "forgiven    1 pixels at edges")) << tolerant.output;
+}
+
 TEST_F(Compare, never_holds_when_a_pixel_is_not_finite) {
   save_vector("x.pfm", 1, 0, 0);
   save_vector("nan.pfm", 1, std::numeric_limits<float>::quiet_NaN(), 0);
@@ -135,7 +219,9 @@ TEST_F(Compare, fails_when_the_pictures_cannot_be_compared) {
 }
 
 TEST_F(Compare, refuses_wrong_usage) {
-  for (const char* rest : {"--max", "--max red", "--unit radians", "--maximum 3", "--heatmap a.jpg", "third"})
+  for (const char* rest :
+       {"--max", "--max red", "--unit radians", "--unit degrees", "--unit texels", "--texels 512",
+        "--maximum 3", "--heatmap a.jpg", "--flip-heatmap a.jpg", "--flip", "--ppd 0", "--ppd nan", "third"})
     EXPECT_EQ(compare("a.png", "a.png", rest).exit_code, 2) << rest;
   EXPECT_EQ(texel("compare").exit_code, 2);
 }

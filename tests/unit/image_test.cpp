@@ -528,26 +528,26 @@ TEST(Difference, looks_only_where_the_mask_is_light) {
   const Image8 a = grey<std::uint8_t>(3, 1, {0, 0, 0});
   const Image8 b = grey<std::uint8_t>(3, 1, {9, 2, 4});
   const Image8 mask = grey<std::uint8_t>(3, 1, {0, 255, 1});
-  EXPECT_EQ(compare(a, b, &mask).max, 4);
-  EXPECT_EQ(compare(a, b, &mask).mean, 3);
+  EXPECT_EQ(compare(a, b, {.mask = &mask}).max, 4);
+  EXPECT_EQ(compare(a, b, {.mask = &mask}).mean, 3);
   const Image8 dark(3, 1, 1);
-  EXPECT_NE(error_of([&] { compare(a, b, &dark); }), "");
+  EXPECT_NE(error_of([&] { compare(a, b, {.mask = &dark}); }), "");
   const Image8 small(2, 1, 1);
-  EXPECT_NE(error_of([&] { compare(a, b, &small); }), "");
+  EXPECT_NE(error_of([&] { compare(a, b, {.mask = &small}); }), "");
 }
 
 TEST(Difference, is_an_error_when_sizes_or_channels_differ) {
   EXPECT_TRUE(contains(error_of([] { compare(Image8(2, 3, 1), Image8(3, 2, 1)); }), "2x3 and 3x2"));
   EXPECT_NE(error_of([] { heatmap(Image8(2, 3, 1), Image8(3, 2, 1)); }), "");
   EXPECT_NE(error_of([] { compare(Image8(), Image8()); }), "");
-  EXPECT_NE(error_of([] { compare(ImageF(1, 1, 1), ImageF(1, 1, 3), Unit::own); }), "");
-  EXPECT_NE(error_of([] { compare(ImageF(1, 1, 2), ImageF(1, 1, 2), Unit::degrees); }), "");
+  EXPECT_NE(error_of([] { compare(ImageF(1, 1, 1), ImageF(1, 1, 3)); }), "");
+  EXPECT_NE(error_of([] { compare(ImageF(1, 1, 2), ImageF(1, 1, 2), {.unit = Unit::degrees}); }), "");
 }
 
 TEST(FloatDifference, counts_and_leaves_out_what_is_not_finite) {
   const ImageF a = grey<float>(5, 1, {1, nan, 3, 4, nan});
   const ImageF b = grey<float>(5, 1, {1.5F, 2, infinity, 5, nan});
-  const Difference difference = compare(a, b, Unit::own);
+  const Difference difference = compare(a, b);
   EXPECT_EQ(difference.non_finite, 3);
   EXPECT_EQ(difference.max, 1);
   EXPECT_EQ(difference.mean, 0.75);
@@ -556,7 +556,7 @@ TEST(FloatDifference, counts_and_leaves_out_what_is_not_finite) {
 
 TEST(FloatDifference, has_figures_of_zero_when_nothing_is_finite) {
   const ImageF a = grey<float>(2, 1, {nan, nan});
-  const Difference difference = compare(a, a, Unit::own);
+  const Difference difference = compare(a, a);
   EXPECT_EQ(difference.non_finite, 2);
   EXPECT_EQ(difference.max, 0);
   EXPECT_EQ(difference.mean, 0);
@@ -568,7 +568,7 @@ Difference between(std::vector<float> a, std::vector<float> b) {
   ImageF second(1, 1, 3);
   first.samples = std::move(a);
   second.samples = std::move(b);
-  return compare(first, second, Unit::degrees);
+  return compare(first, second, {.unit = Unit::degrees});
 }
 
 TEST(FloatDifference, gives_directions_in_degrees) {
@@ -588,8 +588,150 @@ TEST(FloatDifference, tells_a_missing_direction_from_background) {
   ImageF b(2, 1, 3);
   a.samples = {0, 0, 0, 1, 0, 0};
   b.samples = {0, 0, 0, 0, 1, 0};
-  EXPECT_NEAR(compare(a, b, Unit::degrees).mean, 90, 1e-13);  // of the one pixel that has a direction
+  EXPECT_NEAR(compare(a, b, {.unit = Unit::degrees}).mean, 90,
+              1e-13);  // of the one pixel that has a direction
   EXPECT_EQ(between({nan, 0, 0}, {1, 0, 0}).non_finite, 1);
+}
+
+TEST(FloatDifference, gives_texture_coordinates_in_texels) {
+  ImageF a(2, 1, 3);
+  ImageF b(2, 1, 3);
+  a.samples = {0.5F, 0.25F, 7, 0, 0, 0};
+  b.samples = {0.5F + 3.0F / 512, 0.25F + 4.0F / 256, -7, 0, 0, 1};  // the third channel is none of it
+  Comparing comparing = {.unit = Unit::texels, .texture_width = 512, .texture_height = 256};
+  EXPECT_DOUBLE_EQ(compare(a, b, comparing).max, 5);  // 3 and 4 texels: all numbers are exact in floats
+  EXPECT_DOUBLE_EQ(compare(a, b, comparing).mean, 2.5);
+  comparing.texture_height = 512;
+  EXPECT_DOUBLE_EQ(compare(a, b, comparing).max, std::hypot(3.0, 8.0));
+  a.at(1, 0, 1) = nan;
+  EXPECT_EQ(compare(a, b, comparing).non_finite, 1);
+  EXPECT_NE(error_of([&] { compare(ImageF(2, 1, 1), ImageF(2, 1, 1), comparing); }), "");
+}
+
+/// A disc with hard edges on a background that grows lighter by 2 steps a pixel; what lies inside is rows of
+/// a soft wave.
+Image8 disc(double centre_x, double radius) {
+  Image8 picture(100, 100, 1);
+  for (int y = 0; y < 100; ++y)
+    for (int x = 0; x < 100; ++x) {
+      const double inside = 200 + 20 * std::sin(0.5 * (x - centre_x)), outside = 20 + x;
+      picture.at(x, y) =
+          static_cast<std::uint8_t>(std::hypot(x - centre_x, y - 50) < radius ? inside : outside);
+    }
+  return picture;
+}
+
+/// Some pixels of the disc's edge the other way, as another rasteriser may have it: `count` of those that
+/// have the disc on the left and the background on the right.
+Image8 rasterised_otherwise(const Image8& picture, int count) {
+  Image8 result = picture;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 60; x + 1 < picture.width && count > 0; ++x)
+      if (picture.at(x, y) > 170 && picture.at(x + 1, y) < 150) {
+        result.at(x, y) = picture.at(x + 1, y);
+        --count;
+        break;
+      }
+  return result;
+}
+
+TEST(EdgeTolerance, forgives_a_pixel_of_an_edge) {
+  const Image8 a = disc(50, 30), b = rasterised_otherwise(a, 5);
+  EXPECT_GT(compare(a, b).max, 50);
+  EXPECT_EQ(compare(a, b).forgiven, 0);
+  const Difference tolerant = compare(a, b, {.edge_tolerance = true});
+  EXPECT_EQ(tolerant.max, 0);  // each new value stands beside it in a, and each old one in b
+  EXPECT_EQ(tolerant.mean, 0);
+  EXPECT_EQ(tolerant.forgiven, 5);
+}
+
+TEST(EdgeTolerance, is_the_same_when_the_pictures_change_places) {
+  for (const Image8& b : {rasterised_otherwise(disc(50, 30), 9), disc(50.1, 30), disc(52, 29)}) {
+    const Difference forth = compare(disc(50, 30), b, {.edge_tolerance = true});
+    const Difference back = compare(b, disc(50, 30), {.edge_tolerance = true});
+    EXPECT_EQ(forth.mean, back.mean);
+    EXPECT_EQ(forth.max, back.max);
+    EXPECT_EQ(forth.forgiven, back.forgiven);
+  }
+}
+
+TEST(EdgeTolerance, keeps_a_difference_in_the_interior) {
+  const Image8 a = disc(50, 30);
+  Image8 b = a;
+  // With the wave's slope of 10 a pixel still below an edge's contrast.
+  for (int x = 40; x < 60; ++x) b.at(x, 50) = static_cast<std::uint8_t>(b.at(x, 50) + 15);
+  EXPECT_EQ(compare(a, b, {.edge_tolerance = true}).max, 15);
+  EXPECT_EQ(compare(a, b, {.edge_tolerance = true}).mean, compare(a, b).mean);
+}
+
+TEST(EdgeTolerance, keeps_a_line_that_only_one_picture_has) {
+  const Image8 a = disc(50, 30);
+  Image8 b = a;
+  for (int y = 48; y < 52; ++y) b.at(10, y) = 255;
+  // In a's place each has a value near by, in b's the line has none.
+  EXPECT_EQ(compare(a, b, {.edge_tolerance = true}).max, 255 - 20 - 10 - 1);
+  EXPECT_EQ(compare(b, a, {.edge_tolerance = true}).max, 255 - 20 - 10 - 1);
+}
+
+/// A white square of 40x40, of whose rightmost column `missing` pixels are black.
+Image8 square(int missing) {
+  Image8 picture(60, 60, 1);
+  for (int y = 10; y < 50; ++y)
+    for (int x = 10; x < 50; ++x) picture.at(x, y) = x == 49 && y < 10 + missing ? 0 : 255;
+  return picture;
+}
+
+TEST(EdgeTolerance, forgives_a_tenth_of_the_edge_pixels_at_most) {
+  // The square's edge has 4 * 39 pixels within and 4 * 41 without; where the column is black, the one before
+  // it is edge too: 320 + missing.
+  EXPECT_EQ(compare(square(0), square(34), {.edge_tolerance = true}).forgiven, 34);
+  EXPECT_EQ(compare(square(0), square(34), {.edge_tolerance = true}).max, 0);
+  EXPECT_EQ(compare(square(0), square(38), {.edge_tolerance = true}).forgiven, 0);
+  EXPECT_EQ(compare(square(0), square(38), {.edge_tolerance = true}).max, 255);
+}
+
+TEST(EdgeTolerance, forgives_nothing_when_the_picture_was_moved) {
+  const Image8 a = disc(50, 30), moved = disc(51, 30);
+  const Difference tolerant = compare(a, moved, {.edge_tolerance = true});
+  EXPECT_EQ(tolerant.forgiven, 0);
+  EXPECT_EQ(tolerant.mean, compare(a, moved).mean);
+}
+
+TEST(EdgeTolerance, looks_beyond_the_mask_but_counts_within) {
+  const Image8 a = disc(50, 30), b = rasterised_otherwise(a, 3);
+  Image8 mask(100, 100, 1);
+  for (std::size_t i = 0; i < mask.samples.size(); ++i) mask.samples[i] = a.samples[i] > 170 ? 255 : 0;
+  const Difference tolerant = compare(a, b, {.mask = &mask, .edge_tolerance = true});
+  EXPECT_EQ(tolerant.forgiven, 3);  // by the background, which the mask leaves out
+  EXPECT_EQ(tolerant.max, 0);
+}
+
+/// Directions that turn slowly inside a square, and none beside it.
+ImageF turning_square(int right) {
+  ImageF picture(60, 60, 3);
+  for (int y = 10; y < 50; ++y)
+    for (int x = 10; x < right; ++x) {
+      picture.at(x, y, 0) = std::sin(0.01F * static_cast<float>(x));
+      picture.at(x, y, 2) = std::cos(0.01F * static_cast<float>(x));
+    }
+  return picture;
+}
+
+TEST(EdgeTolerance, holds_for_directions_and_what_is_not_finite) {
+  const ImageF a = turning_square(50);
+  ImageF b = a;
+  for (const int y : {20, 30, 40})
+    for (int c = 0; c < 3; ++c) b.at(49, y, c) = 0;  // background instead
+  const Comparing strict = {.unit = Unit::degrees},
+                  tolerant = {.edge_tolerance = true, .unit = Unit::degrees};
+  EXPECT_EQ(compare(a, b, strict).max, 180);
+  EXPECT_EQ(compare(a, b, tolerant).max, 0);  // to the neighbours above and beside
+  EXPECT_EQ(compare(a, b, tolerant).forgiven, 3);
+  b.at(49, 20, 0) = nan;
+  EXPECT_EQ(compare(a, b, tolerant).non_finite, 1);
+  EXPECT_EQ(compare(a, b, tolerant).forgiven, 2);
+  // The sides' own unit: an eighth of the spread of 0 to 1 and 0 to 0.48.
+  EXPECT_EQ(compare(a, b, {.edge_tolerance = true}).forgiven, 2);
 }
 
 std::vector<std::uint8_t> heat_samples(std::initializer_list<float> ts) {
@@ -607,13 +749,13 @@ TEST(Heatmap, colours_each_pixel_by_its_largest_difference) {
   EXPECT_EQ(heatmap(a, b, 5).samples, heat_samples({0, 1, 1}));
   EXPECT_EQ(heatmap(a, a).samples, heat_samples({0, 0, 0}));
   const Image8 mask = grey<std::uint8_t>(3, 1, {255, 255, 0});
-  EXPECT_EQ(heatmap(a, b, 20, &mask).samples, heat_samples({0, 0.5F, 0}));
+  EXPECT_EQ(heatmap(a, b, 20, {.mask = &mask}).samples, heat_samples({0, 0.5F, 0}));
 }
 
 TEST(Heatmap, is_green_where_a_value_is_not_finite) {
   const ImageF a = grey<float>(3, 1, {0, nan, 1});
   const ImageF b = grey<float>(3, 1, {0, 0, 3});
-  EXPECT_EQ(heatmap(a, b, Unit::own, 2).samples, heat_samples({0, nan, 1}));
+  EXPECT_EQ(heatmap(a, b, 2).samples, heat_samples({0, nan, 1}));
 }
 
 }  // namespace

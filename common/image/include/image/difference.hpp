@@ -9,36 +9,59 @@ struct Difference {
   int width = 0;             ///< pixels
   int height = 0;            ///< pixels
   double max = 0;            ///< the largest difference
-  double mean = 0;           ///< the mean over samples (over pixels for directions)
+  double mean = 0;           ///< the mean over samples (over pixels for directions and texture coordinates)
   double p99 = 0;            ///< the 99th percentile over pixels of each pixel's largest difference
   long long non_finite = 0;  ///< pixels with NaN or infinity in either picture: in none of the figures above
+  long long forgiven = 0;    ///< pixels whose difference the edge tolerance made smaller
 };
 
 /// How the samples of float pictures are compared.
 enum class Unit {
-  own,     ///< sample by sample, in the pictures' own unit
-  degrees  ///< R, G and B as a vector of any length: the angle between the two pictures' vectors
+  own,      ///< sample by sample, in the pictures' own unit
+  degrees,  ///< R, G and B as a vector of any length: the angle between the two pictures' vectors
+  texels    ///< R and G as texture coordinates: the distance in texels
 };
 
-/// Compares R, G and B in 8-bit steps; grey counts as R = G = B and alpha is left out. With a mask only
-/// pixels whose first mask channel is above 0 count. The percentile is the nearest rank: of n pixels sorted
-/// upwards the value at rank ceil(0.99 n). Throws Error (exit 3) when the sizes differ or the mask leaves no
-/// pixel.
-Difference compare(const Image8& reference, const Image8& image, const Image8* mask = nullptr);
+/// What pictures are compared by. Both float and 8-bit pictures take the first two.
+struct Comparing {
+  /// Only pixels whose first channel here is above 0 count. Of the pictures' size.
+  const Image8* mask = nullptr;
+
+  /// Forgives what one pixel more or less at an edge costs, where renderers may differ by right. A pixel then
+  /// counts with the smallest difference to any of the 3x3 pixels around it in the other picture, taken from
+  /// either picture; the worse of the two counts, so that a line that only one of them has is not forgiven.
+  /// This holds only at edges: where in either picture the pixel differs from one of its neighbours by more
+  /// than an eighth of the whole range, which is 32 steps of 8 bits, 22.5 degrees, or an eighth of the spread
+  /// of the finite values; and for differences of more than half that much. And only as an exception: when
+  /// more than a tenth of all edge pixels would be forgiven, the picture was moved, not rasterised otherwise,
+  /// and nothing is.
+  bool edge_tolerance = false;
+
+  Unit unit = Unit::own;
+
+  /// Of texels: the size of the texture, in texels for each whole step of the coordinate.
+  double texture_width = 1, texture_height = 1;
+};
+
+/// Compares R, G and B in 8-bit steps; grey counts as R = G = B and alpha is left out. The percentile is the
+/// nearest rank: of n pixels sorted upwards the value at rank ceil(0.99 n). Throws Error (exit 3) when the
+/// sizes differ or the mask leaves no pixel.
+Difference compare(const Image8& reference, const Image8& image, const Comparing& comparing = {});
 
 /// Compares float pictures in the given unit. A pixel with NaN or infinity in either picture is counted in
 /// `non_finite` and left out. For directions (3 or 4 channels) the angle is
 /// atan2(|a x b|, a . b), exact for small angles too; a pixel that is (0, 0, 0) in both is background and
 /// left out, in one only it is 180 degrees off. When no pixel is left the figures are 0. Throws Error (exit
-/// 3) when the sizes or channels differ or directions have fewer than 3 channels.
-Difference compare(const ImageF& reference, const ImageF& image, Unit unit, const Image8* mask = nullptr);
+/// 3) when the sizes or channels differ, directions have fewer than 3 channels, or texture coordinates
+/// fewer than 2.
+Difference compare(const ImageF& reference, const ImageF& image, const Comparing& comparing = {});
 
 /// Each pixel's largest difference as an RGB picture by `heat`: `full_scale` steps (or units) and more have
 /// the hottest colour; 0 takes the largest difference found. Pixels that `compare` leaves out as non-finite
 /// are green, masked ones and background coldest. Errors as `compare`.
 Image8 heatmap(const Image8& reference, const Image8& image, double full_scale = 0,
-               const Image8* mask = nullptr);
-Image8 heatmap(const ImageF& reference, const ImageF& image, Unit unit, double full_scale = 0,
-               const Image8* mask = nullptr);
+               const Comparing& comparing = {});
+Image8 heatmap(const ImageF& reference, const ImageF& image, double full_scale = 0,
+               const Comparing& comparing = {});
 
 }  // namespace texel::image

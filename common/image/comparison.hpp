@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// What all comparisons of two pictures share.
+#pragma once
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "core/error.hpp"
+#include "image/image.hpp"
+
+namespace texel::image {
+
+/// Throws Error (exit 3) when the sizes of two pictures, or of a picture and its mask, differ.
+template <class Sample, class Other>
+void check_sizes(const Image<Sample>& reference, const Image<Other>& image, const Image8* mask) {
+  const auto same = [&](const auto& other) {
+    return other.width == reference.width && other.height == reference.height;
+  };
+  if (!same(image))
+    throw Error::failed(fmt::format("the pictures differ in size: {}x{} and {}x{}", reference.width,
+                                    reference.height, image.width, image.height),
+                        {}, "draw both in the same size");
+  if (mask && !same(*mask))
+    throw Error::failed(fmt::format("the mask is {}x{}, the pictures {}x{}", mask->width, mask->height,
+                                    reference.width, reference.height),
+                        {}, "give a mask of the pictures' size");
+}
+
+/// Whether the mask, if there is one, lets this pixel through.
+inline bool counts(const Image8* mask, int x, int y) {
+  return !mask || mask->at(x, y) > 0;
+}
+
+/// Throws Error (exit 3) for a comparison that is left without a pixel.
+inline void check_any(bool any) {
+  if (!any)
+    throw Error::failed("there is no pixel to compare", {},
+                        "give pictures with pixels and a mask with light ones");
+}
+
+/// R, G or B of a pixel; grey is R = G = B.
+inline std::uint8_t rgb_sample(const Image8& picture, int x, int y, int c) {
+  return picture.at(x, y, picture.channels < 3 ? 0 : c);
+}
+
+/// Where the 99th percentile stands among `count` values sorted upwards, at least one, counted from 0: the
+/// nearest rank, ceil(0.99 count) counted from 1.
+inline std::size_t index_of_p99(std::size_t count) {
+  return (99 * count + 99) / 100 - 1;
+}
+
+/// Pixels from (left, bottom) up to, without, (right, top).
+struct Box {
+  int left = 0, bottom = 0, right = 0, top = 0;
+
+  [[nodiscard]] int width() const { return right - left; }
+  [[nodiscard]] int height() const { return top - bottom; }
+  [[nodiscard]] bool contains(int x, int y) const { return x >= left && x < right && y >= bottom && y < top; }
+};
+
+/// Where a metric that looks `radius` pixels around each pixel has to be computed: the smallest box around
+/// all pixels whose R, G or B differ, and twice the radius more on each side. Only pixels within one radius
+/// of a difference see any, and what they see lies within another; so that with the box's border repeated
+/// beyond it, all its pixels get what they would get in the whole picture, or see the same in both. Empty
+/// when the pictures are the same.
+Box box_to_compare(const Image8& reference, const Image8& image, int radius);
+
+}  // namespace texel::image
