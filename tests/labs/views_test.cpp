@@ -46,6 +46,26 @@ TEST_P(Views, depth_is_the_distance_along_the_view_axis_in_wide_pictures_too) {
   EXPECT_GT(seen, depth.height * depth.height / 8);
 }
 
+TEST(TexcoordView, of_lab_1_is_scaled_first_and_then_moved) {
+  const TemporaryFolder folder(fmt::format("texcoords_{}", ::getpid()));
+  // At this distance the square of half-size 0.7 fills 0.7 of the picture's half height.
+  draw("lab01_texture_quad",
+       {{"texcoord.pfm",
+         {{"distance", "2.4142135"},
+          {"field_of_view", "45"},
+          {"texture_scale", "2"},
+          {"texture_offset", "5.25"}},
+         "texcoord"}},
+       folder);
+  const ImageF texcoord = image::load_pfm(folder / "texcoord.pfm");
+  for (int y = 32; y < 96; y += 16)
+    for (int x = 32; x < 96; x += 16)
+      for (int i = 0; i < 2; ++i) {
+        const double place = ((i == 0 ? x : y) + 0.5 - 64) / 64 / 0.7;  // -1 to 1 on the square
+        EXPECT_NEAR(texcoord.at(x, y, i), 2 * (0.5 + 0.5 * place) + 5.25, 1e-5) << x << " " << y;
+      }
+}
+
 class LevelView : public EveryLab {};
 INSTANTIATE_TEST_SUITE_P(Labs, LevelView,
                          testing::Values("lab01_texture_quad", "lab02_multi_texture", "lab03_obj_texcoords",

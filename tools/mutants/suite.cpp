@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -20,8 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A test that takes longer waits until the quick ones of its rank have passed.
-constexpr double kSlowSeconds = 1.5;
 /// The slowest test of a lab takes 12 s on a free machine.
 constexpr int kTimeoutSeconds = 120;
 
@@ -143,7 +142,8 @@ std::optional<Order> order_of(const Test& test, const fs::path& tree, const std:
   const auto rank = static_cast<int>(found - subjects.begin());
   const auto last = static_cast<int>(subjects.size()) + 1;
   const bool runs_last = is_of_libraries(test) || test.name.starts_with("window.");
-  return Order{runs_last ? last : rank, test.seconds > kSlowSeconds};
+  const double pace = std::max(0.0, std::ceil(std::log2(test.seconds / kQuickSeconds)));
+  return Order{runs_last ? last : rank, static_cast<int>(pace)};
 }
 
 Suite::Suite(fs::path tree, fs::path logs) : tree_(std::move(tree)), logs_(std::move(logs)) {

@@ -18,14 +18,15 @@ struct Test {
   bool is_used = true;
 };
 
-/// How tests are told apart: those that are likely to notice a change run first, and of those that are as
-/// likely the quick ones. Tests with one rank and pace run together.
+/// When a test runs: those that are likely to notice a change first, and of those that are as likely the
+/// quick ones. Tests of one rank and pace run together.
 struct Order {
   int rank = 0;
-  bool is_slow = false;
+  int pace = 0;  ///< 0: below kQuickSeconds, 1: up to twice as long, 2: up to four times …
 
   auto operator<=>(const Order&) const = default;
 };
+constexpr double kQuickSeconds = 1.5;
 
 /// When `test` runs after a change of `file` (relative to `tree`): first the tests whose program or name has
 /// the file's lab ("lab05") or subject ("mesh_weld"), then those of its folder ("mesh_"), then the others, at

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// Who is who in a class folder.
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "core/error.hpp"
+#include "descriptor.hpp"
+#include "grade/submission.hpp"
+#include "text.hpp"
+
+namespace texel::grade {
+namespace {
+
+namespace fs = std::filesystem;
+
+Entry::Kind kind_of(const fs::path& path) {
+  const fs::file_status status = fs::symlink_status(path);
+  if (fs::is_directory(status)) return Entry::Kind::folder;
+  const std::string name = lower_case(path.filename().string());
+  if (!fs::is_regular_file(status)) return Entry::Kind::other;
+  if (name.ends_with(".zip")) return Entry::Kind::zip;
+  if (name.ends_with(".tar.gz") || name.ends_with(".tgz") || name.ends_with(".tar")) return Entry::Kind::tar;
+  return Entry::Kind::other;
+}
+
+/// A file name without what says its kind.
+std::string stem_of(const std::string& file_name) {
+  for (const char* ending : {".zip", ".tar.gz", ".tgz", ".tar"})
+    if (lower_case(file_name).ends_with(ending))
+      return file_name.substr(0, file_name.size() - std::string_view(ending).size());
+  return file_name;
+}
+
+bool is_number(std::string_view text) {
+  return !text.empty() && text.size() <= 20 &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// Splits "name_number" at the last '_'; whether there is a number.
+bool split_number(const std::string& text, std::string& name, std::string& number) {
+  const std::size_t bar = text.rfind('_');
+  if (bar == std::string::npos || bar == 0 || !is_number(std::string_view(text).substr(bar + 1)))
+    return false;
+  name = text.substr(0, bar);
+  number = text.substr(bar + 1);
+  return true;
+}
+
+/// Moodle: name_number_assignsubmission_…
+bool read_moodle(const std::string& stem, std::string& name, std::string& number) {
+  const std::size_t mark = stem.find("_assignsubmission_");
+  return mark != std::string::npos && split_number(stem.substr(0, mark), name, number);
+}
+
+/// Canvas: name_user_submission_file, with LATE behind the name. There is no '_' in Canvas's names.
+bool read_canvas(const std::string& stem, std::string& name, std::string& number) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t bar = stem.find('_'); bar != std::string::npos; bar = stem.find('_', begin)) {
+    parts.push_back(stem.substr(begin, bar - begin));
+    begin = bar + 1;
+  }
+  if (parts.size() > 1 && lower_case(parts[1]) == "late") parts.erase(parts.begin() + 1);
+  if (parts.size() < 3 || parts[0].empty() || !is_number(parts[1]) || !is_number(parts[2])) return false;
+  name = parts[0];
+  number = parts[1];
+  return true;
+}
+
+/// FNV-1a (G. Fowler, L. Noll, K.-P. Vo), 64 bits, of which 32 are shown.
+std::string hash_of(const std::string& bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char c : bytes) hash = (hash ^ static_cast<std::uint8_t>(c)) * 0x100000001b3U;
+  return fmt::format("{:08x}", static_cast<std::uint32_t>(hash ^ hash >> 32U));
+}
+
+/// What of a name can stand in an id.
+std::string slug_of(const std::string& name) {
+  constexpr std::size_t longest = 60;
+  std::string slug;
+  for (const char c : lower_case(name)) {
+    const bool kept = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    // Not '-' at the beginning, where a command would take it for an option, nor one after the other.
+    if (kept && !(slug.empty() && (c == '-' || c == '_')))
+      slug += c;
+    else if (!slug.empty() && slug.back() != '-')
+      slug += '-';
+  }
+  slug.resize(std::min(slug.size(), longest));
+  while (!slug.empty() && slug.back() == '-') slug.pop_back();
+  return slug.empty() ? "student" : slug;
+}
+
+/// The only thing in a folder when that is an archive; else the folder.
+fs::path archive_alone_in(const fs::path& folder) {
+  fs::path found;
+  std::error_code unreadable;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, unreadable)) {
+    if (entry.path().filename().string().starts_with(".")) continue;
+    const Entry::Kind kind = kind_of(entry.path());
+    if (!found.empty() || (kind != Entry::Kind::zip && kind != Entry::Kind::tar)) return folder;
+    found = entry.path();
+  }
+  return found.empty() ? folder : found;
+}
+
+Entry read_entry(const fs::path& path) {
+  Entry entry;
+  entry.kind = kind_of(path);
+  entry.path = entry.kind == Entry::Kind::folder ? archive_alone_in(path) : path;
+  const std::string file_name = path.filename().string();
+  const std::string stem = entry.kind == Entry::Kind::folder ? file_name : stem_of(file_name);
+  entry.kind = kind_of(entry.path);
+  std::string name = stem;
+  const bool has_number = read_moodle(stem, name, entry.number) || read_canvas(stem, name, entry.number);
+  entry.id = slug_of(name);
+  if (has_number)
+    entry.id += "-" + entry.number;
+  else if (entry.id != name)
+    entry.id += "-" + hash_of(file_name);
+  entry.name = plain_text(name);
+  return entry;
+}
+
+}  // namespace
+
+std::vector<Entry> read_class(const fs::path& folder) {
+  const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!opened.is_open())
+    throw Error::failed("is no folder that can be read", {folder.string()},
+                        "name the folder with the students' folders and archives");
+  std::vector<Entry> entries;
+  std::vector<std::string> file_names;
+  std::map<std::string, int> wanted;
+  for (const std::string& name : names_in(opened, std::numeric_limits<std::size_t>::max())) {
+    if (name.starts_with(".")) continue;
+    entries.push_back(read_entry(folder / name));
+    file_names.push_back(name);
+    ++wanted[entries.back().id];
+  }
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    std::string id = entries[i].id;
+    if (wanted[id] > 1) id += "-" + hash_of(file_names[i]);
+    entries[i].id = id;
+    for (int n = 2; !taken.insert(entries[i].id).second; ++n) entries[i].id = fmt::format("{}-{}", id, n);
+  }
+  return entries;
+}
+
+}  // namespace texel::grade

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: MIT
+#include "submission_source.hpp"
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <cstring>
+#include <memory>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "descriptor.hpp"
+#include "text.hpp"
+
+namespace texel::grade {
+namespace {
+
+constexpr std::size_t longest_path = 1000;
+constexpr int deepest = 32;
+
+std::string too_large(const UnpackLimits& limits) {
+  return fmt::format("is larger than {} KiB", limits.file >> 10U);
+}
+
+std::string too_many(const UnpackLimits& limits) {
+  return fmt::format("holds more than {} files; hand in the labs' sources and shaders only", limits.entries);
+}
+
+/// Why nothing of that name is ever taken, or "". Makes '\' to '/', as archives from Windows have it, and
+/// takes out '.' and empty parts.
+std::string refuse_or_clean(std::string& path) {
+  if (path.empty()) return "has no name";
+  if (path.size() > longest_path) return "has a name that is too long";
+  if (!is_plain_text(path)) return "has a name with control characters or that is no UTF-8";
+  std::string clean;
+  std::string_view rest = path;
+  if (rest[0] == '/' || rest[0] == '\\' || (rest.size() > 1 && rest[1] == ':')) return "has an absolute path";
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find_first_of("/\\"), rest.size());
+    const std::string_view part = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (part == "..") return "has a path with ..";
+    if (part.empty() || part == ".") continue;
+    if (part[0] == '.' || part == "__MACOSX") return "is hidden or the system's";
+    if (!clean.empty()) clean += '/';
+    clean += part;
+  }
+  if (clean.empty()) return "has no name";
+  path = clean;
+  return {};
+}
+
+// --- Folders -----------------------------------------------------------------------------------------------
+
+Descriptor open_folder(const Entry& entry) {
+  Descriptor folder(::open(entry.path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  if (!folder.is_open())
+    throw Error::failed(fmt::format("cannot open: {}", std::strerror(errno)), {entry.path.string()},
+                        "check who may read it");
+  return folder;
+}
+
+/// Walks a folder in the order of names. Positions count files and folders, so that a second walk over the
+/// same folder finds the same.
+class FolderList {
+ public:
+  explicit FolderList(const UnpackLimits& limits) : limits_(limits) {}
+
+  void walk(const Descriptor& folder, const std::string& prefix, int depth) {
+    for (const std::string& name : names_in(folder, limits_.entries + 1)) {
+      if (count_ == limits_.entries) listing.fault = too_many(limits_);
+      if (!listing.fault.empty()) return;
+      add(folder, name, prefix + name, depth);
+    }
+  }
+
+  Listing listing;
+
+ private:
+  void add(const Descriptor& folder, const std::string& name, std::string path, int depth) {
+    Item item{std::move(path), {}, count_++};
+    struct stat status {};
+    const bool is_known = ::fstatat(folder.get(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
+    item.refused = refuse_or_clean(item.path);
+    if (is_known && S_ISDIR(status.st_mode) && item.refused.empty()) {
+      if (depth < deepest) return walk(open_in(folder, name), item.path + '/', depth + 1);
+      item.refused = "lies in too many folders";
+    }
+    if (item.refused.empty()) item.refused = refuse_kind(is_known, status);
+    listing.items.push_back(std::move(item));
+  }
+
+  [[nodiscard]] std::string refuse_kind(bool is_known, const struct stat& status) const {
+    if (!is_known) return "cannot be read";
+    if (S_ISLNK(status.st_mode)) return "is a symbolic link";
+    if (!S_ISREG(status.st_mode)) return "is a device, pipe or socket";
+    return static_cast<std::uint64_t>(status.st_size) > limits_.file ? too_large(limits_) : "";
+  }
+
+  const UnpackLimits& limits_;
+  std::size_t count_ = 0;
+};
+
+Listing list_folder(const Entry& entry, const UnpackLimits& limits) {
+  FolderList list(limits);
+  list.walk(open_folder(entry), "", 0);
+  return std::move(list.listing);
+}
+
+/// Opens a file below a folder, part by part, so that no link on the way is followed.
+Descriptor open_below(Descriptor folder, std::string_view path) {
+  while (folder.is_open() && !path.empty()) {
+    const std::size_t end = std::min(path.find('/'), path.size());
+    folder = open_in(folder, std::string(path.substr(0, end)));
+    path.remove_prefix(std::min(end + 1, path.size()));
+  }
+  return folder;
+}
+
+void read_folder(const Entry& entry, const std::map<std::size_t, std::string>& wanted,
+                 const UnpackLimits& limits, Submission& submission) {
+  for (const Item& item : list_folder(entry, limits).items) {
+    const auto found = wanted.find(item.position);
+    if (found == wanted.end()) continue;
+    const Descriptor file = open_below(open_folder(entry), item.path);
+    struct stat status {};
+    if (!item.refused.empty() || ::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode)) {
+      submission.ignored.push_back({item.path, "changed while it was read"});
+      continue;
+    }
+    std::string bytes = read_some(file, limits.file + 1);
+    if (bytes.size() > limits.file)
+      submission.ignored.push_back({item.path, too_large(limits)});
+    else
+      submission.files[found->second] = std::move(bytes);
+  }
+}
+
+// --- Archives ----------------------------------------------------------------------------------------------
+
+/// An archive in memory, read from its beginning.
+class Archive {
+ public:
+  Archive(const Entry& entry, std::string_view bytes) : archive_(::archive_read_new(), &::archive_read_free) {
+    archive* const reader = archive_.get();
+    if (reader == nullptr) throw Error::failed("no memory to read it", {entry.path.string()});
+    // Only these formats: the fewer parsers, the fewer ways in.
+    const bool is_supported = entry.kind == Entry::Kind::zip
+                                  ? ::archive_read_support_format_zip_seekable(reader) == ARCHIVE_OK
+                                  : ::archive_read_support_format_tar(reader) == ARCHIVE_OK &&
+                                        ::archive_read_support_filter_gzip(reader) == ARCHIVE_OK;
+    if (!is_supported) throw Error::failed("libarchive cannot read zip and tar.gz here");
+    is_open_ = ::archive_read_open_memory(reader, bytes.data(), bytes.size()) == ARCHIVE_OK;
+  }
+
+  /// The next entry, or nullptr at the end and when the archive is broken.
+  archive_entry* next() {
+    archive_entry* entry = nullptr;
+    const int result = is_open_ ? ::archive_read_next_header(archive_.get(), &entry) : ARCHIVE_FATAL;
+    if (result == ARCHIVE_EOF) return nullptr;
+    // A warning is of a name that the locale cannot spell.
+    if (result != ARCHIVE_OK && result != ARCHIVE_WARN) {
+      fault_ = "is a broken archive: " + error();
+      return nullptr;
+    }
+    return entry;
+  }
+
+  /// The current entry's bytes, one more than `most` at most. Sets the fault when they are broken.
+  std::string data(std::size_t most) {
+    std::string bytes(most + 1, '\0');
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+      const la_ssize_t got = ::archive_read_data(archive_.get(), bytes.data() + done, bytes.size() - done);
+      if (got == ARCHIVE_RETRY) continue;
+      if (got < 0) fault_ = "is a broken archive: " + error();
+      if (got <= 0) break;
+      done += static_cast<std::size_t>(got);
+    }
+    bytes.resize(done);
+    return bytes;
+  }
+
+  [[nodiscard]] std::uint64_t unpacked() const {
+    return static_cast<std::uint64_t>(std::max<la_int64_t>(::archive_filter_bytes(archive_.get(), 0), 0));
+  }
+  [[nodiscard]] const std::string& fault() const { return fault_; }
+
+ private:
+  [[nodiscard]] std::string error() const {
+    const char* text = ::archive_error_string(archive_.get());
+    return text == nullptr ? "unknown" : plain_text(text);
+  }
+
+  std::unique_ptr<archive, int (*)(archive*)> archive_;
+  bool is_open_ = false;
+  std::string fault_;
+};
+
+std::string name_of(archive_entry* entry) {
+  const char* name = ::archive_entry_pathname_utf8(entry);
+  if (name == nullptr) name = ::archive_entry_pathname(entry);
+  return name == nullptr ? "" : name;
+}
+
+std::uint64_t size_of(archive_entry* entry) {
+  return static_cast<std::uint64_t>(std::max<la_int64_t>(::archive_entry_size(entry), 0));
+}
+
+std::string refuse_kind(archive_entry* entry, const UnpackLimits& limits) {
+  if (::archive_entry_hardlink(entry) != nullptr) return "is a hard link";
+  if (::archive_entry_filetype(entry) == AE_IFLNK) return "is a symbolic link";
+  if (::archive_entry_filetype(entry) != AE_IFREG) return "is a device, pipe or socket";
+  if (::archive_entry_is_encrypted(entry) != 0) return "is encrypted";
+  return size_of(entry) > limits.file ? too_large(limits) : "";
+}
+
+/// libarchive reads a zip's whole directory before it gives the first entry, so that a huge one must be seen
+/// before. Archives in the archive that are not compressed are counted too.
+bool has_too_many_entries(std::string_view zip, const UnpackLimits& limits) {
+  constexpr std::string_view directory_entry("PK\x01\x02");
+  std::size_t count = 0;
+  for (std::size_t at = zip.find(directory_entry); at != std::string_view::npos && count <= limits.entries;
+       at = zip.find(directory_entry, at + directory_entry.size()))
+    ++count;
+  return count > limits.entries;
+}
+
+bool is_bomb(std::uint64_t packed, std::uint64_t unpacked, const UnpackLimits& limits) {
+  constexpr std::uint64_t harmless = 16U << 20U;
+  return unpacked > limits.unpacked || (unpacked > harmless && unpacked / limits.ratio > packed);
+}
+
+Listing list_archive(const Entry& entry, std::string_view bytes, const UnpackLimits& limits) {
+  Listing listing;
+  if (entry.kind == Entry::Kind::zip && has_too_many_entries(bytes, limits)) {
+    listing.fault = too_many(limits);
+    return listing;
+  }
+  Archive archive(entry, bytes);
+  std::uint64_t unpacked = 0;
+  std::size_t position = 0;
+  // Sizes are added before the next header, for which a compressed tar must unpack what is between.
+  while (archive_entry* found = archive.next()) {
+    Item item{name_of(found), {}, position++};
+    const std::uint64_t size = size_of(found);
+    if (position > limits.entries) listing.fault = too_many(limits);
+    if (size > limits.unpacked || is_bomb(bytes.size(), unpacked += size, limits) ||
+        is_bomb(bytes.size(), archive.unpacked(), limits))
+      listing.fault =
+          fmt::format("unpacks to far more than its {} KiB: a zip bomb?", (bytes.size() >> 10U) + 1);
+    if (!listing.fault.empty()) return listing;
+    if (::archive_entry_filetype(found) == AE_IFDIR) continue;
+    item.refused = refuse_or_clean(item.path);
+    if (item.refused.empty()) item.refused = refuse_kind(found, limits);
+    listing.items.push_back(std::move(item));
+  }
+  listing.fault = archive.fault();
+  return listing;
+}
+
+void read_archive(const Entry& entry, std::string_view bytes,
+                  const std::map<std::size_t, std::string>& wanted, const UnpackLimits& limits,
+                  Submission& submission) {
+  Archive archive(entry, bytes);
+  std::size_t position = 0;
+  std::size_t missing = wanted.size();
+  archive_entry* found = nullptr;
+  while (missing > 0 && (found = archive.next()) != nullptr) {
+    const auto target = wanted.find(position++);
+    if (target == wanted.end()) continue;
+    --missing;
+    const std::string name = plain_text(name_of(found));
+    std::string content = archive.data(limits.file);
+    if (!archive.fault().empty()) break;
+    // A zip may say a smaller size than it has.
+    if (content.size() > limits.file)
+      submission.ignored.push_back({name, too_large(limits)});
+    else
+      submission.files[target->second] = std::move(content);
+  }
+  submission.fault = archive.fault();
+}
+
+/// Why a file is no archive that we open, or "".
+std::string refuse_archive(const Entry& entry, const UnpackLimits& limits) {
+  if (entry.kind == Entry::Kind::other) return "is neither a folder nor a .zip or .tar.gz file";
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(entry.path, error);
+  if (error) throw Error::failed(fmt::format("cannot open: {}", error.message()), {entry.path.string()});
+  if (size == 0) return "is empty";
+  if (size > limits.archive)
+    return fmt::format("is larger than {} MiB; hand in the labs' sources and shaders only",
+                       limits.archive >> 20U);
+  return {};
+}
+
+}  // namespace
+
+Listing list(const Entry& entry, const UnpackLimits& limits) {
+  if (entry.kind == Entry::Kind::folder) return list_folder(entry, limits);
+  if (const std::string fault = refuse_archive(entry, limits); !fault.empty()) return {{}, fault};
+  return list_archive(entry, MappedFile(entry.path).bytes(), limits);
+}
+
+void read(const Entry& entry, const std::map<std::size_t, std::string>& wanted, const UnpackLimits& limits,
+          Submission& submission) {
+  if (entry.kind == Entry::Kind::folder)
+    read_folder(entry, wanted, limits, submission);
+  else
+    read_archive(entry, MappedFile(entry.path).bytes(), wanted, limits, submission);
+}
+
+}  // namespace texel::grade

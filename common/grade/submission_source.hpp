@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "grade/submission.hpp"
+
+namespace texel::grade {
+
+/// A file of a submission; folders are not listed.
+struct Item {
+  std::string path;      ///< with '/', without '.' and empty parts; as it is when refused
+  std::string refused;   ///< why it can never be taken, or ""
+  std::size_t position;  ///< among all that was listed, folders too
+};
+
+struct Listing {
+  std::vector<Item> items;
+  std::string fault;  ///< why the submission cannot be taken at all, or ""
+};
+
+/// What is in a submission.
+Listing list(const Entry& entry, const UnpackLimits& limits);
+
+/// Reads the items at these positions, each of them the text of a file of the tree, into `submission`: its
+/// files, what turned out too large, and its fault.
+void read(const Entry& entry, const std::map<std::size_t, std::string>& wanted, const UnpackLimits& limits,
+          Submission& submission);
+
+}  // namespace texel::grade

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace texel::grade {
+
+/// Any bytes as text that can be shown: what is no UTF-8, controls, and the marks that turn the direction of
+/// writing become U+FFFD. HTML, CSV and the like must still escape it.
+std::string plain_text(std::string_view bytes);
+
+/// Whether `plain_text` would change nothing.
+bool is_plain_text(std::string_view bytes);
+
+/// ASCII capitals made small.
+std::string lower_case(std::string_view text);
+
+}  // namespace texel::grade

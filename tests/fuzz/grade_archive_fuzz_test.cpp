@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Thousands of spoilt archives: whatever the bytes, unpacking ends with files of the allowed names or a
+// fault. The mutations come from a hash of their number, so that a failure repeats.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "../support/archives.hpp"
+#include "../support/picture_files.hpp"
+#include "core/files.hpp"
+#include "grade/submission.hpp"
+
+namespace texel::grade {
+namespace {
+
+using test::Format;
+
+/// SplitMix64 (G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators", 2014).
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+  std::size_t below(std::size_t limit) {
+    std::uint64_t z = state_ += 0x9e3779b97f4a7c15U;
+    z = (z ^ z >> 30U) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ z >> 27U) * 0x94d049bb133111ebU;
+    return static_cast<std::size_t>((z ^ z >> 31U) % limit);
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+/// One to four changes: bytes, signatures that the formats look for, cuts and copied pieces.
+std::string mutated(std::string bytes, Random& random) {
+  static const std::vector<std::string> pieces = {std::string("PK\x03\x04"),
+                                                  std::string("PK\x01\x02"),
+                                                  std::string("PK\x05\x06"),
+                                                  std::string("PK\x07\x08"),
+                                                  std::string("\xFF\xFF\xFF\xFF"),
+                                                  std::string(4, '\0'),
+                                                  "../",
+                                                  "/",
+                                                  "ustar",
+                                                  "77777777777",
+                                                  "x",
+                                                  "L",
+                                                  "S",
+                                                  "11 path=/a\n"};
+  for (std::size_t changes = 1 + random.below(4); changes > 0 && !bytes.empty(); --changes) {
+    const std::size_t at = random.below(bytes.size());
+    const std::string& piece = pieces[random.below(pieces.size())];
+    switch (random.below(6)) {
+      case 0:
+        bytes[at] = static_cast<char>(random.below(256));
+        break;
+      case 1:
+        bytes[at] = static_cast<char>(bytes[at] ^ static_cast<char>(1U << random.below(8)));
+        break;
+      case 2:
+        bytes.replace(at, std::min(piece.size(), bytes.size() - at), piece);
+        break;
+      case 3:
+        bytes.insert(at, bytes.substr(random.below(bytes.size()), random.below(64)));
+        break;
+      case 4:
+        bytes.erase(at, 1 + random.below(16));
+        break;
+      default:
+        if (random.below(3) == 0) bytes.resize(at);
+    }
+  }
+  return bytes;
+}
+
+TEST(ArchiveFuzz, gives_allowed_files_or_a_fault_when_bytes_are_spoilt) {
+  const test::TemporaryFolder folder("archive_fuzz");
+  const std::vector<std::string> allowed = {"labs/05_normal_map/lab.cpp", "shaders/lib/light.glsl"};
+  const std::vector<test::Packed> files = {{"work/labs/05_normal_map/lab.cpp", std::string(3000, 'x')},
+                                           {"work/shaders/lib/light.glsl", "short"},
+                                           {std::string(150, 'n'), "a long name"},
+                                           {"work/link", "", AE_IFLNK, "/etc/passwd"}};
+  const std::string zip = test::pack(Format::zip, files);
+  const std::string tar = test::pack(Format::tar, files);
+  int whole = 0;
+  int faults = 0;
+  for (std::uint64_t i = 0; i < 3000; ++i) {
+    Random random(i);
+    const bool is_zip = i % 2 == 0;
+    SCOPED_TRACE(i);
+    Entry entry;
+    entry.kind = is_zip ? Entry::Kind::zip : Entry::Kind::tar;
+    entry.path = folder / ("spoilt" + std::to_string(i));
+    write_file(entry.path, mutated(is_zip ? zip : tar, random));
+    const Submission submission = unpack(entry, allowed);
+    std::filesystem::remove(entry.path);
+    EXPECT_TRUE(submission.fault.empty() || submission.files.empty());
+    for (const auto& [path, bytes] : submission.files) {
+      EXPECT_TRUE(std::find(allowed.begin(), allowed.end(), path) != allowed.end()) << path;
+      EXPECT_LE(bytes.size(), 1U << 20U);
+    }
+    whole += submission.files.size() == allowed.size() ? 1 : 0;
+    faults += submission.fault.empty() ? 0 : 1;
+  }
+  // Neither side may be empty, or the mutations would test nothing.
+  EXPECT_GT(whole, 300);
+  EXPECT_GT(faults, 300);
+}
+
+}  // namespace
+}  // namespace texel::grade
