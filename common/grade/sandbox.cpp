@@ -91,21 +91,10 @@ Words walls(const Sandbox& sandbox) {
   constexpr std::uint64_t page = 4096;
   const Words disk = {"--size", fmt::format("{}", sandbox.limits.disk / page * page), "--perms", "0777",
                       "--tmpfs"};
-  Words line = {"--unshare-ipc",
-                "--unshare-pid",
-                "--unshare-net",
-                "--unshare-uts",
-                "--unshare-cgroup-try",
-                "--as-pid-1",
-                "--new-session",
-                "--die-with-parent",
-                "--hostname",
-                "sandbox",
-                "--cap-drop",
-                "ALL",
-                "--info-fd",
-                "7",
-                "--clearenv"};
+  Words line = {"--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts", "--unshare-cgroup-try"};
+  append(line,
+         {"--hostname", "sandbox", "--new-session", "--as-pid-1", "--die-with-parent", "--info-fd", "7"});
+  append(line, {"--cap-drop", "ALL", "--clearenv"});
   // Root needs no user namespace, and its folders may be closed to others: it builds as root and keeps just
   // what it takes to become somebody else.
   if (::geteuid() == 0)

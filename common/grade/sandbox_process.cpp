@@ -192,8 +192,12 @@ Process::~Process() {
 void Process::wait_until_ready(const Descriptor& ready, const Descriptor& info) {
   char byte = 0;
   pollfd waited{ready.get(), POLLIN, 0};
+  int changed = 0;
+  do {
+    changed = ::poll(&waited, 1, start_milliseconds);
+  } while (changed < 0 && errno == EINTR);
   // At the end of the file everybody who could have written is gone.
-  if (::poll(&waited, 1, start_milliseconds) != 1 || ::read(ready.get(), &byte, 1) != 1) {
+  if (changed != 1 || ::read(ready.get(), &byte, 1) != 1) {
     end();
     drain();
     throw sandbox_error(streams_[1].kept().empty() ? "it does not start" : streams_[1].kept());

@@ -99,6 +99,11 @@ TEST_F(SandboxTest, gives_127_for_a_missing_program) {
   EXPECT_EQ(run(small_sandbox(), {"/no/such/program"}).exit_code, 127);
 }
 
+TEST_F(SandboxTest, hands_arguments_over_as_they_are) {
+  const std::string hostile = "$(touch x) `id` ; 'a' \"b\" --help \n *";
+  EXPECT_EQ(run_guest("print", hostile).output, hostile + "\n");
+}
+
 TEST_F(SandboxTest, takes_a_static_constructor_that_leaves_for_an_exit_code_only) {
   Sandbox sandbox = small_sandbox();
   const test::TemporaryFolder folder("sandbox_leaves");

@@ -14,10 +14,13 @@
 /// on standard input; none of the caller's open files and environment. Everything in it dies with the
 /// program, and with the caller.
 ///
-/// What is installed below /usr can be read, so that solutions and references must lie elsewhere.
+/// What is installed below /usr can be read, so that solutions and references must lie elsewhere. As root,
+/// the program runs under another id: what it shall read must be open to others.
 namespace texel::grade {
 
-/// What a program may use up. Sizes are in bytes.
+/// What a program may use up. Sizes are in bytes. Measured on two processors: a lab's 1024x1024 snapshot on
+/// llvmpipe needs 600 MB of address space (500 fail), of which 155 MB are resident; compiling lab 5's lab.cpp
+/// less than 1000 MB and 325 MB. More processors need more, for threads.
 struct SandboxLimits {
   double wall_seconds = 60;
   double cpu_seconds = 60;                    ///< of all processes together
@@ -35,9 +38,9 @@ struct SandboxLimits {
 struct Sandbox {
   std::vector<std::filesystem::path> read_only;
 
-  /// Each is empty and in memory for the program, at most `limits.disk` large. When all is over, its regular
-  /// files and folders are copied into the real folder, over what has the same name there; links and devices
-  /// are left behind.
+  /// Each is empty and in memory (the machine's, beside `limits.memory`) for the program, at most
+  /// `limits.disk` large. When all is over, its regular files and folders are copied into the real folder,
+  /// over what has the same name there; links and devices are left behind.
   std::vector<std::filesystem::path> writable;
 
   /// All of the environment but PATH, HOME (/tmp), and LANG, which may be given too.
