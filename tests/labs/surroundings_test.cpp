@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// What labs 6 and 7 show where two things meet: the faces of a cube map, and spheres one behind the other.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <glm/glm.hpp>
+
+#include "image/load.hpp"
+#include "image/save.hpp"
+#include "labs.hpp"
+
+namespace texel::test {
+namespace {
+
+using glm::dvec3;
+using image::Image8;
+
+/// The largest step from one pixel of the middle row to the next, over the middle half of the picture.
+int largest_step(const Image8& picture) {
+  int largest = 0;
+  for (int x = picture.width / 4; x < picture.width * 3 / 4; ++x)
+    largest = std::max(
+        largest, std::abs(picture.at(x + 1, picture.height / 2, 0) - picture.at(x, picture.height / 2, 0)));
+  return largest;
+}
+
+TEST(EdgeOfLab6, is_filtered_across_by_the_seamless_methods_alone) {
+  const TemporaryFolder folder(fmt::format("edge_{}", ::getpid()));
+  // A white face beside black ones, of 2x2 texels, so that what is between two texels is wide.
+  std::filesystem::create_directories(folder / "faces");
+  for (const std::string face : {"px", "nx", "py", "ny", "pz", "nz"}) {
+    Image8 picture(2, 2, 3);
+    std::fill(picture.samples.begin(), picture.samples.end(), std::uint8_t(face == "px" ? 255 : 0));
+    image::save_png(folder / fmt::format("faces/{}.png", face), picture);
+  }
+  // The edge between +X and +Z stands upright in the middle.
+  const Settings look = {{"cube_map", (folder / "faces").string()},
+                         {"mapping", "cube"},
+                         {"turn", "0"},
+                         {"tilt", "0"},
+                         {"yaw", "45"},
+                         {"pitch", "0"}};
+  std::vector<Shot> shots;
+  for (const char* method : {"nearest", "linear", "linear-seamless", "mipmapped"})
+    shots.push_back({method, look + Settings{{"method", method}}});
+  draw("lab06_cube_map", shots, folder);
+  const auto step = [&](const char* method) {
+    return largest_step(image::load8(folder / fmt::format("{}.png", method)));
+  };
+  EXPECT_EQ(step("nearest"), 255);
+  EXPECT_EQ(step("linear"), 255);
+  // From black to white over half of each face.
+  EXPECT_LT(step("linear-seamless"), 60);
+  EXPECT_LT(step("mipmapped"), 60);
+}
+
+/// Centre and radius, as labs/07_environment/scene.hpp has them.
+struct Sphere {
+  dvec3 centre;
+  double radius;
+};
+constexpr Sphere kSpheres[] = {{{0, 0, 0}, 1},
+                               {{3.1, -0.6, -2.2}, 0.9},
+                               {{-4.6, -0.6, -7}, 1.2},
+                               {{6.5, 1.8, -8}, 1.2},
+                               {{-7, 8, -16}, 2}};
+
+/// The normal of the first sphere on a ray; zero where there is none and near a rim, which triangles cut off.
+dvec3 first_normal(const dvec3& eye, const dvec3& ray) {
+  double nearest = 1e9;
+  dvec3 normal(0);
+  for (const Sphere& sphere : kSpheres) {
+    const dvec3 from = eye - sphere.centre;
+    const double b = glm::dot(from, ray), root = b * b - glm::dot(from, from) + sphere.radius * sphere.radius;
+    const double share = root / (sphere.radius * sphere.radius);  // 1 in the middle, 0 at the rim
+    if (share < -0.1) continue;
+    if (share < 0.1) return dvec3(0);
+    if (const double distance = -b - std::sqrt(root); distance < nearest) {
+      nearest = distance;
+      normal = (from + distance * ray) / sphere.radius;
+    }
+  }
+  return normal;
+}
+
+TEST(SpheresOfLab7, show_the_normal_of_the_nearest_one_by_every_depth_method) {
+  const TemporaryFolder folder(fmt::format("spheres_{}", ::getpid()));
+  // From the left the second sphere stands behind the first, from the front all can be seen. Nothing is as
+  // far as depth 0.999, which is 67 units away.
+  const double yaws[] = {-40, 0};
+  const std::string methods[] = {"far-plane", "test-off", "plane-0999"};
+  std::vector<Shot> shots;
+  for (const double yaw : yaws)
+    for (const std::string& method : methods)
+      shots.push_back({fmt::format("{} {}.pfm", method, yaw),
+                       {{"yaw", fmt::format("{}", yaw)},
+                        {"pitch", "0"},
+                        {"distance", "4"},
+                        {"field_of_view", "60"},
+                        {"near", "0.1"},
+                        {"far", "100"},
+                        {"depth_method", method}},
+                       "direction"});
+  draw("lab07_environment", shots, folder);
+  const double half = std::tan(glm::radians(60.0) / 2);
+  for (const double yaw : yaws)
+    for (const std::string& method : methods) {
+      const image::ImageF direction = image::load_pfm(folder / fmt::format("{} {}.pfm", method, yaw));
+      const double a = glm::radians(yaw);
+      const dvec3 back(std::sin(a), 0, std::cos(a)), right(std::cos(a), 0, -std::sin(a));
+      int seen = 0;
+      for (int y = 0; y < direction.height; ++y)
+        for (int x = 0; x < direction.width; ++x) {
+          const double u = half * (2 * (x + 0.5) / direction.width - 1),
+                       v = half * (2 * (y + 0.5) / direction.height - 1);
+          const dvec3 normal =
+              first_normal(4.0 * back, glm::normalize(u * right + v * dvec3(0, 1, 0) - back));
+          if (normal == dvec3(0)) continue;
+          ++seen;
+          // Between the vertices of 64 x 32 quads, which cut corners: measured 0.005.
+          for (int k = 0; k < 3; ++k)
+            ASSERT_NEAR(direction.at(x, y, k), normal[k], 0.01)
+                << method << " yaw " << yaw << ": " << x << " " << y;
+        }
+      EXPECT_GT(seen, direction.width * direction.height / 20);
+    }
+}
+
+}  // namespace
+}  // namespace texel::test
