@@ -69,4 +69,53 @@ struct MutantsOptions {
 /// Differs when they catch fewer than 90 %.
 Exit mutants(const MutantsOptions& options);
 
+struct StarterOptions {
+  std::filesystem::path out, root;  ///< root empty: the course's own
+  std::vector<std::string> solve;   ///< steps that are solved already
+};
+
+/// `texel starter`: writes the tree that students begin with.
+Exit starter(const StarterOptions& options);
+
+struct GradeCommand {
+  std::filesystem::path class_folder, out = "out/grades";
+  std::filesystem::path cache, seed_file;  ///< empty: build/grade of the course; `out`/seed.txt
+  std::vector<int> labs;                   ///< numbers; none for all
+  unsigned jobs = 0;                       ///< 0: one for each processor
+  std::string shard = "1/1", context = "auto";
+  std::vector<std::string> formats;
+  bool resume = false, unsafe = false;
+};
+
+/// `texel grade CLASS`: grades a class and writes its reports.
+Exit grade_class(const GradeCommand& command);
+
+struct GradeMergeCommand {
+  std::vector<std::filesystem::path> parts;
+  std::filesystem::path out;
+  std::vector<std::string> formats;
+};
+
+/// `texel grade merge`: joins the results of shards.
+Exit grade_merge(const GradeMergeCommand& command);
+
+struct GradeOverrideCommand {
+  std::filesystem::path out;
+  std::string student, step, reason;
+  double score = 0;
+  bool drop = false;
+  std::vector<std::string> formats;
+};
+
+/// `texel grade override`: sets a step's score by hand.
+Exit grade_override(const GradeOverrideCommand& command);
+
+struct GradeReportCommand {
+  std::filesystem::path out;
+  std::vector<std::string> formats;
+};
+
+/// `texel grade report`: writes the reports anew.
+Exit grade_report(const GradeReportCommand& command);
+
 }  // namespace texel::tools

@@ -86,6 +86,75 @@ void add_mutants(CLI::App& app, MutantsOptions& options) {
   command->add_option("--work", options.work, "Folder for the copy, its build and the logs [build/mutants]");
 }
 
+void add_starter(CLI::App& app, StarterOptions& options) {
+  CLI::App* command = app.add_subcommand("starter", "Write the tree that students begin with");
+  command->add_option("--out", options.out, "A new folder")->required();
+  command->add_option("--root", options.root, "The course's tree [the source tree]");
+  command->add_option("--solve", options.solve, "Steps that are solved already, as 5.1,5.2")->delimiter(',');
+}
+
+/// What the four commands of grading take.
+struct GradeCommands {
+  GradeCommand grade;
+  GradeMergeCommand merge;
+  GradeOverrideCommand override_score;
+  GradeReportCommand report;
+};
+
+void add_formats(CLI::App* command, std::vector<std::string>& formats) {
+  command->add_option("--format", formats, "Write results for other systems too: gradescope, prairielearn, junit, csv")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"gradescope", "prairielearn", "junit", "csv"}));
+}
+
+void add_grade(CLI::App& app, GradeCommands& all) {
+  CLI::App* grade = app.add_subcommand("grade", "Grade a class from headless snapshots");
+  grade->footer("Exit codes: 0 graded, 2 wrong usage, 3 some students could not be graded (never a zero: run again with\n"
+                "--resume), or the grader itself failed.");
+  GradeCommand& g = all.grade;
+  grade->add_option("CLASS", g.class_folder, "Folder with one folder, .zip or .tar.gz a student");
+  grade->add_option("--out", g.out, "Folder for results and reports [out/grades]");
+  grade->add_option("--labs", g.labs, "Numbers of labs, as 1,5 [all]")->delimiter(',')->check(CLI::Range(1, 99));
+  grade->add_option("--jobs", g.jobs, "How much at a time [one for each processor]")->check(CLI::Range(1, 1024));
+  grade->add_option("--shard", g.shard, "Only every so many-th student: 2/8 is the second of eight parts");
+  grade->add_flag("--resume", g.resume, "Go on where an earlier run was cut off; nothing is judged twice");
+  grade->add_option("--seed-file", g.seed_file, "The course's secret for hidden cases [OUT/seed.txt, made when missing]");
+  grade->add_option("--cache", g.cache, "Folder for starter, references and programs [build/grade]");
+  grade->add_option("--context", g.context, "Where the pictures are drawn")
+      ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
+  grade->add_flag("--unsafe", g.unsafe, "Run the students' programs without a sandbox: only for work that you trust");
+  add_formats(grade, g.formats);
+
+  CLI::App* merge = grade->add_subcommand("merge", "Join the results of shards");
+  merge->add_option("PART", all.merge.parts, "Folders that 'texel grade --shard' wrote")->required();
+  merge->add_option("--out", all.merge.out, "A folder for all of them")->required();
+  add_formats(merge, all.merge.formats);
+
+  CLI::App* change = grade->add_subcommand("override", "Set a step's score by hand; it survives regrading");
+  change->add_option("OUT", all.override_score.out, "The results' folder")->required();
+  change->add_option("STUDENT", all.override_score.student, "The student's id, as the report has it")->required();
+  change->add_option("STEP", all.override_score.step, "As 5.1")->required();
+  CLI::Option* score =
+      change->add_option("SCORE", all.override_score.score, "0 to 1")->check(CLI::Range(0.0, 1.0));
+  change->add_option("--reason", all.override_score.reason, "For the student and for later");
+  change->add_flag("--drop", all.override_score.drop, "Take an earlier override back")->excludes(score);
+  add_formats(change, all.override_score.formats);
+
+  CLI::App* report = grade->add_subcommand("report", "Write the reports of earlier results anew");
+  report->add_option("OUT", all.report.out, "The results' folder")->required();
+  add_formats(report, all.report.formats);
+}
+
+Exit run_grade(const CLI::App& app, const GradeCommands& all) {
+  const CLI::App* grade = app.get_subcommand("grade");
+  if (grade->got_subcommand("merge")) return grade_merge(all.merge);
+  if (grade->got_subcommand("override")) return grade_override(all.override_score);
+  if (grade->got_subcommand("report")) return grade_report(all.report);
+  if (all.grade.class_folder.empty())
+    throw Error::usage("which class? texel grade CLASS --out DIR", "CLASS is a folder with one entry a student");
+  return grade_class(all.grade);
+}
+
 /// CLI11 says only that a command is needed; this names the nearest.
 void reject_unknown_command(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
@@ -106,12 +175,16 @@ Exit run(int argc, char** argv) {
   GalleryOptions gallery_options;
   BenchOptions bench_options;
   MutantsOptions mutants_options;
+  StarterOptions starter_options;
+  GradeCommands grade_commands;
   bool list_only = false;
   app.add_subcommand("list", "The labs at a glance");
   add_gallery(app, gallery_options, list_only);
   add_compare(app, compare_options);
   add_bench(app, bench_options);
   add_mutants(app, mutants_options);
+  add_starter(app, starter_options);
+  add_grade(app, grade_commands);
   reject_unknown_command(app, argc, argv);
   try {
     app.parse(argc, argv);
@@ -125,6 +198,8 @@ Exit run(int argc, char** argv) {
   if (app.got_subcommand("compare")) return compare(compare_options);
   if (app.got_subcommand("bench")) return bench(bench_options);
   if (app.got_subcommand("mutants")) return mutants(mutants_options);
+  if (app.got_subcommand("grade")) return run_grade(app, grade_commands);
+  if (app.got_subcommand("starter")) return starter(starter_options);
   return list_only ? list_sources() : gallery(gallery_options);
 }
 

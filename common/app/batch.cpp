@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <set>
 
 #include "command_line.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "mesh/ply.hpp"
 #include "settings.hpp"
 #include "snapshot.hpp"
 
@@ -36,8 +38,9 @@ Entry parse_entry(const Json& json, AnyLab& lab) {
               find_view(lab.info(), json.value("view", std::string("color"))),
               parse_size(json.value("size", std::string("512x512"))),
               {}};
-  if (entry.file.extension() != ".png" && entry.file.extension() != ".pfm") entry.file += ".png";
-  check_ending(entry.file, entry.view);
+  const std::string ending = entry.file.extension().string();
+  if (ending != ".png" && ending != ".pfm" && ending != ".ply") entry.file += ".png";
+  if (ending != ".ply") check_ending(entry.file, entry.view);
   entry.values = read_settings(json, "set", lab.parameters());
   return entry;
 }
@@ -64,9 +67,23 @@ std::vector<Entry> parse_list(const std::filesystem::path& list, AnyLab& lab) {
   return entries;
 }
 
+void write_entry(Canvas& canvas, AnyLab& lab, const Assets& assets, const Entry& entry,
+                 const std::filesystem::path& file, int samples) {
+  if (file.extension() == ".ply")
+    write_mesh(lab, assets, file);
+  else
+    write_snapshot(canvas, lab, entry.view, entry.size, samples, file);
+}
+
 }  // namespace
 
-void draw_batch(Canvas& canvas, AnyLab& lab, const std::filesystem::path& list,
+void write_mesh(AnyLab& lab, const Assets& assets, const std::filesystem::path& file) {
+  const mesh::Mesh* mesh = lab.mesh(assets);
+  if (mesh == nullptr) throw Error::usage("this lab has no mesh to write", "labs 3, 4 and 5 do");
+  mesh::write_ply(file, *mesh);
+}
+
+void draw_batch(Canvas& canvas, AnyLab& lab, const Assets& assets, const std::filesystem::path& list,
                 const std::filesystem::path& folder, int samples) {
   const std::vector<Entry> entries = parse_list(list, lab);
   std::error_code error;
@@ -74,10 +91,15 @@ void draw_batch(Canvas& canvas, AnyLab& lab, const std::filesystem::path& list,
   if (error)
     throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {folder.string()});
   const StartValues start(lab.parameters());
-  for (const Entry& entry : entries) {
-    start.set(entry.values);
-    write_snapshot(canvas, lab, entry.view, entry.size, samples, folder / entry.file);
-  }
+  std::size_t faults = 0;
+  for (const Entry& entry : entries) try {
+      start.set(entry.values);
+      write_entry(canvas, lab, assets, entry, folder / entry.file, samples);
+    } catch (const Error& fault) {
+      ++faults;
+      std::fprintf(stderr, "%s: %s\n", entry.file.c_str(), fault.what());
+    }
+  if (faults > 0) throw Error::failed(fmt::format("{} of {} entries could not be drawn", faults, entries.size()));
 }
 
 }  // namespace texel::app

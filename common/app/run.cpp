@@ -14,7 +14,6 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/stopwatch.hpp"
-#include "mesh/ply.hpp"
 #include "reports.hpp"
 #include "snapshot.hpp"
 #include "window.hpp"
@@ -41,12 +40,6 @@ std::unique_ptr<gl::Context> headless_context(const CommandLine& line) {
   if (line.context == "egl") return gl::create_headless(gl::ContextKind::egl);
   if (line.context == "window") return std::make_unique<gl::WindowContext>(64, 64, "texel");
   return gl::create_headless();
-}
-
-void write_mesh(AnyLab& lab, const Assets& assets, const std::filesystem::path& file) {
-  const mesh::Mesh* mesh = lab.mesh(assets);
-  if (mesh == nullptr) throw Error::usage("this lab has no mesh to write", "labs 3, 4 and 5 do");
-  mesh::write_ply(file, *mesh);
 }
 
 /// Draws frame after frame and prints how long they took: the driver has finished each when it is counted.
@@ -79,7 +72,7 @@ void run_headless(AnyLab& lab, const Assets& assets, const CommandLine& line) {
   Canvas canvas(*context, assets, lab);
   canvas.set_error_scale(line.error_scale);
   if (!line.mesh.empty()) write_mesh(lab, assets, line.mesh);
-  if (!line.batch.empty()) draw_batch(canvas, lab, line.batch, line.out, line.samples);
+  if (!line.batch.empty()) draw_batch(canvas, lab, assets, line.batch, line.out, line.samples);
   if (!line.measure.empty()) {
     canvas.draw(View::error, size, 1);
     write_report(line.measure, to_json(lab, *canvas.error_figures()));

@@ -161,7 +161,7 @@ std::vector<Step> read_steps(Reader& head, const std::string& file, int lab) {
     if (step.id != expected)
       throw reader.error("id", fmt::format("step '{}' stands where '{}' belongs", step.id, expected));
     for (const std::string& need : step.needs)
-      if (!has_step(steps, need))
+      if (const int of = lab_of_step(need); (of == 0 || of >= lab) && !has_step(steps, need))
         throw reader.error("needs", fmt::format("there is no step '{}' before this one", need));
     if (step.hints.empty() || step.hints.size() > 3)
       throw reader.error("hints", "a step has one to three hints");
@@ -227,6 +227,17 @@ std::vector<GradedCase> read_cases(Reader& head, const std::string& file, const 
   return cases;
 }
 
+/// Looks for the steps of other labs that a step needs: read_steps has seen but one lab.
+void check_needs(const std::vector<Lab>& labs, const fs::path& folder) {
+  for (const Lab& lab : labs)
+    for (const Step& step : lab.steps)
+      for (const std::string& need : step.needs)
+        if (std::none_of(labs.begin(), labs.end(),
+                         [&](const Lab& earlier) { return has_step(earlier.steps, need); }))
+          throw Error::failed(fmt::format("step '{}' needs '{}', and no lab has that step", step.id, need),
+                              {(folder / lab.folder / "lab.toml").string()});
+}
+
 /// "05_normal_map" is lab 5; 0 for a folder that is none.
 int lab_number(const std::string& folder) {
   const auto digit = [&](std::size_t i) { return folder[i] >= '0' && folder[i] <= '9'; };
@@ -265,17 +276,20 @@ std::vector<Lab> read_labs(const fs::path& folder) {
   }
   if (labs.empty()) throw Error::failed("holds no NN_name/lab.toml", {folder.string()});
   std::sort(labs.begin(), labs.end(), [](const Lab& a, const Lab& b) { return a.folder < b.folder; });
+  check_needs(labs, folder);
   return labs;
+}
+
+std::string flag(const Setting& setting) {
+  std::string name = setting.parameter;
+  std::replace(name.begin(), name.end(), '_', '-');
+  return fmt::format(" --{} {}", name, params::shell_quoted(setting.value));
 }
 
 std::string command(const Lab& lab, const Look& look) {
   const Look usual;
   std::string text = fmt::format("./run lab {}", lab.number);
-  for (const Setting& setting : look.settings) {
-    std::string flag = setting.parameter;
-    std::replace(flag.begin(), flag.end(), '_', '-');
-    text += fmt::format(" --{} {}", flag, params::shell_quoted(setting.value));
-  }
+  for (const Setting& setting : look.settings) text += flag(setting);
   if (look.view != usual.view) text += fmt::format(" --view {}", look.view);
   if (look.size != usual.size) text += fmt::format(" --size {}", look.size);
   return text + fmt::format(" --snapshot {}.png", look.name);

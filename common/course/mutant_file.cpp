@@ -12,30 +12,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
 bool is_name(const std::string& name) {
   return std::all_of(name.begin(), name.end(),
-                     [](char c) { return (c >= 'a' && c <= 'z') || is_digit(c) || c == '-'; });
+                     [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; });
 }
 
 bool is_below_root(const fs::path& file) {
   return file.is_relative() && std::find(file.begin(), file.end(), "..") == file.end();
 }
 
-/// Two numbers with a point between them.
-bool is_step(const std::string& step) {
-  const std::size_t point = step.find('.');
-  if (point == 0 || point == std::string::npos || point + 1 == step.size()) return false;
-  return std::all_of(step.begin(), step.end(), [](char c) { return is_digit(c) || c == '.'; }) &&
-         step.rfind('.') == point;
+/// The word for it, which is also the name of its table.
+std::string kind(bool is_right) {
+  return is_right ? "equivalent" : "mutant";
 }
 
-Mutant read_mutant(const toml::table& table, const std::string& file) {
+Mutant read_mutant(const toml::table& table, const std::string& file, bool is_right) {
   Reader reader(table, file);
   Mutant mutant;
+  mutant.is_right = is_right;
   mutant.place = place_of(table, file);
   mutant.name = reader.text("name");
   mutant.file = reader.text("file");
@@ -45,15 +39,15 @@ Mutant read_mutant(const toml::table& table, const std::string& file) {
   mutant.by = reader.text("by", "");
   mutant.step = reader.text("step", "");
   mutant.says = reader.text("says");
-  mutant.survives = reader.text("survives", "");
+  if (!is_right) mutant.survives = reader.text("survives", "");
   reader.reject_unknown();
   if (!is_name(mutant.name))
-    throw reader.error("name", fmt::format("'{}' is no mutant's name", mutant.name),
+    throw reader.error("name", fmt::format("'{}' is no {}'s name", mutant.name, kind(is_right)),
                        "use lower-case letters, digits and '-'");
   if (!is_below_root(mutant.file))
     throw reader.error("file", fmt::format("'{}' is no path below the project's root", mutant.file),
                        "write it as shaders/lib/light.glsl");
-  if (!mutant.step.empty() && !is_step(mutant.step))
+  if (!mutant.step.empty() && lab_of_step(mutant.step) == 0)
     throw reader.error("step", fmt::format("'{}' is no step", mutant.step), "write it as 5.1");
   if (mutant.what == mutant.by) throw reader.error("by", "the replacement changes nothing");
   return mutant;
@@ -64,7 +58,8 @@ void add(std::vector<Mutant>& mutants, Mutant mutant) {
   const auto same = std::find_if(mutants.begin(), mutants.end(),
                                  [&](const Mutant& other) { return other.name == mutant.name; });
   if (same != mutants.end())
-    throw Error::failed(fmt::format("two mutants are called '{}'", mutant.name), mutant.place,
+    throw Error::failed(fmt::format("two {}s are called '{}'", kind(mutant.is_right), mutant.name),
+                        mutant.place,
                         fmt::format("the other one is at {}:{}", same->place.file, same->place.line));
   mutants.push_back(std::move(mutant));
 }
@@ -75,7 +70,9 @@ std::vector<Mutant> read_mutants(const fs::path& file) {
   const toml::table table = parse(file);
   Reader reader(table, file.string());
   std::vector<Mutant> mutants;
-  for (const toml::table* entry : reader.tables("mutant")) add(mutants, read_mutant(*entry, file.string()));
+  for (const bool is_right : {false, true})
+    for (const toml::table* entry : reader.tables(kind(is_right)))
+      add(mutants, read_mutant(*entry, file.string(), is_right));
   reader.reject_unknown();
   return mutants;
 }
@@ -89,7 +86,8 @@ std::vector<Mutant> read_catalogue(const fs::path& folder) {
   std::vector<Mutant> mutants;
   for (const fs::path& file : files)
     for (Mutant& mutant : read_mutants(file)) add(mutants, std::move(mutant));
-  if (mutants.empty()) throw Error::failed("holds no mutants", {folder.string()}, "name another catalogue");
+  if (mutants.empty())
+    throw Error::failed("holds no mutants and no equivalents", {folder.string()}, "name another catalogue");
   return mutants;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 #include "core/files.hpp"
 
@@ -12,6 +13,15 @@ namespace texel::course {
 Place place_of(const toml::node& node, const std::string& file) {
   const toml::source_position at = node.source().begin;
   return {file, static_cast<int>(at.line), static_cast<int>(at.column)};
+}
+
+int lab_of_step(const std::string& step) {
+  const char* const end = step.data() + step.size();
+  unsigned lab = 0, number = 0;
+  const auto [point, lab_error] = std::from_chars(step.data(), end, lab);
+  if (lab_error != std::errc{} || lab > 99 || point == end || *point != '.') return 0;
+  const auto [rest, number_error] = std::from_chars(point + 1, end, number);
+  return number_error == std::errc{} && rest == end ? static_cast<int>(lab) : 0;
 }
 
 toml::table parse(const std::filesystem::path& file) {
@@ -34,7 +44,7 @@ Error Reader::error(const std::string& key, const std::string& what, const std::
 }
 
 const toml::node* Reader::find(const std::string& key) {
-  known_.push_back(key);
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.push_back(key);
   return table_.get(key);
 }
 

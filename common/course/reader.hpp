@@ -17,6 +17,10 @@ Place place_of(const toml::node& node, const std::string& file);
 /// A TOML file as a table. Throws Error (exit 3) with file, line and column for broken TOML.
 toml::table parse(const std::filesystem::path& file);
 
+/// The lab of a step that is written as "5.1", two numbers with a point between them; 0 for a text that is
+/// none.
+int lab_of_step(const std::string& step);
+
 /// A table of a file that is read key by key; what nobody asked for is an error.
 class Reader {
  public:

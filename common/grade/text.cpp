@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "text.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -36,6 +37,18 @@ std::string plain_text(std::string_view bytes) {
     const std::size_t size = character_size(bytes);
     text += size == 0 ? std::string_view("\xEF\xBF\xBD") : bytes.substr(0, size);
     bytes.remove_prefix(size == 0 ? 1 : size);
+  }
+  return text;
+}
+
+std::string plain_lines(std::string_view bytes) {
+  std::string text;
+  while (!bytes.empty()) {
+    const std::size_t end = std::min(bytes.find_first_of("\n\t"), bytes.size());
+    text += plain_text(bytes.substr(0, end));
+    if (end == bytes.size()) break;
+    text += bytes[end] == '\n' ? '\n' : ' ';
+    bytes.remove_prefix(end + 1);
   }
   return text;
 }

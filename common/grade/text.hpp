@@ -9,6 +9,9 @@ namespace texel::grade {
 /// writing become U+FFFD. HTML, CSV and the like must still escape it.
 std::string plain_text(std::string_view bytes);
 
+/// The same line by line: line feeds stay, tabs become spaces.
+std::string plain_lines(std::string_view bytes);
+
 /// Whether `plain_text` would change nothing.
 bool is_plain_text(std::string_view bytes);
 

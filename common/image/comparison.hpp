@@ -45,10 +45,10 @@ inline std::uint8_t rgb_sample(const Image8& picture, int x, int y, int c) {
   return picture.at(x, y, picture.channels < 3 ? 0 : c);
 }
 
-/// Where the 99th percentile stands among `count` values sorted upwards, at least one, counted from 0: the
-/// nearest rank, ceil(0.99 count) counted from 1.
-inline std::size_t index_of_p99(std::size_t count) {
-  return (99 * count + 99) / 100 - 1;
+/// Where a percentile stands among `count` values sorted upwards, at least one, counted from 0: the nearest
+/// rank, ceil(count * per_mille / 1000) counted from 1.
+inline std::size_t index_of_per_mille(std::size_t count, std::size_t per_mille) {
+  return (per_mille * count + 999) / 1000 - 1;
 }
 
 /// Pixels from (left, bottom) up to, without, (right, top).

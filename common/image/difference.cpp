@@ -218,18 +218,27 @@ Difference figures(int width, int height, int samples_per_pixel, const Pixels& p
   Difference result{width, height};
   std::vector<double> largest;
   double sum = 0;
-  for (const PixelDifference& pixel : pixels) {
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const PixelDifference& pixel = pixels[i];
     if (pixel.state == State::non_finite) ++result.non_finite;
     if (pixel.forgiven) ++result.forgiven;
     if (pixel.state != State::compared) continue;
+    if (pixel.largest > result.max) {
+      result.max = pixel.largest;
+      result.worst_x = static_cast<int>(i) % width;
+      result.worst_y = static_cast<int>(i) / width;
+    }
     largest.push_back(pixel.largest);
     sum += pixel.sum;
   }
   if (largest.empty()) return result;
-  const std::size_t p99 = index_of_p99(largest.size());
-  std::nth_element(largest.begin(), largest.begin() + static_cast<std::ptrdiff_t>(p99), largest.end());
-  result.p99 = largest[p99];
-  result.max = *std::max_element(largest.begin(), largest.end());
+  const auto percentile = [&](std::size_t per_mille) {
+    const auto rank = largest.begin() + static_cast<std::ptrdiff_t>(index_of_per_mille(largest.size(), per_mille));
+    std::nth_element(largest.begin(), rank, largest.end());
+    return *rank;
+  };
+  result.p99 = percentile(990);
+  result.p999 = percentile(999);
   result.mean = sum / static_cast<double>(largest.size()) / samples_per_pixel;
   return result;
 }

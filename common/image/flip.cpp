@@ -327,7 +327,7 @@ FlipFigures flip_figures(const ImageF& errors, const Image8* mask) {
   check_any(pixels > 0);
   std::sort(sorted.begin(), sorted.end());
   const double sum = std::accumulate(sorted.begin(), sorted.end(), 0.0);
-  const std::size_t zeros = pixels - sorted.size(), p99 = index_of_p99(pixels);
+  const std::size_t zeros = pixels - sorted.size(), p99 = index_of_per_mille(pixels, 990);
   FlipFigures figures;
   figures.mean = sum / static_cast<double>(pixels);
   figures.p99 = p99 < zeros ? 0 : static_cast<double>(sorted[p99 - zeros]);

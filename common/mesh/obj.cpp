@@ -28,7 +28,8 @@ glm::vec2 texcoord_from(std::span<const float> numbers) {
   return {numbers[0], numbers.size() > 1 ? numbers[1] : 0.0f};
 }
 //@starter
-// glm::vec3 position_from([[maybe_unused]] std::span<const float> numbers) { return {}; }
+// // The model's shadow on the ground, drawn upright, and one point of the picture all over it.
+// glm::vec3 position_from(std::span<const float> numbers) { return {numbers[0], numbers[2], 0.0f}; }
 //
 // glm::vec2 texcoord_from([[maybe_unused]] std::span<const float> numbers) { return {}; }
 //@end
@@ -39,7 +40,7 @@ std::int64_t resolve_index([[maybe_unused]] std::int64_t written, [[maybe_unused
   //@step 3.2 begin
   return written > 0 ? written - 1 : count + written;
   //@starter
-  // return 0;
+  // return written - 1;  // the files that count backwards are refused
   //@end
 }
 

@@ -49,8 +49,9 @@ bool fan_fits(const std::vector<glm::dvec2>& flat) {
 
 /// Whether some corner of the rest of the polygon lies inside or on the triangle a b c, which is then no ear.
 /// Corners at the same place as a, b or c do not count: a polygon with a bridge to a hole has such.
-bool holds_a_corner(const std::vector<glm::dvec2>& flat, const std::vector<std::uint32_t>& rest,
-                    const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+[[maybe_unused]] bool holds_a_corner(const std::vector<glm::dvec2>& flat,
+                                     const std::vector<std::uint32_t>& rest, const glm::dvec2& a,
+                                     const glm::dvec2& b, const glm::dvec2& c) {
   for (const std::uint32_t i : rest) {
     const glm::dvec2& p = flat[i];
     if (area(a, b, p) >= 0.0 && area(b, c, p) >= 0.0 && area(c, a, p) >= 0.0 && p != a && p != b && p != c)

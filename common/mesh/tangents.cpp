@@ -47,16 +47,16 @@ double texture_area(const std::array<glm::vec2, 3>& texcoords) {
 namespace {
 
 /// Adds a triangle's T and B to each of its three vertices' sums.
-void add_to_corners([[maybe_unused]] const std::array<std::uint32_t, 3>& corners,
-                    [[maybe_unused]] const TriangleFrame& frame,
-                    [[maybe_unused]] std::vector<TriangleFrame>& sums) {
+void add_to_corners(const std::array<std::uint32_t, 3>& corners, const TriangleFrame& frame,
+                    std::vector<TriangleFrame>& sums) {
   //@step 5.3 begin
   for (const std::uint32_t corner : corners) {
     sums[corner].tangent += frame.tangent;
     sums[corner].bitangent += frame.bitangent;
   }
   //@starter
-  // // For each corner: add the frame's tangent and bitangent to the sums of that vertex.
+  // // Each triangle overwrites what the ones before it left at its vertices.
+  // sums[corners[0]] = sums[corners[1]] = sums[corners[2]] = frame;
   //@end
 }
 

@@ -13,33 +13,27 @@
 namespace texel::mesh {
 namespace {
 
-using WeldKey = std::array<std::uint32_t, 3>;
-
-/// What tells one vertex from another: corners of equal keys share a vertex.
-WeldKey weld_key(const Corner& corner) {
-  //@step 4.2 begin
-  return {corner.position, corner.texcoord, corner.normal};
-  //@starter
-  // // One vertex for each position cannot hold two texture coordinates or normals.
-  // return {corner.position, 0, 0};
-  //@end
+[[maybe_unused]] std::uint64_t hash_of(const Corner& corner) {
+  return mix(mix(std::uint64_t{corner.position} << 32 | corner.texcoord) ^ corner.normal);
 }
 
-std::uint64_t hash_of(const WeldKey& key) {
-  return mix(mix(std::uint64_t{key[0]} << 32 | key[1]) ^ key[2]);
-}
-
-/// Numbers the distinct corners: `number(corner)` is its vertex, taken anew when none is the same yet.
+/// Numbers the vertices of the stream, each a corner unlike the ones before.
 class CornerNumbers {
  public:
   explicit CornerNumbers(std::size_t expected) : table_(expected) { distinct_.reserve(expected); }
 
+  /// The vertex of a corner: that of an equal corner (the same v, vt and vn), or a new one.
   std::uint32_t number(const Corner& corner) {
-    const WeldKey key = weld_key(corner);
-    const std::uint32_t n =
-        table_.number(hash_of(key), [&](std::uint32_t known) { return weld_key(distinct_[known]) == key; });
-    if (n == distinct_.size()) distinct_.push_back(corner);
-    return n;
+    //@step 3.4 begin
+    const std::uint32_t vertex =
+        table_.number(hash_of(corner), [&](std::uint32_t known) { return distinct_[known] == corner; });
+    if (vertex == distinct_.size()) distinct_.push_back(corner);
+    return vertex;
+    //@starter
+    // // A vertex of its own for each corner: the picture is right, and the stream several times too long.
+    // distinct_.push_back(corner);
+    // return static_cast<std::uint32_t>(distinct_.size() - 1);
+    //@end
   }
   [[nodiscard]] const std::vector<Corner>& distinct() const { return distinct_; }
 
@@ -47,16 +41,6 @@ class CornerNumbers {
   DistinctTable table_;
   std::vector<Corner> distinct_;
 };
-
-/// Looks up the vertex of every corner of a run of triangles and appends it to the indices.
-void append_indices([[maybe_unused]] std::span<const Corner> corners, [[maybe_unused]] CornerNumbers& numbers,
-                    [[maybe_unused]] std::vector<std::uint32_t>& indices) {
-  //@step 3.4 begin
-  for (const Corner& corner : corners) indices.push_back(numbers.number(corner));
-  //@starter
-  // // For each corner: ask `numbers` for its vertex and append that to the indices.
-  //@end
-}
 
 /// The part of a linear colour that the sRGB-encoded value means (IEC 61966-2-1).
 float linear_from_srgb(float encoded) {
@@ -101,6 +85,16 @@ std::vector<Value> gather(const std::vector<Value>& values, const std::vector<st
   return gathered;
 }
 
+/// Calls `visit` with each of the mesh's attribute vectors by which two vertices can differ, empty ones too.
+template <class Visit>
+void for_each_difference(const Mesh& mesh, Visit visit) {
+  //@step 4.2 begin
+  for_each_attribute(mesh, visit);
+  //@starter
+  // visit(mesh.positions);  // one vertex for each place cannot hold two texture coordinates or normals
+  //@end
+}
+
 /// The mesh with only these vertices, in this order; its indices are left empty.
 Mesh take_vertices(const Mesh& mesh, const std::vector<std::uint32_t>& vertices) {
   Mesh taken;
@@ -125,9 +119,8 @@ Mesh weld(ObjData data) {
   for (const MaterialRuns& material : materials) {
     const auto first = static_cast<std::uint32_t>(mesh.indices.size());
     for (const Run& run : material.runs) {
-      const std::size_t count = 3 * std::size_t{run.end_triangle - run.first_triangle};
-      append_indices({data.corners.data() + 3 * std::size_t{run.first_triangle}, count}, numbers,
-                     mesh.indices);
+      for (std::size_t i = 3 * std::size_t{run.first_triangle}; i < 3 * std::size_t{run.end_triangle}; ++i)
+        mesh.indices.push_back(numbers.number(data.corners[i]));
     }
     mesh.groups.push_back(
         {std::string(material.material), first, static_cast<std::uint32_t>(mesh.indices.size()) - first});
@@ -165,13 +158,13 @@ Mesh weld(const Mesh& mesh) {
   DistinctTable table(mesh.vertex_count());
   for (const std::uint32_t vertex : mesh.indices) {
     std::uint64_t hash = 0;
-    for_each_attribute(mesh, [&](const auto& values) {
+    for_each_difference(mesh, [&](const auto& values) {
       if (values.empty()) return;
       for (int k = 0; k < values[vertex].length(); ++k) hash = mix(hash ^ value_bits(values[vertex][k]));
     });
     const std::uint32_t n = table.number(hash, [&](std::uint32_t known) {
       bool same = true;
-      for_each_attribute(mesh, [&](const auto& values) {
+      for_each_difference(mesh, [&](const auto& values) {
         same = same && (values.empty() || values[vertices[known]] == values[vertex]);
       });
       return same;

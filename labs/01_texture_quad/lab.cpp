@@ -59,7 +59,7 @@ struct TextureQuad {
     const glm::mat4 world_from_object = glm::rotate(glm::mat4(1), glm::radians(-p.tilt), glm::vec3(1, 0, 0));
     program.set("clip_from_object", p.camera.clip_from_world(frame.aspect()) * world_from_object);
 
-    //@step 1.4 begin
+    //@step 1.2 begin
     // The texture object goes to unit 0, and the sampler reads unit 0.
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, texture.id());
@@ -97,7 +97,7 @@ struct TextureQuad {
   static gl::Texture upload(const image::Image8& picture, image::Encoding encoding) {
     gl::Texture texture;
     glBindTexture(GL_TEXTURE_2D, texture.id());
-    //@step 1.1 begin
+    //@step 1.4 begin
     // OpenGL expects each row to begin at a multiple of four bytes; ours lie one behind the other.
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     const gl::Format format = gl::format_of(picture.channels, encoding);
@@ -106,32 +106,42 @@ struct TextureQuad {
       glTexImage2D(GL_TEXTURE_2D, level++, static_cast<GLint>(format.internal), smaller.width, smaller.height,
                    0, format.external, GL_UNSIGNED_BYTE, smaller.samples.data());
     //@starter
-    // const unsigned char grey[] = {128, 128, 128, 255};
-    // glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, picture.width > 0, encoding >= image::Encoding::srgb, 0,
-    // GL_RGBA,
-    //              GL_UNSIGNED_BYTE, grey);
+    // // The full picture alone, and that grey unless it has four channels.
+    // image::Image8 shown(picture.width, picture.height, 4);
+    // std::fill(shown.samples.begin(), shown.samples.end(), std::uint8_t{128});
+    // if (picture.channels == 4) shown = picture;
+    // glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);  // there are no smaller levels yet
+    // const GLint internal = encoding == image::Encoding::srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8;
+    // glTexImage2D(GL_TEXTURE_2D, 0, internal, shown.width, shown.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+    //              shown.samples.data());
     //@end
     return texture;
   }
 
   /// How the bound texture is read beyond and between its texels.
-  static void set_parameters(const Parameters& p) {
-    const bool nearest = p.method == Method::nearest;
-    const GLenum minify = p.minify == Minify::by_method ? kMinifyByMethod[static_cast<std::size_t>(p.method)]
-                                                        : kMinifyModes[static_cast<int>(p.minify)];
-    const GLenum magnify = p.magnify == Magnify::nearest || (p.magnify == Magnify::by_method && nearest)
-                               ? GL_NEAREST
-                               : GL_LINEAR;
-    const GLenum wrap = kWrapModes[static_cast<int>(p.wrap)];
-    //@step 1.2 begin
+  static void set_parameters([[maybe_unused]] const Parameters& p) {
+    //@step 1.5 begin
+    const GLenum wrap = wrap_mode(p);
     const float anisotropy = p.method == Method::anisotropic ? 16.0F : 1.0F;
-    gl::set_sampling(
-        GL_TEXTURE_2D,
-        {.minify = minify, .magnify = magnify, .wrap_s = wrap, .wrap_t = wrap, .anisotropy = anisotropy});
+    gl::set_sampling(GL_TEXTURE_2D, {.minify = minify_filter(p),
+                                     .magnify = magnify_filter(p),
+                                     .wrap_s = wrap,
+                                     .wrap_t = wrap,
+                                     .anisotropy = anisotropy});
     //@starter
-    // gl::set_sampling(GL_TEXTURE_2D, {.minify = nearest ? minify : magnify, .magnify = magnify, .wrap_s =
-    // wrap});
+    // gl::set_sampling(GL_TEXTURE_2D, {});  // whatever is asked for: trilinear, and repeated
     //@end
+  }
+
+  // The parameters in OpenGL's words.
+  static GLenum wrap_mode(const Parameters& p) { return kWrapModes[static_cast<int>(p.wrap)]; }
+  static GLenum minify_filter(const Parameters& p) {
+    return p.minify == Minify::by_method ? kMinifyByMethod[static_cast<int>(p.method)]
+                                         : kMinifyModes[static_cast<int>(p.minify)];
+  }
+  static GLenum magnify_filter(const Parameters& p) {
+    if (p.magnify == Magnify::by_method) return p.method == Method::nearest ? GL_NEAREST : GL_LINEAR;
+    return p.magnify == Magnify::nearest ? GL_NEAREST : GL_LINEAR;
   }
 
   struct TextureKey {

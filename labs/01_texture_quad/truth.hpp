@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#pragma once
+//@teacher begin
 // The right answer of lab 1: what a pixel should show is the mean of the picture over the pixel's area. The
 // picture is taken as the function that the file was made from, without texels, and many rays through each
 // pixel look it up, in double precision and linear light. See common/truth/include/truth/texture.hpp.
-#pragma once
 #include "app/colour_truth.hpp"
 #include "app/truth_scene.hpp"
 #include "parameters.hpp"
@@ -35,3 +36,14 @@ inline app::Truth texture_quad_truth(const TextureQuadParameters& p, glm::ivec2 
 }
 
 }  // namespace texel
+//@starter
+// // The right answer stays with your teacher: here is none.
+// #include "app/measure.hpp"
+// #include "parameters.hpp"
+//
+// namespace texel {
+//
+// inline app::Truth texture_quad_truth(const TextureQuadParameters&, glm::ivec2) { return {}; }
+//
+// }  // namespace texel
+//@end

@@ -53,16 +53,16 @@ struct MultiTexture {
     gl::Program& program = frame.program("02_multi_texture/multi_texture");
     const glm::mat4 world_from_object = glm::rotate(glm::mat4(1), glm::radians(-p.tilt), glm::vec3(1, 0, 0));
     program.set("clip_from_object", p.camera.clip_from_world(frame.aspect()) * world_from_object);
-    const int second = second_unit(p);
+    [[maybe_unused]] const int second = second_unit(p);
 
     // Making an object binds it to the active unit, so both are made before either goes to its own. A picture
     // whose unit is off is not even loaded.
     const gl::Texture* object0 = p.unit0_on ? &texture_object(p, p.texture0, false) : nullptr;
-    //@step 2.1 begin
     const bool premultiply = p.method == Method::premultiplied && p.combine == Combine::decal;
+    //@step 2.1 begin
     const gl::Texture* object1 = p.unit1_on ? &texture_object(p, p.texture1, premultiply) : nullptr;
     //@starter
-    // const gl::Texture* object1 = p.unit1_on ? &texture_object(p, p.texture0, false) : nullptr;
+    // const gl::Texture* object1 = p.unit1_on ? &texture_object(p, p.texture0, premultiply) : nullptr;
     //@end
     if (p.unit0_on) {
       gl::bind(0, GL_TEXTURE_2D, *object0);
@@ -76,9 +76,10 @@ struct MultiTexture {
       set_filter(p);
       program.set("Tex1", second);
       //@starter
-      // gl::bind(p.unit0_on ? 0 : second, GL_TEXTURE_2D, *object1);
+      // // Both samplers read unit 0, where there is room for one picture.
+      // if (!p.unit0_on) gl::bind(0, GL_TEXTURE_2D, *object1);
       // set_filter(p);
-      // program.set("Tex1", p.unit0_on ? 0 : second);
+      // program.set("Tex1", 0);
       //@end
     }
     // Encoded arithmetic means that nobody decodes on reading and nobody encodes on writing.

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#pragma once
+//@teacher begin
 // The right answer of lab 2: what a pixel should show is the mean, over the pixel's area, of the two
 // pictures' light combined. The pictures are taken as the functions that the files were made from, without
 // texels, and many rays through each pixel look them up, in double precision. No method does that: each
 // filters the two pictures apart and combines the means, and the mean of a product is not the product of the
 // means.
-#pragma once
 #include "app/colour_truth.hpp"
 #include "app/truth_scene.hpp"
 #include "parameters.hpp"
@@ -57,3 +58,14 @@ inline app::Truth multi_texture_truth(const MultiTextureParameters& p, glm::ivec
 }
 
 }  // namespace texel
+//@starter
+// // The right answer stays with your teacher: here is none.
+// #include "app/measure.hpp"
+// #include "parameters.hpp"
+//
+// namespace texel {
+//
+// inline app::Truth multi_texture_truth(const MultiTextureParameters&, glm::ivec2) { return {}; }
+//
+// }  // namespace texel
+//@end

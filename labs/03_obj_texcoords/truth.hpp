@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#pragma once
+//@teacher begin
 // The right answer of lab 3. In double precision, a ray meets the exact surface that the file's triangles
 // stand for. There the normal is known, and so is the texture coordinate: by the surface's own formula, or by
 // the projection's, which a mesh follows at its vertices only. The picture is the function that the file was
 // made from, lit there. Known are sphere, torus, quad and the cubes; the report's two cubes count as what
 // they should be, a copy of the picture on each face.
-#pragma once
 #include <numbers>
 
 #include "app/colour_truth.hpp"
@@ -175,3 +176,17 @@ inline app::Truth obj_texcoords_truth(const ObjTexcoordsParameters& p, glm::ivec
 }
 
 }  // namespace texel
+//@starter
+// // The right answer stays with your teacher: here is none.
+// #include "app/measure.hpp"
+// #include "parameters.hpp"
+//
+// namespace texel {
+//
+// inline app::Measure obj_texcoords_measure(const ObjTexcoordsParameters&) {
+//   return {app::View::color, app::Unit::steps, "nothing"};
+// }
+// inline app::Truth obj_texcoords_truth(const ObjTexcoordsParameters&, glm::ivec2) { return {}; }
+//
+// }  // namespace texel
+//@end

@@ -20,17 +20,6 @@ namespace {
 
 constexpr float kHalfSize = 0.577F;  // the corners at distance 1
 
-/// The eight corners of the cube with one texture coordinate each.
-mesh::Mesh shared_cube([[maybe_unused]] Method method) {
-  //@step 4.1 begin
-  const mesh::CubeTexcoords table = method == Method::before ? mesh::cube_before : mesh::cube_stretched;
-  //@starter
-  // // front bottom left, upper left, upper right, bottom right; then the same at the back
-  // const mesh::CubeTexcoords table{{{0, 0}, {0, 0}, {1, 1}, {1, 1}, {0, 0}, {0, 0}, {1, 1}, {1, 1}}};
-  //@end
-  return mesh::cube_shared(table, kHalfSize);
-}
-
 /// Any model with one vertex for each point in space: of its faces' texture coordinates the last one stays
 /// (before), or one copy is drawn around the whole model by longitude and latitude (stretched).
 mesh::Mesh shared_vertices(const mesh::Mesh& model, Method method) {
@@ -69,8 +58,15 @@ mesh::Mesh split_cube() {
   }
   return cube;
   //@starter
-  // return mesh::cube_shared(mesh::cube_before, kHalfSize);  // nothing is split yet
+  // return mesh::cube_shared({}, kHalfSize);  // nothing is split yet
   //@end
+}
+
+mesh::Mesh wrapped_cube(Method method) {
+  if (method == Method::before) return mesh::cube_shared(mesh::cube_before, kHalfSize);
+  if (method == Method::stretched) return mesh::cube_shared(mesh::cube_stretched, kHalfSize);
+  if (method == Method::split) return split_cube();
+  return mesh::weld(mesh::split(mesh::weld(mesh::cube_by_face(kHalfSize))));
 }
 
 /// What the wrapping costs, and how wrong it is in the two ways that the report names.
@@ -142,14 +138,14 @@ struct CubeWrap {
   }
 
   app::Model wrap(const Parameters& p) {
-    if (p.model == "cube") {
-      if (p.method == Method::split) return {split_cube(), {}, false};
-      if (p.method == Method::weld) return {mesh::weld(mesh::cube_by_face(kHalfSize)), {}, false};
-      return {shared_cube(p.method), {}, false};
+    if (p.model == "cube") return {wrapped_cube(p.method), {}, false};
+    app::Model model = app::load_model(assets_, p.model);
+    if (p.method <= Method::stretched) {
+      model.mesh = shared_vertices(model.mesh, p.method);
+    } else {
+      model.mesh = mesh::split(model.mesh);
+      if (p.method == Method::weld) model.mesh = mesh::weld(model.mesh);
     }
-    app::Model model = app::load_model(assets_, p.model);  // welded
-    if (p.method == Method::split) model.mesh = mesh::split(model.mesh);
-    if (p.method <= Method::stretched) model.mesh = shared_vertices(model.mesh, p.method);
     return model;
   }
 

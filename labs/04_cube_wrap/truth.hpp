@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#pragma once
+//@teacher begin
 // The right answer of lab 4. In double precision, a ray meets the exact surface. On a cube's face lies a copy
 // of the picture of its own, upright seen from outside, and the light falls on the face and not on a ball;
 // sphere, torus and quad have the coordinates and normals of their formulas.
-#pragma once
 #include "app/shape_truth.hpp"
 #include "app/truth_scene.hpp"
 #include "parameters.hpp"
@@ -33,3 +34,17 @@ inline app::Truth cube_wrap_truth(const CubeWrapParameters& p, glm::ivec2 size) 
 }
 
 }  // namespace texel
+//@starter
+// // The right answer stays with your teacher: here is none.
+// #include "app/measure.hpp"
+// #include "parameters.hpp"
+//
+// namespace texel {
+//
+// inline app::Measure cube_wrap_measure(const CubeWrapParameters&) {
+//   return {app::View::color, app::Unit::steps, "nothing"};
+// }
+// inline app::Truth cube_wrap_truth(const CubeWrapParameters&, glm::ivec2) { return {}; }
+//
+// }  // namespace texel
+//@end

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#pragma once
+//@teacher begin
 // The right answer of lab 5: the normal that each pixel should be lit with. In double precision, a ray meets
 // the exact surface and not its triangles, the relief's slope comes from the formula that the normal map was
 // made from, by its exact derivatives, and bends the surface's normal. See
 // common/truth/include/truth/relief.hpp for the two answers: the relief as a height field, or as a map that
 // was baked by the common rules. On cube and quad they are the same, until these are stretched.
-#pragma once
 #include "app/relief_truth.hpp"
 #include "app/shape_truth.hpp"
 #include "app/truth_scene.hpp"
@@ -48,3 +49,14 @@ inline app::Truth normal_map_truth(const NormalMapParameters& p, const std::stri
 }
 
 }  // namespace texel
+//@starter
+// // The right answer stays with your teacher: here is none.
+// #include "app/measure.hpp"
+// #include "parameters.hpp"
+//
+// namespace texel {
+//
+// inline app::Truth normal_map_truth(const NormalMapParameters&, const std::string&, glm::ivec2) { return {}; }
+//
+// }  // namespace texel
+//@end

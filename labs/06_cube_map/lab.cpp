@@ -65,10 +65,10 @@ struct CubeMap {
 
   /// A cube map of six pictures, +X -X +Y -Y +Z -Z. The specification lays each face out as one sees it from
   /// outside the cube, top row first; 2D textures begin at the bottom.
-  static gl::Texture upload(const std::array<image::Image8, 6>& faces, bool mipmapped) {
+  static gl::Texture upload(const std::array<image::Image8, 6>& faces, [[maybe_unused]] bool mipmapped) {
     gl::Texture texture;
     glBindTexture(GL_TEXTURE_CUBE_MAP, texture.id());
-    //@step 6.2 begin
+    //@step 6.3 begin
     for (GLuint i = 0; i < 6; ++i) {
       const GLenum face = GL_TEXTURE_CUBE_MAP_POSITIVE_X + i;  // the six constants follow each other
       gl::upload_level(face, 0, faces[i], image::Encoding::srgb);
@@ -78,9 +78,9 @@ struct CubeMap {
         gl::upload_level(face, static_cast<int>(level), levels[level], image::Encoding::srgb);
     }
     //@starter
-    // const image::Image8 small = image::mip_chain(faces[0], image::Encoding::srgb)[mipmapped ? 1 : 0];
-    // for (GLuint i = 0; i < 6; ++i)
-    //   gl::upload_level(GL_TEXTURE_CUBE_MAP_POSITIVE_X + i, 0, small, image::Encoding::srgb);
+    // // The front's picture on every face, and in one size only.
+    // for (GLenum face = GL_TEXTURE_CUBE_MAP_POSITIVE_X; face <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z; ++face)
+    //   gl::upload_level(face, 0, faces[4], image::Encoding::srgb);
     // glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, 0);
     //@end
     return texture;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#pragma once
+//@teacher begin
 // The right answer of lab 6: what a pixel should show is the mean, over the pixel's area, of what the sphere
 // wears. That is taken as the function that the files were made from, without texels: of the direction for a
 // cube map, of the worksheet's two angles for one picture. Many rays through each pixel meet the exact
 // sphere, in double precision and linear light. And the level of detail should be that of the formula's
 // derivative. See common/truth/include/truth/cube_map.hpp.
-#pragma once
 #include "app/colour_truth.hpp"
 #include "app/truth_scene.hpp"
 #include "parameters.hpp"
@@ -91,3 +92,17 @@ inline app::Truth cube_map_truth(const CubeMapParameters& p, glm::ivec2 size) {
 }
 
 }  // namespace texel
+//@starter
+// // The right answer stays with your teacher: here is none.
+// #include "app/measure.hpp"
+// #include "parameters.hpp"
+//
+// namespace texel {
+//
+// inline app::Measure cube_map_measure(const CubeMapParameters&) {
+//   return {app::View::color, app::Unit::steps, "nothing"};
+// }
+// inline app::Truth cube_map_truth(const CubeMapParameters&, glm::ivec2) { return {}; }
+//
+// }  // namespace texel
+//@end

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#pragma once
+//@teacher begin
 // The right answer of lab 7: the direction in which each pixel of the background looks. In double precision,
 // from the field of view and the camera's angles alone: there is no matrix in it to be inverted, and near and
 // far play no part. See common/truth/include/truth/environment.hpp.
-#pragma once
 #include <algorithm>
 
 #include "app/truth_scene.hpp"
@@ -28,3 +29,14 @@ inline app::Truth environment_truth(const EnvironmentParameters& p, glm::ivec2 s
 }
 
 }  // namespace texel
+//@starter
+// // The right answer stays with your teacher: here is none.
+// #include "app/measure.hpp"
+// #include "parameters.hpp"
+//
+// namespace texel {
+//
+// inline app::Truth environment_truth(const EnvironmentParameters&, glm::ivec2) { return {}; }
+//
+// }  // namespace texel
+//@end

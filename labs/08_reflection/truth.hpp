@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#pragma once
+//@teacher begin
 // The right answer of lab 8: where the light that a pixel shows comes from. In double precision, a ray goes
 // from the eye through the middle of the pixel, meets the ball itself and not its triangles (a quadratic
 // equation), and is reflected, or refracted by Snell's law, at the ball's exact normal. See
 // common/truth/include/truth/optics.hpp.
-#pragma once
 #include "app/truth_scene.hpp"
 #include "parameters.hpp"
 #include "truth/optics.hpp"
@@ -27,3 +28,14 @@ inline app::Truth reflection_truth(const ReflectionParameters& p, glm::ivec2 siz
 }
 
 }  // namespace texel
+//@starter
+// // The right answer stays with your teacher: here is none.
+// #include "app/measure.hpp"
+// #include "parameters.hpp"
+//
+// namespace texel {
+//
+// inline app::Truth reflection_truth(const ReflectionParameters&, glm::ivec2) { return {}; }
+//
+// }  // namespace texel
+//@end

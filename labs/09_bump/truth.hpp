@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#pragma once
+//@teacher begin
 // The right answer of lab 9: the direction that the bumpy mirror shows. In double precision, a ray meets the
 // exact sphere, the relief's slope comes from the formula that the normal map was made from, by its exact
 // derivatives, and the ray is reflected at the normal that follows. See common/truth/include/truth/relief.hpp
 // for the two normals: as a height field (Blinn's, and Mikkelsen's surface gradient) or as a map read in the
 // frame of u and v.
-#pragma once
 #include <glm/gtc/constants.hpp>
 
 #include "app/relief_truth.hpp"
@@ -41,3 +42,14 @@ inline app::Truth bump_truth(const BumpParameters& p, glm::ivec2 size) {
 }
 
 }  // namespace texel
+//@starter
+// // The right answer stays with your teacher: here is none.
+// #include "app/measure.hpp"
+// #include "parameters.hpp"
+//
+// namespace texel {
+//
+// inline app::Truth bump_truth(const BumpParameters&, glm::ivec2) { return {}; }
+//
+// }  // namespace texel
+//@end

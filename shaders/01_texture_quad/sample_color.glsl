@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Step 1.5. The colour of a pixel: what the texture holds at the interpolated coordinate. The filter is the
+// Steps 1.3 and 1.6. The colour of a pixel: what the texture holds at the interpolated coordinate. The filter is the
 // sampler's; only supersampling is done here.
-vec4 sample_color(sampler2D color_map, vec2 texcoord) {
-//@step 1.5 begin
-#if METHOD == METHOD_SUPERSAMPLED
-  // Four samples in the middles of the pixel's quarters. Each covers half the width, so it takes half the gradient.
+
+// One sample.
+vec4 look_up(sampler2D color_map, vec2 texcoord) {
+//@step 1.3 begin
+  return texture(color_map, texcoord);
+//@starter
+// return vec4(fract(texcoord), 0.5, 1.0);  // the coordinate as a colour
+//@end
+}
+
+// Four samples in the middles of the pixel's quarters. Each covers half the width, so it takes half the gradient.
+vec4 look_up_four(sampler2D color_map, vec2 texcoord) {
+//@step 1.6 begin
   vec2 dx = dFdx(texcoord), dy = dFdy(texcoord);
   vec4 sum = vec4(0.0);
   for (int i = 0; i < 4; ++i) {
@@ -12,10 +21,15 @@ vec4 sample_color(sampler2D color_map, vec2 texcoord) {
     sum += textureGrad(color_map, texcoord + quarter.x * dx + quarter.y * dy, 0.5 * dx, 0.5 * dy);
   }
   return 0.25 * sum;
-#else
-  return texture(color_map, texcoord);
-#endif
 //@starter
-// return vec4(0.5) + 0.0 * texture(color_map, texcoord);
+// return look_up(color_map, texcoord);
 //@end
+}
+
+vec4 sample_color(sampler2D color_map, vec2 texcoord) {
+#if METHOD == METHOD_SUPERSAMPLED
+  return look_up_four(color_map, texcoord);
+#else
+  return look_up(color_map, texcoord);
+#endif
 }

@@ -12,7 +12,7 @@ out vec2 fragment_texcoord;
 
 void main() {
   gl_Position = clip_from_object * vec4(position, 1.0);
-  //@step 1.3 begin
+  //@step 1.1 begin
   fragment_texcoord = texcoord * texture_scale + texture_offset;
   //@starter
   // fragment_texcoord = position.yx * texture_scale + texture_offset + texcoord * 0.0;

@@ -16,6 +16,6 @@ vec3 combine(vec3 first, vec4 second) {
   return mix(first, second.rgb, second.a);
 #endif
 //@starter
-// return mix(first, second.rgb, 0.5 + 0.0 * mix_factor);
+// return 0.5 * (first + second.rgb);  // half of each, whatever is asked for
 //@end
 }

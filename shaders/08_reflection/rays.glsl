@@ -13,15 +13,15 @@ struct Rays {
 
 // Step 8.2. The direction in which the view ray arrives.
 vec3 incident_ray(vec3 position) {
-//@step 8.2 begin
 #if METHOD == METHOD_CONSTANT_EYE
-  return -eye;  // right for one point only: the one in front of the eye
+  return -eye;  // right for one point only: the one in front of the eye (worksheet)
 #else
+//@step 8.2 begin
   return position - eye;
-#endif
 //@starter
 // return vec3(0.0, -1.0, 0.0) + 0.0 * (position - eye);
 //@end
+#endif
 }
 
 // Step 8.1. Mirrors a ray at a surface: its part along the normal changes sign. normal: unit length, on either side.

@@ -116,6 +116,32 @@ TEST_F(MutantFile, refuses_a_name_that_is_taken_in_its_file_or_another) {
             "2:1: two mutants are called 'no-factor'; the other one is at " + first_.string() + ":1");
 }
 
+TEST_F(MutantFile, has_equivalents_too) {
+  std::string equivalent = kMutant;
+  equivalent.replace(equivalent.find("mutant"), 6, "equivalent");
+  const std::string renamed = std::string(kMutant).replace(kMutant.find("no-factor"), 9, "no-sum");
+  write_file(first_, equivalent + renamed);
+  const std::vector<Mutant> both = read_mutants(first_);
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_EQ(both[0].name, "no-sum");
+  EXPECT_FALSE(both[0].is_right);
+  EXPECT_EQ(both[1].name, "no-factor");
+  EXPECT_TRUE(both[1].is_right);
+  EXPECT_EQ(both[1].place.line, 1);
+  EXPECT_EQ(mutated(both[1], "y = 2.0 * x;"), "y = x;");
+
+  write_file(first_, equivalent);
+  EXPECT_EQ(read_catalogue(first_.parent_path()).size(), 1U) << "a catalogue of equivalents alone is one";
+  EXPECT_EQ(refusal(equivalent + "survives = \"No.\"\n"),
+            "7:12: there is no key 'survives'; the keys are name, file, what, by, step, says");
+  EXPECT_EQ(refusal(equivalent + equivalent),
+            "7:1: two equivalents are called 'no-factor'; the other one is at " + first_.string() + ":1");
+  EXPECT_EQ(refusal(kMutant + equivalent),
+            "7:1: two equivalents are called 'no-factor'; the other one is at " + first_.string() + ":1");
+  EXPECT_EQ(refusal(equivalent.replace(equivalent.find("no-f"), 4, "No f")),
+            "2:8: 'No factor' is no equivalent's name; use lower-case letters, digits and '-'");
+}
+
 TEST_F(MutantFile, refuses_a_catalogue_without_mutants) {
   EXPECT_NE(message([&] { read_catalogue(first_.parent_path()); }).find("holds no mutants"),
             std::string::npos);

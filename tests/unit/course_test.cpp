@@ -17,6 +17,11 @@ class LabFile {
     std::filesystem::create_directories(path().parent_path());
     write_file(path(), text);
   }
+  /// Another lab beside it.
+  void add(const std::string& lab, const std::string& text) const {
+    std::filesystem::create_directories(labs() / lab);
+    write_file(labs() / lab / "lab.toml", text);
+  }
   [[nodiscard]] std::filesystem::path path() const { return folder_ / "labs/05_normal_map/lab.toml"; }
   [[nodiscard]] std::filesystem::path labs() const { return folder_ / "labs"; }
 
@@ -166,6 +171,41 @@ TEST(LabFile, refuses_steps_and_cases_that_do_not_fit) {
   EXPECT_EQ(
       refusal(kHead + kStep + kCase + "hidden = { yaw = [3, 3] }\n"),
       "14:18: 'yaw' is drawn from a range [least, most] of numbers, or from a list of two texts or more");
+}
+
+TEST(LabFile, may_need_steps_of_this_lab_and_of_earlier_ones_but_no_later_ones) {
+  const LabFile file(kHead + kStep + "needs = [\"1.3\", \"4.12\"]\n" + kCase);
+  EXPECT_EQ(read_lab(file.path()).steps[0].needs, (std::vector<std::string>{"1.3", "4.12"}));
+  for (const std::string need : {"5.1", "5.2", "6.1", "4", "4.", ".1", "4.1.2", "4.a", "4,1", "-4.1", "0.1"})
+    EXPECT_EQ(refusal(kHead + kStep + "needs = [\"" + need + "\"]\n" + kCase),
+              "9:9: there is no step '" + need + "' before this one");
+}
+
+TEST(Labs, have_the_steps_that_others_need) {
+  const std::string head = "lab = \"04_cube_wrap\"\ntitle = \"Cube\"\nlesson = \"Wrap\"\n";
+  const std::string text =
+      "[[step]]\nid = \"4.1\"\ntitle = \"Split\"\npoints = 1\nhints = [\"Look\"]\n"
+      "[[case]]\nname = \"split\"\nstep = \"4.1\"\nlimit = 0\nwhy = \"exact\"\n";
+  const auto needing = [](const std::string& step) {
+    return kHead + kStep + "needs = [\"" + step + "\"]\n" + kCase;
+  };
+  const LabFile found(needing("4.1"));
+  found.add("04_cube_wrap", head + text);
+  EXPECT_EQ(read_labs(found.labs()).size(), 2U);
+
+  for (const std::string step : {"4.2", "3.1"}) {
+    const LabFile file(needing(step));
+    file.add("04_cube_wrap", head + text);
+    try {
+      read_labs(file.labs());
+      ADD_FAILURE() << step << " was found";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.exit_code(), Exit::failed);
+      EXPECT_EQ(error.place().file, file.path().string());
+      EXPECT_EQ(error.what(),
+                file.path().string() + ": step '5.1' needs '" + step + "', and no lab has that step");
+    }
+  }
 }
 
 TEST(LabFile, refuses_a_case_of_the_benchmark_that_varies_nothing_or_has_a_name_twice) {

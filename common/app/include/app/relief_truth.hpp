@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "params/set.hpp"
+//@teacher begin
 #include <functional>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
 
 #include "app/truth_scene.hpp"
-#include "params/set.hpp"
 #include "procedural/height_fields.hpp"
 #include "truth/ray.hpp"
 #include "truth/relief.hpp"
+//@starter
+//@end
 
 /// The exact normals of the bundled normal maps' reliefs. There are two (truth/relief.hpp), which differ by
 /// design wherever the texture is not as long along s as along t.
@@ -28,6 +31,7 @@ inline const char* name_of(ReliefTruth truth) {
                                             : "the exact relief as a baked map";
 }
 
+//@teacher begin
 /// (dh/ds, dh/dt) of a bundled normal map's relief at a texture coordinate; both h and (s, t) in texture
 /// widths. Nothing for a file of the user's, of which only the pixels are known.
 using HeightGradient = std::function<glm::dvec2(glm::dvec2 texcoord)>;
@@ -78,5 +82,7 @@ struct Relief {
     return glm::normalize(sum);
   }
 };
+//@starter
+//@end
 
 }  // namespace texel::app

@@ -88,12 +88,16 @@ struct Lab {
 
 /// Reads a lab.toml. Throws Error (exit 3) with file and line for broken TOML, an unknown key, a wrong type,
 /// a missing or empty text, a name that is taken or no file name, a step or case that does not fit the
-/// others, and a `lab` that is not the name of the file's folder.
+/// others, and a `lab` that is not the name of the file's folder. Whether a step of an earlier lab exists
+/// that one of this lab needs is not known yet.
 Lab read_lab(const std::filesystem::path& file);
 
-/// Every `NN_name/lab.toml` below `folder`, by number. Throws Error (exit 3) when there is none, or as
-/// read_lab.
+/// Every `NN_name/lab.toml` below `folder`, by number. Throws Error (exit 3) when there is none, when a step
+/// needs one that no lab has, or as read_lab.
 std::vector<Lab> read_labs(const std::filesystem::path& folder);
+
+/// A setting as the programs' command line takes it, after a space: " --turn 50".
+std::string flag(const Setting& setting);
 
 /// The command, typed in the project's root, that draws the look: "./run lab 5 --model torus --snapshot
 /// bricks.png".

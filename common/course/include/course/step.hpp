@@ -11,7 +11,8 @@
 ///     id = "5.1"                                    # as the markers in the sources have it
 ///     title = "Decode the map's colour"
 ///     points = 2
-///     needs = ["5.0"]                               # optional: steps without which this one cannot be seen
+///     needs = ["1.3", "4.2"]                        # optional: earlier steps, of earlier labs too, without
+///                                                   # which this one cannot be seen
 ///     hints = ["A vague one", "A plain one"]        # one to three
 ///     [[case]]
 ///     name = "decode_bump"                          # unique in the lab
@@ -30,7 +31,7 @@ namespace texel::course {
 struct Step {
   std::string id, title;
   double points = 1;
-  std::vector<std::string> needs;  ///< earlier steps of the same lab
+  std::vector<std::string> needs;  ///< earlier steps, of this lab or an earlier one
   std::vector<std::string> hints;
 };
 

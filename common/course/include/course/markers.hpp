@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+/// The places in the sources where a student writes. Solution and starter are one text:
+///
+///     //@step 5.1 begin
+///     return color * 2.0 - 1.0;
+///     //@starter
+///     // return color;
+///     //@end
+///
+/// Each marker is a line of its own. What stands between the first two is the solution; what stands between
+/// the last two, without its comment signs, is what the student finds there. A part that is no step and that
+/// students do not get, such as the right answer in double precision, begins with `//@teacher begin`. In
+/// CMake files and scripts the markers begin with `#@`.
+namespace texel::course {
+
+/// A step's place in a file.
+struct Marker {
+  std::string step;  ///< "5.1"; "" for what is the teacher's
+  int line = 0;      ///< of its first marker, from 1
+};
+
+/// The markers of a text, in its order. Throws Error (exit 3) with file and line for a marker that is unknown,
+/// unpaired, nested or not alone in its line.
+std::vector<Marker> markers_of(const std::string& text, const std::string& file);
+
+/// The text with one of the two parts of each step: the solution where `solved(step)`, else the starter's.
+/// The markers around it stay, so that one sees where to write; those of the teacher's parts, which become
+/// the starter's, go. Errors as markers_of.
+std::string with_steps(const std::string& text, const std::string& file,
+                       const std::function<bool(const std::string&)>& solved);
+
+/// Writes what a student gets into `to`: the tree of the course without tests, solutions and right answers.
+/// The steps for which `solved` says so are solved. Throws Error (exit 2) when `to` holds something already,
+/// Error (exit 3) when `root` is not the course's source tree or writing fails, and as markers_of.
+void write_starter(const std::filesystem::path& root, const std::filesystem::path& to,
+                   const std::function<bool(const std::string&)>& solved = [](const std::string&) {
+                     return false;
+                   });
+
+}  // namespace texel::course

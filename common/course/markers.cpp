@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "course/markers.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string_view>
+
+#include "core/error.hpp"
+
+namespace texel::course {
+namespace {
+
+enum class Kind { begin, starter, end };
+
+/// A line that is a marker.
+struct Line {
+  Kind kind;
+  std::string step;  ///< of `begin`; "" for the teacher's
+};
+
+bool is_step(std::string_view id) {
+  const std::size_t point = id.find('.');
+  return point != std::string_view::npos && point > 0 && point + 1 < id.size() &&
+         id.find_first_not_of("0123456789.") == std::string_view::npos && id.find('.', point + 1) == id.npos;
+}
+
+constexpr const char* kRemedy =
+    "the markers are '//@step 5.1 begin' (or '//@teacher begin'), '//@starter' and '//@end'";
+
+/// What the line says as a marker, if it is one.
+std::optional<Line> read_marker(std::string_view line, const Place& place) {
+  const std::size_t first = line.find_first_not_of(" \t");
+  if (first == line.npos) return {};
+  const bool is_code = line.substr(first).starts_with("//@"), is_script = line.substr(first).starts_with("#@");
+  if (!is_code && !is_script) return {};
+  std::string_view word = line.substr(first + (is_code ? 3 : 2));
+  if (const std::size_t last = word.find_last_not_of(" \t\r"); last != word.npos)
+    word = word.substr(0, last + 1);
+  if (word == "starter") return Line{Kind::starter, {}};
+  if (word == "end") return Line{Kind::end, {}};
+  if (word == "teacher begin") return Line{Kind::begin, {}};
+  if (word.starts_with("step ") && word.ends_with(" begin") && word.size() > 11) {
+    const std::string_view id = word.substr(5, word.size() - 11);
+    if (is_step(id)) return Line{Kind::begin, std::string(id)};
+  }
+  throw Error::failed(fmt::format("there is no marker '{}'", line.substr(first)), place, kRemedy);
+}
+
+/// A line of the starter's part without the comment's sign; other lines as they are.
+std::string uncommented(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(" \t");
+  if (first == line.npos) return std::string(line);
+  std::string_view rest = line.substr(first);
+  const std::size_t sign = rest.starts_with("//") ? 2 : rest.starts_with("#") ? 1 : 0;
+  rest.remove_prefix(sign);
+  if (sign > 0 && rest.starts_with(" ")) rest.remove_prefix(1);
+  return rest.empty() ? std::string() : std::string(line.substr(0, first)) + std::string(rest);
+}
+
+/// Goes through a text. `marker(line, marker)` gets each marker's line, `between(part, line)` each other one
+/// with the kind of the marker above it, which is `end` outside.
+template <class MarkerLine, class OtherLine>
+void walk(const std::string& text, const std::string& file, MarkerLine on_marker, OtherLine on_other) {
+  Kind part = Kind::end;
+  Place begun, place{file};
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size() - 1) + 1;
+    const std::string_view line = std::string_view(text).substr(at, end - at);
+    at = end;
+    ++place.line;
+    const std::optional<Line> marker = read_marker(line.substr(0, line.find('\n')), place);
+    if (!marker) {
+      on_other(part, line);
+      continue;
+    }
+    // In a student's tree nothing stands between the two parts, since there is one only.
+    const bool fits = marker->kind == Kind::begin     ? part == Kind::end
+                      : marker->kind == Kind::starter ? part == Kind::begin
+                                                      : part != Kind::end;
+    if (!fits)
+      throw Error::failed(marker->kind == Kind::begin     ? "a step begins within another"
+                          : marker->kind == Kind::starter ? "'starter' does not follow 'begin'"
+                                                          : "'end' without 'begin'",
+                          place, kRemedy);
+    part = marker->kind;
+    if (part == Kind::begin) begun = place;
+    on_marker(line, *marker, place.line);
+  }
+  if (part != Kind::end) throw Error::failed("this step has no end", begun, kRemedy);
+}
+
+}  // namespace
+
+std::vector<Marker> markers_of(const std::string& text, const std::string& file) {
+  std::vector<Marker> markers;
+  walk(
+      text, file,
+      [&](std::string_view, const Line& marker, int line) {
+        if (marker.kind == Kind::begin) markers.push_back({marker.step, line});
+      },
+      [](Kind, std::string_view) {});
+  return markers;
+}
+
+std::string with_steps(const std::string& text, const std::string& file,
+                       const std::function<bool(const std::string&)>& solved) {
+  std::string result;
+  bool is_step = false, is_solved = false, has_starter = false;
+  walk(
+      text, file,
+      [&](std::string_view line, const Line& marker, int number) {
+        if (marker.kind == Kind::begin) {
+          is_step = !marker.step.empty();
+          is_solved = is_step && solved(marker.step);
+          has_starter = false;
+        }
+        has_starter = has_starter || marker.kind == Kind::starter;
+        if (marker.kind == Kind::end && !has_starter)
+          throw Error::failed("this step has no part for the starter", {file, number}, kRemedy);
+        if (is_step && marker.kind != Kind::starter) result += line;
+      },
+      [&](Kind part, std::string_view line) {
+        if (part == Kind::end || (part == Kind::begin && is_solved)) result += line;
+        if (part == Kind::starter && !is_solved) result += uncommented(line);
+      });
+  return result;
+}
+
+}  // namespace texel::course

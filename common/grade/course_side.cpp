@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "course_side.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "course/markers.hpp"
+#include "fingerprint.hpp"
+#include "grade/submission.hpp"
+
+namespace texel::grade {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The instructions that the processor has: the driver compiles its shaders for them.
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("flags") || line.starts_with("Features")) return line;
+  return {};
+}
+
+/// What draws, as a lab's program says it.
+std::string ask_renderer(const fs::path& program, const std::string& context, const fs::path& root) {
+  Sandbox plain;
+  plain.unsafe = true;
+  plain.environment = {{"TEXEL_ROOT", root.string()}, {"MESA_SHADER_CACHE_DISABLE", "true"}};
+  plain.limits.wall_seconds = plain.limits.cpu_seconds = 60;
+  const Outcome outcome =
+      run(plain, {program.string(), "--context", context, "--size", "16x16", "--stats", "-"});
+  const auto json = nlohmann::json::parse(outcome.output, nullptr, false);
+  if (!outcome.succeeded() || !json.is_object())
+    throw Error::failed("the course's own program does not draw", {program.string()}, outcome.errors);
+  return json.value("renderer", std::string()) + ", " + json.value("version", std::string());
+}
+
+/// A file as students get it, out of the course's tree or out of theirs.
+std::string starter_text(const fs::path& file, const std::string& name) {
+  const std::string text = read_file(file);
+  return text.find("//@starter") == text.npos
+             ? text
+             : course::with_steps(text, name, [](const std::string&) { return false; });
+}
+
+}  // namespace
+
+std::map<std::string, Place> step_places(const fs::path& tree) {
+  std::map<std::string, Place> places;
+  for (const std::string& file : step_files(tree))
+    for (const course::Marker& marker : course::markers_of(starter_text(tree / file, file), file))
+      if (!marker.step.empty()) places.emplace(marker.step, Place{file, marker.line});
+  return places;
+}
+
+CourseSide::CourseSide(BuiltTree solution, BuiltTree starter, fs::path cache, std::string context)
+    : solution_(std::move(solution)),
+      starter_(std::move(starter)),
+      cache_(std::move(cache)),
+      context_(std::move(context)),
+      workshop_(solution_, cache_ / "solutions", true),
+      mutants_(course::read_catalogue(solution_.source / "tests/mutants")),
+      places_(step_places(starter_.source)) {
+  const std::vector<course::Lab> labs = course::read_labs(solution_.source / "labs");
+  renderer_ = ask_renderer(solution_.build / "bin" / labs.front().program(), context_, solution_.source);
+  surroundings_ = fingerprint({fingerprint_of_folder(solution_.source / "shaders"),
+                               fingerprint_of_folder(solution_.source / "assets"), starter_.fingerprint,
+                               renderer_, processor(), context_});
+}
+
+Studio CourseSide::studio(const BuiltTree& tree, const LabPlan& plan) const {
+  return {tree.build / "bin" / plan.lab.program(), tree.source, context_, true, {}};
+}
+
+void CourseSide::prepare(const LabPlan& plan) {
+  const fs::path program = solution_.build / "bin" / plan.lab.program();
+  const std::string key = fingerprint({surroundings_, plan.lab.folder, read_file(program), plan.batch()});
+  const fs::path folder = cache_ / "references" / key.substr(0, 32);
+  if (!fs::exists(folder)) {
+    const fs::path fresh = cache_ / fmt::format("references-{}-{}", ::getpid(), plan.lab.number);
+    fs::remove_all(fresh);
+    fs::create_directories(fresh);
+    draw_list(studio(solution_, plan), plan.batch(), fresh / "solution");
+    if (std::any_of(plan.shots.begin(), plan.shots.end(), [](const Shot& shot) { return !shot.is_mesh(); }))
+      draw_list(studio(solution_, plan), plan.mask_batch(), fresh / "mask");
+    draw(studio(starter_, plan), plan, {}, fresh / "starter");
+    fs::create_directories(folder.parent_path());
+    std::error_code exists;
+    fs::rename(fresh, folder, exists);
+    fs::remove_all(fresh);
+  }
+  const std::scoped_lock lock(mutex_);
+  folders_[plan.lab.folder] = folder;
+}
+
+fs::path CourseSide::folder_of(const LabPlan& plan) const {
+  return folders_.at(plan.lab.folder);
+}
+
+Expected CourseSide::expected(const LabPlan& plan, const Shot& shot) const {
+  const fs::path folder = folder_of(plan);
+  return {folder / "solution" / shot.file(), folder / "starter" / shot.file(),
+          shot.is_mesh() ? fs::path() : folder / "mask" / (shot.graded.name + ".png")};
+}
+
+fs::path CourseSide::draw_mutant(const LabPlan& plan, const course::Mutant& mutant) {
+  std::mutex* own = nullptr;
+  {
+    const std::scoped_lock lock(mutex_);
+    auto& slot = drawing_[mutant.name + "/" + plan.lab.folder];
+    if (!slot) slot = std::make_unique<std::mutex>();
+    own = slot.get();
+  }
+  const std::scoped_lock lock(*own);
+  const std::string text = course::mutated(mutant, read_file(solution_.source / mutant.file));
+  const fs::path folder =
+      folder_of(plan) / "mutants" / fingerprint({mutant.name, mutant.file, text}).substr(0, 32);
+  if (fs::exists(folder)) return folder;
+  const fs::path fresh = cache_ / fmt::format("mutant-{}-{}-{}", ::getpid(), plan.lab.number, mutant.name);
+  fs::remove_all(fresh);
+  fs::create_directories(fresh);
+  Studio studio = this->studio(solution_, plan);
+  if (mutant.file.starts_with("shaders/")) {
+    studio.root = fresh / "root";
+    overlay(solution_.source / "shaders", {{mutant.file.substr(8), text}}, studio.root / "shaders");
+    fs::create_directory_symlink(solution_.source / "assets", studio.root / "assets");
+  } else {
+    studio.program = workshop_.make(plan.lab.program(), {{mutant.file, text}}).file;
+  }
+  // Only the cases of its step: nobody asks for the others.
+  std::vector<std::string> names;
+  for (const Shot& shot : plan.shots)
+    if (shot.graded.step == mutant.step) names.push_back(shot.graded.name);
+  draw(studio, plan, names, fresh / "out");
+  fs::create_directories(fresh / "out");
+  fs::create_directories(folder.parent_path());
+  std::error_code exists;
+  fs::rename(fresh / "out", folder, exists);
+  fs::remove_all(fresh);
+  return folder;
+}
+
+std::optional<course::Mutant> CourseSide::recognise(const LabPlan& plan, const std::string& step,
+                                                    const std::map<std::string, fs::path>& pictures) {
+  std::vector<const Shot*> failed;
+  for (const Shot& shot : plan.shots)
+    if (pictures.count(shot.graded.name) > 0) failed.push_back(&shot);
+  if (failed.empty()) return {};
+  for (const course::Mutant& mutant : mutants_) {
+    if (mutant.step != step) continue;
+    const fs::path drawn = draw_mutant(plan, mutant);
+    if (std::all_of(failed.begin(), failed.end(), [&](const Shot* shot) {
+          Expected as_mutant = expected(plan, *shot);
+          as_mutant.reference = drawn / shot->file();
+          return looks_like(*shot, as_mutant, pictures.at(shot->graded.name));
+        }))
+      return mutant;
+  }
+  return {};
+}
+
+}  // namespace texel::grade

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// The trusted side: what the course's own solution, starter and mutants draw for the cases.
+#pragma once
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "course/mutant_file.hpp"
+#include "grade/plan.hpp"
+#include "judge.hpp"
+#include "studio.hpp"
+#include "workshop.hpp"
+
+namespace texel::grade {
+
+/// Pictures of the course's own, drawn once and kept in `cache` under the fingerprint of what they depend on:
+/// program, shaders, assets, cases, renderer and processor. May be used by several threads.
+class CourseSide {
+ public:
+  CourseSide(BuiltTree solution, BuiltTree starter, std::filesystem::path cache, std::string context);
+
+  /// Draws what the lab's shots are judged by, unless it is there. Throws Error (exit 3).
+  void prepare(const LabPlan& plan);
+  [[nodiscard]] Expected expected(const LabPlan& plan, const Shot& shot) const;
+
+  /// The mutant that draws the same as the student in all failed shots of a step, if one does. `pictures` are
+  /// the student's, by case.
+  std::optional<course::Mutant> recognise(const LabPlan& plan, const std::string& step,
+                                          const std::map<std::string, std::filesystem::path>& pictures);
+
+  /// "llvmpipe …": what draws.
+  [[nodiscard]] const std::string& renderer() const { return renderer_; }
+  /// Where a step is written.
+  [[nodiscard]] const std::map<std::string, Place>& places() const { return places_; }
+
+ private:
+  [[nodiscard]] std::filesystem::path folder_of(const LabPlan& plan) const;
+  std::filesystem::path draw_mutant(const LabPlan& plan, const course::Mutant& mutant);
+  [[nodiscard]] Studio studio(const BuiltTree& tree, const LabPlan& plan) const;
+
+  BuiltTree solution_;
+  BuiltTree starter_;
+  std::filesystem::path cache_;
+  std::string context_;
+  Workshop workshop_;
+  std::vector<course::Mutant> mutants_;
+  std::string renderer_;
+  std::string surroundings_;  ///< fingerprint of all that pictures depend on besides program and cases
+  std::map<std::string, Place> places_;
+  std::mutex mutex_;
+  std::map<std::string, std::filesystem::path> folders_;
+  std::map<std::string, std::unique_ptr<std::mutex>> drawing_;  ///< by mutant and lab
+};
+
+/// Where each step is written in a student's tree, found in it or in the course's. Throws Error (exit 3) as course::markers_of.
+std::map<std::string, Place> step_places(const std::filesystem::path& tree);
+
+}  // namespace texel::grade

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+namespace texel::grade {
+
+/// 64 hexadecimal digits that stand for these texts and no others: BLAKE2b, each text with its length before
+/// it. Nobody can make two that collide, so that what is kept under a fingerprint is of that very content.
+std::string fingerprint(std::initializer_list<std::string_view> texts);
+
+/// A fingerprint of a folder: the paths and contents of its files. Throws Error (exit 3) when one cannot be
+/// read.
+std::string fingerprint_of_folder(const std::filesystem::path& folder);
+
+/// A number that follows from the texts, evenly spread, and from which no one can tell the texts.
+std::uint64_t draw(std::initializer_list<std::string_view> texts);
+
+}  // namespace texel::grade

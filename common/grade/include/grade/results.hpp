@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "course/lab_file.hpp"
+#include "grade/submission.hpp"
+
+/// What grading found: cases, and the steps, labs and students that follow from them.
+namespace texel::grade {
+
+enum class Status {
+  passed,
+  failed,
+  skipped  ///< failed, and a step that it needs failed too: not counted as a mistake of its own
+};
+
+/// "passed", "failed", "skipped".
+const char* name_of(Status status);
+/// The status of that name. Throws Error (exit 3) for another.
+Status status_of(const std::string& name);
+
+/// One case of one student: the student's picture or vertex stream beside the reference.
+struct CaseResult {
+  std::string lab;      ///< the lab's folder, "05_normal_map"
+  std::string step;     ///< "5.1"
+  std::string name;     ///< unique in the lab
+  std::string view;     ///< "color", "normal", "mesh", …
+  bool hidden = false;  ///< drawn from the secret seed
+  bool passed = false;  ///< full marks
+  double score = 0;     ///< 0 (as wrong as the starter) to 1 (within the limit)
+  double error = std::numeric_limits<double>::quiet_NaN();  ///< in `unit`; NaN where nothing can be compared
+  double limit = 0;                                         ///< in `unit`
+  std::string unit;                                         ///< "steps", "degrees", "levels", …
+  std::string message;       ///< what is wrong, one or two sentences for the student; "" when passed
+  std::string mistake;       ///< the name of the mutant that the picture looks like, or ""
+  std::string mistake_says;  ///< and its sentence
+  std::string command;       ///< draws this picture, typed in the student's tree: "./run lab 5 --turn 50 …"
+  std::string picture;  ///< the student's file, relative to the results' folder; "" when there is none or it
+                        ///< is as good as the reference
+  std::string reference;  ///< the expected one, relative as well; "" where it stays secret
+
+  bool operator==(const CaseResult&) const = default;
+};
+
+struct StepResult {
+  std::string id, title;
+  double points = 0;  ///< what the step is worth
+  double score = 0;   ///< 0 to 1; the teacher's where there is an override
+  Status status = Status::failed;
+  std::string message;  ///< of the first failed case, or which needed step did not pass; "" when passed
+  std::string mistake, mistake_says;  ///< of the first failed case that has one; "" when skipped
+  std::string hint;                   ///< the step's first
+  std::string file;                   ///< where the step is written, in the tree
+  int line = 0;                       ///< of its first marker in the starter
+  std::string overridden;             ///< the teacher's reason for another score, or ""
+  std::vector<CaseResult> cases;
+};
+
+/// What the compiler said of a student's file that it refused, paths shortened to those in the tree.
+struct CompilerLog {
+  std::string file, text;
+
+  bool operator==(const CompilerLog&) const = default;
+};
+
+struct LabResult {
+  course::Lab lab;
+  std::vector<StepResult> steps;
+  std::vector<std::string> notes;  ///< what ended the lab's program early, and the like
+
+  [[nodiscard]] double points() const;      ///< reached
+  [[nodiscard]] double max_points() const;  ///< to be reached
+};
+
+struct StudentResult {
+  std::string id, name, number;  ///< as in Entry: text to be escaped
+  std::string fault;             ///< why the submission could not be read, or ""
+  std::vector<Ignored> ignored;
+  std::vector<CompilerLog> logs;
+  std::vector<LabResult> labs;
+  std::string incident;  ///< what kept the grader from grading (never a zero: to be tried again), or ""
+
+  [[nodiscard]] double points() const;
+  [[nodiscard]] double max_points() const;
+};
+
+/// A score that a teacher set by hand. It survives regrading.
+struct Override {
+  std::string student;  ///< id
+  std::string step;     ///< "5.1"
+  double score = 0;     ///< 0 to 1
+  std::string reason;
+
+  bool operator==(const Override&) const = default;
+};
+
+/// How a step's score was before the class was graded anew.
+struct Change {
+  std::string student, step;
+  double before = 0, after = 0;
+};
+
+struct ClassResult {
+  std::map<std::string, std::string> facts;  ///< renderer, seed's fingerprint, version, command
+  std::vector<StudentResult> students;       ///< by id
+  std::vector<Change> changes;               ///< of the last regrade; empty after a first one
+};
+
+/// A step out of its cases. It passed when all of them did, and there is one. Its score is the lower of the
+/// means over its public and its hidden cases, so that pictures that were made for the public cases earn
+/// nothing; 0 without a case. A step that failed while one of its `needs` did not pass was skipped. `status`
+/// is each step's of those before it, by id; a step that is not in it says nothing. `file` and `line` are
+/// left to who knows the tree.
+StepResult step_result(const course::Step& step, std::vector<CaseResult> cases,
+                       const std::map<std::string, Status>& status);
+
+/// All steps of these labs out of one student's cases, in the labs' order. Beyond step_result, a step needs
+/// what its needs need, in other labs too, and its message names the first step of the course that is
+/// missing. A step's cases come public ones first, then in the lab file's order, then by name. Cases of other
+/// labs or steps are left out.
+std::vector<LabResult> lab_results(const std::vector<course::Lab>& labs, std::vector<CaseResult> cases);
+
+}  // namespace texel::grade

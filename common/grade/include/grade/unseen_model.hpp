@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// OBJ files that nobody has seen: whoever writes out what the bundled models look like fails with these.
+namespace texel::grade {
+
+/// What unseen_model() can make:
+/// - `numbers`: a relief whose lines have all counts of numbers that OBJ knows: `v` with 3, 4, 6 or 7, `vt`
+///   with 1 to 3;
+/// - `negative`: a relief written row by row, each index from the front or backwards, at random;
+/// - `polygons`: planar simple polygons of 3 to 9 corners, turned at random in space, most of them concave
+///   and none of those right as a fan. Texture coordinates are linear in each polygon's plane, so that every
+///   correct triangulation draws the same picture and has the same angles at each corner;
+/// - `shared`: a relief whose corners share positions, and often, but not always, vt or vn;
+/// - `no_vt`: a dented ball without texture coordinates, about the middle of the cube.
+/// All have normals (vn), 30 to 200 faces, and triangles only but for `polygons`; no two lines of a list are
+/// equal.
+const std::vector<std::string>& unseen_kinds();
+
+/// The text of an OBJ file of this kind, every position within the unit cube, numbers with 6 decimals. The
+/// same for the same seed, on every machine; another one for another seed. Throws Error (exit 2) for a kind
+/// that does not exist.
+std::string unseen_model(std::string_view kind, std::uint64_t seed);
+
+}  // namespace texel::grade

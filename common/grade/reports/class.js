@@ -1,0 +1,56 @@
+
+// The table of students: sorted by a click on a column's head, filtered by name, state and mistake.
+const table = document.querySelector('table.class');
+const rows = [...table.tBodies[0].rows];
+const find = document.getElementById('find');
+const state = document.getElementById('show');
+const mistake = document.getElementById('mistake');
+
+function filter() {
+  const wanted = find.value.trim().toLowerCase();
+  const made = mistake.dataset.mistake;
+  let count = 0;
+  for (const row of rows) {
+    row.hidden = !(row.cells[0].textContent.toLowerCase().includes(wanted) &&
+                   (!state.value || row.dataset.state === state.value) &&
+                   (!made || row.dataset.mistakes.includes(` ${made} `)));
+    if (!row.hidden) ++count;
+  }
+  document.getElementById('shown').textContent =
+      count === rows.length ? '' : `${count} of ${rows.length} students`;
+}
+find.addEventListener('input', filter);
+state.addEventListener('change', filter);
+
+for (const button of document.querySelectorAll('.pick')) {
+  button.addEventListener('click', () => {
+    mistake.dataset.mistake = button.dataset.mistake;
+    mistake.textContent = `${button.textContent} ×`;
+    mistake.setAttribute('aria-label', `Show all again, not only: ${button.textContent}`);
+    mistake.hidden = false;
+    filter();
+    document.getElementById('students').scrollIntoView();
+    mistake.focus({preventScroll: true});
+  });
+}
+mistake.addEventListener('click', () => {
+  delete mistake.dataset.mistake;
+  mistake.hidden = true;
+  filter();
+  find.focus();
+});
+
+const heads = [...table.tHead.rows[1].cells];
+const byName = new Intl.Collator(undefined, {numeric: true, sensitivity: 'base'});
+heads.forEach((head, column) => head.firstElementChild.addEventListener('click', () => {
+  // Names begin at A, points with the most.
+  const first = column === 0 ? 'ascending' : 'descending';
+  const second = column === 0 ? 'descending' : 'ascending';
+  const order = head.getAttribute('aria-sort') === first ? second : first;
+  for (const other of heads) other.setAttribute('aria-sort', other === head ? order : 'none');
+  const key = (row) => column === 0 ? row.querySelector('a').textContent : Number(row.cells[column].dataset.sort);
+  const sign = order === 'ascending' ? 1 : -1;
+  const compare = column === 0 ? (a, b) => byName.compare(key(a), key(b)) : (a, b) => key(a) - key(b);
+  rows.sort((a, b) => sign * compare(a, b));
+  table.tBodies[0].append(...rows);
+}));

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "wording.hpp"
+
+/// What the files for systems that keep marks have in common: plain text, and a limit of size.
+namespace texel::grade {
+
+/// Both systems say "1 MB"; this is its smaller reading.
+inline constexpr std::size_t kLargestResults = 1'000'000;
+
+/// A number of points without the noise of sums: to 6 decimals.
+double rounded(double points);
+
+/// Of the whole submission: the points, what the compiler refused, what was not taken.
+std::string overview(const StudentResult& student);
+
+/// The likely cause, the hint and the place of a step.
+std::string advice(const StepResult& step);
+
+/// A line or more for each of the step's public or hidden cases.
+std::string case_lines(const StepResult& step, bool hidden);
+
+/// The results as text of at most kLargestResults bytes: every "output" and "message" is cut to the same
+/// length, as long as fits.
+std::string fitted(const nlohmann::json& results);
+
+}  // namespace texel::grade

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "image/image.hpp"
+
+/// Case pictures as data URLs. Students' files are read by common/image and written anew, so that nothing of
+/// their bytes reaches a browser.
+namespace texel::grade {
+
+/// A picture that stands in a page.
+struct Picture {
+  std::string problem;  ///< why there is none, as a sentence, or ""
+  int width = 0, height = 0;
+  std::string url;  ///< an RGB PNG: as one sees it
+  /// Of a data view, its numbers: a grey PNG of 3 x channels planes one below the other, for each channel the
+  /// upper, middle and lower byte of `upper24`. "" for colour pictures, whose numbers the PNG has.
+  std::string values;
+  int channels = 0;  ///< of the numbers
+};
+
+/// The upper 24 of a float's 32 bits, rounded to nearest: 16 digits of mantissa, so that a number is at most
+/// 2^-17 of itself off, which is 0.0005 degrees of a direction, 100 times below the smallest limit. NaN stays
+/// NaN and infinity infinity. A quarter of a page is saved, since the lowest byte is noise that no
+/// compression makes smaller.
+std::uint32_t upper24(float value);
+
+/// The colours in which the labs show a data view (shaders/app/present.frag has the same): 0.5 + 0.5 n for
+/// directions, the fraction of texture coordinates, a scale of colours for levels. (0, 0, 0) is background,
+/// NaN and infinity are magenta.
+image::Image8 shown(const image::ImageF& values, const std::string& view);
+
+/// Reads pictures of a results' folder.
+class Pictures {
+ public:
+  explicit Pictures(std::filesystem::path folder);
+  ~Pictures();
+  Pictures(const Pictures&) = delete;
+  Pictures& operator=(const Pictures&) = delete;
+
+  /// The picture at a path relative to the folder. Beyond 1024 pixels a side it is only said to be too large.
+  [[nodiscard]] Picture read(const std::string& path, const std::string& view) const;
+  /// The same, kept for the next student.
+  const Picture& reference(const std::string& path, const std::string& view);
+
+ private:
+  [[nodiscard]] std::string data_url(const image::Image8& picture) const;
+
+  std::filesystem::path folder_;
+  std::filesystem::path scratch_;  ///< nobody else's: pictures are written by way of a file
+  std::map<std::string, Picture> references_;
+};
+
+}  // namespace texel::grade

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "grade/results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace texel::grade {
+namespace {
+
+constexpr std::array<const char*, 3> kStatusNames = {"passed", "failed", "skipped"};
+
+/// The lower of the means over the public and the hidden cases; 0 without a case.
+double score_of(const std::vector<CaseResult>& cases) {
+  std::array<double, 2> sum = {0, 0};
+  std::array<int, 2> count = {0, 0};
+  for (const CaseResult& result : cases) {
+    sum[result.hidden] += result.score;
+    ++count[result.hidden];
+  }
+  const auto mean = [&](int hidden) { return sum[hidden] / count[hidden]; };
+  if (cases.empty()) return 0;
+  if (count[0] == 0 || count[1] == 0) return mean(count[0] == 0 ? 1 : 0);
+  return std::min(mean(0), mean(1));
+}
+
+/// What each step needs, directly and through others, in the course's order.
+class Needs {
+ public:
+  explicit Needs(const std::vector<course::Lab>& labs) {
+    for (const course::Lab& lab : labs)
+      for (const course::Step& step : lab.steps) {
+        order_.push_back(step.id);
+        // The needs come earlier in the course, so that theirs are known.
+        std::set<std::string>& all = all_[step.id];
+        for (const std::string& need : step.needs) {
+          all.insert(need);
+          if (const auto known = all_.find(need); known != all_.end() && need != step.id)
+            all.insert(known->second.begin(), known->second.end());
+        }
+      }
+  }
+
+  [[nodiscard]] std::vector<std::string> of(const std::string& step) const {
+    std::vector<std::string> needs;
+    for (const std::string& id : order_)
+      if (all_.at(step).contains(id)) needs.push_back(id);
+    return needs;
+  }
+
+ private:
+  std::vector<std::string> order_;
+  std::map<std::string, std::set<std::string>> all_;
+};
+
+/// Public cases first, then in the lab file's order, then by name.
+void sort_cases(const course::Lab& lab, std::vector<CaseResult>& cases) {
+  std::map<std::string, std::size_t> place;
+  for (const course::GradedCase& graded : lab.cases) place.emplace(graded.name, place.size());
+  const auto key = [&](const CaseResult& result) {
+    const auto found = place.find(result.name);
+    return std::tuple(result.hidden, found == place.end() ? place.size() : found->second, result.name);
+  };
+  std::sort(cases.begin(), cases.end(),
+            [&](const CaseResult& a, const CaseResult& b) { return key(a) < key(b); });
+}
+
+}  // namespace
+
+const char* name_of(Status status) {
+  return kStatusNames.at(static_cast<std::size_t>(status));
+}
+
+Status status_of(const std::string& name) {
+  for (std::size_t i = 0; i < kStatusNames.size(); ++i)
+    if (name == kStatusNames[i]) return static_cast<Status>(i);
+  throw Error::failed(fmt::format("there is no status '{}'", name), {}, "passed, failed and skipped are");
+}
+
+double LabResult::points() const {
+  double sum = 0;
+  for (const StepResult& step : steps) sum += step.points * step.score;
+  return sum;
+}
+
+double LabResult::max_points() const {
+  double sum = 0;
+  for (const StepResult& step : steps) sum += step.points;
+  return sum;
+}
+
+double StudentResult::points() const {
+  double sum = 0;
+  for (const LabResult& lab : labs) sum += lab.points();
+  return sum;
+}
+
+double StudentResult::max_points() const {
+  double sum = 0;
+  for (const LabResult& lab : labs) sum += lab.max_points();
+  return sum;
+}
+
+StepResult step_result(const course::Step& step, std::vector<CaseResult> cases,
+                       const std::map<std::string, Status>& status) {
+  StepResult result;
+  result.id = step.id;
+  result.title = step.title;
+  result.points = step.points;
+  if (!step.hints.empty()) result.hint = step.hints.front();
+  result.score = score_of(cases);
+  result.cases = std::move(cases);
+
+  const auto failed = [](const CaseResult& one) { return !one.passed; };
+  const auto first = std::find_if(result.cases.begin(), result.cases.end(), failed);
+  if (!result.cases.empty() && first == result.cases.end()) {
+    result.status = Status::passed;
+    return result;
+  }
+
+  for (const std::string& need : step.needs) {
+    const auto found = status.find(need);
+    if (found == status.end() || found->second == Status::passed) continue;
+    result.status = Status::skipped;
+    result.message = fmt::format("This step builds on step {}, which did not pass yet.", need);
+    return result;
+  }
+
+  result.status = Status::failed;
+  result.message = result.cases.empty() ? "Nothing of this step was judged." : first->message;
+  const auto known = std::find_if(first, result.cases.end(),
+                                  [&](const CaseResult& one) { return failed(one) && !one.mistake.empty(); });
+  if (known != result.cases.end()) {
+    result.mistake = known->mistake;
+    result.mistake_says = known->mistake_says;
+  }
+  return result;
+}
+
+std::vector<LabResult> lab_results(const std::vector<course::Lab>& labs, std::vector<CaseResult> cases) {
+  std::map<std::pair<std::string, std::string>, std::vector<CaseResult>> by_step;
+  for (CaseResult& result : cases) by_step[{result.lab, result.step}].push_back(std::move(result));
+
+  const Needs needs(labs);
+  std::map<std::string, Status> status;
+  std::vector<LabResult> results;
+  for (const course::Lab& lab : labs) {
+    LabResult result;
+    result.lab = lab;
+    for (course::Step step : lab.steps) {
+      std::vector<CaseResult>& its_cases = by_step[{lab.folder, step.id}];
+      sort_cases(lab, its_cases);
+      step.needs = needs.of(step.id);
+      result.steps.push_back(step_result(step, std::move(its_cases), status));
+      status[step.id] = result.steps.back().status;
+    }
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
+}  // namespace texel::grade

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "studio.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "text.hpp"
+
+namespace texel::grade {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Measured on two processors under full load: a lab's 20 cases take 2 s, the slowest single one 0.7 s.
+constexpr double kProcessorSeconds = 60, kWallSeconds = 120;
+/// How often a program is started again after it died.
+constexpr int kMostStarts = 4;
+
+Outcome run(const Studio& studio, const std::string& list, const fs::path& work, const fs::path& out) {
+  const fs::path cases = work / "cases";
+  fs::create_directories(cases);
+  fs::create_directories(out);
+  write_file(cases / "cases.json", list);
+  Sandbox sandbox;
+  sandbox.unsafe = studio.trusted;
+  sandbox.read_only = {studio.program.parent_path(), studio.root, cases};
+  sandbox.read_only.insert(sandbox.read_only.end(), studio.readable.begin(), studio.readable.end());
+  sandbox.writable = {out};
+  sandbox.limits.cpu_seconds = kProcessorSeconds, sandbox.limits.wall_seconds = kWallSeconds;
+  sandbox.limits.disk = 64U << 20U, sandbox.limits.files = 1024;
+  sandbox.environment = {{"TEXEL_ROOT", studio.root.string()},
+                         // All processors are busy with other students; and nothing is kept between runs.
+                         {"LP_NUM_THREADS", "0"},
+                         {"MESA_SHADER_CACHE_DISABLE", "true"}};
+  return grade::run(sandbox, {studio.program.string(), "--context", studio.context, "--batch",
+                              (cases / "cases.json").string(), "--out", out.string()});
+}
+
+/// "crashed (segmentation fault)": how a program ended that did not draw what it should.
+std::string end_of(const Outcome& outcome) {
+  if (outcome.limit != Limit::none)
+    return fmt::format("the program was ended here: it used up its {}", name_of(outcome.limit));
+  if (outcome.signal == SIGSEGV) return "the program crashed here: it read or wrote where nothing is (SIGSEGV)";
+  if (outcome.signal == SIGABRT) return "the program gave up here (SIGABRT)";
+  if (outcome.signal == SIGFPE) return "the program crashed here: a whole number was divided by zero (SIGFPE)";
+  if (outcome.signal != 0) return fmt::format("the program was ended here by signal {}", outcome.signal);
+  return fmt::format("the program ended with exit code {} and drew nothing", outcome.exit_code);
+}
+
+/// The lines `file: why` on standard error, by file.
+std::map<std::string, std::string> reasons(const std::string& errors) {
+  std::map<std::string, std::string> all;
+  std::istringstream lines(plain_lines(errors));
+  std::string file;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t colon = line.find(": ");
+    const std::string head = line.substr(0, colon);
+    if (colon != line.npos && (head.ends_with(".png") || head.ends_with(".pfm") || head.ends_with(".ply"))) {
+      file = head;
+      all[file] = line.substr(colon + 2);
+    } else if (!file.empty() && all[file].size() < 2000) {
+      all[file] += "\n" + line;  // a shader's log has several
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+Drawn draw(const Studio& studio, const LabPlan& plan, const std::vector<std::string>& only, const fs::path& out) {
+  Drawn drawn;
+  std::vector<const Shot*> left;
+  for (const Shot& shot : plan.shots)
+    if (only.empty() || std::find(only.begin(), only.end(), shot.graded.name) != only.end())
+      left.push_back(&shot);
+  const fs::path work = out.parent_path() / (out.filename().string() + ".work");
+  for (int start = 0; start < kMostStarts && !left.empty(); ++start) {
+    std::vector<std::string> names;
+    for (const Shot* shot : left) names.push_back(shot->graded.name);
+    fs::remove_all(work);
+    const Outcome outcome = run(studio, plan.batch(names), work, out);
+    const std::map<std::string, std::string> why = reasons(outcome.errors);
+    std::vector<const Shot*> missing;
+    for (const Shot* shot : left) {
+      if (fs::is_regular_file(fs::symlink_status(out / shot->file()))) continue;
+      if (const auto reason = why.find(shot->file()); reason != why.end())
+        drawn.faults[shot->file()] = reason->second;
+      else
+        missing.push_back(shot);
+    }
+    left = missing;
+    if (left.empty()) break;
+    const bool has_died = outcome.signal != 0 || outcome.limit != Limit::none;
+    if (!has_died) {
+      std::string text = plain_lines(outcome.errors.substr(0, 2000));
+      for (const Shot* shot : left)
+        drawn.faults[shot->file()] = end_of(outcome) + (text.empty() ? "" : ": " + text);
+      left.clear();
+      break;
+    }
+    drawn.faults[left.front()->file()] = end_of(outcome);
+    drawn.notes.push_back(fmt::format("{}: {}", left.front()->graded.name, end_of(outcome)));
+    left.erase(left.begin());
+  }
+  for (const Shot* shot : left)
+    drawn.faults[shot->file()] =
+        fmt::format("not drawn: the program died {} times before this one's turn came", kMostStarts);
+  fs::remove_all(work);
+  return drawn;
+}
+
+void draw_list(const Studio& studio, const std::string& list, const fs::path& out) {
+  const fs::path work = out.parent_path() / (out.filename().string() + ".work");
+  const Outcome outcome = run(studio, list, work, out);
+  fs::remove_all(work);
+  if (!outcome.succeeded())
+    throw Error::failed(fmt::format("the course's own program fails with exit code {}", outcome.exit_code),
+                        {studio.program.string()}, plain_lines(outcome.errors.substr(0, 2000)));
+}
+
+}  // namespace texel::grade

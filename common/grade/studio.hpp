@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Where a lab's program draws its cases, and what became of each.
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "grade/plan.hpp"
+#include "grade/sandbox.hpp"
+
+namespace texel::grade {
+
+/// What draws.
+struct Studio {
+  std::filesystem::path program;  ///< alone in its folder
+  std::filesystem::path root;     ///< the folder with shaders/ and assets/
+  std::string context = "auto";   ///< the program's --context
+  bool trusted = false;           ///< without a sandbox
+  std::vector<std::filesystem::path> readable;  ///< what it may read besides
+};
+
+/// The reasons why files are missing, by the file's name, and remarks on the whole.
+struct Drawn {
+  std::map<std::string, std::string> faults;
+  std::vector<std::string> notes;
+};
+
+/// Draws the shots of the plan (those named `only`; all when it is empty) into the folder `out`, from one
+/// process as long as it lives: the shot at which it dies or runs out of time gets that as its reason, and
+/// another process draws what is left, three times at the most. Throws Error (exit 3) for faults of the
+/// machine.
+Drawn draw(const Studio& studio, const LabPlan& plan, const std::vector<std::string>& only,
+           const std::filesystem::path& out);
+
+/// Draws a list for --batch by a trusted program. Throws Error (exit 3) when that fails.
+void draw_list(const Studio& studio, const std::string& list, const std::filesystem::path& out);
+
+}  // namespace texel::grade

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: MIT
+#include "workshop.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "course/markers.hpp"
+#include "fingerprint.hpp"
+#include "lock.hpp"
+#include "text.hpp"
+
+namespace texel::grade {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+/// A command's words, as a shell takes them apart.
+Words split(const std::string& command) {
+  Words words;
+  std::string word;
+  bool any = false;
+  char quote = 0;
+  for (std::size_t i = 0; i < command.size(); ++i) {
+    const char c = command[i];
+    if (quote != 0) {
+      if (c == quote)
+        quote = 0;
+      else if (quote == '"' && c == '\\' && i + 1 < command.size())
+        word += command[++i];
+      else
+        word += c;
+    } else if (c == '\'' || c == '"') {
+      quote = c, any = true;
+    } else if (c == '\\' && i + 1 < command.size()) {
+      word += command[++i], any = true;
+    } else if (c == ' ') {
+      if (any) words.push_back(word);
+      word.clear(), any = false;
+    } else {
+      word += c, any = true;
+    }
+  }
+  if (any) words.push_back(word);
+  return words;
+}
+
+/// The last lines of a log, where the errors are.
+std::string end_of(const std::string& log) {
+  constexpr std::size_t most = 2000;
+  return plain_lines(log.size() > most ? log.substr(log.size() - most) : log);
+}
+
+/// Runs a trusted program in a folder and returns what it printed.
+std::string output_of(const Words& command, const fs::path& folder, double seconds) {
+  Sandbox plain;
+  plain.unsafe = true;
+  plain.working_folder = folder;
+  plain.limits.wall_seconds = plain.limits.cpu_seconds = seconds;
+  plain.limits.memory = plain.limits.address_space = 64ULL << 30U;
+  plain.limits.disk = 4ULL << 30U;
+  plain.limits.processes = 4096;
+  plain.limits.kept_output = plain.limits.output = 64U << 20U;
+  for (const char* name : {"CCACHE_DIR", "HOME"})
+    if (const char* value = std::getenv(name)) plain.environment.emplace_back(name, value);
+  // What is the same as in the course's own build is compiled already.
+  plain.environment.emplace_back("CCACHE_BASEDIR", folder.string());
+  plain.environment.emplace_back("CCACHE_NOHASHDIR", "1");
+  const Outcome outcome = grade::run(plain, command);
+  if (!outcome.succeeded())
+    throw Error::failed(fmt::format("'{}' fails with exit code {}", fmt::join(command, " "), outcome.exit_code),
+                        {folder.string()}, "it says:\n" + end_of(outcome.output + outcome.errors));
+  return outcome.output;
+}
+
+/// The word after `option`; where there is none, "".
+std::string& after(Words& words, const std::string& option) {
+  const auto found = std::find(words.begin(), words.end(), option);
+  if (found == words.end() || found + 1 == words.end())
+    throw Error::failed(fmt::format("a command of the build has no '{}'", option));
+  return *(found + 1);
+}
+
+void drop(Words& words, const std::string& option, std::ptrdiff_t count) {
+  const auto found = std::find(words.begin(), words.end(), option);
+  if (found != words.end()) words.erase(found, found + count);
+}
+
+/// Writes without end are cut, colours and paths of ours go.
+std::string readable_log(std::string text, const fs::path& sources, const fs::path& tree) {
+  for (const std::string& folder : {sources.string() + "/", tree.string() + "/"})
+    for (std::size_t at = 0; (at = text.find(folder, at)) != text.npos;) text.erase(at, folder.size());
+  constexpr std::size_t most = 8000;
+  if (text.size() > most) text = text.substr(0, most) + "\n… (cut here)";
+  return plain_lines(text);
+}
+
+}  // namespace
+
+Workshop::Workshop(BuiltTree tree, fs::path cache, bool trusted)
+    : tree_(std::move(tree)), cache_(std::move(cache)), trusted_(trusted) {
+  if (!fs::exists(tree_.build / "build.ninja"))
+    throw Error::failed("is not a build of Ninja's", {tree_.build.string()},
+                        "build the course first: ./run build");
+  fs::create_directories(cache_);
+}
+
+const Workshop::Recipe& Workshop::recipe(const std::string& program) {
+  const std::scoped_lock lock(mutex_);
+  if (const auto known = recipes_.find(program); known != recipes_.end()) return known->second;
+  Recipe recipe;
+  std::istringstream lines(output_of({"ninja", "-t", "commands", "bin/" + program}, tree_.build, 60));
+  for (std::string line; std::getline(lines, line);) {
+    Words words = split(line);
+    // ": && c++ … && :" is how CMake has a linker run.
+    words.erase(std::remove_if(words.begin(), words.end(), [](const std::string& w) { return w == ":" || w == "&&"; }),
+                words.end());
+    if (words.empty()) continue;
+    if (words.front().ends_with("ccache")) words.erase(words.begin());
+    if (const auto c = std::find(words.begin(), words.end(), "-c"); c != words.end() && c + 1 != words.end()) {
+      const std::string path = fs::path(*(c + 1)).lexically_relative(tree_.source).generic_string();
+      // A student's warnings are no errors, and nobody reads the list of headers.
+      drop(words, "-Werror", 1), drop(words, "-MD", 1), drop(words, "-MT", 2), drop(words, "-MF", 2);
+      recipe.compile[path] = words;
+    } else if (const auto o = std::find(words.begin(), words.end(), "-o");
+               o != words.end() && o + 1 != words.end() && *(o + 1) == "bin/" + program) {
+      recipe.link = words;
+    }
+  }
+  if (recipe.link.empty() || recipe.compile.empty())
+    throw Error::failed(fmt::format("does not say how '{}' is built", program), {tree_.build.string()},
+                        "build the course anew: ./run build");
+  return recipes_[program] = recipe;
+}
+
+fs::path Workshop::new_folder(const char* what) {
+  const std::scoped_lock lock(mutex_);
+  const fs::path folder = cache_ / fmt::format("{}-{}-{}", what, ::getpid(), count_++);
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder;
+}
+
+Outcome Workshop::run(const Words& command, const std::vector<fs::path>& readable, const fs::path& out) const {
+  Sandbox sandbox;
+  sandbox.unsafe = trusted_;
+  sandbox.read_only = readable;
+  sandbox.read_only.push_back(tree_.source);
+  if (tree_.build.lexically_relative(tree_.source).generic_string().starts_with(".."))
+    sandbox.read_only.push_back(tree_.build);
+  sandbox.writable = {out};
+  sandbox.working_folder = tree_.build;
+  // Measured: lab.cpp takes 4 s, 325 MB resident; a machine under load ten times as long.
+  sandbox.limits.cpu_seconds = 60, sandbox.limits.wall_seconds = 240;
+  return grade::run(sandbox, command);
+}
+
+Workshop::Object Workshop::compile(const Recipe& recipe, const std::string& path, const std::string& text) {
+  Words command = recipe.compile.at(path);
+  Object object;
+  object.key = fingerprint({tree_.fingerprint, fmt::format("{}", fmt::join(command, "\n")), path, text});
+  const fs::path kept = cache_ / "objects" / object.key;
+  if (fs::exists(kept / "file.o")) {
+    object.file = kept / "file.o";
+    return object;
+  }
+  if (fs::exists(kept / "log")) {
+    object.log = read_file(kept / "log");
+    return object;
+  }
+  const fs::path work = new_folder("compile"), sources = work / "source", out = work / "out";
+  fs::create_directories((sources / path).parent_path());
+  fs::create_directories(out);
+  write_file(sources / path, text);
+  after(command, "-c") = (sources / path).string();
+  after(command, "-o") = (out / "file.o").string();
+  // Headers beside the file, as the compiler would look for them there.
+  command.push_back("-iquote");
+  command.push_back((tree_.source / path).parent_path().string());
+  command.push_back("-fdiagnostics-color=never");
+  const Outcome outcome = run(command, {sources}, out);
+  const bool done = outcome.succeeded() && fs::is_regular_file(out / "file.o");
+  if (!done) {
+    object.log = readable_log(outcome.errors, sources, tree_.source);
+    if (outcome.limit != Limit::none)
+      object.log += fmt::format("\nthe compiler was ended: too much {}\n", name_of(outcome.limit));
+    fs::remove(out / "file.o");
+    write_file(out / "log", object.log);
+  }
+  // What a limit ended may have been the machine's fault: it is tried again next time.
+  if (outcome.limit == Limit::none) {
+    std::error_code exists;
+    fs::create_directories(kept.parent_path());
+    fs::rename(out, kept, exists);
+    if (done) object.file = kept / "file.o";
+  }
+  fs::remove_all(work);
+  return object;
+}
+
+std::string Workshop::link(const Recipe& recipe, const std::string& program,
+                           const std::map<std::string, Object>& objects, const fs::path& to) {
+  Words command = recipe.link;
+  std::vector<fs::path> folders;
+  for (const auto& [path, object] : objects) {
+    Words compiled = recipe.compile.at(path);
+    const std::string own = after(compiled, "-o");
+    const auto found = std::find(command.begin(), command.end(), own);
+    // A lab's object stands in the command; one of a library goes before the library, whose own is then left
+    // out, since all that it defines is there.
+    if (found != command.end())
+      *found = object.file.string();
+    else
+      command.insert(std::find(command.begin(), command.end(), "-o"), object.file.string());
+    folders.push_back(object.file.parent_path());
+  }
+  const fs::path out = new_folder("link");
+  after(command, "-o") = (out / program).string();
+  const Outcome outcome = run(command, folders, out);
+  std::string log;
+  if (!outcome.succeeded() || !fs::is_regular_file(out / program)) {
+    log = readable_log(outcome.errors, cache_ / "objects", tree_.source);
+    if (log.empty()) log = "the linker made no program\n";
+  } else {
+    std::error_code exists;
+    fs::permissions(out / program, fs::perms::owner_all | fs::perms::group_exec | fs::perms::group_read |
+                                       fs::perms::others_exec | fs::perms::others_read);
+    fs::create_directories(to.parent_path());
+    fs::rename(out, to, exists);
+  }
+  fs::remove_all(out);
+  return log;
+}
+
+Program Workshop::make(const std::string& program, const std::map<std::string, std::string>& files) {
+  const Recipe& how = recipe(program);
+  Program made;
+  std::map<std::string, Object> objects;
+  std::string keys;
+  for (const auto& [path, text] : files) {
+    if (how.compile.count(path) == 0 || text == read_file(tree_.source / path)) continue;
+    Object object = compile(how, path, text);
+    if (object.file.empty()) {
+      made.refused.push_back({path, object.log});
+      continue;
+    }
+    keys += object.key;
+    objects.emplace(path, std::move(object));
+  }
+  const fs::path kept =
+      cache_ / "programs" /
+      fingerprint({tree_.fingerprint, program, fmt::format("{}", fmt::join(how.link, "\n")), keys});
+  made.file = kept / program;
+  if (fs::exists(made.file)) return made;
+  const std::string log = link(how, program, objects, kept);
+  if (log.empty()) return made;
+  if (objects.empty()) throw Error::failed(fmt::format("the tree's own '{}' does not link", program), {}, log);
+  for (const auto& [path, object] : objects) made.refused.push_back({path, log});
+  made.file = make(program, {}).file;
+  return made;
+}
+
+BuiltTree starter_tree(const fs::path& course, const fs::path& cache) {
+  fs::create_directories(cache);
+  const FileLock lock(cache / "lock");
+  const fs::path fresh = cache / "starter-new";
+  fs::remove_all(fresh);
+  course::write_starter(course, fresh);
+  const std::string compiler = output_of({"c++", "--version"}, cache, 60);
+  const std::string print = fingerprint({fingerprint_of_folder(fresh), compiler, cache.string()});
+  BuiltTree tree{cache / ("starter-" + print.substr(0, 16)), {}, print};
+  tree.build = tree.source / "build/release";
+  if (fs::exists(tree.build / "is-built")) {
+    fs::remove_all(fresh);
+    return tree;
+  }
+  fs::remove_all(tree.source);
+  fs::rename(fresh, tree.source);
+  output_of({"cmake", "--preset", "release"}, tree.source, 300);
+  output_of({"ninja", "-C", "build/release", "labs/all"}, tree.source, 3600);
+  write_file(tree.build / "is-built", "");
+  return tree;
+}
+
+}  // namespace texel::grade

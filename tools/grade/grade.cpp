@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "grade/grader.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/assets.hpp"
+#include "commands.hpp"
+#include "grade/reports.hpp"
+#include "grade/store.hpp"
+
+namespace texel::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path course_root() {
+  return app::Assets().shader_root().parent_path();
+}
+
+/// The build that this program belongs to.
+fs::path course_build() {
+  std::error_code error;
+  return fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
+}
+
+/// "3/8".
+void read_shard(const std::string& text, grade::GradeOptions& options) {
+  const int read = std::sscanf(text.c_str(), "%u/%u", &options.shard, &options.shards);
+  if (read != 2 || fmt::format("{}/{}", options.shard, options.shards) != text)
+    throw Error::usage(fmt::format("'{}' is no shard", text), "write it as 1/4");
+}
+
+/// One line over the other on a terminal, one below the other in a log; on standard error, since what is
+/// asked for goes to the other.
+void say(const std::string& line) {
+  static const bool is_terminal = ::isatty(STDERR_FILENO) != 0;
+  std::fprintf(stderr, is_terminal ? "\r\033[K%s" : "%s\n", line.c_str());
+  std::fflush(stderr);
+}
+
+void print_class(const grade::ClassResult& results) {
+  std::size_t width = 0;
+  for (const grade::StudentResult& student : results.students) width = std::max(width, student.id.size());
+  for (const grade::StudentResult& student : results.students)
+    fmt::print("{:<{}}  {:>6.2f} of {:g}{}\n", student.id, width, student.points(), student.max_points(),
+               !student.incident.empty() ? "  NOT GRADED IN FULL, to be tried again: " + student.incident
+               : student.fault.empty()   ? ""
+                                         : "  " + student.fault);
+}
+
+/// Every report of the results in a folder.
+void write_reports(const fs::path& out, const std::vector<std::string>& formats) {
+  const grade::ClassResult results = grade::read_results(out, course_root());
+  grade::write_html(results, out);
+  for (const std::string& format : formats) grade::write_format(format, results, out);
+  print_class(results);
+  fmt::print("look at the page   file://{}\n", fs::absolute(out / "report/index.html").lexically_normal().string());
+}
+
+}  // namespace
+
+Exit grade_class(const GradeCommand& command) {
+  grade::GradeOptions options;
+  options.class_folder = command.class_folder;
+  options.out = command.out;
+  options.course = course_root();
+  options.build = course_build();
+  options.cache = command.cache.empty() ? options.course / "build/grade" : command.cache;
+  options.labs = command.labs;
+  options.jobs = command.jobs;
+  options.resume = command.resume;
+  options.unsafe = command.unsafe;
+  options.context = command.context;
+  options.seed_file = command.seed_file;
+  read_shard(command.shard, options);
+  const grade::GradeSummary summary = grade::grade_class(options, say);
+  if (::isatty(STDERR_FILENO) != 0) std::fprintf(stderr, "\n");
+  write_reports(options.out, command.formats);
+  fmt::print("graded {} students: {} cases in {:.1f} s, {:.1f} cases a second\n", summary.students, summary.cases,
+             summary.seconds, static_cast<double>(summary.cases) / std::max(summary.seconds, 1e-3));
+  if (summary.incidents > 0)
+    throw Error::failed(fmt::format("{} students could not be graded in full", summary.incidents), {},
+                        "it is no fault of theirs: see above, then run the same with --resume");
+  return Exit::holds;
+}
+
+Exit grade_merge(const GradeMergeCommand& command) {
+  std::error_code error;
+  fs::create_directories(command.out, error);
+  grade::Store store(grade::store_file(command.out));
+  for (const fs::path& part : command.parts) {
+    if (!fs::exists(grade::store_file(part)))
+      throw Error::failed("holds no results", {part.string()}, "name folders that 'texel grade' wrote");
+    store.merge(grade::Store(grade::store_file(part)));
+    for (const char* folder : {"pictures", "references"})
+      if (fs::exists(part / folder))
+        fs::copy(part / folder, command.out / folder,
+                 fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+  }
+  write_reports(command.out, command.formats);
+  return Exit::holds;
+}
+
+Exit grade_override(const GradeOverrideCommand& command) {
+  if (!fs::exists(grade::store_file(command.out)))
+    throw Error::failed("holds no results", {command.out.string()}, "name a folder that 'texel grade' wrote");
+  const grade::ClassResult results = grade::read_results(command.out, course_root());
+  std::vector<std::string> students, steps;
+  for (const grade::StudentResult& student : results.students) {
+    students.push_back(student.id);
+    for (const grade::LabResult& lab : student.labs)
+      for (const grade::StepResult& step : lab.steps) steps.push_back(step.id);
+  }
+  const auto check = [](const std::string& word, const std::vector<std::string>& known, const char* what) {
+    if (std::find(known.begin(), known.end(), word) != known.end()) return;
+    const std::string near = nearest(word, known);
+    throw Error::usage(fmt::format("there is no {} '{}'", what, word),
+                       near.empty() ? "" : fmt::format("did you mean '{}'?", near));
+  };
+  check(command.student, students, "student");
+  check(command.step, steps, "step");
+  grade::Store store(grade::store_file(command.out));
+  if (command.drop)
+    store.drop_override(command.student, command.step);
+  else
+    store.put_override({command.student, command.step, command.score, command.reason});
+  write_reports(command.out, command.formats);
+  return Exit::holds;
+}
+
+Exit grade_report(const GradeReportCommand& command) {
+  write_reports(command.out, command.formats);
+  return Exit::holds;
+}
+
+}  // namespace texel::tools
