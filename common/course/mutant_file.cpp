@@ -2,6 +2,7 @@
 #include "course/mutant_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -21,15 +22,15 @@ bool is_below_root(const fs::path& file) {
   return file.is_relative() && std::find(file.begin(), file.end(), "..") == file.end();
 }
 
-/// The word for it, which is also the name of its table.
-std::string kind(bool is_right) {
-  return is_right ? "equivalent" : "mutant";
-}
+/// The names of the tables, which are also the words for what is in them.
+constexpr const char* kMutant = "mutant";
+constexpr const char* kEquivalent = "equivalent";
+constexpr const char* kThreat = "threat";
 
-Mutant read_mutant(const toml::table& table, const std::string& file, bool is_right) {
+Mutant read_mutant(const toml::table& table, const std::string& file, const std::string& kind) {
   Reader reader(table, file);
   Mutant mutant;
-  mutant.is_right = is_right;
+  mutant.is_right = kind == kEquivalent;
   mutant.place = place_of(table, file);
   mutant.name = reader.text("name");
   mutant.file = reader.text("file");
@@ -39,10 +40,10 @@ Mutant read_mutant(const toml::table& table, const std::string& file, bool is_ri
   mutant.by = reader.text("by", "");
   mutant.step = reader.text("step", "");
   mutant.says = reader.text("says");
-  if (!is_right) mutant.survives = reader.text("survives", "");
+  if (kind == kMutant) mutant.survives = reader.text("survives", "");
   reader.reject_unknown();
   if (!is_name(mutant.name))
-    throw reader.error("name", fmt::format("'{}' is no {}'s name", mutant.name, kind(is_right)),
+    throw reader.error("name", fmt::format("'{}' is no {}'s name", mutant.name, kind),
                        "use lower-case letters, digits and '-'");
   if (!is_below_root(mutant.file))
     throw reader.error("file", fmt::format("'{}' is no path below the project's root", mutant.file),
@@ -54,30 +55,28 @@ Mutant read_mutant(const toml::table& table, const std::string& file, bool is_ri
 }
 
 /// Adds a mutant whose name no other has.
-void add(std::vector<Mutant>& mutants, Mutant mutant) {
+void add(std::vector<Mutant>& mutants, Mutant mutant, const std::string& kind) {
   const auto same = std::find_if(mutants.begin(), mutants.end(),
                                  [&](const Mutant& other) { return other.name == mutant.name; });
   if (same != mutants.end())
-    throw Error::failed(fmt::format("two {}s are called '{}'", kind(mutant.is_right), mutant.name),
-                        mutant.place,
+    throw Error::failed(fmt::format("two {}s are called '{}'", kind, mutant.name), mutant.place,
                         fmt::format("the other one is at {}:{}", same->place.file, same->place.line));
   mutants.push_back(std::move(mutant));
 }
 
-}  // namespace
-
-std::vector<Mutant> read_mutants(const fs::path& file) {
+/// The tables of these kinds in a file, one kind after the other.
+std::vector<Mutant> read_kinds(const fs::path& file, const std::vector<std::string>& kinds) {
   const toml::table table = parse(file);
   Reader reader(table, file.string());
   std::vector<Mutant> mutants;
-  for (const bool is_right : {false, true})
-    for (const toml::table* entry : reader.tables(kind(is_right)))
-      add(mutants, read_mutant(*entry, file.string(), is_right));
+  for (const std::string& kind : kinds)
+    for (const toml::table* entry : reader.tables(kind))
+      add(mutants, read_mutant(*entry, file.string(), kind), kind);
   reader.reject_unknown();
   return mutants;
 }
 
-std::vector<Mutant> read_catalogue(const fs::path& folder) {
+std::vector<Mutant> read_folder(const fs::path& folder, const std::vector<std::string>& kinds) {
   std::vector<fs::path> files;
   std::error_code missing;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, missing))
@@ -85,10 +84,28 @@ std::vector<Mutant> read_catalogue(const fs::path& folder) {
   std::sort(files.begin(), files.end());
   std::vector<Mutant> mutants;
   for (const fs::path& file : files)
-    for (Mutant& mutant : read_mutants(file)) add(mutants, std::move(mutant));
+    for (Mutant& mutant : read_kinds(file, kinds)) {
+      const std::string kind = kinds.size() == 1 ? kinds[0] : mutant.is_right ? kEquivalent : kMutant;
+      add(mutants, std::move(mutant), kind);
+    }
   if (mutants.empty())
-    throw Error::failed("holds no mutants and no equivalents", {folder.string()}, "name another catalogue");
+    throw Error::failed(fmt::format("holds no {}s", fmt::join(kinds, "s and no ")), {folder.string()},
+                        "name another catalogue");
   return mutants;
+}
+
+}  // namespace
+
+std::vector<Mutant> read_mutants(const fs::path& file) {
+  return read_kinds(file, {kMutant, kEquivalent});
+}
+
+std::vector<Mutant> read_catalogue(const fs::path& folder) {
+  return read_folder(folder, {kMutant, kEquivalent});
+}
+
+std::vector<Mutant> read_threats(const fs::path& folder) {
+  return read_folder(folder, {kThreat});
 }
 
 std::string mutated(const Mutant& mutant, const std::string& text) {

@@ -11,7 +11,7 @@
 
 #include "course/mutant_file.hpp"
 #include "grade/plan.hpp"
-#include "judge.hpp"
+#include "grade/judge.hpp"
 #include "studio.hpp"
 #include "workshop.hpp"
 

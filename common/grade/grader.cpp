@@ -22,7 +22,7 @@
 #include "grade/plan.hpp"
 #include "grade/store.hpp"
 #include "grade/submission.hpp"
-#include "judge.hpp"
+#include "grade/judge.hpp"
 #include "lock.hpp"
 #include "studio.hpp"
 #include "text.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 #include <filesystem>
 
-#include "judge.hpp"
+#include "grade/judge.hpp"
 
 namespace texel::grade {
 

@@ -25,7 +25,7 @@ double score_of(const std::vector<CaseResult>& cases) {
     sum[result.hidden] += result.score;
     ++count[result.hidden];
   }
-  const auto mean = [&](int hidden) { return sum[hidden] / count[hidden]; };
+  const auto mean = [&](std::size_t hidden) { return sum[hidden] / count[hidden]; };
   if (cases.empty()) return 0;
   if (count[0] == 0 || count[1] == 0) return mean(count[0] == 0 ? 1 : 0);
   return std::min(mean(0), mean(1));

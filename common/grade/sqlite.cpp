@@ -68,6 +68,9 @@ void Connection::fail(int code) const {
     case SQLITE_PERM:
       throw error("the store or its folder cannot be written",
                   "get write permission for both, or choose another folder");
+    case SQLITE_CANTOPEN:
+      throw error("it or a file beside it cannot be opened",
+                  "see whether they are yours and the disk has room for another file");
     case SQLITE_NOTADB:
       throw error("is no store of grades", "name another file, or move this one away");
     case SQLITE_CORRUPT:

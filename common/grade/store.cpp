@@ -199,7 +199,8 @@ std::map<std::string, StudentResult> read_students(const Connection& connection)
     row >> id >> lab >> text;
     std::string& incident = students.at(id).incident;
     if (!incident.empty()) incident += '\n';
-    incident += lab.empty() ? text : lab + ": " + text;
+    if (!lab.empty()) incident += lab + ": ";
+    incident += text;
   }
   return students;
 }
@@ -287,8 +288,9 @@ void prepare(const Connection& connection) {
     throw Error::failed(fmt::format("the store is of version {}, later than {}", version(), kVersion),
                         {connection.file()}, "use the program that made it, or a later one");
 
-  // A case takes a second or so to judge: waiting for the disk (FULL) costs nothing beside it, and no result
-  // is lost with the power. With NORMAL the last ones would be.
+  // FULL waits for the disk at every case, so that no result is lost with the power; with NORMAL the last
+  // ones would be. Measured: 5 ms a case, a minute for 200 students with 60 cases each (NORMAL: 0.3 ms a
+  // case).
   connection.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON");
   if (!is_new) return;
   Transaction transaction(connection, Transaction::Kind::writes);

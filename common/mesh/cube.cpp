@@ -4,6 +4,7 @@
 #include <cstdint>
 
 namespace texel::mesh {
+
 namespace {
 
 constexpr std::array<glm::vec3, 8> corners{
@@ -24,6 +25,21 @@ constexpr std::array<Face, 6> faces{{{{0, 3, 2, 1}, {0, 0, 1}},
 constexpr std::array<std::uint32_t, 6> cut{0, 1, 2, 0, 2, 3};
 
 }  // namespace
+
+//@step 4.1 begin
+const CubeTexcoords cube_before{{{0, 0}, {0, 1}, {1, 1}, {1, 0}, {0, 0}, {0, 1}, {1, 1}, {1, 0}}};
+//@starter
+// const CubeTexcoords cube_before{
+//     {{0, 0}, {0, 0}, {1, 1}, {1, 1}, {0, 0}, {0, 0}, {1, 1}, {1, 1}}};
+//@end
+
+//@step 4.1 begin
+const CubeTexcoords cube_stretched{
+    {{1, 1}, {1, 0}, {0, 0}, {0, 1}, {0, 0}, {0, 1}, {1, 1}, {1, 0}}};
+//@starter
+// const CubeTexcoords cube_stretched{
+//     {{0, 0}, {0, 0}, {1, 1}, {1, 1}, {0, 0}, {0, 0}, {1, 1}, {1, 1}}};
+//@end
 
 Mesh cube_shared(const CubeTexcoords& texcoords, float half_size) {
   Mesh mesh;

@@ -130,6 +130,10 @@ class Browser {
   /// Addresses that were asked for, and complaints: uncaught errors and what a page was forbidden.
   [[nodiscard]] const std::vector<std::string>& requests() const { return requests_; }
   [[nodiscard]] const std::vector<std::string>& complaints() const { return complaints_; }
+  void forget() {
+    requests_.clear();
+    complaints_.clear();
+  }
 
  private:
   Json call(const std::string& method, const Json& parameters = Json::object()) {

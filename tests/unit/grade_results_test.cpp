@@ -96,11 +96,11 @@ TEST(StepResult, is_not_lifted_by_its_hidden_cases) {
 }
 
 TEST(StepResult, says_what_the_first_failed_case_says) {
-  const StepResult result =
-      step_result(step_of("1.1"),
-                  {looks_like(judged("a", 1), "nothing"), judged("b", 0.5),
-                   looks_like(judged("c", 0), "flipped"), looks_like(judged("d", 0), "turned")},
-                  {});
+  const StepResult result = step_result(
+      step_of("1.1"),
+      {looks_like(judged("a", 1), "nothing"), judged("b", 0.5), looks_like(judged("e", 1), "nothing"),
+       looks_like(judged("c", 0), "flipped"), looks_like(judged("d", 0), "turned")},
+      {});
   EXPECT_EQ(result.status, Status::failed);
   EXPECT_EQ(result.message, "message of b");
   EXPECT_EQ(result.mistake, "flipped");

@@ -35,7 +35,8 @@ class Folder : public test::TemporaryFolder {
 
 const std::string nasty =
     "Robert'); DROP TABLE cases; -- \"x\" <script>alert('&amp;')</script> \\n \\ \t\r\n ?1 :a $b %s {} "
-    "\xC3\xA4\xE2\x82\xAC\xF0\x9F\x8E\xA8 \xEF\xBF\xBD \xE2\x80\xAEgpj\x01 `=cmd|'/c calc'!A1`";
+    "\xC3\xA4\xE2\x82\xAC\xF0\x9F\x8E\xA8 \xEF\xBF\xBD \xE2\x80\xAEgpj\x01 `=cmd|'/c calc'!A1`" +
+    std::string("\0 NUL", 5);
 
 std::vector<course::Lab> two_labs() {
   std::vector<course::Lab> labs(2);
@@ -485,9 +486,10 @@ TEST(Regrading, says_what_changed) {
   grade("jane", 0.75, 1);
   grade("john", 0.75, 0.25);
   grade("anna", 1, 1);
+  store.put_student(student_of("gone"), "");
   const std::vector<Change> changes = store.read(labs).changes;
   ASSERT_EQ(changes.size(), 2U)
-      << "John's step 1.1 is the teacher's, Anna is new, and nobody's 2.1 was judged";
+      << "John's step 1.1 is the teacher's, Anna is new, nothing of Gone is judged yet";
   EXPECT_EQ(changes[0].student, "jane");
   EXPECT_EQ(changes[0].step, "1.1");
   EXPECT_EQ(changes[0].before, 0.25);
@@ -760,6 +762,31 @@ TEST(Store, keeps_what_was_put_when_the_disk_is_full_and_goes_on_when_there_is_r
   EXPECT_TRUE(said.ends_with("|true|true|true|true")) << said;
 }
 
+TEST(Store, says_that_the_disk_is_full_when_it_is_opened) {
+  const Folder folder;
+  const std::string said = in_child([&]() -> std::string {
+    if (!mount_small_disk(folder / ".", "size=512k,nr_inodes=5")) return kNoMount;
+    {
+      Store store(folder / "store");
+      fill(store, "jane");
+    }
+    std::ofstream filler(folder / "filler");
+    filler << std::string(1'000'000, 'x') << std::flush;
+    const std::string full = error_of([&] { (void)Store(folder / "store").dump(); });
+    fs::resize_file(folder / "filler", 0);
+    const std::string before = Store(folder / "store").dump();
+    std::ofstream(folder / "one more");
+    const std::string no_more_files = error_of([&] { (void)Store(folder / "store").dump(); });
+    fs::remove(folder / "one more");
+    return fmt::format("{}|{}|{}", full, no_more_files, Store(folder / "store").dump() == before);
+  });
+  if (said == kNoMount) GTEST_SKIP() << said;
+  const std::string file = "3: " + (folder / "store").string();
+  EXPECT_TRUE(said.starts_with(file + ": the disk is full; make room")) << said;
+  EXPECT_TRUE(has(said, "|" + file + ": it or a file beside it cannot be opened; see whether")) << said;
+  EXPECT_TRUE(said.ends_with("|true")) << said;
+}
+
 TEST(Store, says_that_the_file_system_is_read_only) {
   const Folder folder;
   const std::string said = in_child([&]() -> std::string {
@@ -853,17 +880,18 @@ TEST(Store, is_read_as_it_is_at_one_moment) {
   Store writer(folder / "store");
   const Store reader(folder / "store");
   std::thread thread([&] {
+    StudentResult student = student_of("jane");
     for (int i = 0; i < 200; ++i) {
-      const std::string value = std::to_string(i);
-      writer.put_facts({{"a", value}, {"b", value}, {"c", value}});
+      student.name = student.incident = std::to_string(i);
+      writer.put_student(student, "digest");
     }
   });
   std::set<std::string> seen;
   while (!seen.contains("199")) {
-    const std::map<std::string, std::string> facts = reader.read({}).facts;
-    if (facts.empty()) continue;
-    EXPECT_EQ(facts.at("a"), facts.at("c"));
-    seen.insert(facts.at("a"));
+    const std::vector<StudentResult> students = reader.read({}).students;
+    if (students.empty()) continue;
+    EXPECT_EQ(students[0].name, students[0].incident);
+    seen.insert(students[0].name);
   }
   thread.join();
   EXPECT_GT(seen.size(), 1U);

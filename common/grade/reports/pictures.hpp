@@ -22,9 +22,8 @@ struct Picture {
 };
 
 /// The upper 24 of a float's 32 bits, rounded to nearest: 16 digits of mantissa, so that a number is at most
-/// 2^-17 of itself off, which is 0.0005 degrees of a direction, 100 times below the smallest limit. NaN stays
-/// NaN and infinity infinity. A quarter of a page is saved, since the lowest byte is noise that no
-/// compression makes smaller.
+/// 2^-16 of itself off, and a direction 0.001 degrees, 50 times less than the smallest limit. NaN stays NaN
+/// and infinity infinity. The lowest byte is noise, which would make a page half as large again.
 std::uint32_t upper24(float value);
 
 /// The colours in which the labs show a data view (shaders/app/present.frag has the same): 0.5 + 0.5 n for

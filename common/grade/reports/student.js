@@ -249,7 +249,8 @@ class Viewer {
 
   /** Zooms and keeps a place where it is: the chosen pixel's middle, unless told. 0 shows all. */
   zoomBy(factor, place = [this.pixel[0] + 0.5, this.pixel[1] + 0.5]) {
-    const zoom = Math.min(Math.max(this.zoom * factor, 1), 32);
+    let zoom = Math.min(Math.max(this.zoom * factor, 1), 32);
+    if (zoom < 1.01) zoom = 1;  // what the wheel's roots of 2 leave
     this.origin = this.origin.map((from, axis) => place[axis] - (place[axis] - from) * this.zoom / zoom);
     this.zoom = zoom;
     this.clamp();

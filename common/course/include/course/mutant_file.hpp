@@ -45,6 +45,11 @@ std::vector<Mutant> read_mutants(const std::filesystem::path& file);
 /// files have entries of the same name, or as read_mutants.
 std::vector<Mutant> read_catalogue(const std::filesystem::path& folder);
 
+/// The catalogue of threats, `tests/threats/*.toml`: changes that do harm or cheat, in tables [[threat]],
+/// which read_mutants refuses, so that nobody runs them outside the grader's sandbox by mistake. They have no
+/// `survives`; `says` is what must happen. Otherwise as read_catalogue.
+std::vector<Mutant> read_threats(const std::filesystem::path& folder);
+
 /// The text of the mutant's file with the mutant's change. Throws Error (exit 3) with the mutant's place when
 /// `what` does not occur in it exactly once.
 std::string mutated(const Mutant& mutant, const std::string& text);

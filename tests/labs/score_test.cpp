@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// What the grader gives for pictures of which everybody knows how wrong they are. docs/grading.md has the same
+// table.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "core/files.hpp"
+#include "grade/judge.hpp"
+#include "image/load.hpp"
+#include "image/save.hpp"
+#include "labs.hpp"
+
+namespace texel::test {
+namespace {
+
+using grade::Expected;
+using grade::Shot;
+using grade::Verdict;
+using image::Image8;
+using image::ImageF;
+
+/// Pictures of different kinds: a texture on a square, a lit relief, a ball in its surroundings.
+struct Scene {
+  const char* lab;
+  Settings look;
+};
+const Scene kScenes[] = {{"lab01_texture_quad", {{"texture", "brick"}, {"tilt", "20"}, {"distance", "1.8"}}},
+                         {"lab05_normal_map", {{"model", "torus"}, {"texture", "scales"}, {"distance", "2.2"}}},
+                         {"lab08_reflection", {{"distance", "3"}}}};
+
+/// Scores of changed pictures of one scene.
+class ScoreOf : public testing::TestWithParam<int> {
+ protected:
+  void SetUp() override {
+    const Scene& scene = kScenes[GetParam()];
+    draw(scene.lab, {{"reference", scene.look}, {"mask", scene.look, "mask"}}, folder_);
+    shot_.graded.name = "picture", shot_.graded.size = "128x128", shot_.graded.limit = 2;
+    expected_ = {file("reference"), file("starter"), file("mask")};
+    reference_ = image::load8(file("reference"), 3);
+    // As most starters do: the object is there, and grey.
+    const Image8 mask = image::load8(file("mask"), 1);
+    image::save_png(file("starter"),
+                    changed([&](int x, int y, int c) { return mask.at(x, y) > 127 ? 128 : at(x, y, c); }));
+  }
+
+  std::filesystem::path file(const std::string& name) { return folder_ / (name + ".png"); }
+  Verdict verdict_of(const Image8& picture) {
+    image::save_png(file("picture"), picture);
+    return grade::judge(shot_, expected_, file("picture"));
+  }
+  double score(const Image8& picture) {
+    const Verdict verdict = verdict_of(picture);
+    EXPECT_EQ(verdict.passed, verdict.score == 1) << verdict.message;
+    return verdict.score;
+  }
+  /// The reference with each sample replaced by what `change(x, y, channel)` gives.
+  template <class Change>
+  Image8 changed(Change change) {
+    Image8 picture = reference_;
+    for (int y = 0; y < picture.height; ++y)
+      for (int x = 0; x < picture.width; ++x)
+        for (int c = 0; c < 3; ++c)
+          picture.at(x, y, c) = static_cast<std::uint8_t>(std::clamp<int>(change(x, y, c), 0, 255));
+    return picture;
+  }
+  int at(int x, int y, int c) const {
+    return reference_.at(std::clamp(x, 0, reference_.width - 1), std::clamp(y, 0, reference_.height - 1), c);
+  }
+
+  TemporaryFolder folder_{fmt::format("score_{}", ::getpid())};
+  Shot shot_;
+  Expected expected_;
+  Image8 reference_;
+};
+
+TEST_P(ScoreOf, the_reference_and_one_step_more_or_less_is_full_marks) {
+  EXPECT_EQ(score(reference_), 1);
+  EXPECT_EQ(score(changed([&](int x, int y, int c) { return at(x, y, c) + 1; })), 1);
+  EXPECT_EQ(score(changed([&](int x, int y, int c) { return at(x, y, c) + (x + y) % 3 - 1; })), 1);
+}
+
+TEST_P(ScoreOf, pictures_that_show_nothing_of_it_is_zero) {
+  EXPECT_EQ(score(changed([](int, int, int) { return 0; })), 0) << "black";
+  EXPECT_EQ(score(changed([](int, int, int) { return 255; })), 0) << "white";
+  EXPECT_EQ(score(changed([&](int, int, int c) { return at(0, 0, c); })), 0) << "the background";
+  std::mt19937 random(1);
+  EXPECT_EQ(score(changed([&](int, int, int) { return static_cast<int>(random() & 255U); })), 0) << "noise";
+}
+
+TEST_P(ScoreOf, another_labs_picture_is_zero) {
+  for (const Scene& other : kScenes) {
+    if (other.lab == std::string(kScenes[GetParam()].lab)) continue;
+    draw(other.lab, {{"other", other.look}}, folder_);
+    EXPECT_EQ(grade::judge(shot_, expected_, file("other")).score, 0) << other.lab;
+  }
+}
+
+TEST_P(ScoreOf, the_starters_own_picture_is_zero) {
+  EXPECT_EQ(grade::judge(shot_, expected_, file("starter")).score, 0);
+}
+
+TEST_P(ScoreOf, a_missing_broken_or_wrongly_sized_picture_is_zero) {
+  EXPECT_EQ(grade::judge(shot_, expected_, file("nowhere")).score, 0);
+  EXPECT_TRUE(std::isnan(grade::judge(shot_, expected_, file("nowhere")).error));
+  image::save_png(file("small"), Image8(64, 64, 3));
+  const Verdict small = grade::judge(shot_, expected_, file("small"));
+  EXPECT_EQ(small.score, 0);
+  EXPECT_NE(small.message.find("64x64"), std::string::npos) << small.message;
+  write_file(file("broken"), "no picture");
+  EXPECT_EQ(grade::judge(shot_, expected_, file("broken")).score, 0);
+}
+
+TEST_P(ScoreOf, a_mirrored_picture_or_one_upside_down_is_at_most_0_3) {
+  const int last = reference_.width - 1;
+  EXPECT_LE(score(changed([&](int x, int y, int c) { return at(last - x, y, c); })), 0.3) << "mirrored";
+  EXPECT_LE(score(changed([&](int x, int y, int c) { return at(x, last - y, c); })), 0.3) << "upside down";
+}
+
+TEST_P(ScoreOf, half_a_picture_is_at_most_0_6) {
+  const int half = reference_.width / 2;
+  EXPECT_LE(score(changed([&](int x, int y, int c) { return y < half ? at(x, y, c) : at(0, 0, c); })), 0.6);
+  EXPECT_LE(score(changed([&](int x, int y, int c) { return x < half ? at(x, y, c) : 0; })), 0.6);
+}
+
+TEST_P(ScoreOf, a_picture_shifted_by_one_pixel_is_from_0_5_to_0_95) {
+  for (const auto& [dx, dy] : {std::pair(1, 0), {0, 1}, {-1, 0}}) {
+    const double shifted = score(changed([&](int x, int y, int c) { return at(x + dx, y + dy, c); }));
+    EXPECT_GE(shifted, 0.5) << dx << " " << dy;
+    EXPECT_LE(shifted, 0.95) << dx << " " << dy;
+  }
+}
+
+TEST_P(ScoreOf, a_picture_recoloured_by_five_steps_is_from_0_5_to_0_95) {
+  for (const auto& [red, green, blue] : {std::array{5, 5, 5}, {-5, -5, -5}, {5, 0, 0}, {5, -5, 0}}) {
+    const int by[] = {red, green, blue};
+    const double recoloured = score(changed([&](int x, int y, int c) { return at(x, y, c) + by[c]; }));
+    EXPECT_GE(recoloured, 0.5) << red << " " << green << " " << blue;
+    EXPECT_LE(recoloured, 0.95) << red << " " << green << " " << blue;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scene, ScoreOf, testing::Range(0, 3), [](const testing::TestParamInfo<int>& scene) {
+  return std::string(kScenes[scene.param].lab).substr(0, 5);
+});
+
+/// A float picture of unit vectors on a disc.
+ImageF disc_of_vectors(float tilt) {
+  ImageF picture(64, 64, 3);
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x)
+      if (std::hypot(x - 31.5, y - 31.5) < 24) {
+        picture.at(x, y, 0) = std::sin(tilt);
+        picture.at(x, y, 2) = std::cos(tilt);
+      }
+  return picture;
+}
+
+TEST(ScoreOfDirections, falls_with_the_angle_and_is_zero_for_what_is_not_finite) {
+  const TemporaryFolder folder(fmt::format("directions_{}", ::getpid()));
+  Image8 mask(64, 64, 3);
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x)
+      for (int c = 0; c < 3; ++c) mask.at(x, y, c) = std::hypot(x - 31.5, y - 31.5) < 24 ? 255 : 0;
+  image::save_png(folder / "mask.png", mask);
+  image::save_pfm(folder / "reference.pfm", disc_of_vectors(0));
+  Shot shot;
+  shot.graded.name = "n", shot.graded.view = "normal", shot.graded.size = "64x64", shot.graded.limit = 0.1;
+  const Expected expected{folder / "reference.pfm", {}, folder / "mask.png"};
+  const auto verdict = [&](const ImageF& picture) {
+    image::save_pfm(folder / "picture.pfm", picture);
+    return grade::judge(shot, expected, folder / "picture.pfm");
+  };
+  constexpr float degree = 3.14159265F / 180;
+  EXPECT_TRUE(verdict(disc_of_vectors(0.09F * degree)).passed);
+  const Verdict off = verdict(disc_of_vectors(10 * degree));
+  EXPECT_NEAR(off.error, 10, 1e-3);
+  EXPECT_NEAR(off.score, 1 - 10.0 / 40, 1e-3);
+  EXPECT_EQ(verdict(disc_of_vectors(50 * degree)).score, 0);
+  ImageF one_nan = disc_of_vectors(0);
+  one_nan.at(31, 31, 1) = std::nanf("");
+  EXPECT_EQ(verdict(one_nan).score, 0);
+  EXPECT_NE(verdict(one_nan).message.find("not finite"), std::string::npos);
+  // Of 1804 pixels one may be off, 3 not.
+  ImageF few = disc_of_vectors(0);
+  few.at(31, 31, 0) = 1;
+  EXPECT_TRUE(verdict(few).passed);
+  few.at(20, 31, 0) = few.at(31, 20, 0) = 1;
+  EXPECT_FALSE(verdict(few).passed);
+}
+
+}  // namespace
+}  // namespace texel::test

@@ -1,0 +1,444 @@
+// SPDX-License-Identifier: MIT
+// Whole classes, graded by the program `texel` as a teacher runs it. make_class says what must come out.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <set>
+#include <sstream>
+#include <thread>
+
+#include "../support/process.hpp"
+#include "core/files.hpp"
+#include "grade/grader.hpp"
+#include "grade/sandbox.hpp"
+#include "grade/store.hpp"
+
+namespace texel {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::has;
+using test::Result;
+using test::shell;
+using test::shell_word;
+
+const fs::path kWork = fs::path(TEXEL_BUILD) / "grade_test";
+const fs::path kCache = fs::path(TEXEL_BUILD) / "grade";
+constexpr const char* kSeed = "a seed that no report may show";
+
+/// A class folder and what must come out of it.
+struct Class {
+  fs::path folder;
+  std::string labs;
+  json expected;
+};
+
+Class make_class(const std::string& name, const std::string& labs, const std::string& rest) {
+  Class made{kWork / name, labs, {}};
+  const Result result =
+      shell(fmt::format("{} --root {} --out {} --labs {} {} 2>&1", MAKE_CLASS, shell_word(TEXEL_SOURCE),
+                        shell_word(made.folder.string()), labs, rest));
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  made.expected = json::parse(read_file(kWork / (name + ".json")));
+  return made;
+}
+
+/// The command that grades a class, as words for a shell.
+std::string command(const Class& graded, const fs::path& out, const std::string& rest = {}) {
+  return fmt::format("{} grade {} --out {} --labs {} --cache {} --seed-file {} {}", TEXEL_BIN "/texel",
+                     shell_word(graded.folder.string()), shell_word(out.string()), graded.labs,
+                     shell_word(kCache.string()), shell_word((kWork / "seed.txt").string()), rest);
+}
+
+Result grade(const Class& graded, const fs::path& out, const std::string& rest = {}) {
+  return shell(command(graded, out, rest) + " 2>&1");
+}
+
+std::string dump(const fs::path& out) {
+  return grade::Store(grade::store_file(out)).dump();
+}
+
+/// Every file below a folder with its bytes.
+std::map<std::string, std::string> files_in(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && !entry.is_symlink())
+      files[entry.path().lexically_relative(folder).string()] = read_file(entry.path());
+  return files;
+}
+
+/// The lines of a dump by their student, without the facts.
+std::map<std::string, std::string> by_student(const std::string& dump) {
+  std::map<std::string, std::string> rows;
+  std::istringstream lines(dump);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("facts\t")) continue;
+    const std::size_t begin = line.find('\t') + 1;
+    rows[line.substr(begin, line.find('\t', begin) - begin)] += line + "\n";
+  }
+  return rows;
+}
+
+/// RFC 4180.
+std::vector<std::vector<std::string>> read_csv(const std::string& text) {
+  std::vector<std::vector<std::string>> rows(1, {""});
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"' && quoted && i + 1 < text.size() && text[i + 1] == '"')
+      rows.back().back() += text[++i];
+    else if (c == '"')
+      quoted = !quoted;
+    else if (c == ',' && !quoted)
+      rows.back().emplace_back();
+    else if (c == '\n' && !quoted)
+      rows.push_back({""});
+    else if (c != '\r' || quoted)
+      rows.back().back() += c;
+  }
+  rows.pop_back();
+  return rows;
+}
+
+/// Holds one student's grades against what must come out; whether a mistake that has a name got it.
+bool check_student(const grade::StudentResult& student, const json& expected) {
+  SCOPED_TRACE(fmt::format("{} ({} {})", student.id, expected.at("kind").get<std::string>(),
+                           expected.at("name").get<std::string>()));
+  EXPECT_EQ(student.incident, "");
+  EXPECT_EQ(student.fault.empty(), !expected.value("fault", false)) << student.fault;
+  std::set<std::string> passed;
+  bool is_named = true;
+  const auto zero = expected.value("zero", std::set<std::string>());
+  for (const grade::LabResult& lab : student.labs)
+    for (const grade::StepResult& step : lab.steps) {
+      const std::string told = fmt::format("{}: {} {}", step.id, step.score, step.message);
+      if (step.status == grade::Status::passed) passed.insert(step.id);
+      EXPECT_EQ(step.status == grade::Status::passed, step.score == 1) << told;
+      if (zero.count(step.id) > 0) {
+        EXPECT_EQ(step.score, 0) << told;
+      }
+      if (expected.value("fails", "") != step.id) continue;
+      EXPECT_LT(step.score, 1) << told;
+      EXPECT_NE(step.status, grade::Status::passed) << told;
+      is_named = step.mistake == expected.at("mistake");
+      if (!is_named)
+        fmt::print("{} was called '{}'\n", expected.at("mistake").get<std::string>(), step.mistake);
+    }
+  if (expected.contains("passes")) {
+    EXPECT_EQ(passed, expected.at("passes").get<std::set<std::string>>());
+  }
+  return is_named;
+}
+
+/// Holds all students of a class against what must come out.
+void check(const fs::path& out, const Class& graded) {
+  const grade::ClassResult results = grade::read_results(out, TEXEL_SOURCE);
+  const json& expected = graded.expected.at("students");
+  EXPECT_EQ(results.students.size(), expected.size());
+  int mutants = 0, named = 0;
+  for (const grade::StudentResult& student : results.students) {
+    ASSERT_TRUE(expected.contains(student.id)) << student.id;
+    const bool is_named = check_student(student, expected.at(student.id));
+    if (!expected.at(student.id).contains("mistake")) continue;
+    ++mutants;
+    named += is_named ? 1 : 0;
+  }
+  fmt::print("{} of {} mutants were named rightly\n", named, mutants);
+  EXPECT_GE(named, 0.9 * mutants);
+}
+
+/// That nothing of what the threats tried is to be seen.
+void check_harmless(const fs::path& out, const Class& hostile,
+                    const std::map<std::string, std::string>& before) {
+  EXPECT_TRUE(files_in(hostile.folder) == before) << "submissions were changed";
+  for (const fs::path& folder :
+       {fs::path("/"), fs::path("/tmp"), fs::path(TEXEL_SOURCE), hostile.folder, out, fs::current_path()})
+    EXPECT_FALSE(fs::exists(folder / "texel_threat_was_here")) << folder;
+  EXPECT_FALSE(has(dump(out), kSeed));
+  for (const auto& [name, text] : files_in(out / "report")) {
+    EXPECT_FALSE(has(text, "<script>texel_threat") || has(text, "<img src=x")) << name;
+    EXPECT_FALSE(has(text, kSeed)) << name;
+  }
+  for (const auto& row : read_csv(read_file(out / "class.csv")))
+    for (const std::string& cell : row)
+      EXPECT_TRUE(cell.empty() || std::string("=+@").find(cell[0]) == std::string::npos) << cell;
+}
+
+/// Grades, is killed after each of the times (in seconds), and is taken up again until it ends.
+void grade_with_kills(const Class& graded, const fs::path& out, const std::vector<double>& moments) {
+  for (const double moment : moments) {
+    const std::string line = "exec " + command(graded, out, "--resume") + " >/dev/null 2>&1";
+    const pid_t grader = ::fork();
+    if (grader == 0) {
+      ::execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
+      ::_exit(127);
+    }
+    std::this_thread::sleep_for(std::chrono::duration<double>(moment));
+    ::kill(grader, SIGKILL);
+    ::waitpid(grader, nullptr, 0);
+  }
+  const Result last = grade(graded, out, "--resume --format csv");
+  EXPECT_EQ(last.exit_code, 0) << last.output;
+}
+
+/// That two folders hold the same grades, pictures and reports of the class.
+void expect_same(const fs::path& a, const fs::path& b) {
+  EXPECT_EQ(dump(a), dump(b));
+  EXPECT_EQ(read_file(a / "class.csv"), read_file(b / "class.csv"));
+  EXPECT_TRUE(files_in(a / "pictures") == files_in(b / "pictures"));
+}
+
+class GraderTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!grade::sandbox_fault().empty())
+      GTEST_SKIP() << "bubblewrap cannot work here: " << grade::sandbox_fault();
+  }
+  static void make_work_folder() {
+    fs::create_directories(kWork);
+    write_file(kWork / "seed.txt", kSeed);
+  }
+};
+
+/// Builds what the others share, by grading somebody who handed in nothing.
+class Starter : public GraderTest {};
+
+TEST_F(Starter, is_built_and_an_empty_submission_scores_nothing) {
+  fs::remove_all(kWork);
+  make_work_folder();
+  Class empty{kWork / "empty", "1,2,3,4,5,6,7,8,9", {}};
+  fs::create_directories(empty.folder / "nobody");
+  const Result result = grade(empty, kWork / "empty_out");
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  const grade::ClassResult results = grade::read_results(kWork / "empty_out", TEXEL_SOURCE);
+  ASSERT_EQ(results.students.size(), 1U);
+  EXPECT_EQ(results.students[0].points(), 0);
+  EXPECT_GT(results.students[0].max_points(), 0);
+}
+
+/// Two labs: one of C++, one of GLSL; and a few students on one lab for what does not depend on the labs.
+class GradedClass : public GraderTest {
+ protected:
+  static void SetUpTestSuite() {
+    if (!grade::sandbox_fault().empty()) return;
+    make_work_folder();
+    for (const char* name : {"two_labs", "few", "hostile", "egl", "disk"})
+      for (const char* ending : {"", ".json", "_out"}) fs::remove_all(kWork / (std::string(name) + ending));
+    two_labs_ = make_class("two_labs", "7,9", "--kinds solution,starter,prefix,mutant,equivalent --limit 3");
+    graded_ = grade(two_labs_, kWork / "two_labs_out");
+    few_ = make_class("few", "9", "--kinds solution,starter,prefix,mutant --limit 1");
+    const auto begin = std::chrono::steady_clock::now();
+    graded_few_ = grade(few_, kWork / "few_out", "--format csv,gradescope,prairielearn,junit");
+    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+
+  /// A folder for one test's results.
+  static fs::path fresh(const std::string& name) {
+    fs::remove_all(kWork / name);
+    return kWork / name;
+  }
+
+  static Class two_labs_, few_;
+  static Result graded_, graded_few_;
+  static double seconds_;  ///< that grading the few takes
+};
+
+Class GradedClass::two_labs_, GradedClass::few_;
+Result GradedClass::graded_, GradedClass::graded_few_;
+double GradedClass::seconds_ = 0;
+
+TEST_F(GradedClass, gives_everybody_what_they_earned) {
+  ASSERT_EQ(graded_.exit_code, 0) << graded_.output;
+  check(kWork / "two_labs_out", two_labs_);
+}
+
+TEST_F(GradedClass, is_graded_alike_on_egl_and_on_osmesa) {
+  const Class both = make_class("egl", "7,9", "--kinds solution,starter");
+  for (const char* context : {"egl", "osmesa"}) {
+    const fs::path out = fresh(std::string("egl_out_") + context);
+    const Result result = grade(both, out, std::string("--context ") + context);
+    ASSERT_EQ(result.exit_code, 0) << result.output;
+    check(out, both);
+  }
+  fs::remove_all(both.folder);
+}
+
+TEST_F(GradedClass, is_not_touched_by_threats) {
+  const Class hostile = make_class(
+      "hostile", "7,9", "--kinds solution,starter,prefix,mutant,equivalent,threat,broken --limit 3");
+  const auto before = files_in(hostile.folder);
+  const fs::path out = kWork / "hostile_out";
+  const Result result = grade(hostile, out, "--format csv,junit");
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  check(out, hostile);
+  check_harmless(out, hostile, before);
+  const auto rows = by_student(dump(out));
+  for (const auto& [student, lines] : by_student(dump(kWork / "two_labs_out")))
+    EXPECT_EQ(rows.at(student), lines);
+}
+
+TEST_F(GradedClass, is_the_same_after_sudden_ends) {
+  ASSERT_EQ(graded_few_.exit_code, 0) << graded_few_.output;
+  const fs::path out = fresh("killed_out");
+  grade_with_kills(few_, out, {0.3 * seconds_, 0.5 * seconds_, 0.6 * seconds_});
+  expect_same(out, kWork / "few_out");
+}
+
+TEST_F(GradedClass, is_the_same_from_two_shards) {
+  const fs::path first = fresh("shard_1_out"), second = fresh("shard_2_out"), merged = fresh("merged_out");
+  for (const auto& [out, shard] : {std::pair(first, "1/2"), std::pair(second, "2/2")}) {
+    const Result result = grade(few_, out, std::string("--shard ") + shard);
+    ASSERT_EQ(result.exit_code, 0) << result.output;
+  }
+  const Result result = shell(fmt::format("{}/texel grade merge {} {} --out {} --format csv 2>&1", TEXEL_BIN,
+                                          first.string(), second.string(), merged.string()));
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  expect_same(merged, kWork / "few_out");
+}
+
+/// A small disk of its own for the results, in which half the class is graded; then what `spoil` does to it,
+/// and a run that must fail and say why; then what `mend` does, and a run that must end.
+void grade_on_spoilt_disk(const Class& graded, const std::string& spoil, const std::string& mend,
+                          const std::string& reason) {
+  if (::geteuid() != 0 || shell("unshare -m true").exit_code != 0)
+    GTEST_SKIP() << "needs to mount a disk, as root";
+  const fs::path disk = kWork / "disk", kept = kWork / "disk_kept", half = kWork / "disk_half";
+  for (const fs::path& folder : {disk, kept, half}) {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+  const auto line = [&](const char* rest) { return command(graded, disk, rest); };
+  const Result result = shell(
+      fmt::format("unshare -m sh -c {} 2>&1",
+                  shell_word(fmt::format(
+                      "d={0}; mount -t tmpfs -o size=64m,mode=755 tmpfs $d && {1} >/dev/null 2>&1; echo "
+                      "first $?; {2}; {3}; "
+                      "echo spoilt $?; {4}; cp -p $d/results.sqlite* {5}; {6} >/dev/null 2>&1; echo last $?; "
+                      "cp -r $d/. {7}",
+                      disk.string(), line("--shard 1/2"), spoil, line("--resume"), mend, half.string(),
+                      line("--resume --format csv"), kept.string()))));
+  EXPECT_TRUE(has(result.output, "first 0\n")) << result.output;
+  EXPECT_TRUE(has(result.output, "spoilt 3\n")) << result.output;
+  EXPECT_TRUE(has(result.output, "texel: ")) << result.output;
+  EXPECT_TRUE(has(result.output, reason)) << result.output;
+  EXPECT_TRUE(has(result.output, "last 0\n")) << result.output;
+  // What was there stayed, and in the end nothing is missing.
+  const auto whole = by_student(dump(kWork / "few_out")), rows = by_student(dump(half));
+  EXPECT_GE(rows.size(), whole.size() / 2);
+  int intact = 0;
+  for (const auto& [student, lines] : rows) intact += whole.at(student) == lines ? 1 : 0;
+  EXPECT_GE(intact, static_cast<int>(whole.size() / 2));
+  expect_same(kept, kWork / "few_out");
+}
+
+TEST_F(GradedClass, survives_a_full_disk) {
+  grade_on_spoilt_disk(few_,
+                       "head -c $(($(df -B1 --output=avail $d | tail -1) - 65536)) /dev/zero >$d/filler",
+                       "rm $d/filler", "No space left on device");
+}
+
+TEST_F(GradedClass, survives_a_folder_that_cannot_be_written) {
+  grade_on_spoilt_disk(few_, "mount -o remount,ro $d", "mount -o remount,rw $d", "ead-only file system");
+}
+
+TEST_F(GradedClass, has_reports_in_every_format) {
+  ASSERT_EQ(graded_few_.exit_code, 0) << graded_few_.output;
+  const fs::path out = kWork / "few_out";
+  const auto rows = read_csv(read_file(out / "class.csv"));
+  EXPECT_EQ(rows.size(), few_.expected.at("students").size() + 1);
+  for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
+  for (const auto& [id, expected] : few_.expected.at("students").items()) {
+    EXPECT_TRUE(json::parse(read_file(out / "gradescope" / id / "results.json")).contains("tests")) << id;
+    EXPECT_TRUE(json::parse(read_file(out / "prairielearn" / id / "results.json")).contains("score")) << id;
+    EXPECT_TRUE(read_file(out / "junit" / (id + ".xml")).starts_with("<?xml")) << id;
+    EXPECT_TRUE(has(read_file(out / "report" / (id + ".html")), "</html>")) << id;
+  }
+  EXPECT_TRUE(has(read_file(out / "report/index.html"), "</html>"));
+}
+
+TEST_F(GradedClass, is_found_again_by_a_second_run_that_judges_nothing) {
+  const Result again = grade(few_, kWork / "few_out", "--resume --format csv");
+  EXPECT_EQ(again.exit_code, 0) << again.output;
+  EXPECT_TRUE(has(again.output, ": 0 cases in ")) << again.output;
+}
+
+/// The same over all labs, with every mutant, equivalent and threat there is.
+class WholeCourse : public GraderTest {
+ protected:
+  void SetUp() override {
+    GraderTest::SetUp();
+    if (std::getenv("TEXEL_TEST_ALL") == nullptr) GTEST_SKIP() << "takes hours: TEXEL_TEST_ALL=1 runs it";
+    make_work_folder();
+  }
+  static Class made(const std::string& name, const std::string& rest) {
+    for (const char* ending : {"", ".json", "_out"}) fs::remove_all(kWork / (name + ending));
+    return make_class(name, "1,2,3,4,5,6,7,8,9", rest);
+  }
+};
+
+TEST_F(WholeCourse, is_graded_rightly_for_every_wrong_and_every_right_solution) {
+  const Class all = made("all", "--kinds solution,starter,prefix,mutant,equivalent");
+  const Result result = grade(all, kWork / "all_out");
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  check(kWork / "all_out", all);
+}
+
+TEST_F(WholeCourse, is_not_touched_by_threats) {
+  const Class hostile =
+      made("all_hostile", "--kinds solution,starter,prefix,mutant,equivalent,threat,slow,broken --limit 8");
+  const auto before = files_in(hostile.folder);
+  const fs::path out = kWork / "all_hostile_out";
+  const Result result = grade(hostile, out, "--format csv,gradescope,prairielearn,junit");
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  check(out, hostile);
+  check_harmless(out, hostile, before);
+  ASSERT_TRUE(fs::exists(kWork / "all_out")) << "the test before this one grades the class without threats";
+  const auto rows = by_student(dump(kWork / "all_out"));
+  int compared = 0;
+  for (const auto& [student, lines] : by_student(dump(out)))
+    if (const auto same = rows.find(student); same != rows.end()) {
+      EXPECT_EQ(same->second, lines);
+      ++compared;
+    }
+  EXPECT_GE(compared, 3 + 2 + 3 * 8);
+}
+
+TEST_F(WholeCourse, is_the_same_after_twenty_sudden_ends_and_from_four_shards) {
+  const Class some = made("some", "--kinds solution,starter,prefix,mutant,equivalent --limit 5");
+  const fs::path whole = kWork / "some_out", killed = kWork / "some_killed", merged = kWork / "some_merged";
+  for (const fs::path& folder : {whole, killed, merged}) fs::remove_all(folder);
+  const auto begin = std::chrono::steady_clock::now();
+  ASSERT_EQ(grade(some, whole, "--format csv").exit_code, 0);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  std::mt19937 random(std::random_device{}());
+  std::vector<double> moments;
+  for (int i = 0; i < 20; ++i) moments.push_back(std::uniform_real_distribution(0.5, 0.15 * seconds)(random));
+  grade_with_kills(some, killed, moments);
+  expect_same(killed, whole);
+
+  if (shell("parallel --version").exit_code != 0) GTEST_SKIP() << "GNU parallel is missing";
+  const std::string shards = (kWork / "some_shard").string();
+  shell("rm -rf " + shards + "_*");
+  const Result parallel =
+      shell(fmt::format("parallel -j 2 {} ::: 1 2 3 4 2>&1",
+                        shell_word(command(some, shards + "_{}", "--jobs 1 --shard {}/4"))));
+  ASSERT_EQ(parallel.exit_code, 0) << parallel.output;
+  const Result result =
+      shell(fmt::format("{0}/texel grade merge {1}_1 {1}_2 {1}_3 {1}_4 --out {2} --format csv 2>&1",
+                        TEXEL_BIN, shards, merged.string()));
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  expect_same(merged, whole);
+}
+
+}  // namespace
+}  // namespace texel
