@@ -55,7 +55,8 @@ std::string uncommented(std::string_view line) {
   const std::size_t sign = rest.starts_with("//") ? 2 : rest.starts_with("#") ? 1 : 0;
   rest.remove_prefix(sign);
   if (sign > 0 && rest.starts_with(" ")) rest.remove_prefix(1);
-  return rest.empty() ? std::string() : std::string(line.substr(0, first)) + std::string(rest);
+  const bool is_blank = rest.find_first_not_of("\r\n") == rest.npos;
+  return is_blank ? std::string(rest) : std::string(line.substr(0, first)) + std::string(rest);
 }
 
 /// Goes through a text. `marker(line, marker)` gets each marker's line, `between(part, line)` each other one

@@ -90,7 +90,7 @@ class ClassRun {
     prepare();
     open_store();
     grade(entries);
-    GradeSummary summary{entries.size(), judged_, 0, stopwatch_.milliseconds() / 1000};
+    GradeSummary summary{entries.size(), judged_, 0, stopwatch_.milliseconds() / 1000 - ready_};
     for (const StudentResult& student : store_->read(graded_labs_).students)
       if (!student.incident.empty()) ++summary.incidents;
     return summary;
@@ -142,7 +142,8 @@ class ClassRun {
     plans_ = plan(graded_labs_, seed_, models_);
     in_parallel(plans_.size(), [&](std::size_t i) { course_->prepare(plans_[i]); });
     for (const LabPlan& plan : plans_) keep_references(plan);
-    say_(fmt::format("ready after {}", duration(stopwatch_.milliseconds() / 1000)));
+    ready_ = stopwatch_.milliseconds() / 1000;
+    say_(fmt::format("ready after {}", duration(ready_)));
   }
 
   /// The expected pictures of public cases, for the reports.
@@ -352,13 +353,21 @@ class ClassRun {
     result.passed = verdict.passed, result.score = verdict.score, result.error = verdict.error;
     result.message = verdict.message;
     if (const auto fault = drawn.faults.find(shot.file()); fault != drawn.faults.end())
-      result.message = fault->second;
+      result.message = without_our_folders(fault->second);
     if (!student.submission.fault.empty()) result.message = student.submission.fault;
     const std::string& file = place_of(shot.graded.step).file;
     for (const CompilerLog& log : program.refused)
       if (log.file == file && !result.passed)
         result.message = fmt::format("{} does not compile: {}", file, first_error(log.text));
     return result;
+  }
+
+  /// A text of the program's, in which the grader's own folders are nobody's business.
+  [[nodiscard]] std::string without_our_folders(std::string text) const {
+    for (const fs::path& folder : {models_, starter_.source, options_.out / "work"})
+      for (std::size_t at = 0; (at = text.find(folder.string() + "/", at)) != text.npos;)
+        text.erase(at, folder.string().size() + 1);
+    return text;
   }
 
   const Place& place_of(const std::string& step) const {
@@ -387,7 +396,7 @@ class ClassRun {
     if (!is_begun) {
       for (CaseResult& result : results)
         if (failed.count(result.name) > 0)
-          result.score = 0, result.message = "this is still what the starter draws; " + result.message;
+          result.score = 0, result.message = "This is still what the starter draws. " + result.message;
       return;
     }
     const std::optional<course::Mutant> mutant = course_->recognise(plan, step, failed);
@@ -407,7 +416,7 @@ class ClassRun {
 
   void progress() {
     const std::scoped_lock lock(say_mutex_);
-    const double seconds = stopwatch_.milliseconds() / 1000;
+    const double seconds = stopwatch_.milliseconds() / 1000 - ready_;
     if (seconds - said_ < 1 && finished_ < all_cases_) return;
     said_ = seconds;
     const double rate = static_cast<double>(judged_) / std::max(seconds, 1e-3);
@@ -432,7 +441,7 @@ class ClassRun {
   std::atomic<std::size_t> judged_ = 0, finished_ = 0;
   std::size_t all_cases_ = 0;
   std::mutex say_mutex_;
-  double said_ = 0;
+  double ready_ = 0, said_ = 0;  ///< seconds: when the first student's turn came, and when `say_` was called since
 };
 
 }  // namespace

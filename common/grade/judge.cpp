@@ -180,7 +180,7 @@ Verdict judge_picture(const Shot& shot, const Expected& expected, const fs::path
     std::string text = error.what();
     if (text.starts_with(file.string())) text = text.substr(std::min(text.size(), file.string().size() + 2));
     verdict.error = std::numeric_limits<double>::quiet_NaN();
-    verdict.message = "the picture " + plain_text(text);
+    verdict.message = "The picture " + plain_text(text);
     return verdict;
   }
   std::optional<Picture> starter;
@@ -209,9 +209,9 @@ Verdict judge_picture(const Shot& shot, const Expected& expected, const fs::path
   verdict.score = std::clamp(verdict.score, 0.0, kMostOfWrong);
   if (non_finite > 0) {
     verdict.score = 0;
-    verdict.message = fmt::format("{} pixels are not finite (NaN or infinity)", non_finite);
+    verdict.message = fmt::format("{} pixels are not finite (NaN or infinity).", non_finite);
   } else {
-    verdict.message = fmt::format("off by {} {} where {} is the limit; {}", short_number(verdict.error),
+    verdict.message = fmt::format("Off by {} {} where {} is the limit; {}.", short_number(verdict.error),
                                   unit_of(view), short_number(shot.graded.limit), worst);
   }
   return verdict;
@@ -241,7 +241,7 @@ Verdict judge(const Shot& shot, const Expected& expected, const fs::path& pictur
   if (!fs::is_regular_file(fs::symlink_status(picture))) {
     Verdict verdict;
     verdict.error = std::numeric_limits<double>::quiet_NaN();
-    verdict.message = "there is no picture";
+    verdict.message = "There is no picture.";
     return verdict;
   }
   if (shot.is_mesh()) return judge_mesh(shot.graded.limit, expected.reference, expected.starter, picture);

@@ -128,7 +128,7 @@ Verdict judge_mesh(double limit, const fs::path& reference_file, const fs::path&
   } catch (const Error& error) {
     std::string text = error.what();
     if (text.starts_with(file.string())) text = text.substr(std::min(text.size(), file.string().size() + 2));
-    verdict.message = "the vertex stream " + plain_text(text);
+    verdict.message = "The vertex stream " + plain_text(text);
     return verdict;
   }
   const Lookup own(std::move(mesh));
@@ -144,10 +144,10 @@ Verdict judge_mesh(double limit, const fs::path& reference_file, const fs::path&
   verdict.score = least < 1 ? std::clamp((found.share - least) / (1 - least), 0.0, 0.95) : 0;
   verdict.message =
       count != expected
-          ? fmt::format("{} vertices where {} are expected; {:.0f} % of those are there and right", count, expected,
+          ? fmt::format("{} vertices where {} are expected; {:.0f} % of those are there and right.", count, expected,
                         100 * found.share)
           : fmt::format("{:.0f} % of the vertices are right; normals, tangents or triangles around the others are "
-                        "off by up to {:.3g} degrees where {:.3g} is the limit",
+                        "off by up to {:.3g} degrees where {:.3g} is the limit.",
                         100 * found.share, found.error, limit);
   return verdict;
 }

@@ -31,6 +31,8 @@ Outcome run(const Studio& studio, const std::string& list, const fs::path& work,
   sandbox.read_only = {studio.program.parent_path(), studio.root, cases};
   sandbox.read_only.insert(sandbox.read_only.end(), studio.readable.begin(), studio.readable.end());
   sandbox.writable = {out};
+  // So that a case can name a file as one does in the project's root: assets/models/….
+  sandbox.working_folder = studio.root;
   sandbox.limits.cpu_seconds = kProcessorSeconds, sandbox.limits.wall_seconds = kWallSeconds;
   sandbox.limits.disk = 64U << 20U, sandbox.limits.files = 1024;
   sandbox.environment = {{"TEXEL_ROOT", studio.root.string()},
@@ -44,12 +46,12 @@ Outcome run(const Studio& studio, const std::string& list, const fs::path& work,
 /// "crashed (segmentation fault)": how a program ended that did not draw what it should.
 std::string end_of(const Outcome& outcome) {
   if (outcome.limit != Limit::none)
-    return fmt::format("the program was ended here: it used up its {}", name_of(outcome.limit));
-  if (outcome.signal == SIGSEGV) return "the program crashed here: it read or wrote where nothing is (SIGSEGV)";
-  if (outcome.signal == SIGABRT) return "the program gave up here (SIGABRT)";
-  if (outcome.signal == SIGFPE) return "the program crashed here: a whole number was divided by zero (SIGFPE)";
-  if (outcome.signal != 0) return fmt::format("the program was ended here by signal {}", outcome.signal);
-  return fmt::format("the program ended with exit code {} and drew nothing", outcome.exit_code);
+    return fmt::format("The program was ended here: it used up its {}", name_of(outcome.limit));
+  if (outcome.signal == SIGSEGV) return "The program crashed here: it read or wrote where nothing is (SIGSEGV)";
+  if (outcome.signal == SIGABRT) return "The program gave up here (SIGABRT)";
+  if (outcome.signal == SIGFPE) return "The program crashed here: a whole number was divided by zero (SIGFPE)";
+  if (outcome.signal != 0) return fmt::format("The program was ended here by signal {}", outcome.signal);
+  return fmt::format("The program ended with exit code {} and drew nothing", outcome.exit_code);
 }
 
 /// The lines `file: why` on standard error, by file.
@@ -109,7 +111,7 @@ Drawn draw(const Studio& studio, const LabPlan& plan, const std::vector<std::str
   }
   for (const Shot* shot : left)
     drawn.faults[shot->file()] =
-        fmt::format("not drawn: the program died {} times before this one's turn came", kMostStarts);
+        fmt::format("Not drawn: the program died {} times before this one's turn came", kMostStarts);
   fs::remove_all(work);
   return drawn;
 }

@@ -31,7 +31,7 @@ struct GradeSummary {
   std::size_t students = 0;
   std::size_t cases = 0;      ///< judged by this run
   std::size_t incidents = 0;  ///< students whom the machine kept from being graded in full
-  double seconds = 0;
+  double seconds = 0;         ///< since starter and references were ready
 };
 
 /// Grades the class, or this shard of it, into `out`. `say` gets a line at a time, at most one a second while

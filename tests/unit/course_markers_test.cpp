@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "course/markers.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+
+namespace texel::course {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kText =
+    "int before;\n"
+    "  //@step 5.1 begin\n"
+    "  return 2 * c - 1;\n"
+    "  //@starter\n"
+    "  // return c;  // as it is\n"
+    "  //\n"
+    "  //@end\n"
+    "int after;\n";
+
+bool nothing(const std::string&) {
+  return false;
+}
+
+/// What is wrong, with the line.
+std::string fault_of(const std::string& text) {
+  try {
+    with_steps(text, "f.cpp", nothing);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(Markers, give_the_solution_or_the_starter_with_the_markers_around_it) {
+  EXPECT_EQ(with_steps(kText, "f.cpp", [](const std::string& step) { return step == "5.1"; }),
+            "int before;\n  //@step 5.1 begin\n  return 2 * c - 1;\n  //@end\nint after;\n");
+  EXPECT_EQ(with_steps(kText, "f.cpp", nothing),
+            "int before;\n  //@step 5.1 begin\n  return c;  // as it is\n\n  //@end\nint after;\n");
+}
+
+TEST(Markers, of_the_teacher_go_with_what_is_between_them) {
+  const std::string text = "a\n#@teacher begin\nsecret\n#@starter\n# given\n#@end\nb\n";
+  EXPECT_EQ(with_steps(text, "CMakeLists.txt", [](const std::string&) { return true; }), "a\ngiven\nb\n");
+}
+
+TEST(Markers, are_found_with_their_lines_in_solution_and_starter) {
+  for (const std::string& text : {kText, with_steps(kText, "f.cpp", nothing)}) {
+    const std::vector<Marker> markers = markers_of(text, "f.cpp");
+    ASSERT_EQ(markers.size(), 1U);
+    EXPECT_EQ(markers[0].step, "5.1");
+    EXPECT_EQ(markers[0].line, 2);
+  }
+}
+
+TEST(Markers, survive_carriage_returns_and_a_last_line_without_an_end) {
+  EXPECT_EQ(with_steps("//@step 1.1 begin\r\na\r\n//@starter\r\n// b\r\n//@end", "f", nothing),
+            "//@step 1.1 begin\r\nb\r\n//@end");
+}
+
+TEST(Markers, that_do_not_fit_are_errors_with_their_line) {
+  EXPECT_TRUE(fault_of("a\n//@end\n").starts_with("f.cpp:2: 'end' without 'begin'")) << fault_of("a\n//@end\n");
+  EXPECT_TRUE(fault_of("//@starter\n").starts_with("f.cpp:1: 'starter' does not follow 'begin'"));
+  EXPECT_TRUE(fault_of("//@step 1.1 begin\n//@step 1.2 begin\n").starts_with("f.cpp:2: a step begins within"));
+  EXPECT_TRUE(fault_of("\n//@step 1.1 begin\n//@starter\n").starts_with("f.cpp:2: this step has no end"));
+  EXPECT_TRUE(fault_of("//@step 1.1 begin\na\n//@end\n").starts_with("f.cpp:3: this step has no part for"));
+  EXPECT_TRUE(fault_of("//@step one begin\n").starts_with("f.cpp:1: there is no marker '//@step one begin'"));
+  EXPECT_TRUE(fault_of("  //@stepp 1.1 begin\n").starts_with("f.cpp:1: there is no marker"));
+  EXPECT_EQ(fault_of("text //@end in a line is no marker\n"), "none");
+}
+
+class Folder {
+ public:
+  Folder() { fs::remove_all(path_); }
+  ~Folder() { fs::remove_all(path_); }
+  fs::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  fs::path path_ = fs::temp_directory_path() / ("texel_markers_" + std::to_string(::getpid()));
+};
+
+void put(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  write_file(file, text);
+}
+
+TEST(Starter, has_no_solution_no_tests_and_no_right_answers) {
+  const Folder folder;
+  put(folder / "tree/labs/05_x/lab.cpp", kText);
+  put(folder / "tree/labs/05_x/lab.toml", "lab = \"05_x\"\n");
+  put(folder / "tree/common/truth/ray.cpp", "the answer\n");
+  put(folder / "tree/common/app/include/app/truth_scene.hpp", "the answer\n");
+  put(folder / "tree/tests/unit/a_test.cpp", "a test\n");
+  put(folder / "tree/CMakeLists.txt", "a\n#@teacher begin\nadd_subdirectory(tests)\n#@starter\n#@end\n");
+  put(folder / "tree/run", "#!/bin/sh\n");
+  fs::permissions(folder / "tree/run", fs::perms::owner_exec, fs::perm_options::add);
+  write_starter(folder / "tree", folder / "out");
+  EXPECT_EQ(read_file(folder / "out/labs/05_x/lab.cpp"), with_steps(kText, "", nothing));
+  EXPECT_EQ(read_file(folder / "out/labs/05_x/lab.toml"), "lab = \"05_x\"\n");
+  EXPECT_EQ(read_file(folder / "out/CMakeLists.txt"), "a\n");
+  EXPECT_FALSE(fs::exists(folder / "out/common/truth"));
+  EXPECT_FALSE(fs::exists(folder / "out/common/app/include/app/truth_scene.hpp"));
+  EXPECT_FALSE(fs::exists(folder / "out/tests"));
+  EXPECT_NE(fs::status(folder / "out/run").permissions() & fs::perms::owner_exec, fs::perms::none);
+  EXPECT_THROW(write_starter(folder / "tree", folder / "out"), Error) << "over what is there";
+  EXPECT_THROW(write_starter(folder / "nowhere", folder / "out2"), Error);
+}
+
+}  // namespace
+}  // namespace texel::course
