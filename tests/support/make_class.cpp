@@ -49,7 +49,7 @@ struct Options {
   fs::path root, out;
   std::vector<int> labs;
   std::vector<std::string> kinds = {"solution",   "starter", "prefix", "mutant",
-                                    "equivalent", "threat",  "broken"};
+                                    "equivalent", "threat",  "files",  "broken"};
   std::size_t limit = 100'000;
 };
 
@@ -92,8 +92,9 @@ class ClassMaker {
         {"prefix", [&] { prefixes(); }},
         {"mutant", [&] { changes("tests/mutants", "mutant"); }},
         {"equivalent", [&] { changes("tests/equivalents", "equivalent"); }},
-        {"threat", [&] { threats("threat"), hostile_files(); }},
+        {"threat", [&] { threats("threat"); }},
         {"slow", [&] { threats("slow"); }},
+        {"files", [&] { hostile_files(); }},
         {"broken", [&] { broken(); }}};
     for (const auto& [kind, maker] : makers)
       if (std::find(options_.kinds.begin(), options_.kinds.end(), kind) != options_.kinds.end()) maker();
@@ -254,19 +255,19 @@ class ClassMaker {
 
   /// Links, other files than those of the labs, and names that mean something to a page, a table or a shell.
   void hostile_files() {
-    const fs::path links = options_.out / "threat-links";
+    const fs::path links = options_.out / "files-links";
     for (const auto& [path, text] : sources_) {
       fs::create_directories((links / path).parent_path());
       fs::create_symlink(options_.root / path, links / path);
     }
-    expect("threat-links", "threat", "links", nothing());
-    const fs::path linked = options_.out / "threat-linked-folders";
+    expect("files-links", "files", "links", nothing());
+    const fs::path linked = options_.out / "files-linked-folders";
     fs::create_directories(linked);
     for (const char* folder : {"common", "labs", "shaders"})
       fs::create_directory_symlink(options_.root / folder, linked / folder);
-    expect("threat-linked-folders", "threat", "linked-folders", nothing());
-    fs::create_directory_symlink(options_.root, options_.out / "threat-link");
-    expect("threat-link", "threat", "link", nothing());
+    expect("files-linked-folders", "files", "linked-folders", nothing());
+    fs::create_directory_symlink(options_.root, options_.out / "files-link");
+    expect("files-link", "files", "link", nothing());
 
     const std::string mark = options_.out.string() + "/texel_threat_was_here";
     const std::string cmake = fmt::format(
@@ -287,7 +288,7 @@ class ClassMaker {
     files["common/core/include/core/error.hpp"] = "#error taken\n";
     files["shaders/09_bump/bump.frag"] = "#error taken\n";
     files["results.sqlite"] = files["seed.txt"] = "1";
-    put("threat", "build-files", files, nothing());
+    put("files", "build-files", files, nothing());
 
     Files names = solution();
     for (const char* name :
@@ -314,20 +315,22 @@ class ClassMaker {
                                               "a b  c",
                                               "%s%n",
                                               std::string(200, 'x')};
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-      const bool is_right = i % 4 == 0;
-      put_file("threat", entries[i] + ".zip", packed(Format::zip, is_right ? names : starter()),
-               is_right ? Json{{"passes", all_steps()}} : nothing());
-    }
+    Json fault = nothing();
+    fault["fault"] = true;
+    for (std::size_t i = 0; i < entries.size(); ++i)
+      if (i % 8 == 0)
+        put_file("files", entries[i] + ".zip", packed(Format::zip, names), {{"passes", all_steps()}});
+      else
+        put_file("files", entries[i] + ".zip", "nothing that can be read", fault);
 
     // One name, two students: each keeps their own work.
     write_folder(options_.out / "Jane Doe", solution());
-    expect("Jane Doe", "threat", "one-name", {{"passes", all_steps()}});
-    put_file("threat", "Jane Doe.zip", packed(Format::zip, starter()), nothing());
-    put_file("threat", "jane doe.tar.gz", packed(Format::tar_gz, solution()), {{"passes", all_steps()}});
-    put_file("threat", "Jane Doe_77_assignsubmission_file_labs.zip", packed(Format::zip, starter()),
+    expect("Jane Doe", "files", "one-name", {{"passes", all_steps()}});
+    put_file("files", "Jane Doe.zip", packed(Format::zip, starter()), nothing());
+    put_file("files", "jane doe.tar.gz", packed(Format::tar_gz, solution()), {{"passes", all_steps()}});
+    put_file("files", "Jane Doe_77_assignsubmission_file_labs.zip", packed(Format::zip, starter()),
              nothing());
-    put_file("threat", "Jane Doe_78_assignsubmission_file_labs.zip", packed(Format::zip, solution()),
+    put_file("files", "Jane Doe_78_assignsubmission_file_labs.zip", packed(Format::zip, solution()),
              {{"passes", all_steps()}});
   }
 
@@ -342,7 +345,7 @@ class ClassMaker {
     put_file("broken", "broken-empty.tar.gz", "", fault);
     put_file("broken", "broken-text.zip", "I could not get it to work, sorry.\n", fault);
     put_file("broken", "broken-essay.docx", "My solution", fault);
-    put_file("broken", "broken-without-files.zip", pack(Format::zip, {}), none);
+    put_file("broken", "broken-without-files.zip", pack(Format::zip, {}), fault);
     std::vector<Packed> bomb = {{"bomb", std::string(64U << 20U, '\0')}};
     for (const auto& [path, text] : solution()) bomb.push_back({path, text});
     put_file("broken", "broken-bomb.zip", pack(Format::zip, bomb), fault);
@@ -401,10 +404,11 @@ int main(int argc, char** argv) {
   app.add_option("--out", options.out, "A new folder; what must come out goes into the same name with .json")
       ->required();
   app.add_option("--labs", options.labs, "Numbers of labs")->required()->delimiter(',');
-  app.add_option("--kinds", options.kinds, "solution,starter,prefix,mutant,equivalent,threat,slow,broken")
+  app.add_option("--kinds", options.kinds,
+                 "solution,starter,prefix,mutant,equivalent,threat,slow,files,broken")
       ->delimiter(',')
       ->check(CLI::IsMember(
-          {"solution", "starter", "prefix", "mutant", "equivalent", "threat", "slow", "broken"}));
+          {"solution", "starter", "prefix", "mutant", "equivalent", "threat", "slow", "files", "broken"}));
   app.add_option("--limit", options.limit,
                  "At most so many prefixes, mutants and equivalents each, from all over the list")
       ->check(CLI::PositiveNumber);

@@ -77,12 +77,12 @@ std::map<std::string, std::string> files_in(const fs::path& folder) {
   return files;
 }
 
-/// The lines of a dump by their student, without the facts.
-std::map<std::string, std::string> by_student(const std::string& dump) {
+/// The lines of a dump by their student, without the facts; those that speak of one lab, or all.
+std::map<std::string, std::string> by_student(const std::string& dump, const std::string& lab = {}) {
   std::map<std::string, std::string> rows;
   std::istringstream lines(dump);
   for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("facts\t")) continue;
+    if (line.starts_with("facts\t") || !(lab.empty() || has(line, "\t" + lab + "\t"))) continue;
     const std::size_t begin = line.find('\t') + 1;
     rows[line.substr(begin, line.find('\t', begin) - begin)] += line + "\n";
   }
@@ -232,7 +232,7 @@ class GradedClass : public GraderTest {
   static void SetUpTestSuite() {
     if (!grade::sandbox_fault().empty()) return;
     make_work_folder();
-    for (const char* name : {"two_labs", "few", "hostile", "egl", "disk"})
+    for (const char* name : {"two_labs", "few", "hostile", "shaders", "egl", "disk"})
       for (const char* ending : {"", ".json", "_out"}) fs::remove_all(kWork / (std::string(name) + ending));
     two_labs_ = make_class("two_labs", "7,9", "--kinds solution,starter,prefix,mutant,equivalent --limit 3");
     graded_ = grade(two_labs_, kWork / "two_labs_out");
@@ -270,21 +270,33 @@ TEST_F(GradedClass, is_graded_alike_on_egl_and_on_osmesa) {
     ASSERT_EQ(result.exit_code, 0) << result.output;
     check(out, both);
   }
-  fs::remove_all(both.folder);
 }
 
+/// Most threats are programs, of lab 7.
 TEST_F(GradedClass, is_not_touched_by_threats) {
-  const Class hostile = make_class(
-      "hostile", "7,9", "--kinds solution,starter,prefix,mutant,equivalent,threat,broken --limit 3");
+  const Class hostile =
+      make_class("hostile", "7", "--kinds solution,starter,mutant,threat,files,broken --limit 3");
   const auto before = files_in(hostile.folder);
   const fs::path out = kWork / "hostile_out";
   const Result result = grade(hostile, out, "--format csv,junit");
   ASSERT_EQ(result.exit_code, 0) << result.output;
   check(out, hostile);
   check_harmless(out, hostile, before);
-  const auto rows = by_student(dump(out));
-  for (const auto& [student, lines] : by_student(dump(kWork / "two_labs_out")))
-    EXPECT_EQ(rows.at(student), lines);
+  const auto rows = by_student(dump(kWork / "two_labs_out"), "07_environment");
+  std::size_t compared = 0;
+  for (const auto& [student, lines] : by_student(dump(out), "07_environment"))
+    if (const auto same = rows.find(student); same != rows.end()) {
+      EXPECT_EQ(same->second, lines);
+      ++compared;
+    }
+  EXPECT_GE(compared, 5U);  // solutions and starters
+}
+
+TEST_F(GradedClass, gives_nothing_to_shaders_that_cheat) {
+  const Class shaders = make_class("shaders", "9", "--kinds threat");
+  const Result result = grade(shaders, fresh("shaders_out"));
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  check(kWork / "shaders_out", shaders);
 }
 
 TEST_F(GradedClass, is_the_same_after_sudden_ends) {
@@ -394,8 +406,8 @@ TEST_F(WholeCourse, is_graded_rightly_for_every_wrong_and_every_right_solution) 
 }
 
 TEST_F(WholeCourse, is_not_touched_by_threats) {
-  const Class hostile =
-      made("all_hostile", "--kinds solution,starter,prefix,mutant,equivalent,threat,slow,broken --limit 8");
+  const Class hostile = made(
+      "all_hostile", "--kinds solution,starter,prefix,mutant,equivalent,threat,slow,files,broken --limit 8");
   const auto before = files_in(hostile.folder);
   const fs::path out = kWork / "all_hostile_out";
   const Result result = grade(hostile, out, "--format csv,gradescope,prairielearn,junit");

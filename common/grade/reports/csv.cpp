@@ -17,7 +17,7 @@ std::string cell(const std::string& text) {
       "=", "+", "-", "@", "\t", "\r", "\n", "\xEF\xBC\x9D", "\xEF\xBC\x8B", "\xEF\xBC\x8D", "\xEF\xBC\xA0"};
   const bool is_formula = std::any_of(formulas.begin(), formulas.end(),
                                       [&](std::string_view begin) { return text.starts_with(begin); });
-  const std::string safe = (is_formula ? "'" : "") + text;
+  std::string safe = (is_formula ? "'" : "") + text;
   if (safe.find_first_of(",;\"\r\n\t") == std::string::npos) return safe;
   std::string quoted = "\"";
   for (const char c : safe) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
