@@ -178,6 +178,7 @@ class ClassRun {
               "leave --resume out to grade anew");
     } else if (!before.empty()) {
       store_->begin_anew(graded_labs_);
+      fs::remove_all(options_.out / "pictures");
     }
     store_->put_facts(facts);
   }

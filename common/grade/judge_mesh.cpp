@@ -25,6 +25,8 @@ constexpr double kSame = 1e-4;
 /// Positions are looked up in cells of this size; models are about 1 large.
 constexpr double kCell = 1e-3;
 constexpr std::uintmax_t kMostBytes = 64U << 20U;
+/// Without any weld there are up to six vertices for one.
+constexpr std::size_t kMostTooMany = 16;
 
 /// The angle between two vectors in degrees; 180 where only one is zero.
 double degrees_between(const dvec3& a, const dvec3& b) {
@@ -51,7 +53,8 @@ std::vector<dvec3> angle_sums(const mesh::Mesh& mesh) {
 
 std::uint64_t cell_of(const dvec3& position, int dx, int dy, int dz) {
   const auto index = [](double value, int step) {
-    return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value / kCell)) + step);
+    constexpr double far = 1e12;  // cells
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::clamp(std::floor(value / kCell), -far, far)) + step);
   };
   return (index(position.x, dx) * 73856093U) ^ (index(position.y, dy) * 19349663U) ^ (index(position.z, dz) * 83492791U);
 }
@@ -103,7 +106,8 @@ struct Match {
 
 Match match(const Lookup& reference, const Lookup& other, double limit) {
   const auto same = [](const auto& a, const auto& b) { return a.empty() == b.empty(); };
-  if (reference.mesh.vertex_count() == 0 || !same(reference.mesh.normals, other.mesh.normals) ||
+  // A stream of very many vertices at one place would take very long.
+  if (reference.mesh.vertex_count() == 0 || other.mesh.vertex_count() > kMostTooMany * reference.mesh.vertex_count() || !same(reference.mesh.normals, other.mesh.normals) ||
       !same(reference.mesh.texcoords, other.mesh.texcoords) || !same(reference.mesh.tangents, other.mesh.tangents))
     return {};
   std::vector<double> errors;
