@@ -327,7 +327,8 @@ class ClassRun {
         if (shot.graded.step != step.id) continue;
         if (std::find(names.begin(), names.end(), shot.graded.name) == names.end()) continue;
         results.push_back(judge_shot(student, plan, shot, program, drawn, out));
-        if (results.back().passed || !fs::exists(out / shot.file())) continue;
+        // A folder or a link of a picture's name is no picture.
+        if (results.back().passed || !fs::is_regular_file(fs::symlink_status(out / shot.file()))) continue;
         failed[shot.graded.name] = out / shot.file();
         is_begun = is_begun || !is_starter(plan, shot, out / shot.file());
       }
