@@ -267,7 +267,9 @@ class ClassMaker {
       fs::create_directory_symlink(options_.root / folder, linked / folder);
     expect("files-linked-folders", "files", "linked-folders", nothing());
     fs::create_directory_symlink(options_.root, options_.out / "files-link");
-    expect("files-link", "files", "link", nothing());
+    Json fault = nothing();
+    fault["fault"] = true;
+    expect("files-link", "files", "link", fault);
 
     const std::string mark = options_.out.string() + "/texel_threat_was_here";
     const std::string cmake = fmt::format(
@@ -315,8 +317,6 @@ class ClassMaker {
                                               "a b  c",
                                               "%s%n",
                                               std::string(200, 'x')};
-    Json fault = nothing();
-    fault["fault"] = true;
     for (std::size_t i = 0; i < entries.size(); ++i)
       if (i % 8 == 0)
         put_file("files", entries[i] + ".zip", packed(Format::zip, names), {{"passes", all_steps()}});
