@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include "core/html.hpp"
 #include "embedded.hpp"
 #include "gallery.hpp"
-#include "html.hpp"
 
 namespace texel::tools {
 namespace {
 
 std::string size_attributes(const course::Look& look) {
   const std::size_t x = look.size.find('x');
-  return fmt::format("width=\"{}\" height=\"{}\"", escaped(look.size.substr(0, x)),
-                     escaped(look.size.substr(x + 1)));
+  return fmt::format("width=\"{}\" height=\"{}\"", html_escaped(look.size.substr(0, x)),
+                     html_escaped(look.size.substr(x + 1)));
 }
 
 /// A line is broken between flags, not within them.
 std::string unbroken_flags(const std::string& command) {
-  std::string html = "<span>" + escaped(command) + "</span>";
+  std::string html = "<span>" + html_escaped(command) + "</span>";
   for (std::size_t at = html.find(" --"); at != std::string::npos; at = html.find(" --", at + 15))
     html.replace(at, 1, "</span> <span>");
   return html;
@@ -35,21 +35,22 @@ std::string anchor(const course::Lab& lab, const course::Look& look) {
 
 std::string hero(const course::Lab& lab, const course::Look& look) {
   return fmt::format("<a href=\"#{}\"><img src=\"{}\" alt=\"{}\" {}><span><b>{}</b> {}</span></a>\n",
-                     anchor(lab, look), picture(lab, look), escaped(look.caption), size_attributes(look),
-                     lab.number, escaped(lab.title));
+                     anchor(lab, look), picture(lab, look), html_escaped(look.caption), size_attributes(look),
+                     lab.number, html_escaped(lab.title));
 }
 
 std::string figure(const course::Lab& lab, const course::Look& look) {
   const std::string source =
-      look.source.empty() ? "" : fmt::format("<p class=\"source\">{}</p>", escaped(look.source));
+      look.source.empty() ? "" : fmt::format("<p class=\"source\">{}</p>", html_escaped(look.source));
   const std::string view =
-      look.view == "color" ? "" : fmt::format("<span class=\"view\">{} view</span>", escaped(look.view));
+      look.view == "color" ? "" : fmt::format("<span class=\"view\">{} view</span>", html_escaped(look.view));
   return fmt::format(
       "<figure id=\"{}\">\n"
       "<a class=\"open\" href=\"{}\"><img src=\"{}\" alt=\"{}\" {} loading=\"lazy\">{}</a>\n"
       "<figcaption><p class=\"caption\">{}</p>{}{}</figcaption>\n</figure>\n",
-      anchor(lab, look), picture(lab, look), picture(lab, look), escaped(look.caption), size_attributes(look),
-      view, escaped(look.caption), source, command_line(course::command(lab, look)));
+      anchor(lab, look), picture(lab, look), picture(lab, look), html_escaped(look.caption),
+      size_attributes(look), view, html_escaped(look.caption), source,
+      command_line(course::command(lab, look)));
 }
 
 std::string section(const course::Lab& lab) {
@@ -58,7 +59,7 @@ std::string section(const course::Lab& lab) {
       "<p class=\"number\" aria-hidden=\"true\">{0}</p>\n<div><h2 "
       "id=\"title{0}\">{1}</h2>\n<p>{2}</p></div>\n{3}\n"
       "</header>\n<div class=\"looks\">\n",
-      lab.number, escaped(lab.title), escaped(lab.lesson),
+      lab.number, html_escaped(lab.title), html_escaped(lab.lesson),
       command_line(fmt::format("./run lab {}", lab.number)));
   for (const course::Look& look : lab.looks) html += figure(lab, look);
   return html + "</div>\n</section>\n";
@@ -78,7 +79,7 @@ std::string gallery_page(const std::vector<course::Lab>& labs, const std::string
   std::string heroes, contents, sections;
   for (const course::Lab& lab : labs) {
     contents +=
-        fmt::format("<li><a href=\"#lab{0}\"><b>{0}</b> {1}</a></li>\n", lab.number, escaped(lab.title));
+        fmt::format("<li><a href=\"#lab{0}\"><b>{0}</b> {1}</a></li>\n", lab.number, html_escaped(lab.title));
     sections += section(lab);
     for (const course::Look& look : lab.looks)
       if (look.hero) heroes += hero(lab, look);
@@ -96,7 +97,7 @@ std::string gallery_page(const std::vector<course::Lab>& labs, const std::string
       "command opens that look in a window.</p>\n</header>\n"
       "<div class=\"heroes\">\n{}</div>\n<nav aria-label=\"Labs\"><ol>\n{}</ol></nav>\n<main>\n{}</main>\n"
       "<footer><p>Drawn by {}.</p></footer>\n{}<script>\n{}</script>\n</body>\n</html>\n",
-      kGalleryStyle, heroes, contents, sections, escaped(renderer), kLightbox, kGalleryScript);
+      kGalleryStyle, heroes, contents, sections, html_escaped(renderer), kLightbox, kGalleryScript);
 }
 
 }  // namespace texel::tools

@@ -102,27 +102,36 @@ struct GradeCommands {
 };
 
 void add_formats(CLI::App* command, std::vector<std::string>& formats) {
-  command->add_option("--format", formats, "Write results for other systems too: gradescope, prairielearn, junit, csv")
+  command
+      ->add_option("--format", formats,
+                   "Write results for other systems too: gradescope, prairielearn, junit, csv")
       ->delimiter(',')
       ->check(CLI::IsMember({"gradescope", "prairielearn", "junit", "csv"}));
 }
 
 void add_grade(CLI::App& app, GradeCommands& all) {
   CLI::App* grade = app.add_subcommand("grade", "Grade a class from headless snapshots");
-  grade->footer("Exit codes: 0 graded, 2 wrong usage, 3 some students could not be graded (never a zero: run again with\n"
-                "--resume), or the grader itself failed.");
+  grade->footer(
+      "Exit codes: 0 graded, 2 wrong usage, 3 some students could not be graded (never a zero: run again "
+      "with\n"
+      "--resume), or the grader itself failed.");
   GradeCommand& g = all.grade;
   grade->add_option("CLASS", g.class_folder, "Folder with one folder, .zip or .tar.gz a student");
   grade->add_option("--out", g.out, "Folder for results and reports [out/grades]");
-  grade->add_option("--labs", g.labs, "Numbers of labs, as 1,5 [all]")->delimiter(',')->check(CLI::Range(1, 99));
-  grade->add_option("--jobs", g.jobs, "How much at a time [one for each processor]")->check(CLI::Range(1, 1024));
+  grade->add_option("--labs", g.labs, "Numbers of labs, as 1,5 [all]")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 99));
+  grade->add_option("--jobs", g.jobs, "How much at a time [one for each processor]")
+      ->check(CLI::Range(1, 1024));
   grade->add_option("--shard", g.shard, "Only every so many-th student: 2/8 is the second of eight parts");
   grade->add_flag("--resume", g.resume, "Go on where an earlier run was cut off; nothing is judged twice");
-  grade->add_option("--seed-file", g.seed_file, "The course's secret for hidden cases [OUT/seed.txt, made when missing]");
+  grade->add_option("--seed-file", g.seed_file,
+                    "The course's secret for hidden cases [OUT/seed.txt, made when missing]");
   grade->add_option("--cache", g.cache, "Folder for starter, references and programs [build/grade]");
   grade->add_option("--context", g.context, "Where the pictures are drawn")
       ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
-  grade->add_flag("--unsafe", g.unsafe, "Run the students' programs without a sandbox: only for work that you trust");
+  grade->add_flag("--unsafe", g.unsafe,
+                  "Run the students' programs without a sandbox: only for work that you trust");
   add_formats(grade, g.formats);
 
   CLI::App* merge = grade->add_subcommand("merge", "Join the results of shards");
@@ -132,7 +141,8 @@ void add_grade(CLI::App& app, GradeCommands& all) {
 
   CLI::App* change = grade->add_subcommand("override", "Set a step's score by hand; it survives regrading");
   change->add_option("OUT", all.override_score.out, "The results' folder")->required();
-  change->add_option("STUDENT", all.override_score.student, "The student's id, as the report has it")->required();
+  change->add_option("STUDENT", all.override_score.student, "The student's id, as the report has it")
+      ->required();
   change->add_option("STEP", all.override_score.step, "As 5.1")->required();
   CLI::Option* score =
       change->add_option("SCORE", all.override_score.score, "0 to 1")->check(CLI::Range(0.0, 1.0));
@@ -151,7 +161,8 @@ Exit run_grade(const CLI::App& app, const GradeCommands& all) {
   if (grade->got_subcommand("override")) return grade_override(all.override_score);
   if (grade->got_subcommand("report")) return grade_report(all.report);
   if (all.grade.class_folder.empty())
-    throw Error::usage("which class? texel grade CLASS --out DIR", "CLASS is a folder with one entry a student");
+    throw Error::usage("which class? texel grade CLASS --out DIR",
+                       "CLASS is a folder with one entry a student");
   return grade_class(all.grade);
 }
 

@@ -18,7 +18,8 @@ Exit starter(const StarterOptions& options) {
   };
   for (const std::string& step : options.solve)
     if (std::find(known.begin(), known.end(), step) == known.end())
-      throw Error::usage(fmt::format("there is no step '{}'", step), "the steps are those of labs/*/lab.toml");
+      throw Error::usage(fmt::format("there is no step '{}'", step),
+                         "the steps are those of labs/*/lab.toml");
   const std::filesystem::path root =
       options.root.empty() ? app::Assets().shader_root().parent_path() : options.root;
   course::write_starter(root, options.out, is_solved);

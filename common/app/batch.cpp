@@ -99,7 +99,8 @@ void draw_batch(Canvas& canvas, AnyLab& lab, const Assets& assets, const std::fi
       ++faults;
       std::fprintf(stderr, "%s: %s\n", entry.file.c_str(), fault.what());
     }
-  if (faults > 0) throw Error::failed(fmt::format("{} of {} entries could not be drawn", faults, entries.size()));
+  if (faults > 0)
+    throw Error::failed(fmt::format("{} of {} entries could not be drawn", faults, entries.size()));
 }
 
 }  // namespace texel::app

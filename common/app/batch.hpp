@@ -6,8 +6,8 @@
 
 namespace texel::app {
 
-/// Writes the lab's vertex stream as drawn with its present parameters. Throws Error (exit 2) when the lab has
-/// none.
+/// Writes the lab's vertex stream as drawn with its present parameters. Throws Error (exit 2) when the lab
+/// has none.
 void write_mesh(AnyLab& lab, const Assets& assets, const std::filesystem::path& file);
 
 /// Draws every snapshot of a JSON list `[{"name", "view", "size", "set": {parameter: value}}]` from one

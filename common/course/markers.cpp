@@ -32,7 +32,8 @@ constexpr const char* kRemedy =
 std::optional<Line> read_marker(std::string_view line, const Place& place) {
   const std::size_t first = line.find_first_not_of(" \t");
   if (first == line.npos) return {};
-  const bool is_code = line.substr(first).starts_with("//@"), is_script = line.substr(first).starts_with("#@");
+  const bool is_code = line.substr(first).starts_with("//@"),
+             is_script = line.substr(first).starts_with("#@");
   if (!is_code && !is_script) return {};
   std::string_view word = line.substr(first + (is_code ? 3 : 2));
   if (const std::size_t last = word.find_last_not_of(" \t\r"); last != word.npos)

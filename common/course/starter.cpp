@@ -13,16 +13,23 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What belongs to the course.
-constexpr const char* kGiven[] = {"CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "assets",
-                                  "cmake",          "common",            "labs",    "run",       "shaders",
-                                  "tools",          "vcpkg.json"};
+constexpr const char* kGiven[] = {"CMakeLists.txt",
+                                  "CMakePresets.json",
+                                  "LICENSE",
+                                  "README.md",
+                                  "assets",
+                                  "cmake",
+                                  "common",
+                                  "labs",
+                                  "run",
+                                  "shaders",
+                                  "tools",
+                                  "vcpkg.json"};
 
 /// What of it the student does not get: the right answers, and what makes or proves the course.
-constexpr const char* kWithheld[] = {"assets/make/",
-                                     "common/app/include/app/colour_truth.hpp",
+constexpr const char* kWithheld[] = {"assets/make/", "common/app/include/app/colour_truth.hpp",
                                      "common/app/include/app/shape_truth.hpp",
-                                     "common/app/include/app/truth_scene.hpp",
-                                     "common/truth/"};
+                                     "common/app/include/app/truth_scene.hpp", "common/truth/"};
 
 bool is_withheld(const std::string& path) {
   return std::any_of(std::begin(kWithheld), std::end(kWithheld),

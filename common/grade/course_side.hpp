@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "course/mutant_file.hpp"
-#include "grade/plan.hpp"
 #include "grade/judge.hpp"
+#include "grade/plan.hpp"
 #include "studio.hpp"
 #include "workshop.hpp"
 
@@ -56,7 +56,8 @@ class CourseSide {
   std::map<std::string, std::unique_ptr<std::mutex>> drawing_;  ///< by mutant and lab
 };
 
-/// Where each step is written in a student's tree, found in it or in the course's. Throws Error (exit 3) as course::markers_of.
+/// Where each step is written in a student's tree, found in it or in the course's. Throws Error (exit 3) as
+/// course::markers_of.
 std::map<std::string, Place> step_places(const std::filesystem::path& tree);
 
 }  // namespace texel::grade

@@ -19,10 +19,10 @@
 #include "core/stopwatch.hpp"
 #include "course_side.hpp"
 #include "fingerprint.hpp"
+#include "grade/judge.hpp"
 #include "grade/plan.hpp"
 #include "grade/store.hpp"
 #include "grade/submission.hpp"
-#include "grade/judge.hpp"
 #include "lock.hpp"
 #include "studio.hpp"
 #include "text.hpp"
@@ -131,8 +131,9 @@ class ClassRun {
     seed_ = read_seed(options_.seed_file.empty() ? options_.out / "seed.txt" : options_.seed_file);
     const BuiltTree starter = starter_tree(options_.course, options_.cache);
     BuiltTree solution{options_.course, options_.build, {}};
-    solution.fingerprint = fingerprint({fingerprint_of_folder(options_.course / "labs"),
-                                        fingerprint_of_folder(options_.course / "common"), starter.fingerprint});
+    solution.fingerprint =
+        fingerprint({fingerprint_of_folder(options_.course / "labs"),
+                     fingerprint_of_folder(options_.course / "common"), starter.fingerprint});
     course_ = std::make_unique<CourseSide>(solution, starter, options_.cache, options_.context);
     workshop_ = std::make_unique<Workshop>(starter, options_.cache, options_.unsafe);
     starter_ = starter;
@@ -296,7 +297,8 @@ class ClassRun {
   void judge_lab(Open& student, const LabPlan& plan) {
     std::vector<std::string> names;
     for (const Shot& shot : plan.shots)
-      if (student.done.count(plan.lab.folder + "/" + shot.graded.name) == 0) names.push_back(shot.graded.name);
+      if (student.done.count(plan.lab.folder + "/" + shot.graded.name) == 0)
+        names.push_back(shot.graded.name);
     finished_ += plan.shots.size() - names.size();
     if (names.empty()) return;
     std::map<std::string, std::string> sources;
@@ -306,7 +308,10 @@ class ClassRun {
     for (const CompilerLog& log : program.refused) store_->put_log(student.entry.id, log);
 
     const fs::path out = student.folder / plan.lab.folder;
-    Studio studio{program.file, student.folder / "root", options_.context, options_.unsafe,
+    Studio studio{program.file,
+                  student.folder / "root",
+                  options_.context,
+                  options_.unsafe,
                   {starter_.source / "assets"}};
     if (fs::exists(models_)) studio.readable.push_back(models_);
     fs::remove_all(out);
@@ -349,8 +354,7 @@ class ClassRun {
     result.view = shot.graded.view, result.hidden = shot.hidden, result.limit = shot.graded.limit;
     result.unit = unit_of(shot.graded.view);
     result.command = shot.hidden ? "" : command(plan, shot);
-    if (!shot.hidden)
-      result.reference = fmt::format("references/{}/{}", plan.lab.folder, shot.file());
+    if (!shot.hidden) result.reference = fmt::format("references/{}/{}", plan.lab.folder, shot.file());
     Verdict verdict = judge(shot, course_->expected(plan, shot), out / shot.file());
     result.passed = verdict.passed, result.score = verdict.score, result.error = verdict.error;
     result.message = verdict.message;
@@ -443,7 +447,8 @@ class ClassRun {
   std::atomic<std::size_t> judged_ = 0, finished_ = 0;
   std::size_t all_cases_ = 0;
   std::mutex say_mutex_;
-  double ready_ = 0, said_ = 0;  ///< seconds: when the first student's turn came, and when `say_` was called since
+  double ready_ = 0,
+         said_ = 0;  ///< seconds: when the first student's turn came, and when `say_` was called since
 };
 
 }  // namespace
@@ -454,7 +459,8 @@ fs::path store_file(const fs::path& folder) {
 
 GradeSummary grade_class(const GradeOptions& options, const std::function<void(const std::string&)>& say) {
   GradeOptions absolute = options;
-  for (fs::path* path : {&absolute.class_folder, &absolute.out, &absolute.course, &absolute.build, &absolute.cache})
+  for (fs::path* path :
+       {&absolute.class_folder, &absolute.out, &absolute.course, &absolute.build, &absolute.cache})
     *path = fs::absolute(*path).lexically_normal();
   for (fs::path* path : {&absolute.out, &absolute.cache})
     if (!path->has_filename()) *path = path->parent_path();

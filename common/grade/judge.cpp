@@ -26,9 +26,9 @@ using image::Image8;
 using image::ImageF;
 
 /// What makes a picture useless: mean errors over the object or the background. Set by the pictures of
-/// tests/labs/score_test.cpp. Over the object, FLIP is 0.08 to 0.18 for those shifted by a pixel, 0.07 to 0.16
-/// for those 5 steps brighter, and 0.23 to 0.29 for mirrored ones: squared, the first keep half their marks and
-/// the last lose nearly all.
+/// tests/labs/score_test.cpp. Over the object, FLIP is 0.08 to 0.18 for those shifted by a pixel, 0.07 to
+/// 0.16 for those 5 steps brighter, and 0.23 to 0.29 for mirrored ones: squared, the first keep half their
+/// marks and the last lose nearly all.
 constexpr double kUselessFlip = 0.27;
 constexpr double kUselessSteps = 40;
 /// And the share of the blocks that show something else: with half of the rows missing a third of the object
@@ -65,13 +65,15 @@ Image8 load(const fs::path& file, Size size, const Image8*) {
 
 ImageF load(const fs::path& file, Size size, const ImageF*) {
   // A float picture is as large as its file; more than this is no picture of that size.
-  const auto most = static_cast<std::uintmax_t>(size.width) * static_cast<std::uintmax_t>(size.height) * 12 + 100;
-  if (fs::file_size(file) > most) throw Error::failed("is larger than a picture of the size asked for", {file.string()});
+  const auto most =
+      static_cast<std::uintmax_t>(size.width) * static_cast<std::uintmax_t>(size.height) * 12 + 100;
+  if (fs::file_size(file) > most)
+    throw Error::failed("is larger than a picture of the size asked for", {file.string()});
   ImageF picture = image::load_pfm(file);
   if (picture.width != size.width || picture.height != size.height)
-    throw Error::failed(fmt::format("is {}x{} pixels, not {}x{}", picture.width, picture.height, size.width,
-                                    size.height),
-                        {file.string()});
+    throw Error::failed(
+        fmt::format("is {}x{} pixels, not {}x{}", picture.width, picture.height, size.width, size.height),
+        {file.string()});
   return picture;
 }
 
@@ -92,7 +94,8 @@ std::vector<Part> parts_of(const fs::path& mask_file, Size size) {
       part.mask.at(x, y) = 255;
       part.any = true;
     }
-  parts.erase(std::remove_if(parts.begin(), parts.end(), [](const Part& part) { return !part.any; }), parts.end());
+  parts.erase(std::remove_if(parts.begin(), parts.end(), [](const Part& part) { return !part.any; }),
+              parts.end());
   return parts;
 }
 
@@ -110,7 +113,8 @@ double share_of_other_blocks(const Image8& reference, const Image8& picture, con
   for (int y = 0; y < reference.height; ++y)
     for (int x = 0; x < reference.width; ++x) {
       if (part.mask.at(x, y) == 0) continue;
-      Block& block = all[static_cast<std::size_t>(y * blocks / reference.height * blocks + x * blocks / reference.width)];
+      Block& block = all[static_cast<std::size_t>(y * blocks / reference.height * blocks +
+                                                  x * blocks / reference.width)];
       ++block.pixels;
       for (int c = 0; c < 3; ++c)
         block.sums[static_cast<std::size_t>(c)] += picture.at(x, y, c) - reference.at(x, y, c);
@@ -135,8 +139,8 @@ double mean_error(const Image8& reference, const Image8& picture, const Part& pa
 }
 
 double mean_error(const ImageF& reference, const ImageF& picture, const Part& part, const std::string& view) {
-  const image::Difference difference =
-      image::compare(reference, picture, {.mask = &part.mask, .edge_tolerance = true, .unit = compared_as(view)});
+  const image::Difference difference = image::compare(
+      reference, picture, {.mask = &part.mask, .edge_tolerance = true, .unit = compared_as(view)});
   // Distances have no such share: the starter's is all that they are compared with.
   if (difference.non_finite > 0) return std::numeric_limits<double>::infinity();
   return difference.mean / useless_mean(unit_of(view));
@@ -151,14 +155,14 @@ double worst_mean_error(const Picture& reference, const Picture& picture, const 
 }
 
 std::string where(const image::Difference& difference) {
-  const char* column = 3 * difference.worst_x < difference.width         ? "left"
+  const char* column = 3 * difference.worst_x < difference.width       ? "left"
                        : 3 * difference.worst_x < 2 * difference.width ? "middle"
-                                                                         : "right";
-  const char* row = 3 * difference.worst_y < difference.height         ? "lower"
+                                                                       : "right";
+  const char* row = 3 * difference.worst_y < difference.height       ? "lower"
                     : 3 * difference.worst_y < 2 * difference.height ? "centre"
-                                                                       : "upper";
-  return fmt::format("worst at pixel {}, {} from the lower left ({} {})", difference.worst_x, difference.worst_y,
-                     row, column);
+                                                                     : "upper";
+  return fmt::format("worst at pixel {}, {} from the lower left ({} {})", difference.worst_x,
+                     difference.worst_y, row, column);
 }
 
 /// A number with the digits that matter.

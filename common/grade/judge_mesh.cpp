@@ -54,9 +54,11 @@ std::vector<dvec3> angle_sums(const mesh::Mesh& mesh) {
 std::uint64_t cell_of(const dvec3& position, int dx, int dy, int dz) {
   const auto index = [](double value, int step) {
     constexpr double far = 1e12;  // cells
-    return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::clamp(std::floor(value / kCell), -far, far)) + step);
+    return static_cast<std::uint64_t>(
+        static_cast<std::int64_t>(std::clamp(std::floor(value / kCell), -far, far)) + step);
   };
-  return (index(position.x, dx) * 73856093U) ^ (index(position.y, dy) * 19349663U) ^ (index(position.z, dz) * 83492791U);
+  return (index(position.x, dx) * 73856093U) ^ (index(position.y, dy) * 19349663U) ^
+         (index(position.z, dz) * 83492791U);
 }
 
 /// A mesh whose vertices can be looked up.
@@ -83,7 +85,8 @@ struct Lookup {
   [[nodiscard]] double apart(const Lookup& other, std::uint32_t i, std::uint32_t j) const {
     if (glm::distance(dvec3(other.mesh.positions[i]), dvec3(mesh.positions[j])) > kSame) return 180;
     double error = glm::distance(other.sums[i], sums[j]);
-    if (!mesh.texcoords.empty() && glm::distance(other.mesh.texcoords[i], mesh.texcoords[j]) > kSame) return 180;
+    if (!mesh.texcoords.empty() && glm::distance(other.mesh.texcoords[i], mesh.texcoords[j]) > kSame)
+      return 180;
     if (!mesh.normals.empty())
       error = std::max(error, degrees_between(other.mesh.normals[i], mesh.normals[j]));
     if (!mesh.tangents.empty()) {
@@ -107,21 +110,27 @@ struct Match {
 Match match(const Lookup& reference, const Lookup& other, double limit) {
   const auto same = [](const auto& a, const auto& b) { return a.empty() == b.empty(); };
   // A stream of very many vertices at one place would take very long.
-  if (reference.mesh.vertex_count() == 0 || other.mesh.vertex_count() > kMostTooMany * reference.mesh.vertex_count() || !same(reference.mesh.normals, other.mesh.normals) ||
-      !same(reference.mesh.texcoords, other.mesh.texcoords) || !same(reference.mesh.tangents, other.mesh.tangents))
+  if (reference.mesh.vertex_count() == 0 ||
+      other.mesh.vertex_count() > kMostTooMany * reference.mesh.vertex_count() ||
+      !same(reference.mesh.normals, other.mesh.normals) ||
+      !same(reference.mesh.texcoords, other.mesh.texcoords) ||
+      !same(reference.mesh.tangents, other.mesh.tangents))
     return {};
   std::vector<double> errors;
-  for (std::uint32_t i = 0; i < reference.mesh.vertex_count(); ++i) errors.push_back(other.error_of(reference, i));
+  for (std::uint32_t i = 0; i < reference.mesh.vertex_count(); ++i)
+    errors.push_back(other.error_of(reference, i));
   std::sort(errors.begin(), errors.end());
   const auto right = std::upper_bound(errors.begin(), errors.end(), limit) - errors.begin();
   // More vertices than needed are as wrong as fewer.
-  const double count = static_cast<double>(std::max(reference.mesh.vertex_count(), other.mesh.vertex_count()));
+  const double count =
+      static_cast<double>(std::max(reference.mesh.vertex_count(), other.mesh.vertex_count()));
   return {static_cast<double>(right) / count, errors[(999 * errors.size() + 999) / 1000 - 1]};
 }
 
 }  // namespace
 
-Verdict judge_mesh(double limit, const fs::path& reference_file, const fs::path& starter_file, const fs::path& file) {
+Verdict judge_mesh(double limit, const fs::path& reference_file, const fs::path& starter_file,
+                   const fs::path& file) {
   const Lookup reference(mesh::read_ply(reference_file));
   Verdict verdict;
   verdict.error = std::numeric_limits<double>::quiet_NaN();
@@ -148,11 +157,12 @@ Verdict judge_mesh(double limit, const fs::path& reference_file, const fs::path&
   verdict.score = least < 1 ? std::clamp((found.share - least) / (1 - least), 0.0, 0.95) : 0;
   verdict.message =
       count != expected
-          ? fmt::format("{} vertices where {} are expected; {:.0f} % of those are there and right.", count, expected,
-                        100 * found.share)
-          : fmt::format("{:.0f} % of the vertices are right; normals, tangents or triangles around the others are "
-                        "off by up to {:.3g} degrees where {:.3g} is the limit.",
-                        100 * found.share, found.error, limit);
+          ? fmt::format("{} vertices where {} are expected; {:.0f} % of those are there and right.", count,
+                        expected, 100 * found.share)
+          : fmt::format(
+                "{:.0f} % of the vertices are right; normals, tangents or triangles around the others are "
+                "off by up to {:.3g} degrees where {:.3g} is the limit.",
+                100 * found.share, found.error, limit);
   return verdict;
 }
 

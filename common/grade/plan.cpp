@@ -29,7 +29,8 @@ std::string drawn(const course::Hidden& hidden, std::uint64_t number) {
 std::string write_unseen(const std::string& kind, std::uint64_t number, const fs::path& models) {
   std::error_code error;
   fs::create_directories(models, error);
-  if (error) throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {models.string()});
+  if (error)
+    throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {models.string()});
   const fs::path file = models / fmt::format("{}_{:016x}.obj", kind, number);
   write_file(file, unseen_model(kind, number));
   return file.string();
@@ -39,9 +40,9 @@ Shot shot_of(const course::Lab& lab, const course::GradedCase& graded, const std
              const fs::path& models) {
   Shot shot{graded, graded.settings, !graded.hidden.empty()};
   for (const course::Hidden& hidden : graded.hidden) {
-    const auto known = std::find_if(shot.settings.begin(), shot.settings.end(), [&](const course::Setting& s) {
-      return s.parameter == hidden.parameter;
-    });
+    const auto known =
+        std::find_if(shot.settings.begin(), shot.settings.end(),
+                     [&](const course::Setting& s) { return s.parameter == hidden.parameter; });
     const std::string value = drawn(hidden, draw({seed, lab.folder, graded.name, hidden.parameter}));
     if (known != shot.settings.end())
       known->value = value;
@@ -86,7 +87,8 @@ std::string LabPlan::mask_batch() const {
   return list.dump(1);
 }
 
-std::vector<LabPlan> plan(const std::vector<course::Lab>& labs, const std::string& seed, const fs::path& models) {
+std::vector<LabPlan> plan(const std::vector<course::Lab>& labs, const std::string& seed,
+                          const fs::path& models) {
   std::vector<LabPlan> plans;
   for (const course::Lab& lab : labs) {
     LabPlan plan{lab, {}};
@@ -99,7 +101,8 @@ std::vector<LabPlan> plan(const std::vector<course::Lab>& labs, const std::strin
   return plans;
 }
 
-std::vector<course::Lab> with_needed(const std::vector<course::Lab>& chosen, const std::vector<course::Lab>& all) {
+std::vector<course::Lab> with_needed(const std::vector<course::Lab>& chosen,
+                                     const std::vector<course::Lab>& all) {
   std::set<int> numbers;
   std::vector<int> open;
   for (const course::Lab& lab : chosen) open.push_back(lab.number);

@@ -47,9 +47,11 @@ Outcome run(const Studio& studio, const std::string& list, const fs::path& work,
 std::string end_of(const Outcome& outcome) {
   if (outcome.limit != Limit::none)
     return fmt::format("The program was ended here: it used up its {}", name_of(outcome.limit));
-  if (outcome.signal == SIGSEGV) return "The program crashed here: it read or wrote where nothing is (SIGSEGV)";
+  if (outcome.signal == SIGSEGV)
+    return "The program crashed here: it read or wrote where nothing is (SIGSEGV)";
   if (outcome.signal == SIGABRT) return "The program gave up here (SIGABRT)";
-  if (outcome.signal == SIGFPE) return "The program crashed here: a whole number was divided by zero (SIGFPE)";
+  if (outcome.signal == SIGFPE)
+    return "The program crashed here: a whole number was divided by zero (SIGFPE)";
   if (outcome.signal != 0) return fmt::format("The program was ended here by signal {}", outcome.signal);
   return fmt::format("The program ended with exit code {} and drew nothing", outcome.exit_code);
 }
@@ -74,7 +76,8 @@ std::map<std::string, std::string> reasons(const std::string& errors) {
 
 }  // namespace
 
-Drawn draw(const Studio& studio, const LabPlan& plan, const std::vector<std::string>& only, const fs::path& out) {
+Drawn draw(const Studio& studio, const LabPlan& plan, const std::vector<std::string>& only,
+           const fs::path& out) {
   Drawn drawn;
   std::vector<const Shot*> left;
   for (const Shot& shot : plan.shots)

@@ -13,10 +13,10 @@ namespace texel::grade {
 
 /// What draws.
 struct Studio {
-  std::filesystem::path program;  ///< alone in its folder
-  std::filesystem::path root;     ///< the folder with shaders/ and assets/
-  std::string context = "auto";   ///< the program's --context
-  bool trusted = false;           ///< without a sandbox
+  std::filesystem::path program;                ///< alone in its folder
+  std::filesystem::path root;                   ///< the folder with shaders/ and assets/
+  std::string context = "auto";                 ///< the program's --context
+  bool trusted = false;                         ///< without a sandbox
   std::vector<std::filesystem::path> readable;  ///< what it may read besides
 };
 

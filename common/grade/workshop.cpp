@@ -74,8 +74,9 @@ std::string output_of(const Words& command, const fs::path& folder, double secon
   plain.environment.emplace_back("CCACHE_NOHASHDIR", "1");
   const Outcome outcome = grade::run(plain, command);
   if (!outcome.succeeded())
-    throw Error::failed(fmt::format("'{}' fails with exit code {}", fmt::join(command, " "), outcome.exit_code),
-                        {folder.string()}, "it says:\n" + end_of(outcome.output + outcome.errors));
+    throw Error::failed(
+        fmt::format("'{}' fails with exit code {}", fmt::join(command, " "), outcome.exit_code),
+        {folder.string()}, "it says:\n" + end_of(outcome.output + outcome.errors));
   return outcome.output;
 }
 
@@ -119,11 +120,13 @@ const Workshop::Recipe& Workshop::recipe(const std::string& program) {
   for (std::string line; std::getline(lines, line);) {
     Words words = split(line);
     // ": && c++ … && :" is how CMake has a linker run.
-    words.erase(std::remove_if(words.begin(), words.end(), [](const std::string& w) { return w == ":" || w == "&&"; }),
+    words.erase(std::remove_if(words.begin(), words.end(),
+                               [](const std::string& w) { return w == ":" || w == "&&"; }),
                 words.end());
     if (words.empty()) continue;
     if (words.front().ends_with("ccache")) words.erase(words.begin());
-    if (const auto c = std::find(words.begin(), words.end(), "-c"); c != words.end() && c + 1 != words.end()) {
+    if (const auto c = std::find(words.begin(), words.end(), "-c");
+        c != words.end() && c + 1 != words.end()) {
       const std::string path = fs::path(*(c + 1)).lexically_relative(tree_.source).generic_string();
       // A student's warnings are no errors, and nobody reads the list of headers.
       drop(words, "-Werror", 1), drop(words, "-MD", 1), drop(words, "-MT", 2), drop(words, "-MF", 2);
@@ -147,7 +150,8 @@ fs::path Workshop::new_folder(const char* what) {
   return folder;
 }
 
-Outcome Workshop::run(const Words& command, const std::vector<fs::path>& readable, const fs::path& out) const {
+Outcome Workshop::run(const Words& command, const std::vector<fs::path>& readable,
+                      const fs::path& out) const {
   Sandbox sandbox;
   sandbox.unsafe = trusted_;
   sandbox.read_only = readable;
@@ -260,7 +264,8 @@ Program Workshop::make(const std::string& program, const std::map<std::string, s
   if (fs::exists(made.file)) return made;
   const std::string log = link(how, program, objects, kept);
   if (log.empty()) return made;
-  if (objects.empty()) throw Error::failed(fmt::format("the tree's own '{}' does not link", program), {}, log);
+  if (objects.empty())
+    throw Error::failed(fmt::format("the tree's own '{}' does not link", program), {}, log);
   for (const auto& [path, object] : objects) made.refused.push_back({path, log});
   made.file = make(program, {}).file;
   return made;

@@ -53,8 +53,8 @@ class Workshop {
 
   const Recipe& recipe(const std::string& program);
   Object compile(const Recipe& recipe, const std::string& path, const std::string& text);
-  std::string link(const Recipe& recipe, const std::string& program, const std::map<std::string, Object>& objects,
-                   const std::filesystem::path& to);
+  std::string link(const Recipe& recipe, const std::string& program,
+                   const std::map<std::string, Object>& objects, const std::filesystem::path& to);
   Outcome run(const Words& command, const std::vector<std::filesystem::path>& readable,
               const std::filesystem::path& out) const;
   std::filesystem::path new_folder(const char* what);

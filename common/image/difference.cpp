@@ -233,7 +233,8 @@ Difference figures(int width, int height, int samples_per_pixel, const Pixels& p
   }
   if (largest.empty()) return result;
   const auto percentile = [&](std::size_t per_mille) {
-    const auto rank = largest.begin() + static_cast<std::ptrdiff_t>(index_of_per_mille(largest.size(), per_mille));
+    const auto rank =
+        largest.begin() + static_cast<std::ptrdiff_t>(index_of_per_mille(largest.size(), per_mille));
     std::nth_element(largest.begin(), rank, largest.end());
     return *rank;
   };

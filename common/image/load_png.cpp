@@ -23,7 +23,8 @@ Image8 load_png(const std::filesystem::path& path, int width, int height) {
   check(spng_set_png_buffer(context.get(), file.bytes().data(), file.bytes().size()));
   spng_ihdr header{};
   check(spng_get_ihdr(context.get(), &header));
-  if (header.width != static_cast<std::uint32_t>(width) || header.height != static_cast<std::uint32_t>(height))
+  if (header.width != static_cast<std::uint32_t>(width) ||
+      header.height != static_cast<std::uint32_t>(height))
     throw Error::failed(fmt::format("is {}x{} pixels, not {}x{}", header.width, header.height, width, height),
                         {path.string()});
   std::size_t size = 0;

@@ -34,8 +34,7 @@ const CubeTexcoords cube_before{{{0, 0}, {0, 1}, {1, 1}, {1, 0}, {0, 0}, {0, 1},
 //@end
 
 //@step 4.1 begin
-const CubeTexcoords cube_stretched{
-    {{1, 1}, {1, 0}, {0, 0}, {0, 1}, {0, 0}, {0, 1}, {1, 1}, {1, 0}}};
+const CubeTexcoords cube_stretched{{{1, 1}, {1, 0}, {0, 0}, {0, 1}, {0, 0}, {0, 1}, {1, 1}, {1, 0}}};
 //@starter
 // const CubeTexcoords cube_stretched{
 //     {{0, 0}, {0, 0}, {1, 1}, {1, 1}, {0, 0}, {0, 0}, {1, 1}, {1, 1}}};

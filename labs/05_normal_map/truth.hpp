@@ -56,7 +56,8 @@ inline app::Truth normal_map_truth(const NormalMapParameters& p, const std::stri
 //
 // namespace texel {
 //
-// inline app::Truth normal_map_truth(const NormalMapParameters&, const std::string&, glm::ivec2) { return {}; }
+// inline app::Truth normal_map_truth(const NormalMapParameters&, const std::string&, glm::ivec2) { return {};
+// }
 //
 // }  // namespace texel
 //@end

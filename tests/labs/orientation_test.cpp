@@ -295,13 +295,16 @@ TEST(LabelledCube, is_mirrored_by_the_ball_of_lab_9) {
 
 TEST(ColourPerVertexOfLab3, is_read_where_the_scaled_coordinate_points) {
   const TemporaryFolder folder(fmt::format("scaled_{}", ::getpid()));
-  const Settings look = {{"model", "quad"},  {"texture", "label_grid"}, {"texture_scale", "0.4"},
-                         {"yaw", "0"},       {"pitch", "0"},            {"distance", "2.5"}};
+  const Settings look = {{"model", "quad"}, {"texture", "label_grid"}, {"texture_scale", "0.4"}, {"yaw", "0"},
+                         {"pitch", "0"},    {"distance", "2.5"}};
   draw("lab03_obj_texcoords",
-       {{"vertex", look + Settings{{"method", "per-vertex"}}}, {"fragment", look + Settings{{"method", "per-fragment"}}}},
+       {{"vertex", look + Settings{{"method", "per-vertex"}}},
+        {"fragment", look + Settings{{"method", "per-fragment"}}}},
        folder);
-  const Image8 vertex = image::load8(folder / "vertex.png", 3), fragment = image::load8(folder / "fragment.png", 3);
-  // A pixel from the upper right corner, in a white cell at (0.4, 0.4); the picture's own corner is red. Measured: 1.
+  const Image8 vertex = image::load8(folder / "vertex.png", 3),
+               fragment = image::load8(folder / "fragment.png", 3);
+  // A pixel from the upper right corner, in a white cell at (0.4, 0.4); the picture's own corner is red.
+  // Measured: 1.
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(vertex.at(106, 106, c), fragment.at(106, 106, c), 3);
   EXPECT_GT(vertex.at(106, 106, 2), 200);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the grader gives for pictures of which everybody knows how wrong they are. docs/grading.md has the same
-// table.
+// What the grader gives for pictures of which everybody knows how wrong they are. docs/grading.md has the
+// same table.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -28,9 +28,10 @@ struct Scene {
   const char* lab;
   Settings look;
 };
-const Scene kScenes[] = {{"lab01_texture_quad", {{"texture", "brick"}, {"tilt", "20"}, {"distance", "1.8"}}},
-                         {"lab05_normal_map", {{"model", "torus"}, {"texture", "scales"}, {"distance", "2.2"}}},
-                         {"lab08_reflection", {{"distance", "3"}}}};
+const Scene kScenes[] = {
+    {"lab01_texture_quad", {{"texture", "brick"}, {"tilt", "20"}, {"distance", "1.8"}}},
+    {"lab05_normal_map", {{"model", "torus"}, {"texture", "scales"}, {"distance", "2.2"}}},
+    {"lab08_reflection", {{"distance", "3"}}}};
 
 /// Scores of changed pictures of one scene.
 class ScoreOf : public testing::TestWithParam<int> {

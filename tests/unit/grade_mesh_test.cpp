@@ -29,7 +29,8 @@ class JudgeMesh : public testing::Test {
     mesh::write_ply(folder_ / "r.ply", reference);
     mesh::write_ply(folder_ / "p.ply", picture);
     if (starter != nullptr) mesh::write_ply(folder_ / "s.ply", *starter);
-    return judge(shot_, {folder_ / "r.ply", starter != nullptr ? folder_ / "s.ply" : fs::path(), {}}, folder_ / "p.ply");
+    return judge(shot_, {folder_ / "r.ply", starter != nullptr ? folder_ / "s.ply" : fs::path(), {}},
+                 folder_ / "p.ply");
   }
 
   fs::path folder_ = fs::temp_directory_path() / ("texel_judge_mesh_" + std::to_string(::getpid()));
@@ -110,7 +111,8 @@ TEST_F(JudgeMesh, refuses_what_is_no_stream) {
   const Mesh reference = mesh::torus(0.7F, 0.3F, 24, 12);
   verdict(reference, reference);
   const Expected expected{folder_ / "r.ply", {}, {}};
-  write_file(folder_ / "p.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nend_header\n");
+  write_file(folder_ / "p.ply",
+             "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nend_header\n");
   const Verdict broken = judge(shot_, expected, folder_ / "p.ply");
   EXPECT_EQ(broken.score, 0);
   EXPECT_TRUE(broken.message.starts_with("The vertex stream")) << broken.message;

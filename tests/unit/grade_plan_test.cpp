@@ -50,8 +50,9 @@ class Plan : public testing::Test {
 
   fs::path models_ = fs::temp_directory_path() / ("texel_plan_" + std::to_string(::getpid()));
   const Lab lab_ = lab_of(1, {step_of("1.1")},
-                          {case_of("open", {{"turn", "10"}}), case_of("secret", {{"turn", "10"}, {"tilt", "1"}},
-                                                                      {{"turn", -90, 90, {}}, {"wood", 0, 0, {"a", "b", "c"}}}),
+                          {case_of("open", {{"turn", "10"}}),
+                           case_of("secret", {{"turn", "10"}, {"tilt", "1"}},
+                                   {{"turn", -90, 90, {}}, {"wood", 0, 0, {"a", "b", "c"}}}),
                            case_of("unseen", {{"model", "unseen:polygons"}}, {}, "mesh")});
 };
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "html.hpp"
+#include "core/html.hpp"
 
 namespace texel::tools {
 namespace {
@@ -53,7 +53,8 @@ class Axis {
 };
 
 std::string text(double x, double y, const std::string& content, const char* attributes = "") {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, attributes, escaped(content));
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, attributes,
+                     html_escaped(content));
 }
 
 /// Dots of a series that would cover each other stand as one, with all their labels.
@@ -100,9 +101,9 @@ std::string drawn(const Dot& dot, const char* colour) {
       "height=\"{}\" rx=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"1.6\"/>"
       "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" font-size=\"11\" font-weight=\"600\" "
       "fill=\"{}\">{}</text></g>\n",
-      escaped(dot.title), dot.x - half, dot.y - high, 2 * half, 2 * high, high,
+      html_escaped(dot.title), dot.x - half, dot.y - high, 2 * half, 2 * high, high,
       dot.filled ? colour : "var(--card, #fff)", colour, dot.x, dot.y + 3.9, dot.filled ? "#fff" : colour,
-      escaped(dot.label));
+      html_escaped(dot.label));
 }
 
 }  // namespace
@@ -129,7 +130,7 @@ std::string svg(const Plot& plot) {
       "Sans', "
       "sans-serif\" font-size=\"12.5\">\n<rect width=\"{3}\" height=\"{0:.0f}\" fill=\"var(--card, "
       "#fff)\"/>\n",
-      height, escaped(plot.y_label), escaped(plot.x_label), kWhole);
+      height, html_escaped(plot.y_label), html_escaped(plot.x_label), kWhole);
   for (const double tick : x_axis.ticks()) {
     out += fmt::format("<path d=\"M{0:.1f} {1}V{2}\" stroke=\"var(--line, #dedbd3)\"/>\n", x_axis.place(tick),
                        kTop, kTop + kHeight);
@@ -147,7 +148,7 @@ std::string svg(const Plot& plot) {
   out += fmt::format(
       "<text transform=\"translate(16 {:.1f}) rotate(-90)\" text-anchor=\"middle\" fill=\"var(--ink, "
       "#1d1f23)\">{}</text>\n",
-      kTop + kHeight / 2, escaped(plot.y_label));
+      kTop + kHeight / 2, html_escaped(plot.y_label));
 
   double y = kTop + 12;
   std::string hollow, filled;  // the front in front

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "core/html.hpp"
 #include "embedded.hpp"
-#include "html.hpp"
 
 namespace texel::tools {
 namespace {
@@ -174,7 +174,7 @@ void add_to_cost_plots(std::vector<std::pair<std::string, Plot>>& found, const S
 std::string with_code(const std::string& text) {
   std::string out;
   bool code = false;
-  for (const char c : escaped(text)) {
+  for (const char c : html_escaped(text)) {
     if (c != '`')
       out += c;
     else
@@ -185,16 +185,18 @@ std::string with_code(const std::string& text) {
 
 std::string html_table(const LabResults& lab, const Section& section) {
   std::string out =
-      fmt::format("<h3>{}</h3>\n<div class=\"scroll\"><table><thead><tr>", escaped(title(section)));
-  for (const std::string& cell : head(section)) out += fmt::format("<th>{}</th>", escaped(cell));
+      fmt::format("<h3>{}</h3>\n<div class=\"scroll\"><table><thead><tr>", html_escaped(title(section)));
+  for (const std::string& cell : head(section)) out += fmt::format("<th>{}</th>", html_escaped(cell));
   out += "</tr></thead><tbody>\n";
   for (const BenchResult* result : section.results) {
     out += result->pareto ? "<tr class=\"front\">" : "<tr>";
-    for (const std::string& cell : cells(section, *result)) out += fmt::format("<td>{}</td>", escaped(cell));
+    for (const std::string& cell : cells(section, *result))
+      out += fmt::format("<td>{}</td>", html_escaped(cell));
     out += "</tr>\n";
   }
   out += "</tbody></table></div>\n";
-  for (const std::string& line : slope_lines(lab, section)) out += fmt::format("<p>{}</p>\n", escaped(line));
+  for (const std::string& line : slope_lines(lab, section))
+    out += fmt::format("<p>{}</p>\n", html_escaped(line));
   if (section.bench != nullptr) out += fmt::format("<p>{}</p>\n", with_code(section.bench->teaches));
   return out;
 }
@@ -284,14 +286,15 @@ std::string bench_page(const std::vector<LabResults>& labs, const std::string& r
       "is "
       "cheaper, further down is closer to the truth; nothing beats a filled dot in both. Measured on {}.</p>"
       "</div>\n<nav><ol>\n",
-      kGalleryStyle, kBenchStyle, escaped(renderer));
+      kGalleryStyle, kBenchStyle, html_escaped(renderer));
   for (const LabResults& lab : labs)
     out += fmt::format("<li><a href=\"#{0}\"><b>{1}</b> {2}</a></li>\n", lab.lab.folder, lab.lab.number,
-                       escaped(lab.lab.title));
+                       html_escaped(lab.lab.title));
   out += "</ol></nav>\n<main>\n";
   for (const LabResults& lab : labs) {
-    out += fmt::format("<section class=\"bench\" id=\"{}\"><h2>{} {}</h2>\n<p class=\"choice\">{}</p>\n",
-                       lab.lab.folder, lab.lab.number, escaped(lab.lab.title), with_code(lab.lab.choice));
+    out +=
+        fmt::format("<section class=\"bench\" id=\"{}\"><h2>{} {}</h2>\n<p class=\"choice\">{}</p>\n",
+                    lab.lab.folder, lab.lab.number, html_escaped(lab.lab.title), with_code(lab.lab.choice));
     for (const Plot& plot : plots(lab)) out += "<div class=\"scroll plot\">" + svg(plot) + "</div>\n";
     for (const Section& section : sections(lab)) out += html_table(lab, section);
     out += "</section>\n";

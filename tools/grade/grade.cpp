@@ -58,7 +58,8 @@ void write_reports(const fs::path& out, const std::vector<std::string>& formats)
   grade::write_html(results, out);
   for (const std::string& format : formats) grade::write_format(format, results, out);
   print_class(results);
-  fmt::print("look at the page   file://{}\n", fs::absolute(out / "report/index.html").lexically_normal().string());
+  fmt::print("look at the page   file://{}\n",
+             fs::absolute(out / "report/index.html").lexically_normal().string());
 }
 
 }  // namespace
@@ -80,8 +81,9 @@ Exit grade_class(const GradeCommand& command) {
   const grade::GradeSummary summary = grade::grade_class(options, say);
   if (::isatty(STDERR_FILENO) != 0) std::fprintf(stderr, "\n");
   write_reports(options.out, command.formats);
-  fmt::print("graded {} students: {} cases in {:.1f} s, {:.1f} cases a second\n", summary.students, summary.cases,
-             summary.seconds, static_cast<double>(summary.cases) / std::max(summary.seconds, 1e-3));
+  fmt::print("graded {} students: {} cases in {:.1f} s, {:.1f} cases a second\n", summary.students,
+             summary.cases, summary.seconds,
+             static_cast<double>(summary.cases) / std::max(summary.seconds, 1e-3));
   if (summary.incidents > 0)
     throw Error::failed(fmt::format("{} students could not be graded in full", summary.incidents), {},
                         "it is no fault of theirs: see above, then run the same with --resume");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/html.hpp"
 #include "text.hpp"
 
 namespace texel::grade {
@@ -33,38 +34,12 @@ std::string shortened(const std::string& text, std::size_t bytes) {
 }
 
 std::string escaped(std::string_view text) {
-  std::string result;
-  const std::string cleaned = clean(text);
-  for (std::size_t i = 0; i < cleaned.size(); ++i) {
-    switch (const char c = cleaned[i]) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\'':
-        result += "&#39;";
-        break;
-      case '\xEF':
-        // U+FFFE and U+FFFF are UTF-8 but not XML.
-        if (cleaned.compare(i, 3, "\xEF\xBF\xBE") == 0 || cleaned.compare(i, 3, "\xEF\xBF\xBF") == 0) {
-          result += "\xEF\xBF\xBD";
-          i += 2;
-          break;
-        }
-        [[fallthrough]];
-      default:
-        result += c;
-    }
-  }
-  return result;
+  std::string cleaned = clean(text);
+  // U+FFFE and U+FFFF are UTF-8 but not XML.
+  for (const char* character : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})
+    for (std::size_t at = 0; (at = cleaned.find(character, at)) != cleaned.npos;)
+      cleaned.replace(at, 3, "\xEF\xBF\xBD");
+  return html_escaped(cleaned);
 }
 
 std::string base64(std::string_view bytes) {

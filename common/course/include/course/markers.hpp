@@ -25,8 +25,8 @@ struct Marker {
   int line = 0;      ///< of its first marker, from 1
 };
 
-/// The markers of a text, in its order. Throws Error (exit 3) with file and line for a marker that is unknown,
-/// unpaired, nested or not alone in its line.
+/// The markers of a text, in its order. Throws Error (exit 3) with file and line for a marker that is
+/// unknown, unpaired, nested or not alone in its line.
 std::vector<Marker> markers_of(const std::string& text, const std::string& file);
 
 /// The text with one of the two parts of each step: the solution where `solved(step)`, else the starter's.
@@ -38,9 +38,8 @@ std::string with_steps(const std::string& text, const std::string& file,
 /// Writes what a student gets into `to`: the tree of the course without tests, solutions and right answers.
 /// The steps for which `solved` says so are solved. Throws Error (exit 2) when `to` holds something already,
 /// Error (exit 3) when `root` is not the course's source tree or writing fails, and as markers_of.
-void write_starter(const std::filesystem::path& root, const std::filesystem::path& to,
-                   const std::function<bool(const std::string&)>& solved = [](const std::string&) {
-                     return false;
-                   });
+void write_starter(
+    const std::filesystem::path& root, const std::filesystem::path& to,
+    const std::function<bool(const std::string&)>& solved = [](const std::string&) { return false; });
 
 }  // namespace texel::course

@@ -6,13 +6,13 @@ namespace texel::image {
 
 /// How far one picture is from another.
 struct Difference {
-  int width = 0;             ///< pixels
-  int height = 0;            ///< pixels
-  double max = 0;            ///< the largest difference
-  double mean = 0;           ///< the mean over samples (over pixels for directions and texture coordinates)
-  double p99 = 0;            ///< the 99th percentile over pixels of each pixel's largest difference
-  double p999 = 0;           ///< and the 99.9th
-  int worst_x = 0;           ///< where the largest is, from the lower left corner
+  int width = 0;    ///< pixels
+  int height = 0;   ///< pixels
+  double max = 0;   ///< the largest difference
+  double mean = 0;  ///< the mean over samples (over pixels for directions and texture coordinates)
+  double p99 = 0;   ///< the 99th percentile over pixels of each pixel's largest difference
+  double p999 = 0;  ///< and the 99.9th
+  int worst_x = 0;  ///< where the largest is, from the lower left corner
   int worst_y = 0;
   long long non_finite = 0;  ///< pixels with NaN or infinity in either picture: in none of the figures above
   long long forgiven = 0;    ///< pixels whose difference the edge tolerance made smaller
