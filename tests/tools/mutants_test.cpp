@@ -136,8 +136,16 @@ TEST_F(MutantEngine, refuses_what_cannot_be_measured) {
 
 // ---- The course's catalogue. `texel mutants` leaves this suite out: in a mutant's tree its text is gone.
 
+/// The mutants, and the right solutions written another way.
+std::vector<course::Mutant> both_catalogues() {
+  std::vector<course::Mutant> all = course::read_catalogue("tests/mutants");
+  const std::vector<course::Mutant> right = course::read_catalogue("tests/equivalents");
+  all.insert(all.end(), right.begin(), right.end());
+  return all;
+}
+
 TEST(MutantCatalogue, applies_to_the_files_as_they_are) {
-  for (const course::Mutant& mutant : course::read_catalogue("tests/mutants"))
+  for (const course::Mutant& mutant : both_catalogues())
     EXPECT_NO_THROW(course::mutated(mutant, read_file(mutant.file)))
         << mutant.place.file << ":" << mutant.place.line << ": " << mutant.name << " in " << mutant.file;
 }
@@ -146,12 +154,13 @@ TEST(MutantCatalogue, has_at_least_six_for_each_lab_and_110_in_all) {
   for (const course::Lab& lab : course::read_labs("labs")) {
     const std::filesystem::path file = "tests/mutants/" + lab.folder + ".toml";
     EXPECT_GE(course::read_mutants(file).size(), 6U) << file;
+    EXPECT_GE(course::read_mutants("tests/equivalents/" + lab.folder + ".toml").size(), 4U) << lab.folder;
   }
   EXPECT_GE(course::read_catalogue("tests/mutants").size(), 110U);
 }
 
 TEST(MutantCatalogue, names_steps_that_the_mutant_s_file_has) {
-  for (const course::Mutant& mutant : course::read_catalogue("tests/mutants")) {
+  for (const course::Mutant& mutant : both_catalogues()) {
     if (mutant.step.empty()) continue;
     EXPECT_TRUE(has(read_file(mutant.file), "@step " + mutant.step + " begin"))
         << mutant.name << ": " << mutant.file << " has no step " << mutant.step;
