@@ -105,6 +105,21 @@ std::vector<Marker> markers_of(const std::string& text, const std::string& file)
   return markers;
 }
 
+std::map<std::string, std::string> step_texts(const std::string& text, const std::string& file) {
+  std::map<std::string, std::string> texts;
+  std::string step;
+  walk(
+      text, file,
+      [&](std::string_view, const Line& marker, int) {
+        if (marker.kind == Kind::begin) step = marker.step;
+        if (!step.empty()) texts[step];  // one without a text is there too
+      },
+      [&](Kind part, std::string_view line) {
+        if (part != Kind::end && !step.empty()) texts[step] += line;
+      });
+  return texts;
+}
+
 std::string with_steps(const std::string& text, const std::string& file,
                        const std::function<bool(const std::string&)>& solved) {
   std::string result;

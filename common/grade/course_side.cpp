@@ -106,38 +106,38 @@ fs::path CourseSide::folder_of(const LabPlan& plan) const {
 
 Expected CourseSide::expected(const LabPlan& plan, const Shot& shot) const {
   const fs::path folder = folder_of(plan);
-  return {folder / "solution" / shot.file(), folder / "starter" / shot.file(),
-          shot.is_mesh() ? fs::path() : folder / "mask" / (shot.graded.name + ".png")};
+  return {folder / "solution" / shot.file(),
+          shot.is_mesh() ? fs::path() : folder / "mask" / (shot.graded.name + ".png"),
+          {folder / "starter" / shot.file()}};
 }
 
-fs::path CourseSide::draw_mutant(const LabPlan& plan, const course::Mutant& mutant) {
+fs::path CourseSide::draw_changed(const LabPlan& plan, const std::string& name, const std::string& step,
+                                  const std::string& file, const std::string& text) {
   std::mutex* own = nullptr;
   {
     const std::scoped_lock lock(mutex_);
-    auto& slot = drawing_[mutant.name + "/" + plan.lab.folder];
+    auto& slot = drawing_[name + "/" + plan.lab.folder];
     if (!slot) slot = std::make_unique<std::mutex>();
     own = slot.get();
   }
   const std::scoped_lock lock(*own);
-  const std::string text = course::mutated(mutant, read_file(solution_.source / mutant.file));
-  const fs::path folder =
-      folder_of(plan) / "mutants" / fingerprint({mutant.name, mutant.file, text}).substr(0, 32);
+  const fs::path folder = folder_of(plan) / "mutants" / fingerprint({name, file, text}).substr(0, 32);
   if (fs::exists(folder)) return folder;
-  const fs::path fresh = cache_ / fmt::format("mutant-{}-{}-{}", ::getpid(), plan.lab.number, mutant.name);
+  const fs::path fresh = cache_ / fmt::format("mutant-{}-{}-{}", ::getpid(), plan.lab.number, name);
   fs::remove_all(fresh);
   fs::create_directories(fresh);
   Studio studio = this->studio(solution_, plan);
-  if (mutant.file.starts_with("shaders/")) {
+  if (file.starts_with("shaders/")) {
     studio.root = fresh / "root";
-    overlay(solution_.source / "shaders", {{mutant.file.substr(8), text}}, studio.root / "shaders");
+    overlay(solution_.source / "shaders", {{file.substr(8), text}}, studio.root / "shaders");
     fs::create_directory_symlink(solution_.source / "assets", studio.root / "assets");
   } else {
-    studio.program = workshop_.make(plan.lab.program(), {{mutant.file, text}}).file;
+    studio.program = workshop_.make(plan.lab.program(), {{file, text}}).file;
   }
   // Only the cases of its step: nobody asks for the others.
   std::vector<std::string> names;
   for (const Shot& shot : plan.shots)
-    if (shot.graded.step == mutant.step) names.push_back(shot.graded.name);
+    if (shot.graded.step == step) names.push_back(shot.graded.name);
   draw(studio, plan, names, fresh / "out");
   fs::create_directories(fresh / "out");
   fs::create_directories(folder.parent_path());
@@ -145,6 +145,14 @@ fs::path CourseSide::draw_mutant(const LabPlan& plan, const course::Mutant& muta
   fs::rename(fresh / "out", folder, exists);
   fs::remove_all(fresh);
   return folder;
+}
+
+fs::path CourseSide::without_step(const LabPlan& plan, const Shot& shot) {
+  const std::string& step = shot.graded.step;
+  const std::string& file = places_.at(step).file;
+  const std::string text = course::with_steps(read_file(solution_.source / file), file,
+                                              [&](const std::string& other) { return other != step; });
+  return draw_changed(plan, "without-" + step, step, file, text) / shot.file();
 }
 
 std::optional<course::Mutant> CourseSide::recognise(const LabPlan& plan, const std::string& step,
@@ -155,7 +163,8 @@ std::optional<course::Mutant> CourseSide::recognise(const LabPlan& plan, const s
   if (failed.empty()) return {};
   for (const course::Mutant& mutant : mutants_) {
     if (mutant.step != step) continue;
-    const fs::path drawn = draw_mutant(plan, mutant);
+    const fs::path drawn = draw_changed(plan, mutant.name, step, mutant.file,
+                                        course::mutated(mutant, read_file(solution_.source / mutant.file)));
     if (std::all_of(failed.begin(), failed.end(), [&](const Shot* shot) {
           Expected as_mutant = expected(plan, *shot);
           as_mutant.reference = drawn / shot->file();

@@ -26,6 +26,8 @@ class CourseSide {
   /// Draws what the lab's shots are judged by, unless it is there. Throws Error (exit 3).
   void prepare(const LabPlan& plan);
   [[nodiscard]] Expected expected(const LabPlan& plan, const Shot& shot) const;
+  /// What the solution without the shot's own step draws. Throws Error (exit 3).
+  std::filesystem::path without_step(const LabPlan& plan, const Shot& shot);
 
   /// The mutant that draws the same as the student in all failed shots of a step, if one does. `pictures` are
   /// the student's, by case.
@@ -39,7 +41,9 @@ class CourseSide {
 
  private:
   [[nodiscard]] std::filesystem::path folder_of(const LabPlan& plan) const;
-  std::filesystem::path draw_mutant(const LabPlan& plan, const course::Mutant& mutant);
+  /// Draws the cases of a step by the solution with another text in one of its files.
+  std::filesystem::path draw_changed(const LabPlan& plan, const std::string& name, const std::string& step,
+                                     const std::string& file, const std::string& text);
   [[nodiscard]] Studio studio(const BuiltTree& tree, const LabPlan& plan) const;
 
   BuiltTree solution_;

@@ -17,6 +17,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/stopwatch.hpp"
+#include "course/markers.hpp"
 #include "course_side.hpp"
 #include "fingerprint.hpp"
 #include "grade/judge.hpp"
@@ -60,9 +61,10 @@ struct Open {
   Entry entry;
   std::once_flag once;
   Submission submission;
-  fs::path folder;             ///< scratch
-  std::set<std::string> done;  ///< cases that were judged before
-  std::string incident;        ///< why it could not be opened
+  fs::path folder;                  ///< scratch
+  std::set<std::string> done;       ///< cases that were judged before
+  std::set<std::string> untouched;  ///< steps that are as the starter has them
+  std::string incident;             ///< why it could not be opened
   std::atomic<std::size_t> left{0};
 };
 
@@ -255,12 +257,31 @@ class ClassRun {
       fs::remove_all(student.folder);
       overlay(starter_.source / "shaders", shaders, student.folder / "root/shaders");
       fs::create_directory_symlink(starter_.source / "assets", student.folder / "root/assets");
+      student.untouched = untouched(student.submission.files);
       store_->put_student(result, digest);
       student.done = store_->judged(result.id);
     } catch (const Error& error) {
       student.incident = error.what();
       store_->put_student(result, "");
     }
+  }
+
+  /// The steps between whose markers a submission has what the starter has.
+  std::set<std::string> untouched(const std::map<std::string, std::string>& files) const {
+    std::set<std::string> steps;
+    for (const std::string& path : allowed_) {
+      std::map<std::string, std::string> own,
+          given = course::step_texts(read_file(starter_.source / path), path);
+      try {
+        const auto file = files.find(path);
+        own = file == files.end() ? given : course::step_texts(file->second, path);
+      } catch (const Error&) {  // who spoilt the markers has touched the file
+      }
+      for (const auto& [step, text] : given)
+        if (const auto found = own.find(step); found != own.end() && found->second == text)
+          steps.insert(step);
+    }
+    return steps;
   }
 
   /// Files of the course that came back unchanged are no news; of the others the first hundred.
@@ -335,7 +356,8 @@ class ClassRun {
         // A folder or a link of a picture's name is no picture.
         if (results.back().passed || !fs::is_regular_file(fs::symlink_status(out / shot.file()))) continue;
         failed[shot.graded.name] = out / shot.file();
-        is_begun = is_begun || !is_starter(plan, shot, out / shot.file());
+        is_begun =
+            is_begun || (student.untouched.count(step.id) == 0 && !is_starter(plan, shot, out / shot.file()));
       }
       name_mistake(plan, step.id, is_begun, failed, results);
       for (CaseResult& result : results) {
@@ -355,7 +377,14 @@ class ClassRun {
     result.unit = unit_of(shot.graded.view);
     result.command = shot.hidden ? "" : command(plan, shot);
     if (!shot.hidden) result.reference = fmt::format("references/{}/{}", plan.lab.folder, shot.file());
-    Verdict verdict = judge(shot, course_->expected(plan, shot), out / shot.file());
+    Expected expected = course_->expected(plan, shot);
+    Verdict verdict = judge(shot, expected, out / shot.file());
+    // Only now, since it takes a program of its own.
+    const bool is_untouched = student.untouched.count(shot.graded.step) > 0;
+    if (!verdict.passed && !is_untouched && fs::exists(out / shot.file())) {
+      expected.worthless.push_back(course_->without_step(plan, shot));
+      verdict = judge(shot, expected, out / shot.file());
+    }
     result.passed = verdict.passed, result.score = verdict.score, result.error = verdict.error;
     result.message = verdict.message;
     if (const auto fault = drawn.faults.find(shot.file()); fault != drawn.faults.end())
@@ -391,9 +420,12 @@ class ClassRun {
   }
 
   [[nodiscard]] bool is_starter(const LabPlan& plan, const Shot& shot, const fs::path& picture) const {
-    Expected starter = course_->expected(plan, shot);
-    starter.reference = starter.starter;
-    return looks_like(shot, starter, picture);
+    Expected expected = course_->expected(plan, shot);
+    expected.worthless.push_back(course_->without_step(plan, shot));
+    return std::any_of(expected.worthless.begin(), expected.worthless.end(), [&](const fs::path& nothing) {
+      expected.reference = nothing;
+      return looks_like(shot, expected, picture);
+    });
   }
 
   void name_mistake(const LabPlan& plan, const std::string& step, bool is_begun,
@@ -402,7 +434,7 @@ class ClassRun {
     if (!is_begun) {
       for (CaseResult& result : results)
         if (failed.count(result.name) > 0)
-          result.score = 0, result.message = "This is still what the starter draws. " + result.message;
+          result.score = 0, result.message = "This step is still as the starter has it. " + result.message;
       return;
     }
     const std::optional<course::Mutant> mutant = course_->recognise(plan, step, failed);

@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <functional>
 #include <limits>
-#include <optional>
 
 #include "core/error.hpp"
 #include "image/difference.hpp"
@@ -187,9 +186,6 @@ Verdict judge_picture(const Shot& shot, const Expected& expected, const fs::path
     verdict.message = "The picture " + plain_text(text);
     return verdict;
   }
-  std::optional<Picture> starter;
-  if (!expected.starter.empty() && fs::exists(expected.starter))
-    starter = load(expected.starter, size, static_cast<Picture*>(nullptr));
 
   verdict.passed = true;
   verdict.score = 1;
@@ -207,9 +203,13 @@ Verdict judge_picture(const Shot& shot, const Expected& expected, const fs::path
     if (difference.p999 > shot.graded.limit || difference.non_finite > 0) verdict.passed = false;
   }
   if (verdict.passed) return verdict;
-  const double nothing = starter ? worst_mean_error(reference, *starter, parts, view) : 1;
-  const double zero = unit_of(view) == "units" ? nothing : std::min(nothing, 1.0);
-  verdict.score = zero > 0 ? 1 - worst_mean_error(reference, picture, parts, view) / zero : 0;
+  double zero = unit_of(view) == "units" ? std::numeric_limits<double>::infinity() : 1;
+  for (const fs::path& nothing : expected.worthless)
+    if (fs::exists(nothing))
+      zero = std::min(zero, worst_mean_error(reference, load(nothing, size, static_cast<Picture*>(nullptr)),
+                                             parts, view));
+  verdict.score =
+      zero > 0 && std::isfinite(zero) ? 1 - worst_mean_error(reference, picture, parts, view) / zero : 0;
   verdict.score = std::clamp(verdict.score, 0.0, kMostOfWrong);
   if (non_finite > 0) {
     verdict.score = 0;
@@ -248,7 +248,7 @@ Verdict judge(const Shot& shot, const Expected& expected, const fs::path& pictur
     verdict.message = "There is no picture.";
     return verdict;
   }
-  if (shot.is_mesh()) return judge_mesh(shot.graded.limit, expected.reference, expected.starter, picture);
+  if (shot.is_mesh()) return judge_mesh(shot.graded.limit, expected.reference, expected.worthless, picture);
   return shot.graded.view == "color" ? judge_picture<Image8>(shot, expected, picture)
                                      : judge_picture<ImageF>(shot, expected, picture);
 }

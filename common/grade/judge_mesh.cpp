@@ -129,7 +129,7 @@ Match match(const Lookup& reference, const Lookup& other, double limit) {
 
 }  // namespace
 
-Verdict judge_mesh(double limit, const fs::path& reference_file, const fs::path& starter_file,
+Verdict judge_mesh(double limit, const fs::path& reference_file, const std::vector<fs::path>& worthless,
                    const fs::path& file) {
   const Lookup reference(mesh::read_ply(reference_file));
   Verdict verdict;
@@ -152,8 +152,9 @@ Verdict judge_mesh(double limit, const fs::path& reference_file, const fs::path&
   verdict.score = 1;
   if (verdict.passed) return verdict;
   double least = 0;
-  if (!starter_file.empty() && fs::exists(starter_file))
-    least = match(reference, Lookup(mesh::read_ply(starter_file)), limit).share;
+  for (const fs::path& nothing : worthless)
+    if (fs::exists(nothing))
+      least = std::max(least, match(reference, Lookup(mesh::read_ply(nothing)), limit).share);
   verdict.score = least < 1 ? std::clamp((found.share - least) / (1 - least), 0.0, 0.95) : 0;
   verdict.message =
       count != expected

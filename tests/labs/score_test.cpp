@@ -40,7 +40,7 @@ class ScoreOf : public testing::TestWithParam<int> {
     const Scene& scene = kScenes[GetParam()];
     draw(scene.lab, {{"reference", scene.look}, {"mask", scene.look, "mask"}}, folder_);
     shot_.graded.name = "picture", shot_.graded.size = "128x128", shot_.graded.limit = 2;
-    expected_ = {file("reference"), file("starter"), file("mask")};
+    expected_ = {file("reference"), file("mask"), {file("starter")}};
     reference_ = image::load8(file("reference"), 3);
     // As most starters do: the object is there, and grey.
     const Image8 mask = image::load8(file("mask"), 1);
@@ -170,7 +170,7 @@ TEST(ScoreOfDirections, falls_with_the_angle_and_is_zero_for_what_is_not_finite)
   image::save_pfm(folder / "reference.pfm", disc_of_vectors(0));
   Shot shot;
   shot.graded.name = "n", shot.graded.view = "normal", shot.graded.size = "64x64", shot.graded.limit = 0.1;
-  const Expected expected{folder / "reference.pfm", {}, folder / "mask.png"};
+  const Expected expected{folder / "reference.pfm", folder / "mask.png", {}};
   const auto verdict = [&](const ImageF& picture) {
     image::save_pfm(folder / "picture.pfm", picture);
     return grade::judge(shot, expected, folder / "picture.pfm");

@@ -216,7 +216,9 @@ class ClassMaker {
       const auto end = std::find(order_.begin(), order_.end(), step) + 1;
       const std::set<std::string> solved(order_.begin(), end);
       const auto is_solved = [&](const std::string& one) { return solved.count(one) > 0; };
-      put("steps", step, student_files(is_solved), {{"passes", steps(is_solved)}});
+      put("steps", step, student_files(is_solved),
+          {{"passes", steps(is_solved)},
+           {"zero", steps([&](const std::string& other) { return !is_solved(other); })}});
     }
   }
 

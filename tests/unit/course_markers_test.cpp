@@ -59,6 +59,14 @@ TEST(Markers, are_found_with_their_lines_in_solution_and_starter) {
   }
 }
 
+TEST(Markers, have_a_text_between_them_for_each_step) {
+  const std::string text =
+      with_steps(kText, "f.cpp", nothing) + "//@step 5.2 begin\n//@end\n//@step 5.1 begin\nmore\n//@end\n";
+  const std::map<std::string, std::string> texts = step_texts(text, "f.cpp");
+  EXPECT_EQ(texts,
+            (std::map<std::string, std::string>{{"5.1", "  return c;  // as it is\n\nmore\n"}, {"5.2", ""}}));
+}
+
 TEST(Markers, survive_carriage_returns_and_a_last_line_without_an_end) {
   EXPECT_EQ(with_steps("//@step 1.1 begin\r\na\r\n//@starter\r\n// b\r\n//@end", "f", nothing),
             "//@step 1.1 begin\r\nb\r\n//@end");

@@ -29,8 +29,9 @@ class JudgeMesh : public testing::Test {
     mesh::write_ply(folder_ / "r.ply", reference);
     mesh::write_ply(folder_ / "p.ply", picture);
     if (starter != nullptr) mesh::write_ply(folder_ / "s.ply", *starter);
-    return judge(shot_, {folder_ / "r.ply", starter != nullptr ? folder_ / "s.ply" : fs::path(), {}},
-                 folder_ / "p.ply");
+    Expected expected{folder_ / "r.ply", {}, {}};
+    if (starter != nullptr) expected.worthless.push_back(folder_ / "s.ply");
+    return judge(shot_, expected, folder_ / "p.ply");
   }
 
   fs::path folder_ = fs::temp_directory_path() / ("texel_judge_mesh_" + std::to_string(::getpid()));

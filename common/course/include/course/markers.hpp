@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,10 @@ struct Marker {
 /// The markers of a text, in its order. Throws Error (exit 3) with file and line for a marker that is
 /// unknown, unpaired, nested or not alone in its line.
 std::vector<Marker> markers_of(const std::string& text, const std::string& file);
+
+/// What stands between each step's markers in a student's text, by step; parts of one step one after the
+/// other. Errors as markers_of.
+std::map<std::string, std::string> step_texts(const std::string& text, const std::string& file);
 
 /// The text with one of the two parts of each step: the solution where `solved(step)`, else the starter's.
 /// The markers around it stay, so that one sees where to write; those of the teacher's parts, which become

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <vector>
 
 #include "grade/plan.hpp"
 #include "grade/results.hpp"
@@ -12,8 +13,9 @@ namespace texel::grade {
 /// What a shot is judged by: files of the shot's size.
 struct Expected {
   std::filesystem::path reference;  ///< what the solution draws
-  std::filesystem::path starter;    ///< what the starter draws; may be missing
   std::filesystem::path mask;       ///< where the object is, as the solution draws it; none for meshes
+  /// What earns nothing: as the starter draws it, and the solution without this step. Some may be missing.
+  std::vector<std::filesystem::path> worthless;
 };
 
 /// How far a picture is from another, in the numbers that the score comes from.
