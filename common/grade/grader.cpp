@@ -348,7 +348,6 @@ class ClassRun {
     for (const course::Step& step : plan.lab.steps) {
       std::vector<CaseResult> results;
       std::map<std::string, fs::path> failed;
-      bool is_begun = false;
       for (const Shot& shot : plan.shots) {
         if (shot.graded.step != step.id) continue;
         if (std::find(names.begin(), names.end(), shot.graded.name) == names.end()) continue;
@@ -356,10 +355,11 @@ class ClassRun {
         // A folder or a link of a picture's name is no picture.
         if (results.back().passed || !fs::is_regular_file(fs::symlink_status(out / shot.file()))) continue;
         failed[shot.graded.name] = out / shot.file();
-        is_begun =
-            is_begun || (student.untouched.count(step.id) == 0 && !is_starter(plan, shot, out / shot.file()));
       }
-      name_mistake(plan, step.id, is_begun, failed, results);
+      if (student.untouched.count(step.id) > 0)
+        say_untouched(results);
+      else
+        name_mistake(plan, step.id, failed, results);
       for (CaseResult& result : results) {
         if (const auto file = failed.find(result.name); file != failed.end())
           result.picture = keep_picture(student, plan, file->second);
@@ -419,24 +419,16 @@ class ClassRun {
     return log.substr(begin, log.find('\n', at) - begin);
   }
 
-  [[nodiscard]] bool is_starter(const LabPlan& plan, const Shot& shot, const fs::path& picture) const {
-    Expected expected = course_->expected(plan, shot);
-    expected.worthless.push_back(course_->without_step(plan, shot));
-    return std::any_of(expected.worthless.begin(), expected.worthless.end(), [&](const fs::path& nothing) {
-      expected.reference = nothing;
-      return looks_like(shot, expected, picture);
-    });
+  /// What earlier steps made of a picture is not this one's merit.
+  static void say_untouched(std::vector<CaseResult>& results) {
+    for (CaseResult& result : results)
+      if (!result.passed)
+        result.score = 0, result.message = "This step is still as the starter has it. " + result.message;
   }
 
-  void name_mistake(const LabPlan& plan, const std::string& step, bool is_begun,
+  void name_mistake(const LabPlan& plan, const std::string& step,
                     const std::map<std::string, fs::path>& failed, std::vector<CaseResult>& results) {
     if (failed.empty()) return;
-    if (!is_begun) {
-      for (CaseResult& result : results)
-        if (failed.count(result.name) > 0)
-          result.score = 0, result.message = "This step is still as the starter has it. " + result.message;
-      return;
-    }
     const std::optional<course::Mutant> mutant = course_->recognise(plan, step, failed);
     if (!mutant) return;
     for (CaseResult& result : results)
