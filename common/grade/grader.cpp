@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <condition_variable>
-#include <deque>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -51,11 +49,6 @@ std::string read_seed(const fs::path& file) {
   return seed;
 }
 
-/// A number that only its digits, hours and minutes matter of.
-std::string duration(double seconds) {
-  return seconds < 90 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.0f} min", seconds / 60);
-}
-
 /// A student whose labs are being graded. Opened by the first that comes, gone with the last.
 struct Open {
   Entry entry;
@@ -66,12 +59,6 @@ struct Open {
   std::set<std::string> untouched;  ///< steps that are as the starter has them
   std::string incident;             ///< why it could not be opened
   std::atomic<std::size_t> left{0};
-};
-
-/// One lab of one student.
-struct Task {
-  std::shared_ptr<Open> student;
-  const LabPlan* plan;
 };
 
 class ClassRun {
@@ -146,7 +133,7 @@ class ClassRun {
     in_parallel(plans_.size(), [&](std::size_t i) { course_->prepare(plans_[i]); });
     for (const LabPlan& plan : plans_) keep_references(plan);
     ready_ = stopwatch_.milliseconds() / 1000;
-    say_(fmt::format("ready after {}", duration(ready_)));
+    say_(fmt::format("ready after {}", duration_text(ready_)));
   }
 
   /// The expected pictures of public cases, for the reports.
@@ -262,8 +249,15 @@ class ClassRun {
       student.done = store_->judged(result.id);
     } catch (const Error& error) {
       student.incident = error.what();
-      store_->put_student(result, "");
+    } catch (const fs::filesystem_error& error) {
+      student.incident = text_of(error);
     }
+    // Known all the same, and with what was judged before.
+    if (!student.incident.empty()) store_->put_student(result, "");
+  }
+
+  static std::string text_of(const fs::filesystem_error& error) {
+    return fmt::format("{}: {}", error.path1().string(), error.code().message());
   }
 
   /// The steps between whose markers a submission has what the starter has.
@@ -309,7 +303,7 @@ class ClassRun {
       } catch (const Error& error) {
         incident = error.what();
       } catch (const fs::filesystem_error& error) {
-        incident = fmt::format("{}: {}", error.path1().string(), error.code().message());
+        incident = text_of(error);
       }
     store_->put_incident(student.entry.id, plan.lab.folder, incident);
     progress();
@@ -356,10 +350,10 @@ class ClassRun {
         if (results.back().passed || !fs::is_regular_file(fs::symlink_status(out / shot.file()))) continue;
         failed[shot.graded.name] = out / shot.file();
       }
-      if (student.untouched.count(step.id) > 0)
-        say_untouched(results);
-      else
+      if (student.untouched.count(step.id) == 0)
         name_mistake(plan, step.id, failed, results);
+      else if (student.submission.fault.empty())
+        say_untouched(results);
       for (CaseResult& result : results) {
         if (const auto file = failed.find(result.name); file != failed.end())
           result.picture = keep_picture(student, plan, file->second);
@@ -452,7 +446,7 @@ class ClassRun {
     const double rate = static_cast<double>(judged_) / std::max(seconds, 1e-3);
     const double left = static_cast<double>(all_cases_ - std::min<std::size_t>(all_cases_, finished_));
     say_(fmt::format("{} of {} cases, {:.1f} a second, {} left", finished_.load(), all_cases_, rate,
-                     rate > 0 ? duration(left / rate) : "?"));
+                     rate > 0 ? duration_text(left / rate) : "?"));
   }
 
   const GradeOptions& options_;
@@ -471,8 +465,8 @@ class ClassRun {
   std::atomic<std::size_t> judged_ = 0, finished_ = 0;
   std::size_t all_cases_ = 0;
   std::mutex say_mutex_;
-  double ready_ = 0,
-         said_ = 0;  ///< seconds: when the first student's turn came, and when `say_` was called since
+  double ready_ = 0;  ///< seconds after the start: when the first student's turn came
+  double said_ = 0;   ///< seconds after that: when `say_` was called last
 };
 
 }  // namespace

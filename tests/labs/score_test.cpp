@@ -193,5 +193,38 @@ TEST(ScoreOfDirections, falls_with_the_angle_and_is_zero_for_what_is_not_finite)
   EXPECT_FALSE(verdict(few).passed);
 }
 
+TEST(ScoreOfDirections, is_zero_for_a_float_picture_of_other_channels_or_size) {
+  const TemporaryFolder folder(fmt::format("channels_{}", ::getpid()));
+  image::save_png(folder / "mask.png", Image8(64, 64, 3));
+  image::save_pfm(folder / "reference.pfm", disc_of_vectors(0));
+  Shot shot;
+  shot.graded.name = "n", shot.graded.size = "64x64", shot.graded.limit = 0.1;
+  const Expected expected{folder / "reference.pfm", folder / "mask.png", {}};
+  for (const char* view : {"normal", "texcoord", "depth"}) {
+    shot.graded.view = view;
+    for (const ImageF& picture : {ImageF(64, 64, 1), ImageF(63, 64, 3)}) {
+      image::save_pfm(folder / "picture.pfm", picture);
+      const Verdict verdict = grade::judge(shot, expected, folder / "picture.pfm");
+      EXPECT_EQ(verdict.score, 0) << view;
+      EXPECT_TRUE(verdict.message.starts_with("The picture ")) << verdict.message;
+    }
+  }
+}
+
+TEST(LooksLike, says_no_where_a_mistake_draws_nothing) {
+  const TemporaryFolder folder(fmt::format("nothing_{}", ::getpid()));
+  image::save_pfm(folder / "picture.pfm", disc_of_vectors(0));
+  image::save_png(folder / "picture.png", Image8(64, 64, 3));
+  Shot shot;
+  shot.graded.name = "n", shot.graded.size = "64x64", shot.graded.limit = 0.1;
+  const Expected nothing{folder / "nowhere", {}, {}};
+  shot.graded.view = "normal";
+  EXPECT_FALSE(grade::looks_like(shot, nothing, folder / "picture.pfm"));
+  shot.graded.view = "color";
+  EXPECT_FALSE(grade::looks_like(shot, nothing, folder / "picture.png"));
+  shot.graded.view = "mesh";
+  EXPECT_FALSE(grade::looks_like(shot, nothing, folder / "picture.pfm"));
+}
+
 }  // namespace
 }  // namespace texel::test

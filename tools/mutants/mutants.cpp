@@ -61,10 +61,6 @@ void say(const std::string& line) {
   std::fflush(stdout);  // a log shows each as it ends
 }
 
-std::string duration(double seconds) {
-  return seconds < 90 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.0f} min", seconds / 60);
-}
-
 /// Makes one mutant and asks the tests.
 MutantResult try_mutant(const Tree& tree, const Suite& suite, const course::Mutant& mutant) {
   const Stopwatch stopwatch;
@@ -156,13 +152,13 @@ Exit mutants(const MutantsOptions& options) {
     const double each = stopwatch.milliseconds() / 1000 / static_cast<double>(results.size());
     const std::size_t left = mutants.size() - results.size();
     say(fmt::format("{:3}/{} {:<32} {} ({}; {} left)", results.size(), mutants.size(), mutant.name,
-                    outcome(results.back()), duration(results.back().seconds),
-                    duration(each * static_cast<double>(left))));
+                    outcome(results.back()), duration_text(results.back().seconds),
+                    duration_text(each * static_cast<double>(left))));
   }
   const Score total = score(results);
   say_survivors(results);
   say(fmt::format("{}; {} survive for a reason; {} took {}", total.text(), total.explained, mutants.size(),
-                  duration(stopwatch.milliseconds() / 1000)));
+                  duration_text(stopwatch.milliseconds() / 1000)));
   if (total.broken > 0)
     throw Error::failed(fmt::format("{} mutants do not apply or do not compile", total.broken), {},
                         "mend the catalogue");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <chrono>
+#include <string>
 
 namespace texel {
 
@@ -14,5 +15,8 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
+
+/// A time that was measured or is left, in words: "12 s", from 90 seconds on "2 min".
+std::string duration_text(double seconds);
 
 }  // namespace texel
