@@ -11,6 +11,11 @@
 /// The commands of `texel`, one file each; each returns the exit code or throws Error.
 namespace texel::tools {
 
+/// The tree that the programs belong to: TEXEL_ROOT, else beside the program, else the source tree.
+std::filesystem::path course_root();
+/// The build that this program belongs to.
+std::filesystem::path course_build();
+
 /// The labs of the course: from TEXEL_ROOT, else beside the program, else the source tree.
 std::vector<course::Lab> course_labs();
 /// Those of these numbers; all when there is none. Throws Error (usage) for a number that no lab has.
@@ -69,12 +74,55 @@ struct MutantsOptions {
 /// Differs when they catch fewer than 90 %.
 Exit mutants(const MutantsOptions& options);
 
+struct CheckOptions {
+  std::vector<int> labs;  ///< numbers; none for all
+  bool json = false;
+  std::string context = "auto";
+};
+
+/// `texel check`: which steps of the student's tree are right. Differs when one is not.
+Exit check(const CheckOptions& options);
+
+/// `texel progress`: all labs at a glance.
+Exit progress(const std::string& context);
+
+struct WatchOptions {
+  int lab = 0;
+  std::string context = "auto";
+};
+
+/// `texel watch`: checks after every save, until 'q' or an interrupt.
+Exit watch(const WatchOptions& options);
+
+struct HintOptions {
+  std::string where;  ///< a step, a lab's number, or "" for what comes next in the course
+  std::string context = "auto";
+};
+
+/// `texel hint`: one more hint each time.
+Exit hint(const HintOptions& options);
+
+/// `texel reset STEP`: makes a step what it was at first, and keeps what was written.
+Exit reset(const std::string& step);
+
+struct ExpectedCommand {
+  std::vector<int> labs;        ///< numbers; none for all
+  std::filesystem::path cache;  ///< empty: build/grade of the course
+};
+
+/// `texel expected`: draws what `check` compares with.
+Exit expected(const ExpectedCommand& command);
+
 struct StarterOptions {
   std::filesystem::path out, root;  ///< root empty: the course's own
   std::vector<std::string> solve;   ///< steps that are solved already
+  bool verify = false;              ///< write nothing: hold the starter to what it promises
+  std::vector<int> labs;            ///< of those; none for all
+  std::filesystem::path cache;      ///< empty: build/grade of the course
 };
 
-/// `texel starter`: writes the tree that students begin with.
+/// `texel starter`: writes the tree that students begin with. With `verify`, differs when a stage between
+/// starter and solution passes other steps than those that are solved in it.
 Exit starter(const StarterOptions& options);
 
 struct GradeCommand {

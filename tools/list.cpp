@@ -8,8 +8,17 @@
 
 namespace texel::tools {
 
+std::filesystem::path course_root() {
+  return app::Assets().shader_root().parent_path();
+}
+
+std::filesystem::path course_build() {
+  std::error_code error;
+  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path().parent_path();
+}
+
 std::vector<course::Lab> course_labs() {
-  return course::read_labs(app::Assets().shader_root().parent_path() / "labs");
+  return course::read_labs(course_root() / "labs");
 }
 
 std::vector<course::Lab> chosen_labs(const std::vector<int>& numbers) {

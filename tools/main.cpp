@@ -88,9 +88,63 @@ void add_mutants(CLI::App& app, MutantsOptions& options) {
 
 void add_starter(CLI::App& app, StarterOptions& options) {
   CLI::App* command = app.add_subcommand("starter", "Write the tree that students begin with");
-  command->add_option("--out", options.out, "A new folder")->required();
+  command->footer(
+      "Exit codes: 0 holds, 1 --verify found a fault, 2 wrong usage, 3 could not write, build or draw.");
+  CLI::Option* out = command->add_option("--out", options.out, "A new folder");
   command->add_option("--root", options.root, "The course's tree [the source tree]");
   command->add_option("--solve", options.solve, "Steps that are solved already, as 5.1,5.2")->delimiter(',');
+  CLI::Option* verify =
+      command
+          ->add_flag(
+              "--verify", options.verify,
+              "Write nothing, but see that the starter fails every step, that with the first k steps solved\n"
+              "exactly those pass, and that all pass in the end")
+          ->excludes(out);
+  command->add_option("--labs", options.labs, "With --verify: numbers of labs, as 1,5 [all]")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 99))
+      ->needs(verify);
+  command
+      ->add_option("--cache", options.cache,
+                   "With --verify: folder for starter, references and programs [build/grade]")
+      ->needs(verify);
+}
+
+CLI::Option* add_context(CLI::App* command, std::string& context) {
+  return command->add_option("--context", context, "Where the pictures are drawn")
+      ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
+}
+
+/// What the student's commands take.
+struct StudentCommands {
+  CheckOptions check;
+  WatchOptions watch;
+  HintOptions hint;
+  std::string progress_context = "auto", reset;
+};
+
+void add_student(CLI::App& app, StudentCommands& all) {
+  CLI::App* check = app.add_subcommand("check", "Which steps are right, and by how much the next is off");
+  check->footer("Exit codes: 0 all steps passed, 1 not all, 2 wrong usage, 3 could not draw or compare.");
+  check->add_option("LAB", all.check.labs, "Numbers of labs [all]")->check(CLI::Range(1, 99));
+  check->add_flag("--json", all.check.json, "Print JSON: an object for one lab, else a list of them");
+  add_context(check, all.check.context);
+  CLI::App* watch = app.add_subcommand("watch", "Check a lab after every save; h shows a hint, q ends");
+  watch->add_option("LAB", all.watch.lab, "Its number")->required()->check(CLI::Range(1, 99));
+  add_context(watch, all.watch.context);
+  CLI::App* hint = app.add_subcommand("hint", "One more hint each time");
+  hint->add_option("STEP", all.hint.where, "As 5.1; or a lab's number [what comes next in the course]");
+  add_context(hint, all.hint.context);
+  CLI::App* reset = app.add_subcommand("reset", "Make a step what it was at first; what you wrote is kept");
+  reset->add_option("STEP", all.reset, "As 5.1")->required();
+  CLI::App* progress = app.add_subcommand("progress", "All labs at a glance");
+  add_context(progress, all.progress_context);
+}
+
+void add_expected(CLI::App& app, ExpectedCommand& command) {
+  CLI::App* expected = app.add_subcommand("expected", "Draw what 'check' compares with, by the solutions");
+  expected->add_option("LAB", command.labs, "Numbers of labs [all]")->check(CLI::Range(1, 99));
+  expected->add_option("--cache", command.cache, "Folder for starter, references and programs [build/grade]");
 }
 
 /// What the four commands of grading take.
@@ -128,8 +182,7 @@ void add_grade(CLI::App& app, GradeCommands& all) {
   grade->add_option("--seed-file", g.seed_file,
                     "The course's secret for hidden cases [OUT/seed.txt, made when missing]");
   grade->add_option("--cache", g.cache, "Folder for starter, references and programs [build/grade]");
-  grade->add_option("--context", g.context, "Where the pictures are drawn")
-      ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
+  add_context(grade, g.context);
   grade->add_flag("--unsafe", g.unsafe,
                   "Run the students' programs without a sandbox: only for work that you trust");
   add_formats(grade, g.formats);
@@ -188,6 +241,8 @@ Exit run(int argc, char** argv) {
   MutantsOptions mutants_options;
   StarterOptions starter_options;
   GradeCommands grade_commands;
+  StudentCommands student;
+  ExpectedCommand expected_command;
   bool list_only = false;
   app.add_subcommand("list", "The labs at a glance");
   add_gallery(app, gallery_options, list_only);
@@ -196,6 +251,8 @@ Exit run(int argc, char** argv) {
   add_mutants(app, mutants_options);
   add_starter(app, starter_options);
   add_grade(app, grade_commands);
+  add_student(app, student);
+  add_expected(app, expected_command);
   reject_unknown_command(app, argc, argv);
   try {
     app.parse(argc, argv);
@@ -211,6 +268,12 @@ Exit run(int argc, char** argv) {
   if (app.got_subcommand("mutants")) return mutants(mutants_options);
   if (app.got_subcommand("grade")) return run_grade(app, grade_commands);
   if (app.got_subcommand("starter")) return starter(starter_options);
+  if (app.got_subcommand("check")) return check(student.check);
+  if (app.got_subcommand("watch")) return watch(student.watch);
+  if (app.got_subcommand("hint")) return hint(student.hint);
+  if (app.got_subcommand("reset")) return reset(student.reset);
+  if (app.got_subcommand("progress")) return progress(student.progress_context);
+  if (app.got_subcommand("expected")) return expected(expected_command);
   return list_only ? list_sources() : gallery(gallery_options);
 }
 

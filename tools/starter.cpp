@@ -3,13 +3,33 @@
 
 #include <algorithm>
 
-#include "app/assets.hpp"
 #include "commands.hpp"
 #include "course/markers.hpp"
+#include "grade/check.hpp"
 
 namespace texel::tools {
 
+namespace {
+
+Exit verify(const StarterOptions& options) {
+  const std::filesystem::path root = course_root();
+  const std::vector<std::string> faults = grade::verify_starter(
+      {root, course_build(), options.cache.empty() ? root / "build/grade" : options.cache,
+       chosen_labs(options.labs)},
+      [](const std::string& line) { fmt::print(stderr, "{}\n", line); });
+  for (const std::string& fault : faults) fmt::print("{}\n", fault);
+  if (faults.empty())
+    fmt::print(
+        "the starter fails every step; with the first k steps solved exactly those pass; all pass in the "
+        "end\n");
+  return faults.empty() ? Exit::holds : Exit::differs;
+}
+
+}  // namespace
+
 Exit starter(const StarterOptions& options) {
+  if (options.verify) return verify(options);
+  if (options.out.empty()) throw Error::usage("where to? texel starter --out DIR", "DIR is a new folder");
   std::vector<std::string> known;
   for (const course::Lab& lab : course_labs())
     for (const course::Step& step : lab.steps) known.push_back(step.id);
@@ -20,8 +40,7 @@ Exit starter(const StarterOptions& options) {
     if (std::find(known.begin(), known.end(), step) == known.end())
       throw Error::usage(fmt::format("there is no step '{}'", step),
                          "the steps are those of labs/*/lab.toml");
-  const std::filesystem::path root =
-      options.root.empty() ? app::Assets().shader_root().parent_path() : options.root;
+  const std::filesystem::path root = options.root.empty() ? course_root() : options.root;
   course::write_starter(root, options.out, is_solved);
   fmt::print("wrote {}; begin there with: ./run\n", options.out.string());
   return Exit::holds;

@@ -327,6 +327,7 @@ Action draw_panel(AnyLab& lab, WindowState& state, float scale) {
     ImGui::TextColored(kGrey, "%s", state.message.c_str());
     ImGui::PopTextWrapPos();
   }
+  steps_section(lab, state);
   view_section(lab, state);
   parameters_section(lab.parameters());
   statistics_section(state);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "canvas.hpp"
+#include "steps.hpp"
 
 namespace texel::app {
 
@@ -31,11 +33,20 @@ struct WindowState {
   };
   std::optional<Inspected> inspected;
 
+  std::optional<StepsCheck> steps;           ///< none where there is nothing to check
+  std::map<std::string, std::size_t> hints;  ///< how many are shown, by step
+  std::optional<CasePictures> case_pictures;
   std::string config_file;
 };
 
 /// What a button asked for.
 enum class Action { none, copy_command_line, save_config, load_config, snapshot, reset_parameters, reload };
+
+/// The section "Steps": each with its figure; its cases, which set the look when they are picked; its hints.
+void steps_section(AnyLab& lab, WindowState& state);
+
+/// Over the picture: the pictures of the case that was picked. As draw_overlay.
+void draw_case(WindowState& state, glm::vec2 size, float scale);
 
 /// Draws the panel for one frame with ImGui, at the left edge; changes parameters and state in place.
 Action draw_panel(AnyLab& lab, WindowState& state, float scale);

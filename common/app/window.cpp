@@ -11,13 +11,14 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "config.hpp"
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
+#include "core/watcher.hpp"
 #include "panel.hpp"
 #include "snapshot.hpp"
-#include "watcher.hpp"
 
 namespace texel::app {
 namespace {
@@ -73,6 +74,11 @@ class Window {
     state_.view = find_view(lab.info(), line.view);
     state_.paused = line.turn_given;
     state_.config_file = lab.info().program() + ".toml";
+    const std::filesystem::path root = assets.shader_root().parent_path();
+    if (std::filesystem::exists(root / "labs" / lab.info().folder() / "expected"))
+      state_.steps.emplace(lab.info().number, root);
+    std::error_code unknown;
+    own_program_ = std::filesystem::read_symlink("/proc/self/exe", unknown);
     // Our callbacks first: ImGui's then call them.
     glfwSetWindowUserPointer(window(), this);
     glfwSetKeyCallback(window(),
@@ -133,6 +139,7 @@ class Window {
   void frame() {
     if (pixels().x == 0 || pixels().y == 0 || !gui_) return;  // iconified, or not yet made
     watch();
+    follow_steps();
     advance();
     draw_picture();
     canvas_.copy_to_window({pixels().x - picture_pixels().x, 0}, picture_pixels());
@@ -141,6 +148,7 @@ class Window {
     ImGui::NewFrame();
     perform(draw_panel(lab_, state_, scale_));
     draw_overlay(lab_, state_, picture_units(), pixels_per_unit(), scale_);
+    draw_case(state_, picture_units(), scale_);
     ImGui::Render();
     glViewport(0, 0, pixels().x, pixels().y);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
@@ -155,7 +163,27 @@ class Window {
     if (!watcher_.changed(assets_.files()).empty()) reload(/*assets=*/true);
   }
 
+  /// Steps are checked when the first picture stands, and after every save.
+  void follow_steps() {
+    if (!state_.steps) return;
+    if (inspected_once_ && !std::exchange(steps_begun_, true)) state_.steps->request();
+    // A program that was built anew draws other pictures, though this one does not.
+    if (!watcher_.changed({own_program_}).empty()) {
+      state_.steps->request();
+      state_.message = "the lab was built anew: open it again to see what changed";
+    }
+    if (!state_.steps->poll() || !state_.case_pictures) return;
+    for (const LabStep& step : state_.steps->steps())
+      for (const StepCase& one : step.cases)
+        if (one.name == state_.case_pictures->name) {
+          CasePictures fresh = load_case(step.id, one);
+          fresh.shown = state_.case_pictures->shown, fresh.position = state_.case_pictures->position;
+          state_.case_pictures = std::move(fresh);
+        }
+  }
+
   void reload(bool assets) {
+    if (state_.steps) state_.steps->request();
     canvas_.programs().clear();
     if (assets) lab_.forget();
     drawn_ = {};
@@ -378,6 +406,8 @@ class Window {
   Stopwatch watch_clock_, frame_clock_;
   Look drawn_;
   bool inspected_once_ = false;
+  bool steps_begun_ = false;
+  std::filesystem::path own_program_;
   float scale_ = 1;
   Drag drag_ = Drag::none;
   glm::vec2 mouse_{0}, pressed_at_{0};

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/files.hpp"
 
 namespace texel::course {
 namespace {
@@ -142,6 +143,50 @@ std::string with_steps(const std::string& text, const std::string& file,
         if (part == Kind::starter && !is_solved) result += uncommented(line);
       });
   return result;
+}
+
+std::string with_step_from(const std::string& text, const std::string& file, const std::string& step,
+                           const std::string& other) {
+  std::vector<std::string> parts;
+  bool is_step = false;
+  walk(
+      other, file,
+      [&](std::string_view, const Line& marker, int) {
+        if (marker.kind == Kind::begin) is_step = marker.step == step;
+        if (marker.kind == Kind::begin && is_step) parts.emplace_back();
+      },
+      [&](Kind part, std::string_view line) {
+        if (part != Kind::end && is_step) parts.back() += line;
+      });
+  std::string result;
+  std::size_t count = 0;
+  is_step = false;
+  walk(
+      text, file,
+      [&](std::string_view line, const Line& marker, int) {
+        result += line;
+        if (marker.kind != Kind::begin) return;
+        is_step = marker.step == step;
+        if (is_step && count < parts.size()) result += parts[count];
+        count += is_step ? 1 : 0;
+      },
+      [&](Kind part, std::string_view line) {
+        if (part == Kind::end || !is_step) result += line;
+      });
+  if (count != parts.size() || count == 0)
+    throw Error::failed(
+        fmt::format("has {} parts of step {} where {} are expected", count, step, parts.size()), {file},
+        fmt::format("bring its markers back: {}/{} has them", kFirstTexts, file));
+  return result;
+}
+
+std::string first_text(const std::filesystem::path& tree, const std::string& file) {
+  if (const std::filesystem::path first = tree / kFirstTexts / file; std::filesystem::exists(first))
+    return read_file(first);
+  const std::string text = read_file(tree / file);
+  return text.find("//@starter") == text.npos
+             ? text
+             : with_steps(text, file, [](const std::string&) { return false; });
 }
 
 }  // namespace texel::course

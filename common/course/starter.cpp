@@ -12,19 +12,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kStudentsGuide = "docs/student.md";
+
 /// What belongs to the course.
-constexpr const char* kGiven[] = {"CMakeLists.txt",
-                                  "CMakePresets.json",
-                                  "LICENSE",
-                                  "README.md",
-                                  "assets",
-                                  "cmake",
-                                  "common",
-                                  "labs",
-                                  "run",
-                                  "shaders",
-                                  "tools",
-                                  "vcpkg.json"};
+constexpr const char* kGiven[] = {
+    "CMakeLists.txt", "CMakePresets.json", "LICENSE", "assets", "cmake",   "common",
+    "docs/pictures",  kStudentsGuide,      "labs",    "run",    "shaders", "tools",
+    "vcpkg.json"};
 
 /// What of it the student does not get: the right answers, and what makes or proves the course.
 constexpr const char* kWithheld[] = {"assets/make/", "common/app/include/app/colour_truth.hpp",
@@ -60,8 +54,12 @@ void write_starter(const fs::path& root, const fs::path& to,
       fs::copy_file(file, to / path);
       return;
     }
-    write_file(to / path, with_steps(read_file(file), path, solved));
+    const std::string text = read_file(file);
+    write_file(to / path, with_steps(text, path, solved));
     fs::permissions(to / path, fs::status(file).permissions());
+    if (step_texts(text, path).empty()) return;
+    fs::create_directories((to / kFirstTexts / path).parent_path());
+    write_file(to / kFirstTexts / path, with_steps(text, path, [](const std::string&) { return false; }));
   };
   try {
     for (const char* given : kGiven) {
@@ -70,6 +68,8 @@ void write_starter(const fs::path& root, const fs::path& to,
       for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / given))
         if (entry.is_regular_file()) give(entry.path());
     }
+    // What students read first.
+    if (fs::exists(root / kStudentsGuide)) fs::copy_file(root / kStudentsGuide, to / "README.md");
   } catch (const fs::filesystem_error& error) {
     throw Error::failed(fmt::format("cannot write: {}", error.code().message()), {error.path1().string()},
                         "check that the disk has room and the folder can be written");

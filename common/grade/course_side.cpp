@@ -42,20 +42,12 @@ std::string ask_renderer(const fs::path& program, const std::string& context, co
   return json.value("renderer", std::string()) + ", " + json.value("version", std::string());
 }
 
-/// A file as students get it, out of the course's tree or out of theirs.
-std::string starter_text(const fs::path& file, const std::string& name) {
-  const std::string text = read_file(file);
-  return text.find("//@starter") == text.npos
-             ? text
-             : course::with_steps(text, name, [](const std::string&) { return false; });
-}
-
 }  // namespace
 
 std::map<std::string, Place> step_places(const fs::path& tree) {
   std::map<std::string, Place> places;
   for (const std::string& file : step_files(tree))
-    for (const course::Marker& marker : course::markers_of(starter_text(tree / file, file), file))
+    for (const course::Marker& marker : course::markers_of(course::first_text(tree, file), file))
       if (!marker.step.empty()) places.emplace(marker.step, Place{file, marker.line});
   return places;
 }
@@ -76,7 +68,7 @@ CourseSide::CourseSide(BuiltTree solution, BuiltTree starter, fs::path cache, st
 }
 
 Studio CourseSide::studio(const BuiltTree& tree, const LabPlan& plan) const {
-  return {tree.build / "bin" / plan.lab.program(), tree.source, context_, true, {}};
+  return {tree.build / "bin" / plan.lab.program(), tree.source, context_, true, {}, {}};
 }
 
 void CourseSide::prepare(const LabPlan& plan) {
@@ -155,6 +147,11 @@ fs::path CourseSide::without_step(const LabPlan& plan, const Shot& shot) {
   return draw_changed(plan, "without-" + step, step, file, text) / shot.file();
 }
 
+fs::path CourseSide::drawn_by(const LabPlan& plan, const course::Mutant& mutant) {
+  return draw_changed(plan, mutant.name, mutant.step, mutant.file,
+                      course::mutated(mutant, read_file(solution_.source / mutant.file)));
+}
+
 std::optional<course::Mutant> CourseSide::recognise(const LabPlan& plan, const std::string& step,
                                                     const std::map<std::string, fs::path>& pictures) {
   std::vector<const Shot*> failed;
@@ -163,8 +160,7 @@ std::optional<course::Mutant> CourseSide::recognise(const LabPlan& plan, const s
   if (failed.empty()) return {};
   for (const course::Mutant& mutant : mutants_) {
     if (mutant.step != step) continue;
-    const fs::path drawn = draw_changed(plan, mutant.name, step, mutant.file,
-                                        course::mutated(mutant, read_file(solution_.source / mutant.file)));
+    const fs::path drawn = drawn_by(plan, mutant);
     if (std::all_of(failed.begin(), failed.end(), [&](const Shot* shot) {
           Expected as_mutant = expected(plan, *shot);
           as_mutant.reference = drawn / shot->file();

@@ -29,6 +29,11 @@ class CourseSide {
   /// What the solution without the shot's own step draws. Throws Error (exit 3).
   std::filesystem::path without_step(const LabPlan& plan, const Shot& shot);
 
+  /// What a mutant of a step draws in the cases of its step: a folder with the pictures that there are.
+  /// Throws Error (exit 3).
+  std::filesystem::path drawn_by(const LabPlan& plan, const course::Mutant& mutant);
+  [[nodiscard]] const std::vector<course::Mutant>& mutants() const { return mutants_; }
+
   /// The mutant that draws the same as the student in all failed shots of a step, if one does. `pictures` are
   /// the student's, by case.
   std::optional<course::Mutant> recognise(const LabPlan& plan, const std::string& step,

@@ -58,11 +58,12 @@ std::string fingerprint(std::initializer_list<std::string_view> texts) {
   return hexadecimal(digest_of(texts));
 }
 
-std::string fingerprint_of_folder(const fs::path& folder) {
+std::string fingerprint_of_folder(const fs::path& folder,
+                                  const std::function<bool(const fs::path&)>& counts) {
   std::vector<fs::path> files;
   std::error_code error;
   for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
-    if (it->is_regular_file()) files.push_back(it->path());
+    if (it->is_regular_file() && counts(it->path())) files.push_back(it->path());
   if (error) throw Error::failed(fmt::format("cannot be read: {}", error.message()), {folder.string()});
   std::sort(files.begin(), files.end());
   Hash hash;

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -12,9 +13,11 @@ namespace texel::grade {
 /// it. Nobody can make two that collide, so that what is kept under a fingerprint is of that very content.
 std::string fingerprint(std::initializer_list<std::string_view> texts);
 
-/// A fingerprint of a folder: the paths and contents of its files. Throws Error (exit 3) when one cannot be
-/// read.
-std::string fingerprint_of_folder(const std::filesystem::path& folder);
+/// A fingerprint of a folder: the paths and contents of its files, or of those that count. Throws Error (exit
+/// 3) when one cannot be read.
+std::string fingerprint_of_folder(
+    const std::filesystem::path& folder,
+    const std::function<bool(const std::filesystem::path&)>& counts = [](const auto&) { return true; });
 
 /// A number that follows from the texts, evenly spread, and from which no one can tell the texts.
 std::uint64_t draw(std::initializer_list<std::string_view> texts);

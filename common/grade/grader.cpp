@@ -23,6 +23,7 @@
 #include "grade/store.hpp"
 #include "grade/submission.hpp"
 #include "lock.hpp"
+#include "parallel.hpp"
 #include "studio.hpp"
 #include "text.hpp"
 #include "workshop.hpp"
@@ -86,8 +87,6 @@ class ClassRun {
   }
 
  private:
-  static unsigned processors() { return std::max(1U, std::thread::hardware_concurrency()); }
-
   std::vector<Entry> chosen_entries() const {
     std::vector<Entry> entries = read_class(options_.class_folder);
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.id < b.id; });
@@ -119,18 +118,15 @@ class ClassRun {
     say_("preparing: starter, solution and references");
     seed_ = read_seed(options_.seed_file.empty() ? options_.out / "seed.txt" : options_.seed_file);
     const BuiltTree starter = starter_tree(options_.course, options_.cache);
-    BuiltTree solution{options_.course, options_.build, {}};
-    solution.fingerprint =
-        fingerprint({fingerprint_of_folder(options_.course / "labs"),
-                     fingerprint_of_folder(options_.course / "common"), starter.fingerprint});
-    course_ = std::make_unique<CourseSide>(solution, starter, options_.cache, options_.context);
+    course_ = std::make_unique<CourseSide>(solution_tree(options_.course, options_.build, starter), starter,
+                                           options_.cache, options_.context);
     workshop_ = std::make_unique<Workshop>(starter, options_.cache, options_.unsafe);
     starter_ = starter;
     allowed_ = step_files(starter.source);
     models_ = options_.cache / "models" / fingerprint({seed_}).substr(0, 16);
     graded_labs_ = with_needed(labs_, all);
     plans_ = plan(graded_labs_, seed_, models_);
-    in_parallel(plans_.size(), [&](std::size_t i) { course_->prepare(plans_[i]); });
+    in_parallel(jobs_, plans_.size(), [&](std::size_t i) { course_->prepare(plans_[i]); });
     for (const LabPlan& plan : plans_) keep_references(plan);
     ready_ = stopwatch_.milliseconds() / 1000;
     say_(fmt::format("ready after {}", duration_text(ready_)));
@@ -173,27 +169,6 @@ class ClassRun {
     store_->put_facts(facts);
   }
 
-  /// Calls `act` with 0 to count - 1 on all threads; the first error is thrown when all have ended.
-  void in_parallel(std::size_t count, const std::function<void(std::size_t)>& act) const {
-    std::atomic<std::size_t> next = 0;
-    std::exception_ptr fault;
-    std::mutex mutex;
-    const auto work = [&] {
-      for (std::size_t i = next++; i < count; i = next++) try {
-          act(i);
-        } catch (...) {
-          const std::scoped_lock lock(mutex);
-          if (!fault) fault = std::current_exception();
-          next = count;
-        }
-    };
-    std::vector<std::jthread> threads;
-    for (unsigned i = 1; i < jobs_; ++i) threads.emplace_back(work);
-    work();
-    threads.clear();
-    if (fault) std::rethrow_exception(fault);
-  }
-
   void grade(const std::vector<Entry>& entries) {
     const fs::path work = options_.out / "work";
     fs::remove_all(work);
@@ -203,7 +178,7 @@ class ClassRun {
     const std::size_t count = entries.size() * plans_.size();
     std::mutex mutex;
     std::map<std::size_t, std::shared_ptr<Open>> open;
-    in_parallel(count, [&](std::size_t i) {
+    in_parallel(jobs_, count, [&](std::size_t i) {
       const std::size_t index = i / plans_.size();
       std::shared_ptr<Open> student;
       {
@@ -323,11 +298,8 @@ class ClassRun {
     for (const CompilerLog& log : program.refused) store_->put_log(student.entry.id, log);
 
     const fs::path out = student.folder / plan.lab.folder;
-    Studio studio{program.file,
-                  student.folder / "root",
-                  options_.context,
-                  options_.unsafe,
-                  {starter_.source / "assets"}};
+    Studio studio{program.file,    student.folder / "root",      options_.context,
+                  options_.unsafe, {starter_.source / "assets"}, {}};
     if (fs::exists(models_)) studio.readable.push_back(models_);
     fs::remove_all(out);
     const Drawn drawn = student.submission.fault.empty() ? draw(studio, plan, names, out) : Drawn();

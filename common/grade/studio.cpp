@@ -36,9 +36,12 @@ Outcome run(const Studio& studio, const std::string& list, const fs::path& work,
   sandbox.limits.cpu_seconds = kProcessorSeconds, sandbox.limits.wall_seconds = kWallSeconds;
   sandbox.limits.disk = 64U << 20U, sandbox.limits.files = 1024;
   sandbox.environment = {{"TEXEL_ROOT", studio.root.string()},
-                         // All processors are busy with other students; and nothing is kept between runs.
-                         {"LP_NUM_THREADS", "0"},
-                         {"MESA_SHADER_CACHE_DISABLE", "true"}};
+                         // All processors are busy with other students.
+                         {"LP_NUM_THREADS", "0"}};
+  if (studio.shader_cache.empty())
+    sandbox.environment.emplace_back("MESA_SHADER_CACHE_DISABLE", "true");
+  else
+    sandbox.environment.emplace_back("MESA_SHADER_CACHE_DIR", studio.shader_cache.string());
   return grade::run(sandbox, {studio.program.string(), "--context", studio.context, "--batch",
                               (cases / "cases.json").string(), "--out", out.string()});
 }

@@ -277,6 +277,13 @@ BuiltTree starter_tree(const fs::path& course, const fs::path& cache) {
   const fs::path fresh = cache / "starter-new";
   fs::remove_all(fresh);
   course::write_starter(course, fresh);
+  // Programs do not depend on what people read and look at.
+  for (const fs::directory_entry& lab : fs::directory_iterator(fresh / "labs")) {
+    if (!lab.is_directory()) continue;
+    fs::remove_all(lab.path() / "expected");
+    fs::remove(lab.path() / "README.md");
+  }
+  for (const char* text : {"docs", "README.md"}) fs::remove_all(fresh / text);
   const std::string compiler = output_of({"c++", "--version"}, cache, 60);
   const std::string print = fingerprint({fingerprint_of_folder(fresh), compiler, cache.string()});
   BuiltTree tree{cache / ("starter-" + print.substr(0, 16)), {}, print};
@@ -291,6 +298,15 @@ BuiltTree starter_tree(const fs::path& course, const fs::path& cache) {
   output_of({"ninja", "-C", "build/release", "labs/all"}, tree.source, 3600);
   write_file(tree.build / "is-built", "");
   return tree;
+}
+
+BuiltTree solution_tree(const fs::path& course, const fs::path& build, const BuiltTree& starter) {
+  const auto is_code = [](const fs::path& file) {
+    return file.extension() == ".cpp" || file.extension() == ".hpp" || file.extension() == ".txt";
+  };
+  return {course, build,
+          fingerprint({fingerprint_of_folder(course / "labs", is_code),
+                       fingerprint_of_folder(course / "common", is_code), starter.fingerprint})};
 }
 
 }  // namespace texel::grade

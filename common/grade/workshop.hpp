@@ -71,4 +71,8 @@ class Workshop {
 /// 3) when it does not build.
 BuiltTree starter_tree(const std::filesystem::path& course, const std::filesystem::path& cache);
 
+/// The course's own tree, from which that starter was made, as it was built.
+BuiltTree solution_tree(const std::filesystem::path& course, const std::filesystem::path& build,
+                        const BuiltTree& starter);
+
 }  // namespace texel::grade

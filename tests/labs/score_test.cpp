@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the grader gives for pictures of which everybody knows how wrong they are. docs/grading.md has the
+// What the grader gives for pictures of which everybody knows how wrong they are. docs/instructor.md has the
 // same table.
 #include <fmt/format.h>
 #include <unistd.h>

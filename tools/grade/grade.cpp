@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "app/assets.hpp"
 #include "commands.hpp"
 #include "grade/reports.hpp"
 #include "grade/store.hpp"
@@ -16,16 +15,6 @@ namespace texel::tools {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path course_root() {
-  return app::Assets().shader_root().parent_path();
-}
-
-/// The build that this program belongs to.
-fs::path course_build() {
-  std::error_code error;
-  return fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
-}
 
 /// "3/8".
 void read_shard(const std::string& text, grade::GradeOptions& options) {

@@ -40,6 +40,18 @@ std::map<std::string, std::string> step_texts(const std::string& text, const std
 std::string with_steps(const std::string& text, const std::string& file,
                        const std::function<bool(const std::string&)>& solved);
 
+/// The text with what stands between one step's markers taken from another text of the same file. Throws
+/// Error (exit 3) when the two have not the same markers of that step, and as markers_of.
+std::string with_step_from(const std::string& text, const std::string& file, const std::string& step,
+                           const std::string& other);
+
+/// Where a student's tree keeps its files with steps as they were at first, by their path in the tree.
+inline constexpr const char* kFirstTexts = ".starter";
+
+/// A file with steps as students get it, out of the course's tree or out of theirs. Throws Error (exit 3)
+/// when it cannot be read, and as markers_of.
+std::string first_text(const std::filesystem::path& tree, const std::string& file);
+
 /// Writes what a student gets into `to`: the tree of the course without tests, solutions and right answers.
 /// The steps for which `solved` says so are solved. Throws Error (exit 2) when `to` holds something already,
 /// Error (exit 3) when `root` is not the course's source tree or writing fails, and as markers_of.

@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-namespace texel::app {
+namespace texel {
 
 /// Notices edited files by their time and size, and folders in which a file came or went. Editors that write
 /// beside and rename are noticed too.
@@ -22,4 +22,4 @@ class Watcher {
   std::map<std::filesystem::path, Stamp> stamps_;
 };
 
-}  // namespace texel::app
+}  // namespace texel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "watcher.hpp"
+#include "core/watcher.hpp"
 
-namespace texel::app {
+namespace texel {
 
 std::vector<std::filesystem::path> Watcher::changed(const std::vector<std::filesystem::path>& files) {
   std::vector<std::filesystem::path> result;
@@ -19,4 +19,4 @@ std::vector<std::filesystem::path> Watcher::changed(const std::vector<std::files
   return result;
 }
 
-}  // namespace texel::app
+}  // namespace texel

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The window's list of steps. Its figures are those of `texel check`, which runs beside the window and draws
+// as the grader does, whatever graphics card shows the window.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/lab.hpp"
+
+namespace texel::app {
+
+/// A case of a step, as `texel check --json` says it.
+struct StepCase {
+  std::string name, view, message, unit;
+  std::vector<std::pair<std::string, std::string>> settings;
+  bool passed = false;
+  double error = 0, limit = 0;              ///< in `unit`; NaN where nothing can be compared
+  std::filesystem::path picture, expected;  ///< the student's is empty when there is none
+};
+
+struct LabStep {
+  std::string id, title, status, message, looks_like, place;  ///< place: "shaders/….glsl:5"
+  std::vector<std::string> hints;
+  std::vector<StepCase> cases;
+};
+
+/// Has the steps of a lab checked, one check after the other, in the background.
+class StepsCheck {
+ public:
+  /// `root` is the tree whose labs and shaders are checked, by the `texel` beside this program.
+  StepsCheck(int lab, std::filesystem::path root);
+
+  /// Asks for a check of what is saved now. During a check: for another one after it.
+  void request();
+  /// Takes over what the last check found; whether there is something new.
+  bool poll();
+
+  [[nodiscard]] bool is_running() const;
+  [[nodiscard]] const std::vector<LabStep>& steps() const { return steps_; }
+  /// Why there are no steps, or "".
+  [[nodiscard]] const std::string& fault() const { return fault_; }
+
+ private:
+  struct Shared;
+  std::shared_ptr<Shared> shared_;
+  std::vector<LabStep> steps_;
+  std::string fault_;
+};
+
+/// What `texel check --json` printed, as steps. Throws Error (exit 3) for anything else.
+std::vector<LabStep> parse_steps(const std::string& json);
+
+/// A case's pictures side by side: the student's, the expected one, and how they differ.
+struct CasePictures {
+  std::string step, name, fault;  ///< why there is nothing to be seen, or ""
+  enum class Shown { split, difference, heat_map } shown = Shown::split;
+  float position = 0.5F;  ///< of the split line, 0 to 1; the expected picture is right of it
+  int width = 0, height = 0;
+  gl::Texture own, expected, difference, heat_map;  ///< bottom row first
+};
+
+/// Loads a case's pictures. Files that are missing or broken are said so in `fault`.
+CasePictures load_case(const std::string& step, const StepCase& one);
+
+}  // namespace texel::app

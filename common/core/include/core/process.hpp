@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <vector>
+
+namespace texel {
+
+/// What a program left behind.
+struct Ran {
+  int exit_code = 0;   ///< as a shell says it: 128 and the signal that ended it
+  std::string output;  ///< standard output, and standard error too when both were asked for
+};
+
+/// Runs a program (a path, or a name that PATH knows) with its arguments, without a shell, and waits for its
+/// end. It reads nothing. Throws Error (exit 3) when it cannot be started.
+Ran run_program(const std::vector<std::string>& command, bool with_errors = false);
+
+}  // namespace texel

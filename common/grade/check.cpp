@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "grade/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "course/markers.hpp"
+#include "course_side.hpp"
+#include "grade/judge.hpp"
+#include "grade/plan.hpp"
+#include "grade/submission.hpp"
+#include "lock.hpp"
+#include "mistakes.hpp"
+#include "parallel.hpp"
+#include "studio.hpp"
+
+namespace texel::grade {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The steps of a tree that are as they were at first.
+std::set<std::string> untouched(const fs::path& source) {
+  std::set<std::string> steps;
+  for (const std::string& file : step_files(source)) {
+    const auto own = course::step_texts(read_file(source / file), file);
+    for (const auto& [step, text] : course::step_texts(course::first_text(source, file), file))
+      if (const auto found = own.find(step); found != own.end() && found->second == text) steps.insert(step);
+  }
+  return steps;
+}
+
+/// One lab's cases.
+class LabCheck {
+ public:
+  LabCheck(const OwnTree& tree, const LabPlan& plan, const std::set<std::string>& untouched,
+           const std::string& context)
+      : plan_(plan),
+        untouched_(untouched),
+        expected_(expected_folder(tree.source, plan.lab)),
+        own_(checked_folder(tree, plan.lab)),
+        studio_{tree.build / "bin" / plan.lab.program(), tree.source, context, true, {},
+                own_.parent_path() / "shaders"} {
+    if (!fs::exists(studio_.program))
+      throw Error::failed("is not built", {studio_.program.string()},
+                          fmt::format("./run check {} builds it", plan.lab.number));
+    if (!fs::exists(expected_))
+      throw Error::failed("is missing: it holds the expected pictures", {expected_.string()},
+                          "take the folder from the course again; its makers draw it by ./run expected");
+  }
+
+  /// By so many processes side by side: nearly all of the time goes into compiling shaders.
+  std::vector<CaseResult> run(unsigned processes) {
+    fs::create_directories(own_.parent_path());
+    // A window and a watch may check the same lab.
+    const FileLock lock(own_.string() + ".lock");
+    draw_all(processes);
+    const std::vector<Mistake> mistakes = read_mistakes(expected_ / "mistakes.json");
+    std::vector<CaseResult> results;
+    for (const course::Step& step : plan_.lab.steps) {
+      std::map<std::string, fs::path> failed;
+      for (const Shot& shot : plan_.shots) {
+        if (shot.graded.step != step.id) continue;
+        results.push_back(judged(shot));
+        if (!results.back().passed && fs::exists(own_ / shot.file()))
+          failed[shot.graded.name] = own_ / shot.file();
+      }
+      const Mistake* known =
+          untouched_.contains(step.id) ? nullptr : recognise(mistakes, plan_, step.id, failed);
+      for (CaseResult& result : results)
+        if (known != nullptr && result.step == step.id && failed.contains(result.name))
+          result.mistake = known->name, result.mistake_says = known->says;
+    }
+    return results;
+  }
+
+ private:
+  void draw_all(unsigned processes) {
+    fs::remove_all(own_);
+    fs::create_directories(own_);
+    std::vector<std::vector<std::string>> parts(std::min<std::size_t>(processes, plan_.shots.size()));
+    for (std::size_t i = 0; i < plan_.shots.size(); ++i)
+      parts[i % parts.size()].push_back(plan_.shots[i].graded.name);
+    std::vector<Drawn> drawn(parts.size());
+    in_parallel(processes, parts.size(), [&](std::size_t i) {
+      drawn[i] = draw(studio_, plan_, parts[i], own_ / fmt::format("{}", i));
+    });
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      faults_.merge(drawn[i].faults);
+      const fs::path folder = own_ / fmt::format("{}", i);
+      if (!fs::exists(folder)) continue;
+      for (const fs::directory_entry& file : fs::directory_iterator(folder))
+        fs::rename(file.path(), own_ / file.path().filename());
+      fs::remove_all(folder);
+    }
+  }
+
+  [[nodiscard]] CaseResult judged(const Shot& shot) const {
+    CaseResult result;
+    result.lab = plan_.lab.folder, result.step = shot.graded.step, result.name = shot.graded.name;
+    result.view = shot.graded.view, result.limit = shot.graded.limit, result.unit = unit_of(shot.graded.view);
+    result.command = command(plan_, shot);
+    result.reference = (expected_ / shot.file()).string();
+    if (fs::exists(own_ / shot.file())) result.picture = (own_ / shot.file()).string();
+    const fs::path mask =
+        shot.is_mesh() ? fs::path() : expected_ / fmt::format("{}.mask.png", shot.graded.name);
+    const Verdict verdict = judge(shot, {result.reference, mask, {}}, own_ / shot.file());
+    result.passed = verdict.passed, result.score = verdict.passed ? 1 : 0;
+    result.error = verdict.error, result.message = verdict.message;
+    if (const auto fault = faults_.find(shot.file()); fault != faults_.end()) result.message = fault->second;
+    if (!result.passed && untouched_.contains(shot.graded.step))
+      result.message = "Not begun. " + result.message;
+    return result;
+  }
+
+  const LabPlan& plan_;
+  const std::set<std::string>& untouched_;
+  fs::path expected_, own_;
+  Studio studio_;
+  std::map<std::string, std::string> faults_;  ///< why a picture is missing, by its file
+};
+
+bool is_text_of_programs(const fs::path& file) {
+  static const std::set<std::string> kEndings = {".cpp", ".hpp", ".glsl", ".vert", ".frag"};
+  return kEndings.contains(file.extension().string());
+}
+
+}  // namespace
+
+fs::path expected_folder(const fs::path& source, const course::Lab& lab) {
+  return source / "labs" / lab.folder / "expected";
+}
+
+fs::path checked_folder(const OwnTree& tree, const course::Lab& lab) {
+  return tree.build / "check" / lab.folder;
+}
+
+std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>& labs,
+                             const std::string& context) {
+  const std::vector<LabPlan> plans = plan(with_needed(labs, course::read_labs(tree.source / "labs")), "", {});
+  const std::set<std::string> as_at_first = untouched(tree.source);
+  std::vector<std::vector<CaseResult>> found(plans.size());
+  const auto at_once = std::min<std::size_t>(processors(), plans.size());
+  in_parallel(processors(), plans.size(), [&](std::size_t i) {
+    found[i] =
+        LabCheck(tree, plans[i], as_at_first, context).run(processors() / static_cast<unsigned>(at_once));
+  });
+  std::vector<course::Lab> all;
+  std::vector<CaseResult> cases;
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    all.push_back(plans[i].lab);
+    cases.insert(cases.end(), found[i].begin(), found[i].end());
+  }
+  std::vector<LabResult> results = lab_results(all, std::move(cases));
+  std::erase_if(results, [&](const LabResult& result) {
+    return std::none_of(labs.begin(), labs.end(),
+                        [&](const course::Lab& lab) { return lab.number == result.lab.number; });
+  });
+  const std::map<std::string, Place> places = step_places(tree.source);
+  for (LabResult& lab : results)
+    for (StepResult& step : lab.steps)
+      if (const auto place = places.find(step.id); place != places.end())
+        step.file = place->second.file, step.line = place->second.line;
+  return results;
+}
+
+std::vector<fs::path> edited_files(const fs::path& source, const course::Lab& lab) {
+  std::set<fs::path> files;
+  for (const fs::path& folder :
+       {fs::path("labs") / lab.folder, fs::path("shaders") / lab.folder, fs::path("shaders") / "lib"})
+    for (const fs::directory_entry& entry : fs::directory_iterator(source / folder))
+      if (entry.is_regular_file() && is_text_of_programs(entry.path())) files.insert(entry.path());
+  for (const std::string& file : step_files(source))
+    if (file.starts_with("common/")) files.insert(source / file);
+  return {files.begin(), files.end()};
+}
+
+}  // namespace texel::grade

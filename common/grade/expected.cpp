@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "course_side.hpp"
+#include "grade/check.hpp"
+#include "grade/plan.hpp"
+#include "mistakes.hpp"
+#include "parallel.hpp"
+
+namespace texel::grade {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the mutants of a lab's steps look like.
+std::vector<Mistake> mistakes_of(CourseSide& course, const LabPlan& plan) {
+  std::vector<const course::Mutant*> mutants;
+  for (const course::Mutant& mutant : course.mutants())
+    if (!mutant.step.empty() && std::stoi(mutant.step) == plan.lab.number) mutants.push_back(&mutant);
+  std::vector<Mistake> all(mutants.size());
+  in_parallel(processors(), mutants.size(), [&](std::size_t i) {
+    const course::Mutant& mutant = *mutants[i];
+    const fs::path drawn = course.drawn_by(plan, mutant);
+    all[i] = {mutant.name, mutant.step, mutant.says, {}};
+    for (const Shot& shot : plan.shots) {
+      if (shot.graded.step != mutant.step) continue;
+      Samples samples = sampled(shot, course.expected(plan, shot).reference, drawn / shot.file());
+      if (!samples.samples.empty()) all[i].cases[shot.graded.name] = std::move(samples);
+    }
+  });
+  std::erase_if(all, [](const Mistake& mistake) { return mistake.cases.empty(); });
+  return all;
+}
+
+}  // namespace
+
+void write_expected(const CourseTree& options, const std::function<void(const std::string&)>& say) {
+  const BuiltTree starter = starter_tree(options.course, options.cache);
+  CourseSide course(solution_tree(options.course, options.build, starter), starter, options.cache, "auto");
+  for (const LabPlan& plan : plan(options.labs, "", {})) {
+    course.prepare(plan);
+    const std::vector<Mistake> mistakes = mistakes_of(course, plan);
+    const fs::path folder = expected_folder(options.course, plan.lab);
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    for (const Shot& shot : plan.shots) {
+      const Expected expected = course.expected(plan, shot);
+      fs::copy_file(expected.reference, folder / shot.file());
+      if (!expected.mask.empty()) fs::copy_file(expected.mask, folder / (shot.graded.name + ".mask.png"));
+    }
+    write_file(folder / "mistakes.json", to_json(mistakes));
+    say(fmt::format("lab {}: {} pictures, {} mistakes", plan.lab.number, plan.shots.size(), mistakes.size()));
+  }
+}
+
+}  // namespace texel::grade

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "grade/results.hpp"
+
+/// The grader on a student's own machine: the public cases of a tree, drawn by its own programs and judged
+/// beside the expected pictures that came with it.
+namespace texel::grade {
+
+/// A tree with steps, and where it was built.
+struct OwnTree {
+  std::filesystem::path source, build;
+};
+
+/// Where a lab's expected pictures lie: for each public case `name.png`, `.pfm` or `.ply`, `name.mask.png`,
+/// and `mistakes.json`, what known mistakes look like.
+std::filesystem::path expected_folder(const std::filesystem::path& source, const course::Lab& lab);
+
+/// Where the tree's own pictures of the last check lie.
+std::filesystem::path checked_folder(const OwnTree& tree, const course::Lab& lab);
+
+/// Draws the public cases of the labs, and of those whose steps they need, by the programs as they are built,
+/// and judges them as the grader does. Steps that are as they were at first are said to be so. Each case's
+/// `picture` and `reference` are paths of files; there are no partial scores, only 0 and 1. Throws Error
+/// (exit 3) when a program was not built, expected pictures are missing, or markers are spoilt.
+std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>& labs,
+                             const std::string& context);
+
+/// The files that a student of the lab edits: its sources and shaders, the shared shaders, and whatever else
+/// holds a step.
+std::vector<std::filesystem::path> edited_files(const std::filesystem::path& source, const course::Lab& lab);
+
+/// What the course's makers work with.
+struct CourseTree {
+  std::filesystem::path course, build, cache;  ///< as for GradeOptions
+  std::vector<course::Lab> labs;
+};
+
+/// Draws the expected pictures of the course's own tree anew, by its solutions, and what its catalogue of
+/// mutants looks like. `say` gets a line for each lab. Throws Error (exit 3) when something does not draw.
+void write_expected(const CourseTree& options, const std::function<void(const std::string&)>& say);
+
+/// Holds the course to what it promises of its starter, lab by lab: as it is it fails every step; with the
+/// first k steps solved it passes those k and no other; with all it passes all. Hidden cases count too. What
+/// is not so is returned, a line each. `say` gets progress. Throws Error (exit 3) when the starter does not
+/// build (a warning is an error there), or something does not draw.
+std::vector<std::string> verify_starter(const CourseTree& options,
+                                        const std::function<void(const std::string&)>& say);
+
+}  // namespace texel::grade

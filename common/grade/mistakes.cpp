@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "mistakes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <span>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "grade/judge.hpp"
+#include "image/load.hpp"
+#include "mesh/ply.hpp"
+
+namespace texel::grade {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// How many values tell one mistake from another: those of all mistakes of all labs' public cases do.
+constexpr std::size_t kDifferent = 20, kEqual = 10;
+/// Digits that are kept: float32 has seven, the limits need four.
+constexpr double kDigits = 1e5;
+
+/// The values of all pixels or vertices of a file.
+struct Values {
+  std::size_t count = 0, each = 0;
+  std::vector<double> all;
+
+  [[nodiscard]] std::span<const double> at(std::size_t index) const {
+    return std::span(all).subspan(index * each, each);
+  }
+};
+
+template <class Picture>
+Values values_of(const Picture& picture) {
+  Values values{static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height), 3, {}};
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      for (int c = 0; c < 3; ++c) values.all.push_back(picture.at(x, y, std::min(c, picture.channels - 1)));
+  return values;
+}
+
+Values values_of(const mesh::Mesh& mesh) {
+  Values values{mesh.vertex_count(), 0, {}};
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+    const auto add = [&](const auto& vectors) {
+      if (!vectors.empty())
+        for (int c = 0; c < vectors[i].length(); ++c) values.all.push_back(vectors[i][c]);
+    };
+    add(mesh.positions), add(mesh.normals), add(mesh.texcoords), add(mesh.tangents);
+  }
+  values.each = values.count > 0 ? values.all.size() / values.count : 0;
+  return values;
+}
+
+/// Of a file that may be anything; nothing when it is no picture of the shot.
+Values read_values(const Shot& shot, const fs::path& file) {
+  if (!fs::is_regular_file(fs::symlink_status(file))) return {};
+  try {
+    if (shot.is_mesh()) return values_of(mesh::read_ply(file));
+    int width = 0, height = 0;
+    std::sscanf(shot.graded.size.c_str(), "%dx%d", &width, &height);
+    if (shot.graded.view == "color") return values_of(image::load_png(file, width, height));
+    const image::ImageF picture = image::load_pfm(file);
+    return picture.width == width && picture.height == height ? values_of(picture) : Values();
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+/// How far two values of the shot may be apart: its limit, of directions as the length of the chord.
+double tolerance(const Shot& shot) {
+  const double limit =
+      unit_of(shot.graded.view) == "degrees" ? shot.graded.limit * std::numbers::pi / 180 : shot.graded.limit;
+  return std::max(limit, 2 / kDigits);
+}
+
+bool are_same(std::span<const double> a, std::span<const double> b, double most) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (std::isfinite(a[i]) != std::isfinite(b[i]) || (std::isfinite(a[i]) && std::abs(a[i] - b[i]) > most))
+      return false;
+  return true;
+}
+
+/// So many of the indices, evenly spread.
+void spread(const Values& of, const std::vector<std::size_t>& indices, std::size_t count, Samples& samples) {
+  count = std::min(count, indices.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t index = indices[(2 * i + 1) * indices.size() / (2 * count)];
+    Samples::Sample sample{index, {}};
+    for (const double value : of.at(index)) sample.values.push_back(std::round(value * kDigits) / kDigits);
+    samples.samples.push_back(std::move(sample));
+  }
+}
+
+/// A number; JSON has none that are not finite.
+double number(const json& value) {
+  return value.is_null() ? std::nan("") : value.get<double>();
+}
+
+}  // namespace
+
+Samples sampled(const Shot& shot, const fs::path& reference_file, const fs::path& wrong_file) {
+  const Values reference = read_values(shot, reference_file), wrong = read_values(shot, wrong_file);
+  Samples samples{wrong.count, {}};
+  if (wrong.count == 0) return {};
+  std::vector<std::size_t> different, equal;
+  for (std::size_t i = 0; i < wrong.count; ++i) {
+    const bool is_equal = wrong.each == reference.each && i < reference.count &&
+                          are_same(wrong.at(i), reference.at(i), tolerance(shot));
+    (is_equal ? equal : different).push_back(i);
+  }
+  if (different.empty() && wrong.count == reference.count) return {};
+  spread(wrong, different, kDifferent, samples);
+  spread(wrong, equal, kEqual, samples);
+  return samples;
+}
+
+bool has_samples(const Shot& shot, const Samples& samples, const fs::path& picture) {
+  const Values values = read_values(shot, picture);
+  if (values.count == 0 || values.count != samples.count) return false;
+  std::size_t same = 0;
+  for (const Samples::Sample& sample : samples.samples)
+    if (sample.index < values.count && sample.values.size() == values.each &&
+        are_same(sample.values, values.at(sample.index), tolerance(shot)))
+      ++same;
+  return 10 * same >= 9 * samples.samples.size();
+}
+
+const Mistake* recognise(const std::vector<Mistake>& mistakes, const LabPlan& plan, const std::string& step,
+                         const std::map<std::string, fs::path>& failed) {
+  const auto fits = [&](const Mistake& mistake) {
+    return mistake.step == step && std::all_of(plan.shots.begin(), plan.shots.end(), [&](const Shot& shot) {
+             const auto file = failed.find(shot.graded.name);
+             if (file == failed.end()) return true;
+             const auto samples = mistake.cases.find(shot.graded.name);
+             return samples != mistake.cases.end() && has_samples(shot, samples->second, file->second);
+           });
+  };
+  const auto found = std::find_if(mistakes.begin(), mistakes.end(), fits);
+  return failed.empty() || found == mistakes.end() ? nullptr : &*found;
+}
+
+std::string to_json(const std::vector<Mistake>& mistakes) {
+  std::string text = "[\n";
+  for (const Mistake& mistake : mistakes) {
+    nlohmann::ordered_json one{{"name", mistake.name}, {"step", mistake.step}, {"says", mistake.says}};
+    for (const auto& [name, samples] : mistake.cases) {
+      nlohmann::ordered_json& place = one["cases"][name];
+      place["count"] = samples.count;
+      for (const Samples::Sample& sample : samples.samples) {
+        nlohmann::ordered_json values = {sample.index};
+        for (const double value : sample.values) values.push_back(value);  // NaN becomes null
+        place["samples"].push_back(values);
+      }
+    }
+    text += one.dump() + (&mistake == &mistakes.back() ? "\n" : ",\n");
+  }
+  return text + "]\n";
+}
+
+std::vector<Mistake> read_mistakes(const fs::path& file) {
+  std::vector<Mistake> mistakes;
+  try {
+    for (const json& one : json::parse(read_file(file))) {
+      Mistake mistake{one.at("name"), one.at("step"), one.at("says"), {}};
+      for (const auto& [name, place] : one.at("cases").items()) {
+        Samples samples{place.at("count"), {}};
+        for (const json& row : place.at("samples")) {
+          Samples::Sample sample{row.at(0), {}};
+          for (std::size_t i = 1; i < row.size(); ++i) sample.values.push_back(number(row[i]));
+          samples.samples.push_back(std::move(sample));
+        }
+        mistake.cases[name] = std::move(samples);
+      }
+      mistakes.push_back(std::move(mistake));
+    }
+  } catch (const json::exception& error) {
+    throw Error::failed(fmt::format("is no list of mistakes: {}", error.what()), {file.string()},
+                        "take the file from the course again");
+  }
+  return mistakes;
+}
+
+}  // namespace texel::grade

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// What known mistakes look like, in a few samples of their pictures: so that a student's tree can name a
+// mistake without holding the catalogue, in which the solutions can be read.
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "course/mutant_file.hpp"
+#include "grade/plan.hpp"
+
+namespace texel::grade {
+
+/// Some of the values of a picture or vertex stream: of pixels, row by row from the bottom, or of vertices.
+struct Samples {
+  std::size_t count = 0;  ///< of all pixels or vertices
+  struct Sample {
+    std::size_t index = 0;
+    std::vector<double> values;  ///< RGB; or position, normal, texcoord, tangent, those that there are
+  };
+  std::vector<Sample> samples;
+};
+
+/// A mistake and its pictures, by case; only of cases in which it is not right.
+struct Mistake {
+  std::string name, step, says;
+  std::map<std::string, Samples> cases;
+};
+
+/// Samples of the picture `wrong`: most from where it differs from `reference` by more than the shot's limit,
+/// the others from where it does not. None when it differs nowhere, or is no picture.
+Samples sampled(const Shot& shot, const std::filesystem::path& reference, const std::filesystem::path& wrong);
+
+/// Whether a picture has these values, but for a tenth of them: edges may lie a pixel beside. False for what
+/// is no picture of that size.
+bool has_samples(const Shot& shot, const Samples& samples, const std::filesystem::path& picture);
+
+/// The first mistake of the step that fits all its failed pictures (by case), or none.
+const Mistake* recognise(const std::vector<Mistake>& mistakes, const LabPlan& plan, const std::string& step,
+                         const std::map<std::string, std::filesystem::path>& failed);
+
+/// A lab's mistakes as a file. Reading throws Error (exit 3) with its name when it is broken.
+std::string to_json(const std::vector<Mistake>& mistakes);
+std::vector<Mistake> read_mistakes(const std::filesystem::path& file);
+
+}  // namespace texel::grade

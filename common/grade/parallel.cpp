@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "parallel.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace texel::grade {
+
+unsigned processors() {
+  return std::max(1U, std::thread::hardware_concurrency());
+}
+
+void in_parallel(unsigned threads, std::size_t count, const std::function<void(std::size_t)>& act) {
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr fault;
+  std::mutex mutex;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < count; i = next++) try {
+        act(i);
+      } catch (...) {
+        const std::scoped_lock lock(mutex);
+        if (!fault) fault = std::current_exception();
+        next = count;
+      }
+  };
+  std::vector<std::jthread> others;
+  for (unsigned i = 1; i < threads; ++i) others.emplace_back(work);
+  work();
+  others.clear();
+  if (fault) std::rethrow_exception(fault);
+}
+
+}  // namespace texel::grade

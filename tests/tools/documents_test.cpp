@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// Every command that README, guides and handouts show, run as it is typed: in the course's tree what its
+// makers type, in a starter what its students type.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <regex>
+#include <set>
+
+#include "../support/picture_files.hpp"
+#include "../support/process.hpp"
+#include "core/files.hpp"
+
+namespace texel {
+namespace {
+
+namespace fs = std::filesystem;
+using test::has;
+using test::Result;
+using test::shell;
+using test::shell_word;
+
+const fs::path kRoot = TEXEL_SOURCE;
+
+/// Without what stands behind it as a remark.
+std::string command_in(std::string line) {
+  line = line.substr(0, line.find("  #"));
+  const std::size_t first = line.find_first_not_of(" \t"), last = line.find_last_not_of(" \t");
+  return first == line.npos ? "" : line.substr(first, last - first + 1);
+}
+
+/// The commands of a document: lines of its blocks of shell, and code within its text.
+std::set<std::string> commands_of(const std::string& text) {
+  static const std::regex begins(R"(^(\./run|texel|build/release/bin/\w+)( .*)?$)");
+  std::set<std::string> commands;
+  const auto add = [&](const std::string& line) {
+    const std::string command = command_in(line);
+    if (std::regex_match(command, begins)) commands.insert(command);
+  };
+  bool in_block = false;
+  std::string prose;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("```") != line.npos)
+      in_block = !in_block;
+    else if (in_block)
+      add(line);
+    else
+      prose += line + " ";
+  }
+  static const std::regex code("`([^`]+)`");
+  for (std::sregex_iterator found(prose.begin(), prose.end(), code), end; found != end; ++found)
+    add((*found)[1]);
+  return commands;
+}
+
+class Document : public testing::TestWithParam<const char*> {
+ protected:
+  Document() : folder_(fmt::format("document_{}", ::getpid())), work_(fs::absolute(folder_ / "work")) {
+    fs::create_directories(work_);
+    // Paths in commands are those in the tree's root; what they write shall not land there.
+    for (const char* name : {"assets", "docs", "labs"})
+      fs::create_directory_symlink(kRoot / name, work_ / name);
+  }
+
+  [[nodiscard]] Result run(const std::string& line) const {
+    return shell(fmt::format("cd {} && {} 2>&1", shell_word(work_.string()), line));
+  }
+
+  /// In a starter, which is made when the first command wants it.
+  Result run_as_student(const std::string& line) {
+    const fs::path starter = fs::absolute(folder_ / "starter");
+    if (!fs::exists(starter)) {
+      const Result made = run(fmt::format(TEXEL_BIN "/texel starter --out {}", shell_word(starter.string())));
+      EXPECT_EQ(made.exit_code, 0) << made.output;
+    }
+    return run(fmt::format("TEXEL_ROOT={} {}", shell_word(starter.string()), line));
+  }
+
+  void run_lab(const std::string& arguments) {
+    const std::string program = fmt::format(TEXEL_BIN "/lab0{}_*", arguments.substr(0, 1));
+    std::string rest = arguments.substr(1);
+    // What opens a window draws a small picture in its place.
+    static const std::regex without_window(
+        "--(snapshot|stats|mesh|measure|batch|bench|help|list-parameters|list-views|frames|save-config)\\b");
+    if (!std::regex_search(rest, without_window)) rest += " --size 64x64 --snapshot document.png";
+    const Result result = run(fmt::format("{}{}", program, rest));
+    EXPECT_EQ(result.exit_code, 0) << result.output;
+  }
+
+  test::TemporaryFolder folder_;
+  fs::path work_;
+};
+
+TEST_P(Document, shows_commands_that_work) {
+  const std::set<std::string> commands = commands_of(read_file(kRoot / GetParam()));
+  ASSERT_FALSE(commands.empty());
+  const std::string help = run(shell_word((kRoot / "run").string()) + " help").output;
+  fs::copy_file(kRoot / "docs/pictures/01_texture_quad.png", work_ / "right.png");
+  fs::copy_file(kRoot / "docs/pictures/01_texture_quad.png", work_ / "mine.png");
+  write_file(work_ / "looks.json", R"([{"name": "brick", "size": "64x64", "set": {"texture": "brick"}}])");
+  for (const std::string& command : commands) {
+    SCOPED_TRACE(command);
+    std::smatch words;
+    if (std::regex_match(command, words, std::regex(R"(\./run lab (.*))"))) {
+      run_lab(words[1]);
+    } else if (std::regex_match(command, words,
+                                std::regex(R"(\./run ((check|hint|reset|progress)( .*)?))"))) {
+      const Result result = run_as_student(TEXEL_BIN "/texel " + words[1].str());
+      EXPECT_LE(result.exit_code, 1) << result.output;
+    } else if (std::regex_match(command, words, std::regex(R"(\./run (watch \d))"))) {
+      const Result result =
+          run_as_student("timeout --signal=INT 1 " TEXEL_BIN "/texel " + words[1].str() + " </dev/null");
+      EXPECT_TRUE(has(result.output, "Save a file") || result.exit_code == 124) << result.output;
+    } else if (std::regex_match(command, words, std::regex(R"(\./run bench( \d)?)"))) {
+      // The measuring itself is tested by accuracy.*; this has the same page made of what was measured.
+      const Result result = run("TEXEL_ROOT=" + shell_word(kRoot.string()) + " " TEXEL_BIN "/texel bench" +
+                                words[1].str() + " --from docs/accuracy.json --out bench");
+      EXPECT_EQ(result.exit_code, 0) << result.output;
+    } else if (std::regex_match(command, words, std::regex(R"((?:\./run|texel) (grade .*))"))) {
+      // Whole classes are graded in grade_test; here what it is told is understood, and only the class is
+      // missing.
+      const Result result = run(TEXEL_BIN "/texel " + words[1].str());
+      EXPECT_NE(result.exit_code, 2) << result.output;
+    } else if (std::regex_match(command, words, std::regex(R"(\./run(?: (\S+).*)?)"))) {
+      // What sets up, tests or renews the whole tree is what continuous integration and its makers run.
+      EXPECT_TRUE(has(help, words[1].matched ? "./run " + words[1].str() : "./run ")) << help;
+    } else if (std::regex_match(command, words, std::regex(R"(texel( \w+)?)"))) {
+      const Result result = run(TEXEL_BIN "/texel" + words[1].str() + " --help");
+      EXPECT_EQ(result.exit_code, 0) << result.output;
+    } else {
+      static const std::regex program("^(build/release/bin/|(?=texel ))");
+      std::string line = std::regex_replace(command, program, TEXEL_BIN "/");
+      // The starter that the grader's tests have built.
+      if (has(line, "--verify")) line += " --cache " TEXEL_BUILD "/grade";
+      const Result result = run(line);
+      EXPECT_EQ(result.exit_code, 0) << result.output;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, Document,
+                         testing::Values("README.md", "CONTRIBUTING.md", "docs/student.md",
+                                         "docs/instructor.md", "docs/accuracy.md", "docs/architecture.md",
+                                         "labs/01_texture_quad/README.md", "labs/02_multi_texture/README.md",
+                                         "labs/03_obj_texcoords/README.md", "labs/04_cube_wrap/README.md",
+                                         "labs/05_normal_map/README.md", "labs/06_cube_map/README.md",
+                                         "labs/07_environment/README.md", "labs/08_reflection/README.md",
+                                         "labs/09_bump/README.md"),
+                         [](const auto& document) {
+                           std::string name = document.param;
+                           for (char& c : name)
+                             c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace texel

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+// The student's way through a tree: check, watch, hint, reset, progress, in a starter whose programs are the
+// course's (so that its C++ steps are solved and its shaders are not), and in the course's own tree.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <thread>
+
+#include "../support/picture_files.hpp"
+#include "../support/process.hpp"
+#include "core/files.hpp"
+#include "course/lab_file.hpp"
+#include "course/markers.hpp"
+#include "course/mutant_file.hpp"
+
+namespace texel {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::has;
+using test::Result;
+using test::shell;
+using test::shell_word;
+
+const fs::path kRoot = TEXEL_SOURCE;
+const std::string kTexel = TEXEL_BIN "/texel";
+
+Result in_course(const std::string& arguments) {
+  return shell(kTexel + " " + arguments + " 2>&1");
+}
+
+/// A tree as students get it, once for all tests; each works on labs of its own.
+class StudentTree : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new test::TemporaryFolder("student_" + std::to_string(::getpid()));
+    root_ = fs::absolute(*folder_ / "tree");
+    const Result made = in_course("starter --out " + shell_word(root_.string()));
+    ASSERT_EQ(made.exit_code, 0) << made.output;
+  }
+  static void TearDownTestSuite() { delete folder_; }
+
+  static std::string line(const std::string& arguments) {
+    return fmt::format("TEXEL_ROOT={} {} {}", shell_word(root_.string()), kTexel, arguments);
+  }
+  static Result texel(const std::string& arguments) { return shell(line(arguments) + " 2>&1"); }
+
+  /// The steps of a lab by id, as --json has them.
+  static std::map<std::string, json> steps(int lab) {
+    const json result = json::parse(shell(line(fmt::format("check {} --json", lab))).output);
+    std::map<std::string, json> steps;
+    for (const json& step : result.at("steps")) steps[step.at("id")] = step;
+    return steps;
+  }
+
+  /// Puts the course's solution of a step into the student's file.
+  static void solve(const std::string& file, const std::string& step) {
+    const std::string solution =
+        course::with_steps(read_file(kRoot / file), file, [](const auto&) { return true; });
+    write_file(root_ / file, course::with_step_from(read_file(root_ / file), file, step, solution));
+  }
+
+  static test::TemporaryFolder* folder_;
+  static fs::path root_;
+};
+
+test::TemporaryFolder* StudentTree::folder_ = nullptr;
+fs::path StudentTree::root_;
+
+TEST(CourseTree, passes_its_own_checks) {
+  const Result result = shell(kTexel + " check --json");
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  std::set<int> labs;
+  for (const json& lab : json::parse(result.output)) {
+    labs.insert(std::stoi(lab.at("lab").get<std::string>()));
+    for (const json& step : lab.at("steps")) EXPECT_EQ(step.at("status"), "passed") << step.dump(1);
+  }
+  EXPECT_EQ(labs.size(), 9U);
+}
+
+TEST(CourseTree, has_its_catalogue_in_the_samples_of_mistakes) {
+  // What is kept of a mutant goes with the catalogue; ./run expected renews it.
+  for (const course::Lab& lab : course::read_labs(kRoot / "labs")) {
+    for (const json& mistake : json::parse(read_file(kRoot / "labs" / lab.folder / "expected/mistakes.json")))
+      for (const auto& [name, one] : mistake.at("cases").items())
+        EXPECT_TRUE(std::any_of(lab.cases.begin(), lab.cases.end(),
+                                [&](const course::GradedCase& graded) {
+                                  return graded.name == name && graded.step == mistake.at("step");
+                                }))
+            << mistake.at("name") << " " << name;
+  }
+}
+
+TEST(CourseTree, does_not_let_its_solutions_be_reset) {
+  const std::string before = read_file(kRoot / "shaders/05_normal_map/decode_normal.glsl");
+  const Result result = in_course("reset 5.1");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_TRUE(has(result.output, "texel starter --out DIR")) << result.output;
+  EXPECT_EQ(read_file(kRoot / "shaders/05_normal_map/decode_normal.glsl"), before);
+}
+
+TEST_F(StudentTree, has_no_solution_no_truth_and_no_test) {
+  for (const char* folder : {"tests", "common/truth", "assets/make", "docs/accuracy"})
+    EXPECT_FALSE(fs::exists(root_ / folder)) << folder;
+  for (const char* given :
+       {"labs/05_normal_map/README.md", "docs/student.md", "docs/pictures/05_normal_map.png",
+        "labs/05_normal_map/expected/decode_bumps.pfm", "run"})
+    EXPECT_TRUE(fs::exists(root_ / given)) << given;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kRoot / "labs")) {
+    if (entry.path().extension() != ".cpp") continue;
+    const std::string file = entry.path().lexically_relative(kRoot).string();
+    for (const auto& [step, text] : course::step_texts(
+             course::with_steps(read_file(entry.path()), file, [](const auto&) { return true; }), file))
+      EXPECT_FALSE(has(read_file(root_ / file), text)) << file << " " << step;
+  }
+}
+
+TEST_F(StudentTree, is_checked_step_by_step) {
+  auto found = steps(9);
+  ASSERT_TRUE(found.contains("9.1"));
+  EXPECT_EQ(found["9.1"].at("status"), "skipped");  // 6.1 is not done
+  EXPECT_TRUE(has(found["9.1"].at("message"), "6.1")) << found["9.1"];
+
+  found = steps(6);
+  EXPECT_EQ(found["6.1"].at("status"), "failed");
+  EXPECT_TRUE(found["6.1"].at("message").get<std::string>().starts_with("Not begun. ")) << found["6.1"];
+  EXPECT_GT(found["6.1"].at("error").get<double>(), found["6.1"].at("limit").get<double>());
+  EXPECT_FALSE(found["6.1"].at("unit").get<std::string>().empty());
+
+  const std::string where = found["6.1"].at("file");
+  solve(where, "6.1");
+  found = steps(6);
+  EXPECT_EQ(found["6.1"].at("status"), "passed") << found["6.1"];
+  EXPECT_LE(found["6.1"].at("error").get<double>(), found["6.1"].at("limit").get<double>());
+  EXPECT_EQ(steps(9)["9.1"].at("status"), "failed");
+}
+
+TEST_F(StudentTree, names_a_mistake_that_it_knows) {
+  solve("shaders/05_normal_map/decode_normal.glsl", "5.1");
+  const std::vector<course::Mutant> mutants = course::read_catalogue(kRoot / "tests/mutants");
+  const auto mutant = std::find_if(mutants.begin(), mutants.end(), [](const course::Mutant& one) {
+    return one.name == "normal-green-flipped";
+  });
+  ASSERT_NE(mutant, mutants.end());
+  write_file(root_ / mutant->file, course::mutated(*mutant, read_file(root_ / mutant->file)));
+  const json step = steps(5)["5.1"];
+  EXPECT_EQ(step.at("status"), "failed");
+  EXPECT_EQ(step.at("looks_like"), mutant->name) << step;
+  EXPECT_EQ(step.at("looks_like_says"), mutant->says);
+  const Result report = texel("check 5");
+  EXPECT_EQ(report.exit_code, 1);
+  EXPECT_TRUE(has(report.output, "This looks like: ")) << report.output;
+  EXPECT_TRUE(has(report.output, "next   5.1")) << report.output;
+  EXPECT_TRUE(has(report.output, "shaders/05_normal_map/decode_normal.glsl:")) << report.output;
+}
+
+TEST_F(StudentTree, says_where_a_shader_does_not_compile) {
+  const fs::path file = root_ / "shaders/05_normal_map/decode_normal.glsl";
+  const std::string before = read_file(file);
+  write_file(file, before + "vec3 broken( {\n");
+  const Result report = texel("check 5");
+  write_file(file, before);
+  EXPECT_EQ(report.exit_code, 1);
+  EXPECT_TRUE(has(report.output, "decode_normal.glsl:")) << report.output;
+  EXPECT_TRUE(has(report.output, "error")) << report.output;
+}
+
+TEST_F(StudentTree, gives_one_hint_after_the_other) {
+  const fs::path shown = fs::path(TEXEL_BUILD) / "check/hints.json";
+  fs::remove(shown);
+  const Result first = texel("hint 2.2"), second = texel("hint 2.2");
+  EXPECT_EQ(first.exit_code, 0) << first.output;
+  EXPECT_TRUE(has(first.output, "hint 1 of ") && !has(first.output, "hint 2 of ")) << first.output;
+  EXPECT_TRUE(has(second.output, "hint 1 of ") && has(second.output, "hint 2 of ")) << second.output;
+  write_file(shown, "{ broken");
+  EXPECT_TRUE(has(texel("hint 2.2").output, "hint 1 of "));
+  const Result unknown = texel("hint 5.99");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_TRUE(has(unknown.output, "5.99")) << unknown.output;
+  EXPECT_EQ(texel("hint five").exit_code, 2);
+}
+
+TEST_F(StudentTree, takes_a_step_back_and_keeps_what_was_written) {
+  const auto found = steps(9);
+  const fs::path file = root_ / found.at("9.2").at("file").get<std::string>();
+  const std::string relative = file.lexically_relative(root_).string();
+  const std::string first = read_file(file);
+  EXPECT_TRUE(has(texel("reset 9.2").output, "is as it was at first"));
+  solve(relative, "9.2");
+  const std::string own = read_file(file);
+  ASSERT_NE(own, first);
+  const Result reset = texel("reset 9.2");
+  EXPECT_EQ(reset.exit_code, 0) << reset.output;
+  EXPECT_EQ(read_file(file), first);
+  EXPECT_EQ(read_file(file.string() + ".before-reset"), own);
+  // A second time, nothing is written over.
+  write_file(file, own);
+  EXPECT_EQ(texel("reset 9.2").exit_code, 0);
+  EXPECT_EQ(read_file(file.string() + ".before-reset-2"), own);
+}
+
+TEST_F(StudentTree, says_what_is_wrong_with_spoilt_markers_and_missing_pictures) {
+  const fs::path file = root_ / steps(9).at("9.2").at("file").get<std::string>();
+  const std::string before = read_file(file);
+  std::string spoilt = before;
+  spoilt.erase(spoilt.rfind("//@end"), 6);
+  write_file(file, spoilt);
+  const Result check = texel("check 9"), reset = texel("reset 9.2");
+  write_file(file, before);
+  for (const Result& result : {check, reset}) {
+    EXPECT_EQ(result.exit_code, 3) << result.output;
+    EXPECT_TRUE(has(result.output, "this step has no end")) << result.output;
+    EXPECT_TRUE(has(result.output, ".glsl:")) << result.output;
+  }
+  const fs::path expected = root_ / "labs/07_environment/expected";
+  fs::rename(expected, expected.string() + "-away");
+  const Result missing = texel("check 7");
+  fs::rename(expected.string() + "-away", expected);
+  EXPECT_EQ(missing.exit_code, 3);
+  EXPECT_TRUE(has(missing.output, "expected pictures")) << missing.output;
+  EXPECT_EQ(texel("check 12").exit_code, 2);
+}
+
+TEST_F(StudentTree, shows_the_progress_in_all_labs) {
+  const Result result = texel("progress");
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  for (const course::Lab& lab : course::read_labs(kRoot / "labs"))
+    EXPECT_TRUE(has(result.output, fmt::format("{}  {}", lab.number, lab.title))) << result.output;
+  EXPECT_TRUE(has(result.output, "next: ")) << result.output;
+}
+
+/// `texel watch`, which runs until it is told to end.
+class Watching {
+ public:
+  explicit Watching(const std::string& line, const fs::path& output) : output_(output) {
+    const std::string command = "exec env " + line + " >" + shell_word(output.string()) + " 2>&1 </dev/null";
+    process_ = ::fork();
+    if (process_ == 0) {
+      ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+      ::_exit(127);
+    }
+  }
+  /// Waits until the output has the text so many times; false after a minute.
+  [[nodiscard]] bool shows(const std::string& text, std::size_t times = 1) const {
+    for (int i = 0; i < 600; ++i) {
+      const std::string all = fs::exists(output_) ? read_file(output_) : "";
+      std::size_t count = 0;
+      for (std::size_t at = 0; (at = all.find(text, at)) != all.npos; ++at) ++count;
+      if (count >= times) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    return false;
+  }
+  /// Ends it as Ctrl+C does; its exit code.
+  int end() const {
+    ::kill(process_, SIGINT);
+    int status = 0;
+    ::waitpid(process_, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+
+ private:
+  fs::path output_;
+  pid_t process_ = 0;
+};
+
+TEST_F(StudentTree, is_checked_again_after_each_save) {
+  const fs::path output = root_ / "watch.txt";
+  const fs::path file = root_ / steps(8).at("8.1").at("file").get<std::string>();
+  const Watching watching(line("watch 8"), output);
+  ASSERT_TRUE(watching.shows("next   8.1")) << read_file(output);
+  solve(file.lexically_relative(root_).string(), "8.1");
+  EXPECT_TRUE(watching.shows("done   8.1")) << read_file(output);
+  // A marker that is gone is said, and the watch goes on.
+  const std::string before = read_file(file);
+  std::string spoilt = before;
+  spoilt.erase(spoilt.rfind("//@end"), 6);
+  write_file(file, spoilt);
+  EXPECT_TRUE(watching.shows("this step has no end")) << read_file(output);
+  write_file(file, before);
+  EXPECT_TRUE(watching.shows("done   8.1", 2)) << read_file(output);
+  EXPECT_EQ(watching.end(), 0);
+}
+
+}  // namespace
+}  // namespace texel

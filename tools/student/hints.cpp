@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "hints.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "core/files.hpp"
+
+namespace texel::tools {
+
+std::string Hints::next(const course::Step& step) {
+  nlohmann::json shown = nlohmann::json::object();
+  // A file that is broken is as good as none: all that is lost is how many hints were shown.
+  if (std::filesystem::exists(file_)) shown = nlohmann::json::parse(read_file(file_), nullptr, false);
+  if (!shown.is_object()) shown = nlohmann::json::object();
+  const auto known = shown.find(step.id);
+  const std::size_t before =
+      known != shown.end() && known->is_number_unsigned() ? known->get<std::size_t>() : 0;
+  const std::size_t count = std::min(before + 1, step.hints.size());
+  shown[step.id] = count;
+  make_folder(file_.parent_path());
+  write_file(file_, shown.dump(1) + "\n");
+  std::string text = fmt::format("Step {}: {}\n", step.id, step.title);
+  for (std::size_t i = 0; i < count; ++i)
+    text += fmt::format("  hint {} of {}: {}\n", i + 1, step.hints.size(), step.hints[i]);
+  if (before == step.hints.size()) text += "  There are no more.\n";
+  return text;
+}
+
+std::filesystem::path hints_file() {
+  return course_build() / "check/hints.json";
+}
+
+}  // namespace texel::tools

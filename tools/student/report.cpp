@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "report.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace texel::tools {
+namespace {
+
+using grade::CaseResult;
+using grade::LabResult;
+using grade::Status;
+using grade::StepResult;
+
+constexpr const char* kGreen = "\033[32m";
+constexpr const char* kYellow = "\033[1;33m";
+constexpr const char* kDim = "\033[2m";
+constexpr const char* kBold = "\033[1m";
+constexpr const char* kPlain = "\033[0m";
+
+class Paint {
+ public:
+  explicit Paint(bool colours) : colours_(colours) {}
+  [[nodiscard]] std::string operator()(const char* colour, const std::string& text) const {
+    return colours_ ? colour + text + kPlain : text;
+  }
+
+ private:
+  bool colours_;
+};
+
+bool passed(const StepResult& step) {
+  return step.status == Status::passed;
+}
+
+/// The case that says most about a step: of those that failed, or of all, the one with the largest share of
+/// its limit; one where nothing can be compared before all others.
+const CaseResult* telling_case(const StepResult& step) {
+  const auto share = [](const CaseResult& one) {
+    return std::isnan(one.error) ? HUGE_VAL : one.error / std::max(one.limit, 1e-12);
+  };
+  const CaseResult* worst = nullptr;
+  for (const CaseResult& one : step.cases)
+    if (worst == nullptr || (worst->passed && !one.passed) ||
+        (worst->passed == one.passed && share(one) > share(*worst)))
+      worst = &one;
+  return worst;
+}
+
+/// Text in lines of at most 100 columns, each after so many blanks.
+std::string wrapped(const std::string& text, std::size_t indent) {
+  constexpr std::size_t columns = 100;
+  std::string result, line;
+  const auto flush = [&] {
+    if (!line.empty()) result += std::string(indent, ' ') + line + "\n";
+    line.clear();
+  };
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
+    const std::string word = text.substr(at, end - at);
+    if (!line.empty() && indent + line.size() + 1 + word.size() > columns) flush();
+    line += (line.empty() ? "" : " ") + word;
+    if (end < text.size() && text[end] == '\n') flush();
+    at = end + 1;
+  }
+  flush();
+  return result;
+}
+
+/// What is wrong with the step that comes next, and what helps.
+std::string details(const StepResult& step, const Paint& paint) {
+  constexpr std::size_t indent = 12;
+  std::string text;
+  for (const CaseResult& one : step.cases) {
+    if (one.passed) {
+      text += wrapped(fmt::format("{}: right", one.name), indent);
+      continue;
+    }
+    text += wrapped(fmt::format("{}: {}", one.name, one.message), indent);
+    if (!one.mistake.empty() && &one == telling_case(step))
+      text += paint(kYellow, wrapped("This looks like: " + one.mistake_says, indent));
+    if (&one == telling_case(step)) text += paint(kDim, fmt::format("{:12}see it: {}\n", "", one.command));
+  }
+  return text;
+}
+
+const char* word_of(const StepResult& step, const StepResult* next) {
+  return passed(step) ? "done" : &step == next ? "next" : step.status == Status::skipped ? "waits" : "to do";
+}
+
+}  // namespace
+
+bool wants_colours() {
+  const char* no = std::getenv("NO_COLOR");
+  return ::isatty(STDOUT_FILENO) != 0 && (no == nullptr || *no == '\0');
+}
+
+const StepResult* next_step(const LabResult& lab) {
+  for (const Status status : {Status::failed, Status::skipped})
+    for (const StepResult& step : lab.steps)
+      if (step.status == status) return &step;
+  return nullptr;
+}
+
+std::string report(const LabResult& lab, bool colours) {
+  const Paint paint(colours);
+  const auto done = std::count_if(lab.steps.begin(), lab.steps.end(), passed);
+  std::string text = paint(kBold, fmt::format("Lab {}: {}", lab.lab.number, lab.lab.title)) +
+                     fmt::format(", {} of {} steps\n", done, lab.steps.size());
+  const StepResult* next = next_step(lab);
+  for (const StepResult& step : lab.steps) {
+    const char* word = word_of(step, next);
+    std::string line = fmt::format("  {:<5}  {}  {}", word, step.id, step.title);
+    if (&step == next) line += fmt::format("   {}:{}", step.file, step.line);
+    if (step.status == Status::skipped && &step != next) line += fmt::format(": {}", step.message);
+    text += paint(passed(step) ? kGreen : &step == next ? kYellow : kDim, line) + "\n";
+    if (&step == next)
+      text += step.status == Status::skipped ? wrapped(step.message, 12) : details(step, paint);
+  }
+  if (next == nullptr)
+    text += paint(kGreen, "All done.") + "\n";
+  else
+    text += fmt::format("A hint: ./run hint {}\n", next->id);
+  return text;
+}
+
+std::string progress_report(const std::vector<LabResult>& labs, bool colours) {
+  const Paint paint(colours);
+  std::string text;
+  double points = 0, most = 0;
+  const LabResult* next = nullptr;
+  std::size_t width = 0;
+  for (const LabResult& lab : labs) width = std::max(width, lab.lab.title.size());
+  for (const LabResult& lab : labs) {
+    std::string bar;
+    for (const StepResult& step : lab.steps)
+      bar += passed(step) ? paint(kGreen, "#") : step.status == Status::skipped ? "." : "-";
+    bar += std::string(8 - std::min<std::size_t>(8, lab.steps.size()), ' ');
+    text += fmt::format("  {}  {:<{}}  {} {:>3g} of {:g} points\n", lab.lab.number, lab.lab.title, width, bar,
+                        lab.points(), lab.max_points());
+    points += lab.points(), most += lab.max_points();
+    if (next == nullptr && next_step(lab) != nullptr) next = &lab;
+  }
+  text += fmt::format(
+      "  {:g} of {:g} points; # is a step that is done, - one to do, . one that waits for others\n", points,
+      most);
+  if (next != nullptr)
+    text += fmt::format("next: {} {}   ./run watch {}\n", next_step(*next)->id, next_step(*next)->title,
+                        next->lab.number);
+  return text;
+}
+
+nlohmann::ordered_json to_json(const LabResult& lab) {
+  using Json = nlohmann::ordered_json;
+  const auto settings = [&](const std::string& name) {
+    Json set = Json::object();
+    for (const course::GradedCase& graded : lab.lab.cases)
+      if (graded.name == name)
+        for (const course::Setting& setting : graded.settings) set[setting.parameter] = setting.value;
+    return set;
+  };
+  Json json{{"lab", lab.lab.folder}, {"title", lab.lab.title}, {"steps", Json::array()}};
+  for (std::size_t i = 0; i < lab.steps.size(); ++i) {
+    const StepResult& step = lab.steps[i];
+    const CaseResult* telling = telling_case(step);
+    Json one{{"id", step.id}, {"status", grade::name_of(step.status)}};
+    one["error"] = telling != nullptr ? Json(telling->error) : Json();
+    one["unit"] = telling != nullptr ? telling->unit : "";
+    one["limit"] = telling != nullptr ? telling->limit : 0;
+    one["message"] = step.message;
+    one["title"] = step.title, one["points"] = step.points;
+    one["file"] = step.file, one["line"] = step.line;
+    one["looks_like"] = step.mistake, one["looks_like_says"] = step.mistake_says;
+    one["hints"] = lab.lab.steps[i].hints;
+    for (const CaseResult& result : step.cases)
+      one["cases"].push_back({{"name", result.name},
+                              {"status", result.passed ? "passed" : "failed"},
+                              {"view", result.view},
+                              {"set", settings(result.name)},
+                              {"error", result.error},
+                              {"unit", result.unit},
+                              {"limit", result.limit},
+                              {"message", result.message},
+                              {"command", result.command},
+                              {"picture", result.picture},
+                              {"expected", result.reference}});
+    json["steps"].push_back(std::move(one));
+  }
+  return json;
+}
+
+}  // namespace texel::tools

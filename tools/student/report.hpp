@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What a check found, for people and for programs.
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "grade/results.hpp"
+
+namespace texel::tools {
+
+/// The step that comes next: the first that failed, else the first that is not done, or none.
+const grade::StepResult* next_step(const grade::LabResult& lab);
+
+/// A lab's steps, each in a line: done, next, to do or waiting; below the next one, what is wrong and what
+/// helps. Lines end in '\n'. With colours for a terminal.
+std::string report(const grade::LabResult& lab, bool colours);
+
+/// A line for each lab, how far it is, and what comes next in the course.
+std::string progress_report(const std::vector<grade::LabResult>& labs, bool colours);
+
+/// {"lab", "steps": [{"id", "status", "error", "unit", "limit", "message", …}]}.
+nlohmann::ordered_json to_json(const grade::LabResult& lab);
+
+/// Whether colours are wanted on standard output: a terminal, and no NO_COLOR.
+bool wants_colours();
+
+}  // namespace texel::tools

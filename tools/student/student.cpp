@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// The commands with which a student goes from step to step.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "commands.hpp"
+#include "core/files.hpp"
+#include "course/markers.hpp"
+#include "grade/check.hpp"
+#include "hints.hpp"
+#include "report.hpp"
+
+namespace texel::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+grade::OwnTree own_tree() {
+  return {course_root(), course_build()};
+}
+
+std::vector<grade::LabResult> check_labs(const std::vector<int>& labs, const std::string& context) {
+  return grade::check(own_tree(), chosen_labs(labs), context);
+}
+
+/// The step that comes next in the first lab that is not done.
+const grade::StepResult* next_of(const std::vector<grade::LabResult>& labs) {
+  for (const grade::LabResult& lab : labs)
+    if (const grade::StepResult* next = next_step(lab)) return next;
+  return nullptr;
+}
+
+const course::Step& step_called(const std::string& id) {
+  static const std::vector<course::Lab> labs = course_labs();
+  std::vector<std::string> known;
+  for (const course::Lab& lab : labs)
+    for (const course::Step& step : lab.steps) {
+      if (step.id == id) return step;
+      known.push_back(step.id);
+    }
+  throw Error::usage(fmt::format("there is no step '{}'", id),
+                     fmt::format("the steps are {}", fmt::join(known, ", ")));
+}
+
+}  // namespace
+
+Exit check(const CheckOptions& options) {
+  const std::vector<grade::LabResult> labs = check_labs(options.labs, options.context);
+  if (options.json) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const grade::LabResult& lab : labs) all.push_back(to_json(lab));
+    fmt::print("{}\n", (options.labs.size() == 1 ? all.front() : all).dump(1));
+  } else {
+    for (const grade::LabResult& lab : labs) fmt::print("{}", report(lab, wants_colours()));
+  }
+  return next_of(labs) == nullptr ? Exit::holds : Exit::differs;
+}
+
+Exit progress(const std::string& context) {
+  fmt::print("{}", progress_report(check_labs({}, context), wants_colours()));
+  return Exit::holds;
+}
+
+Exit hint(const HintOptions& options) {
+  std::string id = options.where;
+  if (id.find('.') == id.npos) {
+    std::vector<int> labs;
+    if (!id.empty()) {
+      if (id.size() != 1 || id[0] < '1' || id[0] > '9')
+        throw Error::usage(fmt::format("'{}' is neither a lab nor a step", id), "write 5 or 5.1");
+      labs.push_back(id[0] - '0');
+    }
+    const std::vector<grade::LabResult> results = check_labs(labs, options.context);
+    const grade::StepResult* next = next_of(results);
+    if (next == nullptr) {
+      fmt::print("All steps are done.\n");
+      return Exit::holds;
+    }
+    id = next->id;
+  }
+  const course::Step& step = step_called(id);
+  fmt::print("{}", Hints(hints_file()).next(step));
+  return Exit::holds;
+}
+
+Exit reset(const std::string& step) {
+  step_called(step);
+  const fs::path root = course_root();
+  if (!fs::exists(root / course::kFirstTexts))
+    throw Error::usage("this is the course's own tree, whose steps are solved",
+                       "'texel starter --out DIR' writes a tree in which they are not");
+  bool changed = false;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / course::kFirstTexts)) {
+    if (!entry.is_regular_file()) continue;
+    const std::string file = entry.path().lexically_relative(root / course::kFirstTexts).generic_string();
+    const std::string first = read_file(entry.path());
+    if (!course::step_texts(first, file).contains(step)) continue;
+    const std::string own = read_file(root / file), text = course::with_step_from(own, file, step, first);
+    if (text == own) continue;
+    // What was written is kept, under the first free name.
+    fs::path kept = (root / file).string() + ".before-reset";
+    for (int i = 2; fs::exists(kept); ++i)
+      kept = fmt::format("{}.before-reset-{}", (root / file).string(), i);
+    write_file(kept, own);
+    write_file(root / file, text);
+    fmt::print("{}: step {} is as it was at first; yours is in {}\n", file, step,
+               kept.lexically_relative(root).generic_string());
+    changed = true;
+  }
+  if (!changed) fmt::print("step {} is as it was at first\n", step);
+  return Exit::holds;
+}
+
+}  // namespace texel::tools

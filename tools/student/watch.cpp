@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// `texel watch`: checks a lab after every save.
+#include <fmt/format.h>
+#include <poll.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+
+#include "commands.hpp"
+#include "core/process.hpp"
+#include "core/stopwatch.hpp"
+#include "core/watcher.hpp"
+#include "grade/check.hpp"
+#include "hints.hpp"
+#include "report.hpp"
+
+namespace texel::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kWatchMilliseconds = 100;
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// Keys that come as they are typed, until the end of the scope; nothing where standard input is no terminal.
+class Keys {
+ public:
+  Keys() : is_terminal_(::tcgetattr(STDIN_FILENO, &before_) == 0) {
+    if (!is_terminal_) return;
+    termios raw = before_;
+    raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
+    ::tcsetattr(STDIN_FILENO, TCSANOW, &raw);
+  }
+  ~Keys() {
+    if (is_terminal_) ::tcsetattr(STDIN_FILENO, TCSANOW, &before_);
+  }
+  Keys(const Keys&) = delete;
+  Keys& operator=(const Keys&) = delete;
+
+  /// The next key, or 0 after the time.
+  [[nodiscard]] char wait(int milliseconds) const {
+    pollfd input{is_terminal_ ? STDIN_FILENO : -1, POLLIN, 0};
+    char key = 0;
+    if (::poll(&input, 1, milliseconds) > 0 && ::read(STDIN_FILENO, &key, 1) != 1) key = 'q';
+    return key;
+  }
+
+ private:
+  termios before_{};
+  bool is_terminal_;
+};
+
+bool is_program_text(const fs::path& file) {
+  return file.extension() == ".cpp" || file.extension() == ".hpp";
+}
+
+class Watch {
+ public:
+  explicit Watch(const WatchOptions& options)
+      : options_(options), lab_(chosen_labs({options.lab}).front()), tree_{course_root(), course_build()} {}
+
+  void run() {
+    const Keys keys;
+    // What changes while we build or check is noticed afterwards.
+    watcher_.changed(files());
+    check(/*build=*/true);
+    while (interrupted == 0) {
+      switch (keys.wait(kWatchMilliseconds)) {
+        case 'q':
+          return;
+        case 'h':
+          hint();
+          break;
+        case '\n':
+        case '\r':
+        case 'r':
+          check(true);
+          break;
+        default:
+          break;
+      }
+      const std::vector<fs::path> changed = watcher_.changed(files());
+      if (!changed.empty()) check(std::any_of(changed.begin(), changed.end(), is_program_text));
+    }
+  }
+
+ private:
+  [[nodiscard]] std::vector<fs::path> files() const { return grade::edited_files(tree_.source, lab_); }
+
+  /// Builds the lab where that is needed; whether there is a program of what was saved.
+  bool build() {
+    fmt::print("building…\n");
+    std::fflush(stdout);
+    const Ran ran = run_program({"cmake", "--build", tree_.build.string(), "--target", lab_.program()}, true);
+    if (ran.exit_code == 0) return true;
+    const std::size_t begin = ran.output.find("error:");
+    const std::size_t line = begin == std::string::npos ? 0 : ran.output.rfind('\n', begin) + 1;
+    fmt::print("It does not compile. The first message, and what follows:\n{}\n",
+               ran.output.substr(line, 2000));
+    return false;
+  }
+
+  void check(bool build_first) {
+    const bool is_terminal = ::isatty(STDOUT_FILENO) != 0;
+    if (is_terminal) fmt::print("\033[2J\033[H");  // a clean screen
+    try {
+      if (!build_first || build()) {
+        const Stopwatch stopwatch;
+        const std::vector<grade::LabResult> labs = grade::check(tree_, {lab_}, options_.context);
+        const grade::StepResult* next = next_step(labs.front());
+        next_ = next != nullptr ? next->id : "";
+        if (is_terminal) fmt::print("\033[2J\033[H");
+        fmt::print("{}checked in {:.1f} s. ", report(labs.front(), wants_colours()),
+                   stopwatch.milliseconds() / 1000);
+      }
+    } catch (const Error& error) {  // a marker that was spoilt, say: mended by the next save
+      fmt::print("{}\n", error.what());
+    }
+    fmt::print("Save a file to check again; h: a hint, q: end.\n");
+    std::fflush(stdout);
+  }
+
+  void hint() {
+    for (const course::Step& step : lab_.steps)
+      if (step.id == next_) fmt::print("{}", Hints(hints_file()).next(step));
+    if (next_.empty()) fmt::print("All steps are done.\n");
+    std::fflush(stdout);
+  }
+
+  WatchOptions options_;
+  course::Lab lab_;
+  grade::OwnTree tree_;
+  Watcher watcher_;
+  std::string next_;  ///< the step that comes next
+};
+
+}  // namespace
+
+Exit watch(const WatchOptions& options) {
+  struct sigaction action {};
+  action.sa_handler = [](int) { interrupted = 1; };
+  ::sigaction(SIGINT, &action, nullptr);
+  ::sigaction(SIGTERM, &action, nullptr);
+  Watch(options).run();
+  return Exit::holds;
+}
+
+}  // namespace texel::tools
