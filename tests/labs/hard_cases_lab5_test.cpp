@@ -346,7 +346,7 @@ constexpr const char* kAllMethods[] = {"per-vertex",     "raw",        "screen-a
                                        "angle-weighted", "mikktspace", "analytic"};
 
 TEST(HardCaseOfLab5, no_model_makes_a_normal_nan_and_only_the_derivative_frame_has_no_tangent) {
-  const TemporaryFolder folder(fmt::format("lab5_models_{}", ::getpid()));
+  const TemporaryFolder folder("lab5_models");
   std::vector<Shot> shots;
   int number = 0;
   for (const auto& [name, obj] : hard_models()) {
@@ -385,7 +385,7 @@ TEST(HardCaseOfLab5, no_model_makes_a_normal_nan_and_only_the_derivative_frame_h
 
 /// The vertex stream that the lab draws for an OBJ file.
 mesh::Mesh drawn_mesh(const std::string& obj, const std::string& method) {
-  const TemporaryFolder folder(fmt::format("lab5_mesh_{}", ::getpid()));
+  const TemporaryFolder folder("lab5_mesh");
   const std::string in = (folder / "a.obj").string(), out = (folder / "a.ply").string();
   write_file(in, obj);
   const Result result = run_lab(kLab5, fmt::format("--model {} --method {} --mesh {}", in, method, out));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What labs 6 and 7 show where two things meet: the faces of a cube map, and spheres one behind the other.
+// What labs 6 to 8 show where two things meet: the faces of a cube map, spheres one behind the other, the edges of one
+// picture for all directions.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +8,8 @@
 #include <filesystem>
 #include <glm/glm.hpp>
 
+#include "image/colour.hpp"
+#include "image/difference.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
 #include "labs.hpp"
@@ -27,7 +30,7 @@ int largest_step(const Image8& picture) {
 }
 
 TEST(EdgeOfLab6, is_filtered_across_by_the_seamless_methods_alone) {
-  const TemporaryFolder folder(fmt::format("edge_{}", ::getpid()));
+  const TemporaryFolder folder("edge");
   // A white face beside black ones, of 2x2 texels, so that what is between two texels is wide.
   std::filesystem::create_directories(folder / "faces");
   for (const std::string face : {"px", "nx", "py", "ny", "pz", "nz"}) {
@@ -54,6 +57,45 @@ TEST(EdgeOfLab6, is_filtered_across_by_the_seamless_methods_alone) {
   // From black to white over half of each face.
   EXPECT_LT(step("linear-seamless"), 60);
   EXPECT_LT(step("mipmapped"), 60);
+}
+
+TEST(LookupOfLab8, shows_the_same_surroundings_in_one_picture_as_in_six) {
+  const TemporaryFolder folder("lookup");
+  std::vector<Shot> shots;
+  // From behind, a little to the side: the seam of the equirectangular picture stands upright on the ball.
+  for (const char* lookup : {"cube", "sphere-map", "equirectangular"})
+    shots.push_back({lookup, {{"cube_map", "smooth"}, {"lookup", lookup}, {"yaw", "150"}}, "color", "256x256"});
+  draw("lab08_reflection", shots, folder);
+  const auto load = [&](const char* name) { return image::load8(folder / fmt::format("{}.png", name)); };
+  const auto mean = [&](const char* name) { return image::compare(load("cube"), load(name)).mean; };
+  // In 8-bit steps over a picture of 256x256: measured 0.4, with its middle or its axis elsewhere 31 and more.
+  EXPECT_LT(mean("sphere-map"), 1);
+  // 0.11, with a coarse level along the seam 0.25.
+  EXPECT_LT(mean("equirectangular"), 0.18);
+}
+
+TEST(GlassOfLab8, reflects_four_percent_where_one_looks_straight_at_it) {
+  const TemporaryFolder folder("glass");
+  std::vector<Shot> shots;
+  for (const char* surface : {"mirror", "refraction", "fresnel", "schlick"})
+    shots.push_back({surface, {{"cube_map", "smooth"}, {"surface", surface}}});
+  draw("lab08_reflection", shots, folder);
+  const auto linear = [&](const char* name, int x, int y, int c) {
+    return image::linear_from_srgb(image::load8(folder / fmt::format("{}.png", name)).at(x, y, c) / 255.0);
+  };
+  for (const char* surface : {"fresnel", "schlick"}) {
+    // The share of the mirror's light that, with the rest of the refracted light, fits best around the middle.
+    double product = 0, square = 0;
+    for (int y = 60; y < 68; y += 2)
+      for (int x = 60; x < 68; x += 2)
+        for (int c = 0; c < 3; ++c) {
+          const double reflected = linear("mirror", x, y, c), refracted = linear("refraction", x, y, c);
+          product += (linear(surface, x, y, c) - refracted) * (reflected - refracted);
+          square += (reflected - refracted) * (reflected - refracted);
+        }
+    // ((1.5 - 1) / (1.5 + 1))^2 = 0.04; 8 bits leave it uncertain by 0.01.
+    EXPECT_NEAR(product / square, 0.04, 0.02) << surface;
+  }
 }
 
 /// Centre and radius, as labs/07_environment/scene.hpp has them.
@@ -86,7 +128,7 @@ dvec3 first_normal(const dvec3& eye, const dvec3& ray) {
 }
 
 TEST(SpheresOfLab7, show_the_normal_of_the_nearest_one_by_every_depth_method) {
-  const TemporaryFolder folder(fmt::format("spheres_{}", ::getpid()));
+  const TemporaryFolder folder("spheres");
   // From the left the second sphere stands behind the first, from the front all can be seen. Nothing is as
   // far as depth 0.999, which is 67 units away.
   const double yaws[] = {-40, 0};

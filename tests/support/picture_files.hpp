@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Tiny picture files made byte by byte, for the tests of what we do not write ourselves.
 #pragma once
+#include <unistd.h>
+
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -9,11 +11,11 @@
 
 namespace texel::test {
 
-/// A folder that is empty at first and gone at the end; `name` keeps tests that run at once apart.
+/// A folder of this process alone, empty at first and gone at the end.
 class TemporaryFolder {
  public:
   explicit TemporaryFolder(const std::string& name)
-      : path_(std::filesystem::temp_directory_path() / ("texel_" + name)) {
+      : path_(std::filesystem::temp_directory_path() / ("texel_" + name + "_" + std::to_string(::getpid()))) {
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }

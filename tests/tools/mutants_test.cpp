@@ -2,7 +2,6 @@
 // `texel mutants` on a tiny tree, and the course's catalogue.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 #include <set>
@@ -56,7 +55,7 @@ class MutantEngine : public testing::Test {
   static constexpr const char* kSource =
       "int clamped(int x) {\n  if (x < 9) return x;\n  return 9;\n}\nint main() { return clamped(3) != 3; "
       "}\n";
-  test::TemporaryFolder folder_{"mutants_" + std::to_string(::getpid())};
+  test::TemporaryFolder folder_{"mutants"};
 };
 
 TEST_F(MutantEngine, tells_what_the_tests_notice_from_what_they_do_not) {

@@ -41,7 +41,7 @@ Result in_course(const std::string& arguments) {
 class StudentTree : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder_ = new test::TemporaryFolder("student_" + std::to_string(::getpid()));
+    folder_ = new test::TemporaryFolder("student");
     root_ = fs::absolute(*folder_ / "tree");
     const Result made = in_course("starter --out " + shell_word(root_.string()));
     ASSERT_EQ(made.exit_code, 0) << made.output;

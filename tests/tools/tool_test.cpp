@@ -2,7 +2,6 @@
 // The program `texel`, run as a user runs it.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <limits>
@@ -35,7 +34,7 @@ Result texel(const std::string& arguments) {
 /// of green off in another.
 class Compare : public testing::Test {
  protected:
-  Compare() : folder_("tool_" + std::to_string(::getpid())) {
+  Compare() : folder_("tool") {
     Image8 a(10, 10, 3);
     std::fill(a.samples.begin(), a.samples.end(), std::uint8_t{100});
     image::save_png(file("a.png"), a);
@@ -269,7 +268,7 @@ TEST(Documents, name_only_files_that_are_there) {
 }
 
 TEST(Gallery, draws_a_lab_once_and_again_only_when_it_changed) {
-  const test::TemporaryFolder folder("gallery_" + std::to_string(::getpid()));
+  const test::TemporaryFolder folder("gallery");
   const std::string command = fmt::format("gallery --lab 1 --out '{}'", (folder / "page").string());
   const Result first = texel(command);
   EXPECT_EQ(first.exit_code, 0) << first.output;

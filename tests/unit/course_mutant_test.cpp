@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "../support/picture_files.hpp"
 #include "core/error.hpp"
@@ -32,7 +31,7 @@ class MutantFile : public testing::Test {
     return "it was read";
   }
 
-  test::TemporaryFolder folder_{"mutant_file_" + std::to_string(::getpid())};
+  test::TemporaryFolder folder_{"mutant_file"};
   std::filesystem::path first_ = folder_ / "01_first.toml", second_ = folder_ / "second.toml";
 };
 

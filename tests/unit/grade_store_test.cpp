@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 /// A place for stores that no other test has, which may run at the same time.
 class Folder : public test::TemporaryFolder {
  public:
-  Folder() : TemporaryFolder("store" + std::to_string(::getpid())) {}
+  Folder() : TemporaryFolder("store") {}
 };
 
 const std::string nasty =

@@ -26,11 +26,6 @@ const std::vector<std::string> allowed = {
     "common/mesh/weld.cpp", "labs/01_texture_quad/lab.cpp", "labs/05_normal_map/lab.cpp",
     "shaders/05_normal_map/decode_normal.glsl", "shaders/05_normal_map/tangent_frame.glsl"};
 
-/// A name that no other test has, which may run at the same time.
-std::string own(const std::string& name) {
-  return name + std::to_string(::getpid());
-}
-
 fs::path path_of(const test::TemporaryFolder& folder) {
   return (folder / "x").parent_path();
 }
@@ -39,7 +34,7 @@ fs::path path_of(const test::TemporaryFolder& folder) {
 class Handed {
  public:
   Handed(Format format, const std::vector<Packed>& files) : Handed(format, pack(format, files)) {}
-  Handed(Format format, const std::string& bytes) : folder_(own("submission")) {
+  Handed(Format format, const std::string& bytes) : folder_("submission") {
     const std::string name = format == Format::zip ? "jane.zip" : "jane.tar.gz";
     write_file(folder_ / name, bytes);
   }
@@ -62,7 +57,7 @@ bool has(const std::string& text, const std::string& part) {
 }
 
 std::map<std::string, Entry> class_of(const std::vector<std::string>& file_names) {
-  const test::TemporaryFolder folder(own("class"));
+  const test::TemporaryFolder folder("class");
   for (const std::string& name : file_names) {
     if (name.ends_with('/'))
       fs::create_directory(folder / name);
@@ -128,7 +123,7 @@ TEST(ReadClass, makes_ids_safe_and_keeps_names_as_text) {
 }
 
 TEST(ReadClass, takes_an_archive_alone_in_a_folder_for_the_submission) {
-  const test::TemporaryFolder folder(own("class"));
+  const test::TemporaryFolder folder("class");
   const fs::path student = folder / "Jane Doe_1_assignsubmission_file";
   fs::create_directory(student);
   write_file(student / "labs.zip", pack(Format::zip, {{"labs/05_normal_map/lab.cpp", "mine"}}));
@@ -147,14 +142,14 @@ TEST(ReadClass, keeps_a_student_whose_file_cannot_be_unpacked) {
 }
 
 TEST(ReadClass, follows_no_link_and_throws_for_a_missing_folder) {
-  const test::TemporaryFolder folder(own("class"));
+  const test::TemporaryFolder folder("class");
   fs::create_directory_symlink("/etc", folder / "jane");
   EXPECT_EQ(read_class(path_of(folder)).at(0).kind, Entry::Kind::other);
   EXPECT_THROW(read_class(folder / "missing"), Error);
 }
 
 TEST(StepFiles, are_the_files_of_the_tree_with_a_marker) {
-  const test::TemporaryFolder tree(own("step_files"));
+  const test::TemporaryFolder tree("step_files");
   for (const char* name : {"labs/01_a", "shaders/lib", "common/mesh", "tests"})
     fs::create_directories(tree / name);
   write_file(tree / "labs/01_a/lab.cpp", "int x;\n    //@step 1.1 begin\n//@end\n");
@@ -359,8 +354,8 @@ TEST(Unpack, calls_a_broken_archive_broken) {
 }
 
 TEST(Unpack, takes_a_folder_and_follows_nothing_in_it) {
-  const test::TemporaryFolder folder(own("class"));
-  const test::TemporaryFolder outside(own("outside"));
+  const test::TemporaryFolder folder("class");
+  const test::TemporaryFolder outside("outside");
   write_file(outside / "lab.cpp", "secret");
   const fs::path work = folder / "jane/my work";
   fs::create_directories(work / "labs/01_texture_quad");
@@ -388,8 +383,8 @@ TEST(Unpack, takes_a_folder_and_follows_nothing_in_it) {
 }
 
 TEST(Overlay, can_be_read_by_the_sandbox_whatever_the_umask) {
-  const test::TemporaryFolder tree(own("overlay_tree"));
-  const test::TemporaryFolder out(own("overlay_out"));
+  const test::TemporaryFolder tree("overlay_tree");
+  const test::TemporaryFolder out("overlay_out");
   const mode_t before = ::umask(077);
   fs::create_directory(tree / "labs");
   write_file(tree / "labs/closed", "closed");
@@ -403,8 +398,8 @@ TEST(Overlay, can_be_read_by_the_sandbox_whatever_the_umask) {
 }
 
 TEST(Overlay, lays_files_over_a_tree_and_leaves_the_tree_alone) {
-  const test::TemporaryFolder tree(own("overlay_tree"));
-  const test::TemporaryFolder out(own("overlay_out"));
+  const test::TemporaryFolder tree("overlay_tree");
+  const test::TemporaryFolder out("overlay_out");
   fs::create_directories(tree / "labs/01_texture_quad");
   write_file(tree / "labs/01_texture_quad/lab.cpp", "starter");
   write_file(tree / "CMakeLists.txt", "trusted");

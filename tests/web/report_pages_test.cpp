@@ -2,7 +2,6 @@
 // The report's pages in a real browser, used by hand: keys, wheel and sliders.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <array>
 #include <cmath>
@@ -24,7 +23,7 @@ namespace fs = std::filesystem;
 class ReportPages : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder_ = new test::TemporaryFolder("report_pages_" + std::to_string(::getpid()));
+    folder_ = new test::TemporaryFolder("report_pages");
     results_ = new ClassResult(test::demo_class(*folder_ / "out"));
     write_html(*results_, *folder_ / "out");
     shared_browser_ = new test::Browser(TEXEL_CHROMIUM, *folder_ / "profile");

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: MIT
+# The list of steps in the window: figures follow what is saved, and a case that is picked sets its look and shows its
+# expected picture.
+source "$(dirname "${BASH_SOURCE[0]}")/window.bash"
+
+export TEXEL_ROOT=$work/root
+mkdir -p "$TEXEL_ROOT"
+cp -r "$source_root"/{shaders,labs,common} "$TEXEL_ROOT"
+ln -s "$source_root/assets" "$TEXEL_ROOT/assets"
+shader=$TEXEL_ROOT/shaders/05_normal_map/decode_normal.glsl
+
+# has_text RGB: whether so coloured text stands in the panel's upper part.
+has_text() {
+  look "$work/now" 330x300+0+100 || return
+  local count
+  count=$(convert "$work/now" -fuzz 4% -fill black +opaque "rgb($1)" -fill white -opaque "rgb($1)" \
+    -format '%[fx:mean*w*h]' info:)
+  ((${count%.*} > 20))
+}
+green=115,217,128 amber=255,199,89
+shows_done() { has_text $green && ! has_text $amber; }
+
+check 'the window opens' open_lab lab05_normal_map --turn 0
+check 'all steps are done, in green' eventually shows_done
+settle "$work/first"
+
+sed -i 's/return color \* 2.0 - 1.0/return (color * 2.0 - 1.0) * vec3(1.0, -1.0, 1.0)/' "$shader"
+check 'a step that a save has spoilt is the next, in amber' eventually has_text $amber
+check 'and the picture shows the mistake' changed_from "$work/first"
+settle "$work/wrong"
+
+# The first step's triangle, then its first case: below two lines each of error and mistake, and the button for a hint.
+xdotool mousemove --window "$window" 19 145 click 1
+sleep 1
+xdotool mousemove --window "$window" 70 276 click 1
+check 'a case that is picked sets its look' changed_from "$work/wrong"
+settle "$work/case"
+# The picture of the case stands at the lower right, with a white line between yours and the expected one.
+look "$work/corner" 340x380+600+330
+white_line() {
+  local count
+  count=$(convert "$work/corner" -fill black +opaque white -format '%[fx:mean*w*h]' info:)
+  ((${count%.*} > 150))
+}
+check 'and shows the expected picture beside yours' white_line
+
+press j  # the case's parameters stand in amber too
+cp "$source_root/shaders/05_normal_map/decode_normal.glsl" "$shader"
+check 'mended, all steps are done again' eventually shows_done
+
+check 'Esc quits with exit code 0' quits_with 0
+check 'nothing stands on standard error' test ! -s "$work/errors"
