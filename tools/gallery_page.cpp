@@ -90,7 +90,7 @@ std::string gallery_page(const std::vector<course::Lab>& labs, const std::string
       "<meta name=\"color-scheme\" content=\"light dark\">\n<link rel=\"icon\" href=\"data:,\">\n"
       "<title>Texel Labs: gallery</title>\n<style>\n{}</style>\n</head>\n<body>\n"
       "<header class=\"masthead\">\n<h1>Texel Labs</h1>\n"
-      "<p>Texture mapping, normal mapping and environment mapping in nine small OpenGL programs. Each "
+      "<p>Texture mapping, normal mapping and environment mapping in small OpenGL programs. Each "
       "picture was "
       "drawn by the command below it, typed in the project&#8217;s folder. Without <code>--snapshot</code> "
       "the same "

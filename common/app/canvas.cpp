@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "gl/upload.hpp"
 
 namespace texel::app {
 namespace {

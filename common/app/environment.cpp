@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "gl/make_cube_map.hpp"
+#include "gl/upload.hpp"
 #include "image/colour.hpp"
 #include "mesh/primitives.hpp"
 #include "procedural/cube.hpp"

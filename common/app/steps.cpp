@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/process.hpp"
+#include "gl/upload.hpp"
 #include "image/difference.hpp"
 #include "image/load.hpp"
 

@@ -7,7 +7,7 @@
 #include "gl/objects.hpp"
 #include "gl/program.hpp"
 #include "gl/target.hpp"
-#include "gl/texture.hpp"
+#include "gl/upload.hpp"
 
 namespace texel::gl {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "gl/texture.hpp"
+#include "gl/upload.hpp"
 
 namespace texel::gl {
 

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gl/texture.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-
-#include "core/error.hpp"
-#include "gl/cube_map.hpp"
-#include "image/mipmaps.hpp"
 
 namespace texel::gl {
 
@@ -36,13 +30,6 @@ image::Image8 expand_grey(const image::Image8& image) {
   return colour;
 }
 
-void upload_level(GLenum target, int level, const image::Image8& image, image::Encoding encoding) {
-  const Format format = format_of(image.channels, encoding);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexImage2D(target, level, static_cast<GLint>(format.internal), image.width, image.height, 0,
-               format.external, GL_UNSIGNED_BYTE, image.samples.data());
-}
-
 void set_sampling(GLenum target, const Sampling& sampling) {
   glTexParameteri(target, GL_TEXTURE_MIN_FILTER, static_cast<GLint>(sampling.minify));
   glTexParameteri(target, GL_TEXTURE_MAG_FILTER, static_cast<GLint>(sampling.magnify));
@@ -53,78 +40,6 @@ void set_sampling(GLenum target, const Sampling& sampling) {
     glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
     glTexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::clamp(sampling.anisotropy, 1.0F, most));
   }
-}
-
-ScopedBinding::ScopedBinding(GLenum target, const Texture& texture) : target_(target) {
-  glGetIntegerv(target == GL_TEXTURE_2D ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_CUBE_MAP, &before_);
-  glBindTexture(target, texture.id());
-}
-
-ScopedBinding::~ScopedBinding() {
-  glBindTexture(target_, static_cast<GLuint>(before_));
-}
-
-namespace {
-
-/// A colour picture in a format that the GPU decodes from sRGB.
-image::Image8 uploadable(const image::Image8& image, image::Encoding encoding) {
-  return encoding == image::Encoding::srgb ? expand_grey(image) : image;
-}
-
-bool needs_mipmaps(const Sampling& sampling) {
-  return sampling.minify != GL_NEAREST && sampling.minify != GL_LINEAR;
-}
-
-void upload_chain(GLenum target, const image::Image8& image, image::Encoding encoding,
-                  const Sampling& sampling) {
-  if (!needs_mipmaps(sampling)) {
-    upload_level(target, 0, image, encoding);
-    return;
-  }
-  int level = 0;
-  for (const image::Image8& smaller : image::mip_chain(image, encoding))
-    upload_level(target, level++, smaller, encoding);
-}
-
-}  // namespace
-
-Texture make_texture_2d(const image::Image8& image, image::Encoding encoding, const Sampling& sampling) {
-  Texture texture;
-  const ScopedBinding binding(GL_TEXTURE_2D, texture);
-  upload_chain(GL_TEXTURE_2D, uploadable(image, encoding), encoding, sampling);
-  set_sampling(GL_TEXTURE_2D, sampling);
-  return texture;
-}
-
-void check_cube_faces(std::span<const image::Image8, 6> faces, const std::string& from) {
-  static constexpr const char* kNames[] = {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
-  const auto fail = [&](const std::string& what) {
-    return Error::failed("the cube map's " + what, {from}, "give six squares of one size");
-  };
-  for (std::size_t i = 0; i < 6; ++i) {
-    const int width = faces[i].width, height = faces[i].height, first = faces[0].width;
-    if (width != height)
-      throw fail(fmt::format("face {} has {}x{} texels and is no square", kNames[i], width, height));
-    if (width != first)
-      throw fail(
-          fmt::format("face {} has {}x{} texels, but face +X {}x{}", kNames[i], width, height, first, first));
-  }
-}
-
-Texture make_cube_map(std::span<const image::Image8, 6> faces, image::Encoding encoding,
-                      const Sampling& sampling) {
-  check_cube_faces(faces);
-  Texture texture;
-  const ScopedBinding binding(GL_TEXTURE_CUBE_MAP, texture);
-  for (GLuint i = 0; i < 6; ++i)
-    upload_chain(GL_TEXTURE_CUBE_MAP_POSITIVE_X + i, uploadable(faces[i], encoding), encoding, sampling);
-  set_sampling(GL_TEXTURE_CUBE_MAP, sampling);
-  return texture;
-}
-
-void bind(int unit, GLenum target, const Texture& texture) {
-  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  glBindTexture(target, texture.id());
 }
 
 }  // namespace texel::gl

@@ -49,7 +49,7 @@ std::vector<glm::vec3> sum_normals(std::size_t corner_count, std::size_t key_cou
       for (std::size_t k = 0; k < 3; ++k) sums[key(i + k)] += angles[k] * normal;
     } else {
       const glm::dvec3 a(p[0]), b(p[1]), c(p[2]);
-      const double area = glm::length(glm::cross(b - a, c - a));  // twice: the factor cancels
+      const double area = glm::length(glm::cross(c - a, b - a));  // twice: the factor cancels
       for (std::size_t k = 0; k < 3; ++k) sums[key(i + k)] += area * normal;
     }
   }

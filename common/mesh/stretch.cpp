@@ -27,7 +27,7 @@ std::array<Vector, 3> corners_of(const Mesh& mesh, const std::vector<Vector>& va
 
 double area_of(const std::array<glm::vec3, 3>& p) {
   const glm::dvec3 a(p[0]), b(p[1]), c(p[2]);
-  return 0.5 * glm::length(glm::cross(b - a, c - a));
+  return 0.5 * glm::length(glm::cross(c - a, b - a));
 }
 
 }  // namespace
@@ -48,14 +48,20 @@ Stretch measure_stretch(const Mesh& mesh) {
       continue;
     }
     if (twice_texture_area < 0) ++stretch.mirrored_triangles;
-    // The surface's derivatives by s and t, which are constant on a triangle: tangents.hpp's frame in double.
+    // Dot products of the surface's derivatives by s and t (the first fundamental form, constant on a
+    // triangle), from those of the edges. a: by s with itself, b: by s with by t, c: by t with itself.
     const glm::dvec3 edge1(p[1] - p[0]), edge2(p[2] - p[0]);
     const glm::dvec2 step1(st[1] - st[0]), step2(st[2] - st[0]);
-    const glm::dvec3 by_s = (step2.t * edge1 - step1.t * edge2) / twice_texture_area;
-    const glm::dvec3 by_t = (step1.s * edge2 - step2.s * edge1) / twice_texture_area;
-    const double a = glm::dot(by_s, by_s), b = glm::dot(by_s, by_t), c = glm::dot(by_t, by_t);
+    const double e11 = glm::dot(edge1, edge1), e12 = glm::dot(edge1, edge2), e22 = glm::dot(edge2, edge2);
+    const double scale = 1 / (twice_texture_area * twice_texture_area);
+    const double a =
+        scale * (step2.t * step2.t * e11 - 2 * step1.t * step2.t * e12 + step1.t * step1.t * e22);
+    const double b = scale * ((step1.s * step2.t + step2.s * step1.t) * e12 - step2.s * step2.t * e11 -
+                              step1.s * step1.t * e22);
+    const double c =
+        scale * (step2.s * step2.s * e11 - 2 * step1.s * step2.s * e12 + step1.s * step1.s * e22);
     const double greatest = std::sqrt(0.5 * (a + c + std::hypot(a - c, 2 * b)));  // singular value
-    const double shear = std::abs(90 - degrees_between(by_s, by_t));
+    const double shear = std::abs(90 - glm::degrees(std::atan2(2 * area / std::abs(twice_texture_area), b)));
     surface += area;
     texture += 0.5 * std::abs(twice_texture_area);
     sum_squared += 0.5 * (a + c) * area;

@@ -155,7 +155,7 @@ void store_averages(Mesh& mesh, const std::vector<TriangleFrame>& sums, TangentR
       if (is_zero(unit.bitangent)) unit.bitangent = unit_or_zero(glm::cross(normal, unit.tangent));
       if (is_zero(unit.bitangent)) unit.bitangent = any_orthogonal(unit.tangent);
     }
-    const bool mirrored = glm::dot(glm::cross(normal, unit.tangent), unit.bitangent) < 0.0f;
+    const bool mirrored = glm::determinant(glm::mat3(unit.tangent, unit.bitangent, normal)) < 0.0f;
     mesh.tangents[v] = {unit.tangent, mirrored ? -1.0f : 1.0f};
     mesh.bitangents[v] = unit.bitangent;
   }
@@ -273,7 +273,9 @@ Groups group_corners(const std::vector<std::uint32_t>& welded, std::vector<signe
 /// T of a corner's triangle and the corner's weight, both in the plane of the corner's normal.
 glm::dvec3 projected_tangent(const Mesh& mesh, std::size_t corner, const glm::vec3& tangent) {
   const glm::dvec3 normal = mesh.normals[mesh.indices[corner]];
-  const auto into_plane = [&normal](const glm::dvec3& v) { return v - normal * glm::dot(normal, v); };
+  const auto into_plane = [&normal](const glm::dvec3& v) {
+    return glm::cross(glm::cross(normal, v), normal);
+  };
   const glm::dvec3 here = mesh.positions[mesh.indices[corner]];
   const glm::dvec3 next = mesh.positions[mesh.indices[next_corner(corner)]];
   const glm::dvec3 previous = mesh.positions[mesh.indices[previous_corner(corner)]];

@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "app/lab.hpp"
+#include "gl/upload.hpp"
 #include "image/colour.hpp"
 #include "image/mipmaps.hpp"
 #include "mesh/primitives.hpp"

@@ -6,6 +6,7 @@
 
 #include "app/lab.hpp"
 #include "appearance.hpp"
+#include "gl/upload.hpp"
 #include "image/colour.hpp"
 #include "import.hpp"
 #include "parameters.hpp"

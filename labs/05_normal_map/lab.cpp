@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "app/lab.hpp"
+#include "gl/upload.hpp"
 #include "model.hpp"
 #include "parameters.hpp"
 #include "truth.hpp"
@@ -26,9 +27,9 @@ struct NormalMap {
     const gl::Texture& color_map = textures_.get("color " + p.texture, [&] {
       return gl::make_texture_2d(assets_.texture(p.texture), image::Encoding::srgb, {.anisotropy = 8});
     });
-    // A normal stays perpendicular to its surface under the inverse transpose of what moves the surface.
     const glm::mat4 world_from_object = glm::scale(app::turn_about_y(p.turn), glm::vec3(1, p.stretch, 1));
     //@step 5.7 begin
+    // A normal stays perpendicular to its surface under the inverse transpose of what moves the surface.
     const glm::mat3 normal_from_object = glm::transpose(glm::inverse(glm::mat3(world_from_object)));
     //@starter
     // const glm::mat3 normal_from_object = glm::mat3(world_from_object);

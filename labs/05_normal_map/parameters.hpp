@@ -34,8 +34,8 @@ inline constexpr params::Item kMethods[] = {
 
 enum class Decode { standard, exact_flat };
 inline constexpr params::Item kDecodes[] = {
-    {"standard", "n = 2c - 1: a flat 128, 128, 255 tilts by 0.32 degrees"},
-    {"exact-flat", "n = (255c - 128) / 127: flat is exactly (0, 0, 1)"}};
+    {"standard", "0 becomes -1 and 1 becomes 1: a flat 128, 128, 255 tilts by 0.32 degrees"},
+    {"exact-flat", "The byte 128 becomes exactly 0: flat is exactly (0, 0, 1)"}};
 
 inline constexpr params::Item kTextures[] = {{"brick", "A brick wall"},
                                              {"wood", "Wooden planks"},
@@ -95,7 +95,7 @@ struct NormalMapParameters {
             {"jitter", 0, 0, 1, "", "Slides the vertices along the exact surface: irregular triangles"});
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});
     set.add(stretch,
-            {"stretch", 1, 0.25, 4, "", "Scales the model along y: normals need the inverse transpose"});
+            {"stretch", 1, 0.25, 4, "", "Scales the model along y: normals do not move as points do"});
     light.declare<{.yaw = 70, .pitch = 35, .ambient = 0.2F, .specular = 0.2F}>(set);
     camera.declare<{.yaw = 32, .pitch = 24, .distance = 3}>(set);
   }

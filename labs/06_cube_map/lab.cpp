@@ -5,6 +5,7 @@
 
 #include "app/lab.hpp"
 #include "gl/cube_map.hpp"
+#include "gl/upload.hpp"
 #include "image/mipmaps.hpp"
 #include "mesh/primitives.hpp"
 #include "parameters.hpp"

@@ -9,7 +9,7 @@ namespace texel {
 
 enum class Method { inverse_by_factors, inverse_of_product, unproject, analytic_ray };
 inline constexpr params::Item kMethods[] = {
-    {"inverse-by-factors", "inverse(rotation of the view) * inverse(projection) (worksheet)"},
+    {"inverse-by-factors", "Rotation and projection, each inverted by itself (worksheet)"},
     {"inverse-of-product", "inverse(projection * rotation of the view): one inverse, of a worse matrix"},
     {"unproject", "A point of the quad in world space by inverse(projection * view), minus the eye"},
     {"analytic-ray", "Field of view and aspect ratio, turned by the camera: nothing is inverted"}};

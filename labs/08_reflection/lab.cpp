@@ -5,6 +5,7 @@
 
 #include "app/environment.hpp"
 #include "app/lab.hpp"
+#include "gl/upload.hpp"
 #include "mesh/primitives.hpp"
 #include "parameters.hpp"
 #include "truth.hpp"
@@ -24,14 +25,20 @@ struct Reflection {
     gl::MeshBuffers& ball =
         balls_.get({p.rings, p.segments}, [&] { return gl::MeshBuffers(mesh::sphere(p.rings, p.segments)); });
     const glm::mat4 tilted = glm::rotate(glm::mat4(1), glm::radians(p.tilt), glm::vec3(1, 0, 0));
-    const glm::mat4 world_from_object =
-        glm::scale(app::turn_about_y(p.turn) * tilted, glm::vec3(1, p.stretch, 1));
+    const glm::mat4 turned = app::turn_about_y(p.turn) * tilted;
+    const glm::mat4 world_from_object = glm::scale(turned, glm::vec3(1, p.stretch, 1));
+    //@teacher begin
     // The inverse transpose of a rotation is itself; of a scale it is the reciprocal, so that the normals of
     // a stretched ball turn away from the axis while its edges turn towards it.
     const glm::mat3 rotation_and_scale(world_from_object);
     const glm::mat3 normal_from_object = p.normal_matrix == NormalMatrix::inverse_transpose
                                              ? glm::transpose(glm::inverse(rotation_and_scale))
                                              : rotation_and_scale;
+    //@starter
+    // // Normals do not follow the stretch as points do (lab 5).
+    // const float along_y = p.normal_matrix == NormalMatrix::inverse_transpose ? 1 / p.stretch : p.stretch;
+    // const glm::mat3 normal_from_object(glm::scale(turned, glm::vec3(1, along_y, 1)));
+    //@end
 
     environment_.bind(0, p.cube_map);
     gl::Program& program = frame.program("08_reflection/reflection");

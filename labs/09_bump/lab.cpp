@@ -6,6 +6,7 @@
 #include "app/environment.hpp"
 #include "app/lab.hpp"
 #include "cost.hpp"
+#include "gl/upload.hpp"
 #include "mesh/primitives.hpp"
 #include "parameters.hpp"
 #include "truth.hpp"

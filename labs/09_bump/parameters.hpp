@@ -14,7 +14,7 @@ inline constexpr params::Item kMethods[] = {
     {"sign-corrected", "The same with |n.z|, mirrored for the other half: precise everywhere"},
     {"duff", "Duff et al. 2017: one formula for both halves"},
     {"hughes-moller", "Hughes and Moeller 1999: swaps two components, one square root"},
-    {"cross-up", "Cross product with +y: along u, but there is none at the poles"},
+    {"cross-up", "At right angles to n and to +y: along u, but there is none at the poles"},
     {"uv-aligned", "Tangent where u grows: the only one that turns the bumps as the texture runs"},
     {"blinn", "Blinn 1978: the map's slopes as a height field on this very sphere"}};
 

@@ -4,16 +4,16 @@
 
 // One sample.
 vec4 look_up(sampler2D color_map, vec2 texcoord) {
-//@step 1.3 begin
+  //@step 1.3 begin
   return texture(color_map, texcoord);
-//@starter
-// return vec4(fract(texcoord), 0.5, 1.0);  // the coordinate as a colour
-//@end
+  //@starter
+  // return vec4(fract(texcoord), 0.5, 1.0);  // the coordinate as a colour
+  //@end
 }
 
 // Four samples in the middles of the pixel's quarters. Each covers half the width, so it takes half the gradient.
 vec4 look_up_four(sampler2D color_map, vec2 texcoord) {
-//@step 1.6 begin
+  //@step 1.6 begin
   vec2 dx = dFdx(texcoord), dy = dFdy(texcoord);
   vec4 sum = vec4(0.0);
   for (int i = 0; i < 4; ++i) {
@@ -21,9 +21,9 @@ vec4 look_up_four(sampler2D color_map, vec2 texcoord) {
     sum += textureGrad(color_map, texcoord + quarter.x * dx + quarter.y * dy, 0.5 * dx, 0.5 * dy);
   }
   return 0.25 * sum;
-//@starter
-// return look_up(color_map, texcoord);
-//@end
+  //@starter
+  // return look_up(color_map, texcoord);
+  //@end
 }
 
 vec4 sample_color(sampler2D color_map, vec2 texcoord) {

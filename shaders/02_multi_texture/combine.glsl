@@ -2,7 +2,7 @@
 // Step 2.3. Two colours become one. `first`: the colour times the first picture; `second`: the second picture with its
 // alpha, which is 1 where it is opaque.
 vec3 combine(vec3 first, vec4 second) {
-//@step 2.3 begin
+  //@step 2.3 begin
 #if COMBINE == COMBINE_MULTIPLY
   return first * second.rgb;
 #elif COMBINE == COMBINE_MIX
@@ -15,7 +15,7 @@ vec3 combine(vec3 first, vec4 second) {
 #else
   return mix(first, second.rgb, second.a);
 #endif
-//@starter
-// return 0.5 * (first + second.rgb);  // half of each, whatever is asked for
-//@end
+  //@starter
+  // return 0.5 * (first + second.rgb);  // half of each, whatever is asked for
+  //@end
 }

@@ -8,7 +8,7 @@ in vec2 texcoord;
 
 uniform mat4 clip_from_world;
 uniform mat4 world_from_object;
-uniform mat3 normal_from_object;  // inverse transpose, in the directions of world space
+uniform mat3 normal_from_object;  // object to world space, for normals
 uniform float texture_scale;
 
 out vec3 world_position;

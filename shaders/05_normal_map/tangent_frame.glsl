@@ -16,7 +16,7 @@ in vec4 world_tangent;
 
 // Step 5.5. The frame from the interpolated normal and tangent; w says on which side of them B lies.
 mat3 tangent_frame() {
-//@step 5.5 begin
+  //@step 5.5 begin
 #if METHOD == METHOD_MIKKTSPACE
   // Baking programs interpolate without making unit vectors again, so that decoding must not either.
   vec3 N = world_normal;
@@ -27,9 +27,9 @@ mat3 tangent_frame() {
 #endif
   vec3 B = world_tangent.w * cross(N, T);
   return mat3(T, B, N);
-//@starter
-// return mat3(world_tangent.xyz, vec3(0.0, 1.0, 0.0), world_normal);
-//@end
+  //@starter
+  // return mat3(world_tangent.xyz, vec3(0.0, 1.0, 0.0), world_normal);
+  //@end
 }
 
 #elif NORMAL_MAPPING && METHOD == METHOD_SCREEN_AXES
@@ -47,11 +47,11 @@ mat3 tangent_frame() {
 
 #else
 // Step 5.6. The frame from how position and texture coordinate change from this pixel to its neighbours: the two
-// vectors T and B, scaled alike, for which dp = T ds + B dt holds on the plane of the triangle.
+// vectors T and B in the plane for which, but for one factor, T . dp = ds and B . dp = dt hold along both steps.
 // C. Schueler, "Normal Mapping Without Precomputed Tangents", ShaderX 5 (2006).
 mat3 tangent_frame() {
   vec3 N = normalize(world_normal);
-//@step 5.6 begin
+  //@step 5.6 begin
   vec3 dp_dx = dFdx(world_position), dp_dy = dFdy(world_position);
   vec2 dt_dx = dFdx(fragment_texcoord), dt_dy = dFdy(fragment_texcoord);
   vec3 across_y = cross(dp_dy, N), across_x = cross(N, dp_dx);  // perpendicular to the other edge, in the plane
@@ -60,8 +60,8 @@ mat3 tangent_frame() {
   float longer = max(dot(T, T), dot(B, B));
   float scale = longer > 0.0 ? inversesqrt(longer) : 0.0;  // no texture area: N alone
   return mat3(T * scale, B * scale, N);
-//@starter
-// return mat3(dFdx(world_position), dFdy(world_position), N);
-//@end
+  //@starter
+  // return mat3(dFdx(world_position), dFdy(world_position), N);
+  //@end
 }
 #endif

@@ -12,6 +12,6 @@ out vec3 world_normal;
 
 void main() {
   object_normal = normal;
-  world_normal = mat3(world_from_object) * normal;  // a rotation: no inverse transpose is needed
+  world_normal = mat3(world_from_object) * normal;  // a rotation
   gl_Position = clip_from_world * (world_from_object * vec4(position, 1.0));
 }

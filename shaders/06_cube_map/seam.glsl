@@ -11,7 +11,7 @@ struct Footprint {
 // Step 6.4.
 Footprint sphere_footprint(vec3 n) {
   vec2 texcoord = sphere_texcoord(n);
-//@step 6.4 begin
+  //@step 6.4 begin
 #if SEAM_METHOD == SEAM_METHOD_SELECT
   // The same place counted from 0 to 1: that one jumps in front. Take it only where it clearly changes less, since
   // elsewhere rounding would decide, and neighbours would differ by 1 after all.
@@ -26,9 +26,9 @@ Footprint sphere_footprint(vec3 n) {
 #else
   return Footprint(texcoord, dFdx(texcoord), dFdy(texcoord));
 #endif
-//@starter
-// return Footprint(texcoord, dFdx(texcoord), dFdy(texcoord));
-//@end
+  //@starter
+  // return Footprint(texcoord, dFdx(texcoord), dFdy(texcoord));
+  //@end
 }
 
 vec4 sample_sphere(sampler2D color_map, Footprint footprint) {

@@ -2,7 +2,7 @@
 // Step 8.4. Which part of unpolarised light is reflected where two dielectrics meet. cos_i: cosine of the angle between
 // ray and normal, 0 to 1; eta: index of refraction here divided by that beyond; the ray does have a refracted one.
 float fresnel(float cos_i, float eta) {
-//@step 8.4 begin
+  //@step 8.4 begin
   float cos_t = sqrt(max(1.0 - eta * eta + eta * eta * cos_i * cos_i, 0.0));
   if (cos_i <= 0.0) return 1.0;  // along the surface; between equal media the quotients below would be 0 / 0
 #if SURFACE == SURFACE_SCHLICK
@@ -17,7 +17,7 @@ float fresnel(float cos_i, float eta) {
   float p = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
   return 0.5 * (s * s + p * p);
 #endif
-//@starter
-// return 0.5 + 0.0 * cos_i * eta;
-//@end
+  //@starter
+  // return 0.5 + 0.0 * cos_i * eta;
+  //@end
 }

@@ -16,34 +16,34 @@ vec3 incident_ray(vec3 position) {
 #if METHOD == METHOD_CONSTANT_EYE
   return -eye;  // right for one point only: the one in front of the eye (worksheet)
 #else
-//@step 8.2 begin
+  //@step 8.2 begin
   return position - eye;
-//@starter
-// return vec3(0.0, -1.0, 0.0) + 0.0 * (position - eye);
-//@end
+  //@starter
+  // return vec3(0.0, -1.0, 0.0) + 0.0 * (position + eye);
+  //@end
 #endif
 }
 
 // Step 8.1. Mirrors a ray at a surface: its part along the normal changes sign. normal: unit length, on either side.
 vec3 reflected_ray(vec3 incident, vec3 normal) {
-//@step 8.1 begin
+  //@step 8.1 begin
   return incident - 2.0 * dot(normal, incident) * normal;  // GLSL's reflect()
-//@starter
-// return normal + 0.0 * incident;
-//@end
+  //@starter
+  // return normal + 0.0 * incident;
+  //@end
 }
 
 // Step 8.3. Bends a unit ray at a surface whose unit normal is on the ray's side (Snell's law). eta: index of refraction
 // here divided by that beyond. (0, 0, 0): none, all light is reflected.
 vec3 refracted_ray(vec3 incident, vec3 normal, float eta) {
-//@step 8.3 begin
+  //@step 8.3 begin
   float cos_i = -dot(normal, incident);
   float cos_t_squared = 1.0 - eta * eta * (1.0 - cos_i * cos_i);
   if (cos_t_squared < 0.0) return vec3(0.0);
   return eta * incident + (eta * cos_i - sqrt(cos_t_squared)) * normal;  // GLSL's refract()
-//@starter
-// return incident + 0.0 * eta * normal;
-//@end
+  //@starter
+  // return incident + 0.0 * eta * normal;
+  //@end
 }
 
 Rays follow_rays(vec3 position, vec3 normal) {

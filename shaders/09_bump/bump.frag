@@ -21,7 +21,7 @@ void main() {
   vec3 color = read_map(n);
   bent = bent_normal(n, map_normal(color));
 #endif
-  vec3 normal = mat3(world_from_object) * bent;  // a rotation: no inverse transpose is needed
+  vec3 normal = mat3(world_from_object) * bent;  // a rotation
   vec3 direction = reflected_ray(world_position, normal);
 #if VIEW == VIEW_NORMAL
   picture = vec4(normalize(normal), 1.0);

@@ -7,11 +7,11 @@ uniform int repeats;
 
 // Step 9.1. Longitude and latitude as in lab 6, the map laid side by side `repeats` times in each.
 vec2 map_texcoord(vec3 n) {
-//@step 9.1 begin
+  //@step 9.1 begin
   return sphere_texcoord(n) * float(repeats);
-//@starter
-// return n.xy * float(repeats);
-//@end
+  //@starter
+  // return n.xy * float(repeats);
+  //@end
 }
 
 // The map's colour there. Behind the ball u jumps: the footprint takes the difference the short way round (lab 6).

@@ -37,23 +37,28 @@ mat3 frame_at(vec3 n) {
 }
 
 #elif METHOD == METHOD_CROSS_UP
-// Perpendicular to n and to a fixed direction. At the poles both are parallel: not a number.
+// Step 9.3, first place. T at right angles to n and to the axis. At the poles these are parallel: not a number.
 mat3 frame_at(vec3 n) {
+  //@step 9.3 begin
   vec3 T = normalize(cross(n, vec3(0.0, 1.0, 0.0)));
   return mat3(T, cross(n, T), n);
+  //@starter
+  // return mat3(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), n);
+  //@end
 }
 
 #else
-// Step 9.3. T along the circle of latitude, where u grows (to -x on the side that faces +z); B along the meridian, where
-// v grows (down). At the poles u has no direction: any will do; and nearer to them the squares in length() lose digits.
+// Step 9.3, second place. T along the circle of latitude, where u grows (to -x on the side that faces +z); B along the
+// meridian, where v grows (down). At the poles u has no direction: any will do; and nearer to them the squares in
+// length() lose digits.
 mat3 frame_at(vec3 n) {
-//@step 9.3 begin
+  //@step 9.3 begin
   float radius = length(n.xz);
   vec3 T = radius > 1e-16 ? vec3(-n.z, 0.0, n.x) / radius : vec3(-1.0, 0.0, 0.0);
   return mat3(T, cross(n, T), n);
-//@starter
-// return mat3(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), n);
-//@end
+  //@starter
+  // return mat3(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), n);
+  //@end
 }
 #endif
 

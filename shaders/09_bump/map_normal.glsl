@@ -4,9 +4,9 @@
 uniform float bump_strength;
 
 vec3 map_normal(vec3 color) {
-//@step 9.2 begin
+  //@step 9.2 begin
   return (2.0 * color - 1.0) * vec3(bump_strength, bump_strength, 1.0);
-//@starter
-// return color * vec3(bump_strength, bump_strength, 1.0);
-//@end
+  //@starter
+  // return color * vec3(bump_strength, bump_strength, 1.0);
+  //@end
 }

@@ -8,9 +8,9 @@ vec3 reflected_ray(vec3 position, vec3 normal) {
 #else
   vec3 incident = position - eye;
 #endif
-//@step 9.4 begin
+  //@step 9.4 begin
   return reflect(incident, normal);
-//@starter
-// return normal + 0.0 * incident;
-//@end
+  //@starter
+  // return normal + 0.0 * incident;
+  //@end
 }

@@ -6,13 +6,13 @@ const float PI = 3.14159265358979;
 // zero. u is 0 at +z, falls to -1/2 towards +x and on to the back, and jumps there to 1/2; v is 0 at +y and 1 at -y.
 // A picture whose bottom row comes first is turned by 180 degrees: u runs left, v down (the worksheet's formula).
 vec2 sphere_texcoord(vec3 n) {
-//@step 6.1 begin
+  //@step 6.1 begin
   float u = atan(n.x, n.z) / (-2.0 * PI);
   float v = atan(sqrt(n.x * n.x + n.z * n.z), n.y) / PI;
   return vec2(u, v);
-//@starter
-// return n.xy;
-//@end
+  //@starter
+  // return n.xy;
+  //@end
 }
 
 // The difference of two neighbours' coordinates, the short way round: across the seam u differs by nearly 1, although

@@ -8,12 +8,13 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "gl/context.hpp"
+#include "gl/make_cube_map.hpp"
 #include "gl/mesh_buffers.hpp"
 #include "gl/probe.hpp"
 #include "gl/program.hpp"
 #include "gl/recorder.hpp"
 #include "gl/target.hpp"
-#include "gl/texture.hpp"
+#include "gl/upload.hpp"
 #include "mesh/primitives.hpp"
 
 namespace texel::gl {

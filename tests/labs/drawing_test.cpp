@@ -57,7 +57,7 @@ TEST_P(Drawing, shows_something_for_every_value_of_every_choice) {
     // A 1x1 texture on a square leaves three: the square, the ground and the mean of both at an edge.
     EXPECT_GE(distinct_colours(picture), 3U);
   }
-  // 128x128 pixels of texture or light: measured 1200 and more in the nine labs.
+  // 128x128 pixels of texture or light: measured 1200 and more in the first nine labs.
   EXPECT_GT(distinct_colours(image::load8(folder_ / "default.png")), 500U);
 }
 

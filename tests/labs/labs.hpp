@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The nine programs, and what a test asks of any of them.
+// The labs' programs, and what a test asks of any of them.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -14,9 +14,8 @@
 
 namespace texel::test {
 
-inline constexpr const char* kLabs[] = {"lab01_texture_quad", "lab02_multi_texture", "lab03_obj_texcoords",
-                                        "lab04_cube_wrap",    "lab05_normal_map",    "lab06_cube_map",
-                                        "lab07_environment",  "lab08_reflection",    "lab09_bump"};
+/// Their names in order, from labs/CMakeLists.txt.
+inline constexpr const char* kLabs[] = {TEXEL_LABS};
 
 /// A suite that runs once for each lab; GetParam() is the program's name.
 class EveryLab : public testing::TestWithParam<const char*> {

@@ -70,7 +70,7 @@ TEST_P(SamePicture, by_every_run_on_every_renderer) {
   static_cast<void>(snapshot("egl.png", "--context egl"));
   const image::Difference difference =
       image::compare(image::load8(folder_ / "first.png"), image::load8(folder_ / "egl.png"));
-  // Both are the same rasteriser; measured 0 in all nine.
+  // Both are the same rasteriser; measured 0 in all labs.
   EXPECT_LE(difference.max, 1);
 }
 

@@ -177,7 +177,7 @@ bool is_default(const BenchResult& result, const std::vector<test::Parameter>& p
 TEST(AccuracyReport, has_every_default_on_the_front_and_finite) {
   const BenchReport report = read_report_json(kRoot / "docs/accuracy.json");
   const std::vector<LabResults> labs = by_lab(course::read_labs(kRoot / "labs"), report);
-  ASSERT_EQ(labs.size(), 9U);
+  ASSERT_EQ(labs.size(), std::size(test::kLabs));
   for (const LabResults& lab : labs) {
     const std::vector<test::Parameter> parameters = test::parameters_of(lab.lab.program());
     std::map<std::string, const BenchResult*>

@@ -11,6 +11,7 @@
 #include "../support/picture_files.hpp"
 #include "../support/process.hpp"
 #include "core/files.hpp"
+#include "course/lab_file.hpp"
 
 namespace texel {
 namespace {
@@ -55,7 +56,7 @@ std::set<std::string> commands_of(const std::string& text) {
   return commands;
 }
 
-class Document : public testing::TestWithParam<const char*> {
+class Document : public testing::TestWithParam<std::string> {
  protected:
   Document() : folder_("document"), work_(fs::absolute(folder_ / "work")) {
     fs::create_directories(work_);
@@ -79,8 +80,11 @@ class Document : public testing::TestWithParam<const char*> {
   }
 
   void run_lab(const std::string& arguments) {
-    const std::string program = fmt::format(TEXEL_BIN "/lab0{}_*", arguments.substr(0, 1));
-    std::string rest = arguments.substr(1);
+    const std::size_t digits = arguments.find_first_not_of("0123456789");
+    const std::string number = arguments.substr(0, digits);
+    const std::string program =
+        fmt::format(TEXEL_BIN "/lab{}_*", std::string(2 - number.size(), '0') + number);
+    std::string rest = digits == arguments.npos ? "" : arguments.substr(digits);
     // What opens a window draws a small picture in its place.
     static const std::regex without_window(
         "--(snapshot|stats|mesh|measure|batch|bench|help|list-parameters|list-views|frames|save-config)\\b");
@@ -109,11 +113,11 @@ TEST_P(Document, shows_commands_that_work) {
                                 std::regex(R"(\./run ((check|hint|reset|progress)( .*)?))"))) {
       const Result result = run_as_student(TEXEL_BIN "/texel " + words[1].str());
       EXPECT_LE(result.exit_code, 1) << result.output;
-    } else if (std::regex_match(command, words, std::regex(R"(\./run (watch \d))"))) {
+    } else if (std::regex_match(command, words, std::regex(R"(\./run (watch \d+))"))) {
       const Result result =
           run_as_student("timeout --signal=INT 1 " TEXEL_BIN "/texel " + words[1].str() + " </dev/null");
       EXPECT_TRUE(has(result.output, "Save a file") || result.exit_code == 124) << result.output;
-    } else if (std::regex_match(command, words, std::regex(R"(\./run bench( \d)?)"))) {
+    } else if (std::regex_match(command, words, std::regex(R"(\./run bench( \d+)?)"))) {
       // The measuring itself is tested by accuracy.*; this has the same page made of what was measured.
       const Result result = run("TEXEL_ROOT=" + shell_word(kRoot.string()) + " " TEXEL_BIN "/texel bench" +
                                 words[1].str() + " --from docs/accuracy.json --out bench");
@@ -140,20 +144,21 @@ TEST_P(Document, shows_commands_that_work) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, Document,
-                         testing::Values("README.md", "CONTRIBUTING.md", "docs/student.md",
-                                         "docs/instructor.md", "docs/accuracy.md", "docs/architecture.md",
-                                         "labs/01_texture_quad/README.md", "labs/02_multi_texture/README.md",
-                                         "labs/03_obj_texcoords/README.md", "labs/04_cube_wrap/README.md",
-                                         "labs/05_normal_map/README.md", "labs/06_cube_map/README.md",
-                                         "labs/07_environment/README.md", "labs/08_reflection/README.md",
-                                         "labs/09_bump/README.md"),
-                         [](const auto& document) {
-                           std::string name = document.param;
-                           for (char& c : name)
-                             c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-                           return name;
-                         });
+/// The guides, and each lab's handout.
+std::vector<std::string> documents() {
+  std::vector<std::string> all = {"README.md",           "CONTRIBUTING.md",  "docs/student.md",
+                                  "docs/instructor.md",  "docs/accuracy.md", "docs/architecture.md",
+                                  "docs/adding_a_lab.md"};
+  for (const course::Lab& lab : course::read_labs(kRoot / "labs"))
+    all.push_back("labs/" + lab.folder + "/README.md");
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, Document, testing::ValuesIn(documents()), [](const auto& document) {
+  std::string name = document.param;
+  for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+  return name;
+});
 
 }  // namespace
 }  // namespace texel

@@ -18,6 +18,7 @@
 
 #include "../support/process.hpp"
 #include "core/files.hpp"
+#include "course/lab_file.hpp"
 #include "grade/grader.hpp"
 #include "grade/sandbox.hpp"
 #include "grade/store.hpp"
@@ -35,6 +36,14 @@ using test::shell_word;
 const fs::path kWork = fs::path(TEXEL_BUILD) / "grade_test";
 const fs::path kCache = fs::path(TEXEL_BUILD) / "grade";
 constexpr const char* kSeed = "a seed that no report may show";
+
+/// The numbers of all labs, as --labs takes them.
+std::string all_labs() {
+  std::string numbers;
+  for (const course::Lab& lab : course::read_labs(fs::path(TEXEL_SOURCE) / "labs"))
+    numbers += fmt::format("{}{}", numbers.empty() ? "" : ",", lab.number);
+  return numbers;
+}
 
 /// A class folder and what must come out of it.
 struct Class {
@@ -216,7 +225,7 @@ class Starter : public GraderTest {};
 TEST_F(Starter, is_built_and_an_empty_submission_scores_nothing) {
   fs::remove_all(kWork);
   make_work_folder();
-  Class empty{kWork / "empty", "1,2,3,4,5,6,7,8,9", {}};
+  Class empty{kWork / "empty", all_labs(), {}};
   fs::create_directories(empty.folder / "nobody");
   const Result result = grade(empty, kWork / "empty_out");
   ASSERT_EQ(result.exit_code, 0) << result.output;
@@ -394,7 +403,7 @@ class WholeCourse : public GraderTest {
   }
   static Class made(const std::string& name, const std::string& rest) {
     for (const char* ending : {"", ".json", "_out"}) fs::remove_all(kWork / (name + ending));
-    return make_class(name, "1,2,3,4,5,6,7,8,9", rest);
+    return make_class(name, all_labs(), rest);
   }
 };
 

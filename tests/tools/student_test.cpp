@@ -83,7 +83,7 @@ TEST(CourseTree, passes_its_own_checks) {
     labs.insert(std::stoi(lab.at("lab").get<std::string>()));
     for (const json& step : lab.at("steps")) EXPECT_EQ(step.at("status"), "passed") << step.dump(1);
   }
-  EXPECT_EQ(labs.size(), 9U);
+  EXPECT_EQ(labs.size(), course::read_labs(kRoot / "labs").size());
 }
 
 TEST(CourseTree, has_its_catalogue_in_the_samples_of_mistakes) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "../labs/labs.hpp"
 #include "../support/picture_files.hpp"
 #include "../support/process.hpp"
 #include "core/files.hpp"
@@ -237,7 +238,7 @@ TEST(List, names_each_lab_as_its_program_does) {
   const Result list = texel("list");
   EXPECT_EQ(list.exit_code, 0);
   const std::vector<course::Lab> labs = course::read_labs("labs");
-  EXPECT_EQ(labs.size(), 9U);
+  EXPECT_EQ(labs.size(), std::size(test::kLabs));
   for (const course::Lab& lab : labs) {
     EXPECT_TRUE(has(list.output, lab.title)) << lab.folder;
     const Result help = shell(fmt::format("{}/{} --help", TEXEL_BIN, lab.program()));

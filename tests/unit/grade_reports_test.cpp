@@ -41,10 +41,7 @@ std::size_t times(const std::string& text, const std::string& part) {
 /// The demo class with its pictures in a folder of its own.
 class Reports : public testing::Test {
  protected:
-  Reports()
-      : temporary_("grade_reports"),
-        folder_(temporary_ / "out"),
-        results_(test::demo_class(folder_)) {}
+  Reports() : temporary_("grade_reports"), folder_(temporary_ / "out"), results_(test::demo_class(folder_)) {}
 
   [[nodiscard]] const StudentResult& student(const std::string& id) const {
     return *std::find_if(results_.students.begin(), results_.students.end(),

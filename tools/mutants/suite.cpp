@@ -95,7 +95,8 @@ bool can_notice(const Test& test, const fs::path& file, const std::vector<std::r
            library == "common/procedural";
   }
   // What draws nothing never sees a shader.
-  static const std::regex draws_nothing("(core|params|course|image|mesh|obj|grade|procedural|truth|math|report)_.*");
+  static const std::regex draws_nothing(
+      "(core|params|course|image|mesh|obj|grade|procedural|truth|math|report)_.*");
   if (*file.begin() == "shaders" && std::regex_match(test.target, draws_nothing)) return false;
   const bool is_of_one_lab = lab_of(file.parent_path()) != 0;
   return !is_of_one_lab || std::regex_search(test.key, subjects.front()) ||

@@ -140,8 +140,8 @@ std::string progress_report(const std::vector<LabResult>& labs, bool colours) {
     for (const StepResult& step : lab.steps)
       bar += passed(step) ? paint(kGreen, "#") : step.status == Status::skipped ? "." : "-";
     bar += std::string(8 - std::min<std::size_t>(8, lab.steps.size()), ' ');
-    text += fmt::format("  {}  {:<{}}  {} {:>3g} of {:g} points\n", lab.lab.number, lab.lab.title, width, bar,
-                        lab.points(), lab.max_points());
+    text += fmt::format("  {:>2}  {:<{}}  {} {:>3g} of {:g} points\n", lab.lab.number, lab.lab.title, width,
+                        bar, lab.points(), lab.max_points());
     points += lab.points(), most += lab.max_points();
     if (next == nullptr && next_step(lab) != nullptr) next = &lab;
   }

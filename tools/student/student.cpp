@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 
 #include "commands.hpp"
@@ -69,9 +70,10 @@ Exit hint(const HintOptions& options) {
   if (id.find('.') == id.npos) {
     std::vector<int> labs;
     if (!id.empty()) {
-      if (id.size() != 1 || id[0] < '1' || id[0] > '9')
+      const char* const end = id.data() + id.size();
+      const auto [rest, error] = std::from_chars(id.data(), end, labs.emplace_back());
+      if (error != std::errc{} || rest != end)
         throw Error::usage(fmt::format("'{}' is neither a lab nor a step", id), "write 5 or 5.1");
-      labs.push_back(id[0] - '0');
     }
     const std::vector<grade::LabResult> results = check_labs(labs, options.context);
     const grade::StepResult* next = next_of(results);

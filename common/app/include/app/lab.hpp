@@ -24,9 +24,11 @@
 /// What a lab needs to be a program:
 ///
 ///     struct TextureQuad {
-///       static constexpr app::Info info{1, "texture_quad", "Texture quad", "…one line…", {"color",
-///       "texcoord"}}; struct Parameters { …; void declare(params::Set& set); }; explicit TextureQuad(const
-///       app::Assets& assets); void draw(const Parameters& parameters, app::Frame& frame);
+///       static constexpr app::View kViews[] = {app::View::color, app::View::texcoord};
+///       static constexpr app::Info info{1, "texture_quad", "Texture quad", "…one line…", kViews};
+///       struct Parameters { …; void declare(params::Set& set); };
+///       explicit TextureQuad(const app::Assets& assets);
+///       void draw(const Parameters& parameters, app::Frame& frame);
 ///     };
 ///     int main(int argc, char** argv) { return app::run<TextureQuad>(argc, argv); }
 ///

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <array>
-#include <span>
-
 #include "gl/objects.hpp"
 #include "image/image.hpp"
 
@@ -27,36 +24,7 @@ Format format_of(int channels, image::Encoding encoding);
 /// OpenGL has sRGB formats for RGB and RGBA only: grey colour pictures become RGB, grey and alpha RGBA.
 image::Image8 expand_grey(const image::Image8& image);
 
-/// Binds a texture to the active unit for the length of a scope, so that making one disturbs no unit: a
-/// texture that is bound while it is made would else take the place of the one that the next draw call reads.
-class ScopedBinding {
- public:
-  ScopedBinding(GLenum target, const Texture& texture);
-  ~ScopedBinding();
-  ScopedBinding(const ScopedBinding&) = delete;
-  ScopedBinding& operator=(const ScopedBinding&) = delete;
-
- private:
-  GLenum target_;
-  GLint before_ = 0;
-};
-
-/// Uploads one level of the bound texture; rows are tightly packed, whatever their length.
-void upload_level(GLenum target, int level, const image::Image8& image, image::Encoding encoding);
-
 /// Sampling state of the texture that is bound to `target`.
 void set_sampling(GLenum target, const Sampling& sampling);
-
-/// A 2D texture with its mipmaps (image/mipmaps.hpp: averaged in linear light). No
-/// unit's binding is changed.
-Texture make_texture_2d(const image::Image8& image, image::Encoding encoding, const Sampling& sampling = {});
-
-/// A cube map of six faces in OpenGL's order +X -X +Y -Y +Z -Z, with mipmaps. Row 0 of each image is t = 0,
-/// which the specification draws at the top. Throws Error when the faces are not squares of one size.
-Texture make_cube_map(std::span<const image::Image8, 6> faces, image::Encoding encoding,
-                      const Sampling& sampling);
-
-/// Binds a texture to a unit, where a sampler uniform of the same number reads it.
-void bind(int unit, GLenum target, const Texture& texture);
 
 }  // namespace texel::gl

@@ -47,6 +47,7 @@ inline glm::mat3 hughes_moller(const glm::vec3& n) {
   return {glm::cross(bitangent, n), bitangent, n};
 }
 
+//@teacher begin
 /// T perpendicular to n and to +y, so along the circles of latitude. At n = +y and -y there is none: T and B
 /// are NaN there.
 inline glm::mat3 cross_up(const glm::vec3& n) {
@@ -64,6 +65,9 @@ inline glm::mat3 uv_aligned(const glm::vec3& n) {
   const glm::vec3 tangent = radius > 1e-16F ? glm::vec3(-n.z, 0, n.x) / radius : glm::vec3(-1, 0, 0);
   return {tangent, glm::cross(n, tangent), n};
 }
+//@starter
+// // Those along u and v are step 9.3.
+//@end
 
 /// Calls visit(name, frame) for each of them, from the worksheet's to the default: `name` as lab 9's
 /// parameter `method` has it, `frame` a function of n. Each `frame` has a type of its own, so that a loop in
@@ -74,8 +78,13 @@ void for_each_basis(Visit&& visit) {
   visit("sign-corrected", [](const glm::vec3& n) { return sign_corrected(n); });
   visit("duff", [](const glm::vec3& n) { return duff(n); });
   visit("hughes-moller", [](const glm::vec3& n) { return hughes_moller(n); });
+  //@teacher begin
   visit("cross-up", [](const glm::vec3& n) { return cross_up(n); });
   visit("uv-aligned", [](const glm::vec3& n) { return uv_aligned(n); });
+  //@starter
+  // visit("cross-up", [](const glm::vec3& n) { return duff(n); });
+  // visit("uv-aligned", [](const glm::vec3& n) { return duff(n); });
+  //@end
 }
 
 }  // namespace texel::math
