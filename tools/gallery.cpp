@@ -95,23 +95,12 @@ image::Image8 middle(const image::Image8& picture) {
   return result;
 }
 
-/// Half the size, averaged in linear light.
-void save_half(const fs::path& from, const fs::path& to) {
-  const std::vector<image::Image8> levels =
-      image::mip_chain(middle(image::load8(from, 3)), image::Encoding::srgb);
-  image::save_png(to, levels[std::min<std::size_t>(1, levels.size() - 1)], {}, 9);
-}
-
-/// The first hero of each lab.
 void save_heroes(const std::vector<course::Lab>& labs, const GalleryOptions& options) {
   if (options.heroes.empty()) return;
   make_folder(options.heroes);
-  for (const course::Lab& lab : labs) {
-    const auto hero =
-        std::find_if(lab.looks.begin(), lab.looks.end(), [](const course::Look& l) { return l.hero; });
-    if (hero != lab.looks.end())
-      save_half(options.out / picture(lab, *hero), options.heroes / (lab.folder + ".png"));
-  }
+  for (const course::Lab& lab : labs)
+    if (const course::Look* hero = hero_of(lab))
+      save_hero(options.out / picture(lab, *hero), options.heroes / (lab.folder + ".png"));
 }
 
 /// What drew the first picture, as its text chunk has it.
@@ -124,6 +113,18 @@ std::string renderer(const std::vector<course::Lab>& labs, const fs::path& out) 
 }
 
 }  // namespace
+
+const course::Look* hero_of(const course::Lab& lab) {
+  const auto hero =
+      std::find_if(lab.looks.begin(), lab.looks.end(), [](const course::Look& look) { return look.hero; });
+  return hero != lab.looks.end() ? &*hero : nullptr;
+}
+
+void save_hero(const fs::path& from, const fs::path& to) {
+  const std::vector<image::Image8> levels =
+      image::mip_chain(middle(image::load8(from, 3)), image::Encoding::srgb);
+  image::save_png(to, levels[std::min<std::size_t>(1, levels.size() - 1)], {}, 9);
+}
 
 std::string picture(const course::Lab& lab, const course::Look& look) {
   return lab.folder + "/" + look.name + ".png";

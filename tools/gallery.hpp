@@ -11,6 +11,13 @@ namespace texel::tools {
 /// The look's picture below the gallery's folder: "05_normal_map/bricks.png".
 std::string picture(const course::Lab& lab, const course::Look& look);
 
+/// The lab's picture for README and handout: the first look with `hero`, or null.
+const course::Look* hero_of(const course::Lab& lab);
+
+/// That picture small: the middle of `from`, as large as fits into 3:2, at half its size, averaged in linear
+/// light.
+void save_hero(const std::filesystem::path& from, const std::filesystem::path& to);
+
 /// The list of snapshots that the lab's program draws with --batch.
 std::string batch_list(const course::Lab& lab);
 

@@ -47,6 +47,16 @@ void Connection::run(const std::string& sql) const {
   if (code != SQLITE_OK) fail(code);
 }
 
+void Connection::use_write_ahead_log() const {
+  constexpr int pause = 5;  // ms
+  int code = SQLITE_BUSY;
+  for (int waited = 0; (code & 0xff) == SQLITE_BUSY && waited <= kPatience; waited += pause) {
+    if (waited > 0) sqlite3_sleep(pause);
+    code = sqlite3_exec(get(), "PRAGMA journal_mode = WAL", nullptr, nullptr, nullptr);
+  }
+  if (code != SQLITE_OK) fail(code);
+}
+
 void Connection::fail(int code) const {
   const auto error = [&](const std::string& what, const char* remedy) {
     return Error::failed(what, {file_}, remedy);

@@ -18,6 +18,10 @@ class Connection {
   /// Runs statements that give no rows, one after the other.
   void run(const std::string& sql) const;
 
+  /// Keeps a log beside the file, so that readers and a writer do not wait for each other. A new file is
+  /// changed to that by one program alone, and for this SQLite does not wait of itself.
+  void use_write_ahead_log() const;
+
   /// Throws Error (exit 3) for a code of SQLite's.
   [[noreturn]] void fail(int code) const;
 

@@ -13,6 +13,8 @@
 #include "../support/process.hpp"
 #include "core/files.hpp"
 #include "course/lab_file.hpp"
+#include "gallery.hpp"
+#include "image/difference.hpp"
 #include "image/flip.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
@@ -255,9 +257,32 @@ TEST(Gallery, lists_the_sources_pictures_as_the_page_does) {
   EXPECT_EQ(texel("gallery --list").output, read_file("docs/pictures.md")) << "./run docs renews it";
 }
 
+TEST(Documents, show_pictures_of_the_present_code) {
+  const test::TemporaryFolder folder("heroes");
+  for (const course::Lab& lab : course::read_labs("labs")) {
+    const course::Look* hero = tools::hero_of(lab);
+    ASSERT_NE(hero, nullptr) << lab.folder;
+    std::string line = fmt::format("{}/{}", TEXEL_BIN, lab.program());
+    for (const course::Setting& setting : hero->settings) line += course::flag(setting);
+    const auto drawn = folder / (lab.folder + ".png"), small = folder / (lab.folder + "_small.png");
+    const Result result = shell(fmt::format("{} --view {} --size {} --snapshot {} 2>&1", line, hero->view,
+                                            hero->size, drawn.string()));
+    ASSERT_EQ(result.exit_code, 0) << result.output;
+    tools::save_hero(drawn, small);
+    const auto kept = std::filesystem::path("docs/pictures") / (lab.folder + ".png");
+    // Renderers differ by a step.
+    EXPECT_LE(image::compare(image::load8(kept), image::load8(small)).p99, 1)
+        << kept << ": ./run docs renews it";
+  }
+}
+
 TEST(Documents, name_only_files_that_are_there) {
   const std::regex link("\\]\\(([^):#]+)|src=\"([^\"]+)");
-  for (const char* document : {"README.md", "CONTRIBUTING.md", "docs/architecture.md"}) {
+  std::vector<std::string> documents = {"README.md", "CONTRIBUTING.md", "docs/architecture.md",
+                                        "docs/student.md", "docs/instructor.md"};
+  for (const course::Lab& lab : course::read_labs("labs"))
+    documents.push_back("labs/" + lab.folder + "/README.md");
+  for (const std::string& document : documents) {
     const std::string text = read_file(document);
     for (std::sregex_iterator found(text.begin(), text.end(), link), end; found != end; ++found) {
       const std::string target = (*found)[1].str() + (*found)[2].str();
