@@ -162,7 +162,8 @@ std::vector<LabStep> parse_steps(const std::string& text) {
       step.id = from.at("id"), step.title = from.at("title"), step.status = from.at("status");
       step.message = from.at("message"), step.looks_like = from.at("looks_like_says");
       step.place = fmt::format("{}:{}", from.at("file").get<std::string>(), from.at("line").get<int>());
-      step.hints = from.at("hints");
+      step.hints = from.at("hints"), step.unit = from.at("unit");
+      step.error = number(from.at("error")), step.limit = number(from.at("limit"));
       for (const json& one : from.at("cases")) step.cases.push_back(parse_case(one));
       steps.push_back(std::move(step));
     }

@@ -23,6 +23,8 @@ struct StepCase {
 
 struct LabStep {
   std::string id, title, status, message, looks_like, place;  ///< place: "shaders/….glsl:5"
+  std::string unit;
+  double error = 0, limit = 0;  ///< of the case that is furthest from its limit; NaN as in StepCase
   std::vector<std::string> hints;
   std::vector<StepCase> cases;
 };

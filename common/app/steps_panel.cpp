@@ -20,17 +20,10 @@ void wrapped(const ImVec4& colour, const std::string& text) {
   ImGui::PopStyleColor();
 }
 
-/// "0.02 of 0.05 degrees": the case that is furthest from its limit.
+/// "12.3 degrees (limit 0.05)".
 std::string figure(const LabStep& step) {
-  const StepCase* worst = nullptr;
-  const auto share = [](const StepCase& one) {
-    return std::isnan(one.error) ? HUGE_VAL : one.error / std::max(one.limit, 1e-12);
-  };
-  for (const StepCase& one : step.cases)
-    if (worst == nullptr || share(one) > share(*worst)) worst = &one;
-  if (worst == nullptr) return {};
-  if (std::isnan(worst->error)) return "nothing to compare";
-  return fmt::format("{:.3g} {} (limit {:g})", worst->error, worst->unit, worst->limit);
+  if (std::isnan(step.error)) return "nothing to compare";
+  return fmt::format("{:.3g} {} (limit {:g})", step.error, step.unit, step.limit);
 }
 
 /// Sets the case's look and shows its pictures.

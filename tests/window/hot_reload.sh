@@ -19,10 +19,7 @@ look "$work/lower" $lower
 # The message is light red on a dark plate, in a strip that else is slate.
 shows_red() {
   look "$work/now" 620x60+340+0 || return
-  local count
-  count=$(convert "$work/now" -fuzz 15% -fill black +opaque 'rgb(255,115,102)' -fill white -opaque 'rgb(255,115,102)' \
-    -format '%[fx:mean*w*h]' info:)
-  ((${count%.*} > 50))
+  (($(pixels_of "$work/now" 255,115,102 15) > 50))
 }
 # breaks NAME FILE command…: the command edits FILE, which is mended afterwards.
 breaks() {

@@ -12,10 +12,7 @@ shader=$TEXEL_ROOT/shaders/05_normal_map/decode_normal.glsl
 # has_text RGB: whether so coloured text stands in the panel's upper part.
 has_text() {
   look "$work/now" 330x300+0+100 || return
-  local count
-  count=$(convert "$work/now" -fuzz 4% -fill black +opaque "rgb($1)" -fill white -opaque "rgb($1)" \
-    -format '%[fx:mean*w*h]' info:)
-  ((${count%.*} > 20))
+  (($(pixels_of "$work/now" "$1" 4) > 20))
 }
 green=115,217,128 amber=255,199,89
 shows_done() { has_text $green && ! has_text $amber; }
@@ -37,11 +34,7 @@ check 'a case that is picked sets its look' changed_from "$work/wrong"
 settle "$work/case"
 # The picture of the case stands at the lower right, with a white line between yours and the expected one.
 look "$work/corner" 340x380+600+330
-white_line() {
-  local count
-  count=$(convert "$work/corner" -fill black +opaque white -format '%[fx:mean*w*h]' info:)
-  ((${count%.*} > 150))
-}
+white_line() { (($(pixels_of "$work/corner" 255,255,255 0) > 150)); }
 check 'and shows the expected picture beside yours' white_line
 
 press j  # the case's parameters stand in amber too

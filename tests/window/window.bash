@@ -89,3 +89,7 @@ settle() { eventually settled "$@"; }
 
 colours() { identify -format %k "$1"; }
 has_colours() { (($(colours "$1") > $2)); }
+# pixels_of FILE RGB FUZZ: how many have this colour, such as 255,115,102, each channel off by so many percent at most.
+pixels_of() {
+  convert "$1" -fuzz "$3%" -fill black +opaque "rgb($2)" -fill white -opaque "rgb($2)" -format '%[fx:round(mean*w*h)]' info:
+}
