@@ -407,6 +407,12 @@ class WholeCourse : public GraderTest {
   }
 };
 
+TEST_F(WholeCourse, has_a_starter_that_keeps_its_promises) {
+  const Result result =
+      shell(fmt::format("{}/texel starter --verify --cache {} 2>&1", TEXEL_BIN, shell_word(kCache.string())));
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+}
+
 TEST_F(WholeCourse, is_graded_rightly_for_every_wrong_and_every_right_solution) {
   const Class all = made("all", "--kinds solution,starter,prefix,mutant,equivalent");
   const Result result = grade(all, kWork / "all_out");

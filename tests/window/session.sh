@@ -53,7 +53,7 @@ xdotool mousemove --window "$window" 650 360 click 4
 check 'the wheel brings the model nearer' changed_from "$work/first"
 xdotool click 5
 check 'and back' returned_to "$work/first"
-drag 230 250 60 0
+drag 250 36 60 0
 check 'a drag over the panel leaves the picture' returned_to "$work/first"
 
 press h
