@@ -39,7 +39,10 @@ class Browser {
       ::dup2(null, 2);
       ::setpgid(0, 0);
       ::execl(program.c_str(), program.c_str(), "--headless", "--no-sandbox", "--disable-gpu",
-              "--remote-debugging-pipe", own_profile.c_str(), "about:blank", nullptr);
+              // A page that is taken for hidden draws no frames, and a mouse's event waits for one.
+              "--disable-backgrounding-occluded-windows", "--disable-renderer-backgrounding",
+              "--disable-background-timer-throttling", "--disable-dev-shm-usage", "--remote-debugging-pipe",
+              own_profile.c_str(), "about:blank", nullptr);
       ::_exit(127);
     }
     ::close(to_browser[0]);
@@ -50,6 +53,7 @@ class Browser {
     const std::string target = call("Target.createTarget", {{"url", "about:blank"}})["targetId"];
     session_ = call("Target.attachToTarget", {{"targetId", target}, {"flatten", true}})["sessionId"];
     for (const char* domain : {"Page", "Runtime", "Network", "Log"}) call(std::string(domain) + ".enable");
+    call("Page.bringToFront");
   }
   ~Browser() {
     ::kill(-child_, SIGKILL);  // with its helpers
