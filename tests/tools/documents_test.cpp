@@ -141,9 +141,11 @@ TEST_P(Document, shows_commands_that_work) {
     } else {
       static const std::regex program("^(build/release/bin/|(?=texel ))");
       std::string line = std::regex_replace(command, program, TEXEL_BIN "/");
-      // A minute for a lab; grade_test's GradedClass holds the same of two labs.
-      if (has(line, "--verify"))
-        line += std::getenv("TEXEL_TEST_ALL") != nullptr ? " --cache " TEXEL_BUILD "/grade" : " --help";
+      // One lab's is a share of it: the starter that the grader's tests have built.
+      if (has(line, "--verify")) {
+        const bool is_tried = has(line, "--labs 9") || std::getenv("TEXEL_TEST_ALL") != nullptr;
+        line += is_tried ? " --cache " TEXEL_BUILD "/grade" : " --help";
+      }
       const Result result = run(line);
       EXPECT_EQ(result.exit_code, 0) << result.output;
     }
