@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/process.hpp"
 #include "gl/upload.hpp"
+#include "image/data_view.hpp"
 #include "image/difference.hpp"
 #include "image/load.hpp"
 
@@ -42,25 +43,7 @@ StepCase parse_case(const json& from) {
 Image8 shown(const Image8& picture, const std::string&) {
   return picture;
 }
-
-Image8 shown(const ImageF& picture, const std::string& view) {
-  Image8 result(picture.width, picture.height, 3);
-  const bool is_direction = view == "normal" || view == "tangent" || view == "direction";
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x)
-      for (int c = 0; c < 3; ++c) {
-        const float value = picture.at(x, y, std::min(c, picture.channels - 1));
-        const float unit = is_direction         ? 0.5F + 0.5F * value
-                           : view == "texcoord" ? value - std::floor(value)
-                           : view == "lod"      ? value / 9
-                           : view == "depth"    ? 1 / (1 + 0.25F * value)
-                                                : value;
-        // Not a number is magenta, as in the window's picture.
-        const float shown = std::isfinite(value) ? std::clamp(unit, 0.0F, 1.0F) : static_cast<float>(c != 1);
-        result.at(x, y, c) = static_cast<std::uint8_t>(std::lround(255 * shown));
-      }
-  return result;
-}
+using image::shown;
 
 Image8 absolute_difference(const Image8& a, const Image8& b) {
   Image8 result(a.width, a.height, 3);

@@ -161,17 +161,17 @@ class Window {
     watch_clock_ = Stopwatch();
     if (!watcher_.changed(canvas_.programs().files()).empty()) reload(/*assets=*/false);
     if (!watcher_.changed(assets_.files()).empty()) reload(/*assets=*/true);
+    // A program that was built anew draws other pictures, though this one does not.
+    if (state_.steps && !watcher_.changed({own_program_}).empty()) {
+      state_.steps->request();
+      state_.message = "the lab was built anew: open it again to see what changed";
+    }
   }
 
   /// Steps are checked when the first picture stands, and after every save.
   void follow_steps() {
     if (!state_.steps) return;
     if (inspected_once_ && !std::exchange(steps_begun_, true)) state_.steps->request();
-    // A program that was built anew draws other pictures, though this one does not.
-    if (!watcher_.changed({own_program_}).empty()) {
-      state_.steps->request();
-      state_.message = "the lab was built anew: open it again to see what changed";
-    }
     if (!state_.steps->poll() || !state_.case_pictures) return;
     for (const LabStep& step : state_.steps->steps())
       for (const StepCase& one : step.cases)

@@ -121,6 +121,20 @@ std::map<std::string, std::string> step_texts(const std::string& text, const std
   return texts;
 }
 
+std::set<std::string> untouched_steps(const std::string& text, const std::string& first,
+                                      const std::string& file) {
+  const std::map<std::string, std::string> given = step_texts(first, file);
+  std::map<std::string, std::string> own;
+  try {
+    own = step_texts(text, file);
+  } catch (const Error&) {  // what is spoilt was touched
+  }
+  std::set<std::string> steps;
+  for (const auto& [step, what] : given)
+    if (const auto found = own.find(step); found != own.end() && found->second == what) steps.insert(step);
+  return steps;
+}
+
 std::string with_steps(const std::string& text, const std::string& file,
                        const std::function<bool(const std::string&)>& solved) {
   std::string result;

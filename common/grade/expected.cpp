@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "course_side.hpp"
@@ -34,6 +36,23 @@ std::vector<Mistake> mistakes_of(CourseSide& course, const LabPlan& plan) {
   return all;
 }
 
+/// How many of the mistakes are known by their own pictures, and not taken for one before them in the list.
+std::size_t told_apart(CourseSide& course, const LabPlan& plan, const std::vector<Mistake>& mistakes) {
+  std::size_t count = 0;
+  for (const course::Mutant& mutant : course.mutants()) {
+    const auto mistake = std::find_if(mistakes.begin(), mistakes.end(),
+                                      [&](const Mistake& one) { return one.name == mutant.name; });
+    if (mistake == mistakes.end()) continue;
+    std::map<std::string, fs::path> pictures;
+    for (const Shot& shot : plan.shots)
+      if (mistake->cases.contains(shot.graded.name))
+        pictures[shot.graded.name] = course.drawn_by(plan, mutant) / shot.file();
+    const Mistake* known = recognise(mistakes, plan, mutant.step, pictures);
+    if (known != nullptr && known->name == mutant.name) ++count;
+  }
+  return count;
+}
+
 }  // namespace
 
 void write_expected(const CourseTree& options, const std::function<void(const std::string&)>& say) {
@@ -42,16 +61,20 @@ void write_expected(const CourseTree& options, const std::function<void(const st
   for (const LabPlan& plan : plan(options.labs, "", {})) {
     course.prepare(plan);
     const std::vector<Mistake> mistakes = mistakes_of(course, plan);
-    const fs::path folder = expected_folder(options.course, plan.lab);
-    fs::remove_all(folder);
-    fs::create_directories(folder);
+    // Beside its place first, so that what is there stays whole.
+    const fs::path folder = expected_folder(options.course, plan.lab), fresh = folder.string() + ".part";
+    fs::remove_all(fresh);
+    fs::create_directories(fresh);
     for (const Shot& shot : plan.shots) {
       const Expected expected = course.expected(plan, shot);
-      fs::copy_file(expected.reference, folder / shot.file());
-      if (!expected.mask.empty()) fs::copy_file(expected.mask, folder / (shot.graded.name + ".mask.png"));
+      fs::copy_file(expected.reference, fresh / shot.file());
+      if (!expected.mask.empty()) fs::copy_file(expected.mask, fresh / (shot.graded.name + ".mask.png"));
     }
-    write_file(folder / "mistakes.json", to_json(mistakes));
-    say(fmt::format("lab {}: {} pictures, {} mistakes", plan.lab.number, plan.shots.size(), mistakes.size()));
+    write_file(fresh / "mistakes.json", to_json(mistakes));
+    fs::remove_all(folder);
+    fs::rename(fresh, folder);
+    say(fmt::format("lab {}: {} pictures, {} mistakes, of which {} are told apart from all others",
+                    plan.lab.number, plan.shots.size(), mistakes.size(), told_apart(course, plan, mistakes)));
   }
 }
 

@@ -32,11 +32,7 @@ struct Mistake {
 /// the others from where it does not. None when it differs nowhere, or is no picture.
 Samples sampled(const Shot& shot, const std::filesystem::path& reference, const std::filesystem::path& wrong);
 
-/// Whether a picture has these values, but for a tenth of them: edges may lie a pixel beside. False for what
-/// is no picture of that size.
-bool has_samples(const Shot& shot, const Samples& samples, const std::filesystem::path& picture);
-
-/// The first mistake of the step that fits all its failed pictures (by case), or none.
+/// The mistake of the step that has most of what all its failed pictures (by case) show, or none.
 const Mistake* recognise(const std::vector<Mistake>& mistakes, const LabPlan& plan, const std::string& step,
                          const std::map<std::string, std::filesystem::path>& failed);
 

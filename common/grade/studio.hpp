@@ -18,7 +18,7 @@ struct Studio {
   std::string context = "auto";                 ///< the program's --context
   bool trusted = false;                         ///< without a sandbox
   std::vector<std::filesystem::path> readable;  ///< what it may read besides
-  std::filesystem::path shader_cache;           ///< where the driver keeps compiled shaders; none for nowhere
+  std::filesystem::path shader_cache;  ///< where the driver keeps compiled shaders; empty: they are not kept
 };
 
 /// The reasons why files are missing, by the file's name, and remarks on the whole.

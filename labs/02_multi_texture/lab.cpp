@@ -8,10 +8,10 @@
 
 #include "app/lab.hpp"
 #include "gl/upload.hpp"
-#include "image/colour.hpp"
 #include "image/mipmaps.hpp"
 #include "mesh/primitives.hpp"
 #include "parameters.hpp"
+#include "premultiply.hpp"
 #include "truth.hpp"
 
 using namespace texel;
@@ -26,17 +26,6 @@ constexpr GLenum kMinifyModes[] = {GL_NEAREST,
                                    GL_NEAREST_MIPMAP_LINEAR,
                                    GL_LINEAR_MIPMAP_LINEAR};
 constexpr GLenum kMagnifyModes[] = {GL_NEAREST, GL_LINEAR};
-
-/// Colour times alpha, multiplied in linear light: a texel that is not seen then adds nothing to any average.
-image::Image8 premultiplied(image::Image8 picture) {
-  if (picture.channels != 4) return picture;  // opaque
-  for (std::size_t i = 0; i < picture.samples.size(); i += 4) {
-    const float alpha = static_cast<float>(picture.samples[i + 3]) / 255.0F;
-    for (std::size_t c = i; c < i + 3; ++c)
-      picture.samples[c] = image::to_encoding8(alpha * image::from_encoding8(picture.samples[c]));
-  }
-  return picture;
-}
 
 }  // namespace
 

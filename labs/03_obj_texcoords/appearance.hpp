@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "image/colour.hpp"
 #include "import.hpp"
 
 namespace texel {
@@ -38,6 +39,17 @@ inline glm::vec3 tint_of(Tint tint, const std::string& texture, const Imported& 
   if (tint != Tint::none) return part_color(i);
   const mesh::Material* material = texture == "material" ? material_of(imported, imported.parts[i]) : nullptr;
   return material != nullptr ? material->diffuse : glm::vec3(1);
+}
+
+/// The texel that a coordinate falls on, repeating; linear or as it is encoded.
+inline glm::vec3 pixel_color(const image::Image8& picture, const glm::vec2& texcoord, bool linear) {
+  const glm::vec2 tile = glm::fract(texcoord);
+  const int x = std::min(static_cast<int>(tile.x * static_cast<float>(picture.width)), picture.width - 1);
+  const int y = std::min(static_cast<int>(tile.y * static_cast<float>(picture.height)), picture.height - 1);
+  const image::Encoding encoding = linear ? image::Encoding::srgb : image::Encoding::linear;
+  glm::vec3 color;
+  for (int c = 0; c < 3; ++c) color[c] = image::from_encoding8(picture.at(x, y, c), encoding);
+  return color;
 }
 
 }  // namespace texel

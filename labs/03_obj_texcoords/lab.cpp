@@ -123,17 +123,6 @@ struct ObjTexcoords {
     });
   }
 
-  /// The texel that a coordinate falls on, repeating; linear or as it is encoded.
-  static glm::vec3 pixel_color(const image::Image8& picture, const glm::vec2& texcoord, bool linear) {
-    const glm::vec2 tile = glm::fract(texcoord);
-    const int x = std::min(static_cast<int>(tile.x * static_cast<float>(picture.width)), picture.width - 1);
-    const int y = std::min(static_cast<int>(tile.y * static_cast<float>(picture.height)), picture.height - 1);
-    const image::Encoding encoding = linear ? image::Encoding::srgb : image::Encoding::linear;
-    glm::vec3 color;
-    for (int c = 0; c < 3; ++c) color[c] = image::from_encoding8(picture.at(x, y, c), encoding);
-    return color;
-  }
-
   [[nodiscard]] image::Image8 picture(const std::string& name, bool flip_v) const {
     if (name.empty()) {
       image::Image8 white(1, 1, 3);

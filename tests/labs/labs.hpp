@@ -16,6 +16,7 @@ namespace texel::test {
 
 /// Their names in order, from labs/CMakeLists.txt.
 inline constexpr const char* kLabs[] = {TEXEL_LABS};
+static_assert(std::size(kLabs) >= 9, "a lab is missing");
 
 /// A suite that runs once for each lab; GetParam() is the program's name.
 class EveryLab : public testing::TestWithParam<const char*> {

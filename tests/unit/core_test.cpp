@@ -6,6 +6,7 @@
 #include "../support/picture_files.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/process.hpp"
 
 namespace texel {
 namespace {
@@ -101,6 +102,22 @@ TEST(MappedFile, shows_the_bytes_of_a_file) {
   write_file(folder / "empty.txt", "");
   EXPECT_TRUE(MappedFile(folder / "empty.txt").bytes().empty());
   EXPECT_THROW(MappedFile(folder / "none"), Error);
+}
+
+TEST(RunProgram, gives_output_and_exit_code) {
+  const Ran ran = run_program({"sh", "-c", "echo out; echo err >&2; exit 3"});
+  EXPECT_EQ(ran.exit_code, 3);
+  EXPECT_EQ(ran.output, "out\n");
+  EXPECT_EQ(run_program({"sh", "-c", "echo out; echo err >&2"}, true).output, "out\nerr\n");
+  EXPECT_EQ(run_program({"sh", "-c", "kill -9 $$"}).exit_code, 128 + 9);
+  EXPECT_EQ(run_program({"cat"}).output, "") << "it reads nothing";
+  // More than a pipe holds.
+  EXPECT_EQ(run_program({"head", "-c", "1000000", "/dev/zero"}).output.size(), 1000000U);
+}
+
+TEST(RunProgram, takes_words_as_they_are_and_says_what_is_missing) {
+  EXPECT_EQ(run_program({"printf", "%s", "a b; $HOME"}).output, "a b; $HOME");
+  EXPECT_THROW(run_program({"no_such_program_anywhere"}), Error);
 }
 
 }  // namespace

@@ -45,6 +45,35 @@ TEST(Markers, give_the_solution_or_the_starter_with_the_markers_around_it) {
             "int before;\n  //@step 5.1 begin\n  return c;  // as it is\n\n  //@end\nint after;\n");
 }
 
+/// Two places of one step, and one of another.
+const std::string kStudents =
+    "a\n//@step 5.1 begin\nmine\n//@end\nb\n//@step 5.2 begin\nother\n//@end\n//@step 5.1 begin\nmine "
+    "too\n//@end\n";
+const std::string kFirst =
+    "a\n//@step 5.1 begin\nstub\n//@end\nb\n//@step 5.2 begin\nother\n//@end\n//@step 5.1 begin\n//@end\n";
+
+TEST(Markers, let_one_step_be_taken_from_another_text) {
+  EXPECT_EQ(with_step_from(kStudents, "f.cpp", "5.1", kFirst), kFirst);
+  EXPECT_EQ(with_step_from(kFirst, "f.cpp", "5.1", kStudents), kStudents);
+  EXPECT_EQ(with_step_from(kStudents, "f.cpp", "5.2", kFirst), kStudents);
+  // What stands outside stays, whatever it is.
+  EXPECT_EQ(with_step_from("mine\n" + kStudents, "f.cpp", "5.1", kFirst), "mine\n" + kFirst);
+}
+
+TEST(Markers, must_be_the_same_where_a_step_is_taken_from_another_text) {
+  const std::string one_place = "//@step 5.1 begin\nmine\n//@end\n";
+  for (const auto& [text, first] : {std::pair(one_place, kFirst), std::pair(kFirst, one_place)}) {
+    EXPECT_THROW(with_step_from(text, "f.cpp", "5.1", first), Error);
+    EXPECT_THROW(with_step_from(text, "f.cpp", "5.3", first), Error);
+  }
+}
+
+TEST(Markers, tell_which_steps_are_untouched) {
+  EXPECT_EQ(untouched_steps(kStudents, kFirst, "f.cpp"), std::set<std::string>{"5.2"});
+  EXPECT_EQ(untouched_steps(kFirst, kFirst, "f.cpp"), (std::set<std::string>{"5.1", "5.2"}));
+  EXPECT_TRUE(untouched_steps("//@step 5.1 begin\nstub\n", kFirst, "f.cpp").empty());
+}
+
 TEST(Markers, of_the_teacher_go_with_what_is_between_them) {
   const std::string text = "a\n#@teacher begin\nsecret\n#@starter\n# given\n#@end\nb\n";
   EXPECT_EQ(with_steps(text, "CMakeLists.txt", [](const std::string&) { return true; }), "a\ngiven\nb\n");

@@ -26,11 +26,6 @@ struct Picture {
 /// and infinity infinity. The lowest byte is noise, which would make a page half as large again.
 std::uint32_t upper24(float value);
 
-/// The colours in which the labs show a data view (shaders/app/present.frag has the same): 0.5 + 0.5 n for
-/// directions, the fraction of texture coordinates, a scale of colours for levels. (0, 0, 0) is background,
-/// NaN and infinity are magenta.
-image::Image8 shown(const image::ImageF& values, const std::string& view);
-
 /// Reads pictures of a results' folder.
 class Pictures {
  public:

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,11 @@ std::map<std::string, std::string> step_texts(const std::string& text, const std
 /// the starter's, go. Errors as markers_of.
 std::string with_steps(const std::string& text, const std::string& file,
                        const std::function<bool(const std::string&)>& solved);
+
+/// The steps between whose markers a text has what it had at first. A text whose markers are spoilt was
+/// touched everywhere. Errors as markers_of, for the first text.
+std::set<std::string> untouched_steps(const std::string& text, const std::string& first,
+                                      const std::string& file);
 
 /// The text with what stands between one step's markers taken from another text of the same file. Throws
 /// Error (exit 3) when the two have not the same markers of that step, and as markers_of.

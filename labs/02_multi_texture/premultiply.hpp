@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "image/colour.hpp"
+
+namespace texel {
+
+/// Colour times alpha, multiplied in linear light: a texel that is not seen then adds nothing to any average.
+inline image::Image8 premultiplied(image::Image8 picture) {
+  if (picture.channels != 4) return picture;  // opaque
+  for (std::size_t i = 0; i < picture.samples.size(); i += 4) {
+    const float alpha = static_cast<float>(picture.samples[i + 3]) / 255.0F;
+    for (std::size_t c = i; c < i + 3; ++c)
+      picture.samples[c] = image::to_encoding8(alpha * image::from_encoding8(picture.samples[c]));
+  }
+  return picture;
+}
+
+}  // namespace texel
