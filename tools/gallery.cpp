@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <thread>
 
 #include "app/assets.hpp"
 #include "commands.hpp"
 #include "core/files.hpp"
+#include "core/parallel.hpp"
 #include "image/load.hpp"
 #include "image/mipmaps.hpp"
 #include "image/save.hpp"
@@ -76,7 +76,7 @@ void draw(const std::vector<Work>& all, const fs::path& root) {
         {work.program, "--assets", root, "--batch", work.list.string(), "--out", work.folder.string()});
   }
   std::string failed;
-  const int at_once = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const int at_once = static_cast<int>(processors());
   run_all(commands, at_once, [&](std::size_t index, int status) {
     say(*works[index].lab, status == 0 ? "drawn" : "FAILED");
     if (status != 0) failed += (failed.empty() ? "" : ", ") + works[index].lab->program();

@@ -2,11 +2,9 @@
 #include "render.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <glm/vec3.hpp>
-#include <thread>
-#include <vector>
 
+#include "core/parallel.hpp"
 #include "image/colour.hpp"
 
 namespace texel::assets {
@@ -20,12 +18,8 @@ std::uint8_t encode(double linear) {
 }  // namespace
 
 void for_each_row(int height, const std::function<void(int y)>& row) {
-  std::atomic<int> next = 0;
-  const auto work = [&] {
-    for (int y = next++; y < height; y = next++) row(y);
-  };
-  std::vector<std::jthread> threads(std::max(1u, std::thread::hardware_concurrency()));
-  for (std::jthread& thread : threads) thread = std::jthread(work);
+  in_parallel(processors(), static_cast<std::size_t>(height),
+              [&](std::size_t y) { row(static_cast<int>(y)); });
 }
 
 image::Image8 render(int width, int height, int channels, int samples, const Colour& colour) {

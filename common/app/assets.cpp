@@ -7,7 +7,8 @@
 #include <cstdlib>
 
 #include "core/error.hpp"
-#include "core/stopwatch.hpp"
+#include "core/parallel.hpp"
+#include "core/stages.hpp"
 #include "gl/cube_map.hpp"
 #include "image/load.hpp"
 
@@ -63,12 +64,14 @@ fs::path Assets::find(const char* folder, const std::string& name, const char* e
       near.empty() ? "a path needs a '/' or its ending" : fmt::format("did you mean '{}'?", near));
 }
 
-image::Image8 Assets::load(const fs::path& path, int channels) const {
-  const Stopwatch stopwatch;
+void Assets::remember(const fs::path& path) const {
   if (std::find(files_.begin(), files_.end(), path) == files_.end()) files_.push_back(path);
-  image::Image8 image = image::load8(path, channels);
-  milliseconds_ += stopwatch.milliseconds();
-  return image;
+}
+
+image::Image8 Assets::load(const fs::path& path, int channels) const {
+  const Stage stage("decode");
+  remember(path);
+  return image::load8(path, channels);
 }
 
 image::Image8 Assets::texture(const std::string& name) const {
@@ -83,15 +86,19 @@ std::array<image::Image8, 6> Assets::cube_map(const std::string& name) const {
   static constexpr const char* kFaces[] = {"px.png", "nx.png", "py.png", "ny.png", "pz.png", "nz.png"};
   const fs::path folder = find("cube_maps", name, "");
   std::array<image::Image8, 6> faces;
-  // The loader puts the bottom row first; cube maps want the top row.
-  for (std::size_t i = 0; i < 6; ++i) faces[i] = image::flipped(load(folder / kFaces[i], 3));
+  for (const char* face : kFaces) remember(folder / face);
+  const Stage stage("decode");
+  in_parallel(processors(), 6, [&](std::size_t i) {
+    // The loader puts the bottom row first; cube maps want the top row.
+    faces[i] = image::flipped(image::load8(folder / kFaces[i], 3));
+  });
   gl::check_cube_faces(faces, folder.string());
   return faces;
 }
 
 fs::path Assets::model(const std::string& name) const {
   fs::path path = find("models", name, ".obj");
-  if (std::find(files_.begin(), files_.end(), path) == files_.end()) files_.push_back(path);
+  remember(path);
   return path;
 }
 

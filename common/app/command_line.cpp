@@ -104,7 +104,9 @@ std::optional<CommandLine> read_command_line(AnyLab& lab, int argc, char** argv)
                  "Where the view error's colours end [the 99th percentile]")
       ->check(CLI::PositiveNumber);
   app.add_option("--mesh", line.mesh, "Write the vertex stream as drawn, as a binary .ply");
-  app.add_option("--frames", line.frames, "Draw so many frames and print the quantiles of their time")
+  app.add_option("--frames", line.frames,
+                 "Draw so many frames and print the quantiles of their time; with --context window in the "
+                 "window, with its panel")
       ->check(CLI::Range(1, 1000000));
   app.add_option("--config", config, "Read all parameters from a TOML file");
   app.add_option("--save-config", line.save_config, "Write all parameters to a TOML file");

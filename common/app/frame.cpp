@@ -7,6 +7,7 @@
 
 #include "app/lab.hpp"
 #include "core/error.hpp"
+#include "core/stages.hpp"
 
 namespace texel::app {
 namespace {
@@ -37,6 +38,15 @@ std::vector<gl::Define> constants(const params::Set& parameters, View view) {
   return defines;
 }
 
+/// What `constants` depends on.
+std::string settings(const params::Set& parameters, View view) {
+  std::string text = std::to_string(static_cast<int>(view));
+  for (const params::Parameter& p : parameters)
+    if (p.type == Type::choice || p.type == Type::toggle)
+      text.append(" ").append(std::to_string(static_cast<int>(p.value())));
+  return text;
+}
+
 }  // namespace
 
 std::string Info::folder() const {
@@ -47,7 +57,9 @@ std::string Info::program() const {
 }
 
 gl::Program& Frame::program(const std::string& vertex, const std::string& fragment) {
-  gl::Program& program = programs_.get(vertex, fragment, constants(parameters_, view_));
+  const Stage stage("parameters");
+  gl::Program& program = programs_.get(vertex, fragment, settings(parameters_, view_),
+                                       [&] { return constants(parameters_, view_); });
   program.use();
   for (const params::Parameter& p : parameters_) {
     if (p.type != Type::number && p.type != Type::integer) continue;

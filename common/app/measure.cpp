@@ -7,9 +7,9 @@
 #include <cmath>
 #include <glm/glm.hpp>
 #include <limits>
-#include <thread>
 
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "image/colour.hpp"
 #include "procedural/shapes.hpp"
 
@@ -65,21 +65,15 @@ const char* name_of(Unit unit) {
 
 image::ImageF truth_picture(const Truth& truth, glm::ivec2 size) {
   image::ImageF picture(size.x, size.y, 4);
-  const auto fill_row = [&](int y) {
+  in_parallel(processors(), static_cast<std::size_t>(size.y), [&](std::size_t row) {
+    const int y = static_cast<int>(row);
     for (int x = 0; x < size.x; ++x) {
       const std::optional<glm::dvec3> value = truth(glm::dvec2(x + 0.5, y + 0.5));
       if (!value || !std::isfinite(value->x + value->y + value->z)) continue;
       for (int c = 0; c < 3; ++c) picture.at(x, y, c) = static_cast<float>((*value)[c]);
       picture.at(x, y, 3) = 1;
     }
-  };
-  const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  std::vector<std::jthread> workers;
-  for (int first = 0; first < threads; ++first)
-    workers.emplace_back([=, &fill_row] {  // every row once, the hard ones shared out
-      for (int y = first; y < size.y; y += threads) fill_row(y);
-    });
-  workers.clear();  // waits for them
+  });
   return picture;
 }
 

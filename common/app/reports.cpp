@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace texel::app {
@@ -11,12 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using Type = params::Parameter::Type;
-
-long long peak_resident_bytes() {
-  rusage usage{};
-  ::getrusage(RUSAGE_SELF, &usage);
-  return static_cast<long long>(usage.ru_maxrss) * 1024;
-}
 
 /// A parameter's default as JSON's own type.
 Json initial(const params::Parameter& p) {
@@ -31,6 +26,12 @@ std::string dump(const Json& json) {
 }
 
 }  // namespace
+
+long long peak_resident_bytes() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<long long>(usage.ru_maxrss) * 1024;
+}
 
 std::string to_json(const Statistics& statistics) {
   const gl::Record& record = statistics.record;
@@ -51,13 +52,23 @@ std::string to_json(const Statistics& statistics) {
                                 {"bytes", use.bytes}});
   json["milliseconds"] = Json::object();
   for (const auto& [stage, time] : statistics.milliseconds) json["milliseconds"][stage] = time;
-  json["peak_bytes"] = peak_resident_bytes();
+  json["peak_bytes"] = statistics.peak_bytes;
   json["notes"] = statistics.notes.facts;
   json["warnings"] = statistics.notes.warnings;
   for (const std::string& warning : record.warnings) json["warnings"].push_back(warning);
   json["renderer"] = statistics.renderer;
   json["version"] = statistics.version;
   return dump(json);
+}
+
+std::string frame_times_as_text(std::vector<double> milliseconds, glm::ivec2 size) {
+  std::sort(milliseconds.begin(), milliseconds.end());
+  const auto quantile = [&](double q) {
+    return milliseconds[static_cast<std::size_t>(q * static_cast<double>(milliseconds.size() - 1))];
+  };
+  return fmt::format("{} frames of {}x{}: median {:.2f} ms, 5 % {:.2f} ms, 95 % {:.2f} ms, most {:.2f} ms\n",
+                     milliseconds.size(), size.x, size.y, quantile(0.5), quantile(0.05), quantile(0.95),
+                     milliseconds.back());
 }
 
 std::string to_json(AnyLab& lab, const ErrorFigures& figures) {

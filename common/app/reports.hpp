@@ -12,12 +12,19 @@ namespace texel::app {
 /// What --stats prints: a contract with scripts, see docs/architecture.md.
 struct Statistics {
   std::string lab, renderer, version;
+  Notes notes;  ///< of the lab: repairs, missing files
   gl::Record record;
-  Notes notes;                                               ///< of the lab: repairs, missing files
   std::vector<std::pair<std::string, double>> milliseconds;  ///< by stage
+  long long peak_bytes = 0;                                  ///< of resident memory
 };
 
+/// The most memory that this process has had at once.
+long long peak_resident_bytes();
+
 std::string to_json(const Statistics& statistics);
+
+/// What --frames prints of frames that took so many milliseconds each, at least one.
+std::string frame_times_as_text(std::vector<double> milliseconds, glm::ivec2 size);
 
 /// What --measure prints: {"lab", "parameters", "view", "truth", "unit", "mean", "rms", "p99", "max",
 /// "pixels", "non_finite"}.

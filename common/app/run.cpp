@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <vector>
 
 #include "app/lab.hpp"
@@ -13,6 +13,7 @@
 #include "config.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/stages.hpp"
 #include "core/stopwatch.hpp"
 #include "reports.hpp"
 #include "snapshot.hpp"
@@ -36,6 +37,7 @@ void write_report(const std::filesystem::path& file, const std::string& json) {
 }
 
 std::unique_ptr<gl::Context> headless_context(const CommandLine& line) {
+  const Stage stage("context");
   if (line.context == "osmesa") return gl::create_headless(gl::ContextKind::osmesa);
   if (line.context == "egl") return gl::create_headless(gl::ContextKind::egl);
   if (line.context == "window") return std::make_unique<gl::WindowContext>(64, 64, "texel");
@@ -53,22 +55,35 @@ void time_frames(Canvas& canvas, View view, glm::ivec2 size, int samples, int co
     glFinish();
     times.push_back(stopwatch.milliseconds());
   }
-  std::sort(times.begin(), times.end());
-  const auto quantile = [&](double q) {
-    return times[static_cast<std::size_t>(q * static_cast<double>(count - 1))];
-  };
-  print(fmt::format("{} frames of {}x{}: median {:.2f} ms, 5 % {:.2f} ms, 95 % {:.2f} ms, most {:.2f} ms\n",
-                    count, size.x, size.y, quantile(0.5), quantile(0.05), quantile(0.95), times.back()));
+  print(frame_times_as_text(std::move(times), size));
+}
+
+/// Draws, and returns when the driver has.
+void draw_and_finish(Canvas& canvas, View view, glm::ivec2 size, int samples) {
+  canvas.draw(view, size, samples);
+  glFinish();
+}
+
+/// Milliseconds by stage of everything so far: `before` went by before the stopwatch was started.
+std::vector<std::pair<std::string, double>> stages_so_far(double before, const Stopwatch& since) {
+  const double total = before + since.milliseconds();
+  std::vector<std::pair<std::string, double>> list = {{"start", before}};
+  for (const NamedStage& stage : stage_times()) list.emplace_back(stage.name, stage.time.wall);
+  double other = total;
+  for (const auto& [name, milliseconds] : list) other -= milliseconds;
+  list.insert(list.end(), {{"other", other}, {"total", total}});
+  return list;
 }
 
 /// Everything that needs a context but no window.
 void run_headless(AnyLab& lab, const Assets& assets, const CommandLine& line) {
-  const Stopwatch start;
+  // The loader's and the command line's time: nothing has waited yet, so that the processor's clock tells it.
+  const double before = 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+  const Stopwatch since;
   const View view = find_view(lab.info(), line.view);
   const glm::ivec2 size = line.size.value_or(kSnapshotSize);
   if (!line.snapshot.empty()) check_ending(line.snapshot, view);
   const std::unique_ptr<gl::Context> context = headless_context(line);
-  const double context_time = start.milliseconds();
   Canvas canvas(*context, assets, lab);
   canvas.set_error_scale(line.error_scale);
   if (!line.mesh.empty()) write_mesh(lab, assets, line.mesh);
@@ -81,23 +96,19 @@ void run_headless(AnyLab& lab, const Assets& assets, const CommandLine& line) {
   if (line.frames > 0) time_frames(canvas, view, size, line.samples, line.frames);
   if (line.snapshot.empty() && line.stats.empty()) return;
 
-  Statistics statistics{lab.info().folder(), context->renderer(), context->version(), {}, {}, {}};
-  const Stopwatch drawing;
-  if (line.stats.empty())
-    canvas.draw(view, size, line.samples);
-  else
-    statistics.record = canvas.record(view, size, line.samples);
-  glFinish();
-  const double draw_time = drawing.milliseconds();
-  const Stopwatch writing;
-  if (!line.snapshot.empty()) write_picture(canvas, lab, view, size, line.snapshot, statistics.renderer);
+  {
+    const Stage stage("first_draw");
+    draw_and_finish(canvas, view, size, line.samples);
+  }
+  if (!line.snapshot.empty()) write_picture(canvas, lab, view, size, line.snapshot, context->renderer());
   if (line.stats.empty()) return;
-  statistics.notes = lab.notes();
-  const double decode_time = assets.milliseconds(), compile_time = canvas.programs().milliseconds();
-  statistics.milliseconds = {
-      {"context", context_time},         {"decode", decode_time},
-      {"compile", compile_time},         {"draw", std::max(0.0, draw_time - decode_time - compile_time)},
-      {"write", writing.milliseconds()}, {"total", start.milliseconds()}};
+  Statistics statistics{
+      lab.info().folder(),          context->renderer(),  context->version(), lab.notes(), {},
+      stages_so_far(before, since), peak_resident_bytes()};
+  const Stopwatch again;
+  draw_and_finish(canvas, view, size, line.samples);
+  statistics.milliseconds.emplace_back("draw", again.milliseconds());  // all is loaded and compiled now
+  statistics.record = canvas.record(view, size, line.samples);
   write_report(line.stats, to_json(statistics));
 }
 
@@ -114,7 +125,8 @@ void run_as_asked(AnyLab& lab, const CommandLine& line) {
   if (!line.save_config.empty()) save_config(line.save_config, lab.info(), lab.parameters());
   const Assets assets(line.assets);
   const bool headless = !line.snapshot.empty() || !line.batch.empty() || !line.stats.empty() ||
-                        !line.mesh.empty() || !line.measure.empty() || !line.bench.empty() || line.frames > 0;
+                        !line.mesh.empty() || !line.measure.empty() || !line.bench.empty() ||
+                        (line.frames > 0 && line.context != "window");
   if (headless)
     run_headless(lab, assets, line);
   else if (line.context == "osmesa" || line.context == "egl")

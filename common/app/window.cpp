@@ -10,14 +10,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "config.hpp"
 #include "core/error.hpp"
+#include "core/stages.hpp"
 #include "core/stopwatch.hpp"
 #include "core/watcher.hpp"
 #include "panel.hpp"
+#include "reports.hpp"
 #include "snapshot.hpp"
 
 namespace texel::app {
@@ -103,7 +106,37 @@ class Window {
     }
   }
 
+  /// Draws `count` frames as they are on a change of the look, and prints how long they took, and which part
+  /// of that the panel, the statistics and the parameters had.
+  void time_frames(int count) {
+    frame();  // compiles and loads
+    const double before = plumbing_milliseconds();
+    std::vector<double> times;
+    for (int i = 0; i < count; ++i) {
+      const Stopwatch stopwatch;
+      drawn_ = {};
+      glfwPollEvents();
+      frame();
+      glFinish();
+      double x = 0, y = 0;
+      glfwGetCursorPos(window(), &x, &y);  // answered when the picture is on the screen
+      times.push_back(stopwatch.milliseconds());
+    }
+    const double plumbing = plumbing_milliseconds() - before;
+    const double share = plumbing / std::accumulate(times.begin(), times.end(), 0.0);
+    fmt::print("{}panel, statistics and parameters: {:.3f} ms a frame, {:.2f} %\n",
+               frame_times_as_text(std::move(times), picture_pixels()), plumbing / count, 100 * share);
+  }
+
  private:
+  /// Of the main thread: on a software renderer its rasteriser wants the same processors.
+  static double plumbing_milliseconds() {
+    double sum = 0;
+    for (const auto& [name, time] : stage_times())
+      if (name == "panel" || name == "statistics" || name == "parameters") sum += time.processor;
+    return sum;
+  }
+
   static Window& self(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
   [[nodiscard]] GLFWwindow* window() const { return context_.window(); }
   [[nodiscard]] params::Parameter* turn() { return lab_.parameters().find("turn"); }
@@ -138,18 +171,24 @@ class Window {
 
   void frame() {
     if (pixels().x == 0 || pixels().y == 0 || !gui_) return;  // iconified, or not yet made
-    watch();
-    follow_steps();
-    advance();
+    {
+      const Stage stage("panel");
+      watch();
+      follow_steps();
+      advance();
+    }
     draw_picture();
     canvas_.copy_to_window({pixels().x - picture_pixels().x, 0}, picture_pixels());
-    ImGui_ImplOpenGL3_NewFrame();
-    ImGui_ImplGlfw_NewFrame();
-    ImGui::NewFrame();
-    perform(draw_panel(lab_, state_, scale_));
-    draw_overlay(lab_, state_, picture_units(), pixels_per_unit(), scale_);
-    draw_case(state_, picture_units(), scale_);
-    ImGui::Render();
+    {
+      const Stage stage("panel");
+      ImGui_ImplOpenGL3_NewFrame();
+      ImGui_ImplGlfw_NewFrame();
+      ImGui::NewFrame();
+      perform(draw_panel(lab_, state_, scale_));
+      draw_overlay(lab_, state_, picture_units(), pixels_per_unit(), scale_);
+      draw_case(state_, picture_units(), scale_);
+      ImGui::Render();
+    }
     glViewport(0, 0, pixels().x, pixels().y);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(window());
@@ -211,7 +250,11 @@ class Window {
     const std::string split = state_.split ? fmt::format("{}={} {}", state_.split->parameter,
                                                          state_.split->value, state_.split->position)
                                            : "";
-    Look look{lab_.parameters().key(), state_.view, picture_pixels(), split};
+    Look look;
+    {
+      const Stage stage("parameters");
+      look = {lab_.parameters().key(), state_.view, picture_pixels(), split};
+    }
     if (look == drawn_) return;
     drawn_ = look;
     try {
@@ -416,7 +459,11 @@ class Window {
 }  // namespace
 
 void run_window(AnyLab& lab, const Assets& assets, const CommandLine& line) {
-  Window(lab, assets, line).run();
+  Window window(lab, assets, line);
+  if (line.frames > 0)
+    window.time_frames(line.frames);
+  else
+    window.run();
 }
 
 }  // namespace texel::app

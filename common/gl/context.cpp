@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/stages.hpp"
 
 // The types and constants of EGL 1.5 and OSMesa; their functions are looked up at run time.
 #define EGL_EGL_PROTOTYPES 0
@@ -30,7 +31,9 @@ void GLAD_API_PTR on_debug_message(GLenum source, GLenum type, GLuint, GLenum, G
 /// A library opened at run time; stays open, since drivers do not survive being unloaded.
 class Library {
  public:
-  Library(const char* name, const char* package) : handle_(::dlopen(name, RTLD_NOW | RTLD_LOCAL)) {
+  Library(const char* name, const char* package) {
+    const Stage stage("loader");
+    handle_ = ::dlopen(name, RTLD_NOW | RTLD_LOCAL);
     if (handle_ == nullptr)
       throw Error::failed(fmt::format("cannot open {}", name), {},
                           fmt::format("install {} or choose another --context", package));

@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "core/error.hpp"
-#include "core/stopwatch.hpp"
+#include "core/stages.hpp"
 
 namespace texel::gl {
 namespace {
@@ -171,27 +171,32 @@ std::shared_ptr<const ShaderSource> ProgramCache::source(const std::string& file
 }
 
 Program& ProgramCache::get(const std::string& vertex, const std::string& fragment,
-                           const std::vector<Define>& defines) {
+                           const std::string& settings, const std::function<std::vector<Define>()>& defines) {
+  const std::string request = vertex + "\n" + fragment + "\n" + settings;
+  Program*& known = by_request_[request];
+  if (known != nullptr) return *known;
+
   const auto vertex_source = source(vertex);
   const auto fragment_source = source(fragment);
   std::vector<Define> used;
   std::string key = vertex + "\n" + fragment;
-  for (const Define& define : defines) {
+  for (const Define& define : defines()) {
     if (!vertex_source->mentions(define.name) && !fragment_source->mentions(define.name)) continue;
     used.push_back(define);
     key += fmt::format("\n{} {}", define.name, define.value);
   }
   auto& program = programs_[key];
   if (program == nullptr) {
-    const Stopwatch stopwatch;
+    const Stage stage("compile");
     program = std::make_unique<Program>(vertex_source, fragment_source, used);
-    milliseconds_ += stopwatch.milliseconds();
   }
+  known = program.get();
   return *program;
 }
 
 void ProgramCache::clear() {
   glUseProgram(0);  // a deleted program must not stay in use: the panel would restore it
+  by_request_.clear();
   programs_.clear();
   sources_.clear();
   tried_.clear();

@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/stages.hpp"
+
 namespace texel::gl {
 namespace {
 
@@ -114,6 +116,7 @@ void Recorder::on_draw_elements(GLenum mode, GLsizei count, GLenum type, const v
 }
 
 void Recorder::inspect(GLenum mode, GLsizei count) {
+  const Stage stage("statistics");
   record_.draw_calls += 1;
   record_.triangles += mode == GL_TRIANGLES ? count / 3 : std::max(count - 2, 0);
   GLint program = 0;

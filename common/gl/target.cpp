@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "core/stages.hpp"
 #include "gl/upload.hpp"
 
 namespace texel::gl {
@@ -65,6 +66,7 @@ void Target::resolve() const {
 }
 
 image::Image8 Target::read8() const {
+  const Stage stage("read");
   image::Image8 image(width_, height_, 4);
   bind_for_reading();
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -73,6 +75,7 @@ image::Image8 Target::read8() const {
 }
 
 image::ImageF Target::read_float() const {
+  const Stage stage("read");
   image::ImageF image(width_, height_, 4);
   bind_for_reading();
   glReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, image.samples.data());

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/parallel.hpp"
+#include "core/stages.hpp"
 #include "gl/cube_map.hpp"
 #include "gl/make_cube_map.hpp"
 #include "image/mipmaps.hpp"
@@ -20,6 +22,7 @@ ScopedBinding::~ScopedBinding() {
 }
 
 void upload_level(GLenum target, int level, const image::Image8& image, image::Encoding encoding) {
+  const Stage stage("upload");
   const Format format = format_of(image.channels, encoding);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTexImage2D(target, level, static_cast<GLint>(format.internal), image.width, image.height, 0,
@@ -37,15 +40,16 @@ bool needs_mipmaps(const Sampling& sampling) {
   return sampling.minify != GL_NEAREST && sampling.minify != GL_LINEAR;
 }
 
-void upload_chain(GLenum target, const image::Image8& image, image::Encoding encoding,
-                  const Sampling& sampling) {
-  if (!needs_mipmaps(sampling)) {
-    upload_level(target, 0, image, encoding);
-    return;
-  }
+/// The levels that the sampling reads, the whole picture first.
+std::vector<image::Image8> levels_for(const image::Image8& image, image::Encoding encoding,
+                                      const Sampling& sampling) {
+  if (!needs_mipmaps(sampling)) return {uploadable(image, encoding)};
+  return image::mip_chain(uploadable(image, encoding), encoding);
+}
+
+void upload_levels(GLenum target, const std::vector<image::Image8>& levels, image::Encoding encoding) {
   int level = 0;
-  for (const image::Image8& smaller : image::mip_chain(image, encoding))
-    upload_level(target, level++, smaller, encoding);
+  for (const image::Image8& image : levels) upload_level(target, level++, image, encoding);
 }
 
 }  // namespace
@@ -53,7 +57,7 @@ void upload_chain(GLenum target, const image::Image8& image, image::Encoding enc
 Texture make_texture_2d(const image::Image8& image, image::Encoding encoding, const Sampling& sampling) {
   Texture texture;
   const ScopedBinding binding(GL_TEXTURE_2D, texture);
-  upload_chain(GL_TEXTURE_2D, uploadable(image, encoding), encoding, sampling);
+  upload_levels(GL_TEXTURE_2D, levels_for(image, encoding, sampling), encoding);
   set_sampling(GL_TEXTURE_2D, sampling);
   return texture;
 }
@@ -78,8 +82,13 @@ Texture make_cube_map(std::span<const image::Image8, 6> faces, image::Encoding e
   check_cube_faces(faces);
   Texture texture;
   const ScopedBinding binding(GL_TEXTURE_CUBE_MAP, texture);
-  for (GLuint i = 0; i < 6; ++i)
-    upload_chain(GL_TEXTURE_CUBE_MAP_POSITIVE_X + i, uploadable(faces[i], encoding), encoding, sampling);
+  std::array<std::vector<image::Image8>, 6> levels;
+  {
+    const Stage stage("mipmaps");
+    in_parallel(processors(), 6,
+                [&](std::size_t i) { levels[i] = levels_for(faces[i], encoding, sampling); });
+  }
+  for (GLuint i = 0; i < 6; ++i) upload_levels(GL_TEXTURE_CUBE_MAP_POSITIVE_X + i, levels[i], encoding);
   set_sampling(GL_TEXTURE_CUBE_MAP, sampling);
   return texture;
 }

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/parallel.hpp"
 #include "course/markers.hpp"
 #include "course_side.hpp"
 #include "grade/judge.hpp"
@@ -15,7 +16,6 @@
 #include "grade/submission.hpp"
 #include "lock.hpp"
 #include "mistakes.hpp"
-#include "parallel.hpp"
 #include "studio.hpp"
 
 namespace texel::grade {

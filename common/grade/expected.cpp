@@ -5,11 +5,11 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/parallel.hpp"
 #include "course_side.hpp"
 #include "grade/check.hpp"
 #include "grade/plan.hpp"
 #include "mistakes.hpp"
-#include "parallel.hpp"
 
 namespace texel::grade {
 namespace {

@@ -14,6 +14,7 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/parallel.hpp"
 #include "core/stopwatch.hpp"
 #include "course/markers.hpp"
 #include "course_side.hpp"
@@ -23,7 +24,6 @@
 #include "grade/store.hpp"
 #include "grade/submission.hpp"
 #include "lock.hpp"
-#include "parallel.hpp"
 #include "studio.hpp"
 #include "text.hpp"
 #include "workshop.hpp"

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "core/stages.hpp"
 #include "image/colour.hpp"
 
 namespace texel::image {
@@ -73,6 +74,7 @@ ImageF halve_height(const ImageF& image) {
 }  // namespace
 
 std::vector<Image8> mip_chain(const Image8& image, Encoding encoding) {
+  const Stage stage("mipmaps");
   // Each channel's own encoding and, so that a million samples are quick, its values as a table.
   std::array<Encoding, 4> encodings{};
   std::array<std::array<float, 256>, 4> values{};

@@ -12,6 +12,7 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/stages.hpp"
 
 namespace texel::image {
 namespace {
@@ -53,6 +54,7 @@ void check_text(const std::filesystem::path& path, const Text& text) {
 
 void save_png(const std::filesystem::path& path, const Image8& image, std::span<const Text> texts,
               int compression) {
+  const Stage stage("png");
   check_not_empty(path, image);
   constexpr std::uint8_t color_types[] = {SPNG_COLOR_TYPE_GRAYSCALE, SPNG_COLOR_TYPE_GRAYSCALE_ALPHA,
                                           SPNG_COLOR_TYPE_TRUECOLOR, SPNG_COLOR_TYPE_TRUECOLOR_ALPHA};

@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
-#include <thread>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/parallel.hpp"
 #include "params/set.hpp"
 #include "processes.hpp"
 
@@ -33,10 +33,6 @@ int shell(const std::string& line) {
   int status = 0;
   run_all({{"/bin/sh", "-c", line}}, 1, [&](std::size_t, int ended) { status = ended; });
   return status;
-}
-
-unsigned jobs() {
-  return std::max(1U, std::thread::hardware_concurrency());
 }
 
 std::string lower(std::string text) {
@@ -173,7 +169,7 @@ bool Suite::build(const std::set<std::string>& targets, const fs::path& log) con
   const std::string of = targets.empty() ? "" : fmt::format("--target {}", fmt::join(targets, " "));
   return shell(fmt::format("cd {0} && CCACHE_BASEDIR={0} CCACHE_NOHASHDIR=1 cmake --build build/release "
                            "--parallel {1} {2} >{3} 2>&1",
-                           quoted(tree_), jobs(), of, quoted(log))) == 0;
+                           quoted(tree_), processors(), of, quoted(log))) == 0;
 }
 
 void Suite::run(const std::vector<int>& numbers, const std::string& options, const fs::path& xml,
@@ -182,10 +178,11 @@ void Suite::run(const std::vector<int>& numbers, const std::string& options, con
   fs::remove(xml, ignored);
   // The driver's cache of compiled shaders would keep what other mutants compiled; TEXEL_ROOT would name
   // another tree. ctest's status says no more than its file.
-  shell(fmt::format(
-      "cd {} && env -u TEXEL_ROOT MESA_SHADER_CACHE_DISABLE=true ctest --test-dir build/release "
-      "-I 0,0,0,{} --parallel {} --timeout {} --output-on-failure --output-junit {} {} >{} 2>&1",
-      quoted(tree_), fmt::join(numbers, ","), jobs(), kTimeoutSeconds, quoted(xml), options, quoted(log)));
+  shell(
+      fmt::format("cd {} && env -u TEXEL_ROOT MESA_SHADER_CACHE_DISABLE=true ctest --test-dir build/release "
+                  "-I 0,0,0,{} --parallel {} --timeout {} --output-on-failure --output-junit {} {} >{} 2>&1",
+                  quoted(tree_), fmt::join(numbers, ","), processors(), kTimeoutSeconds, quoted(xml), options,
+                  quoted(log)));
   if (!fs::exists(xml)) throw Error::failed("ctest failed; this is its log", {log.string()});
 }
 

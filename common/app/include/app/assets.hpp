@@ -31,15 +31,13 @@ class Assets {
 
   /// Every file that was read so far, for hot reload.
   [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
-  /// Milliseconds spent in reading and decoding pictures.
-  [[nodiscard]] double milliseconds() const { return milliseconds_; }
 
  private:
   std::filesystem::path find(const char* folder, const std::string& name, const char* ending) const;
   [[nodiscard]] image::Image8 load(const std::filesystem::path& path, int channels) const;
+  void remember(const std::filesystem::path& path) const;
   std::filesystem::path root_;
   mutable std::vector<std::filesystem::path> files_;
-  mutable double milliseconds_ = 0;
 };
 
 }  // namespace texel::app

@@ -3,11 +3,13 @@
 #include <glad/gl.h>
 
 #include <filesystem>
+#include <functional>
 #include <glm/glm.hpp>
 #include <map>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "gl/shader_source.hpp"
@@ -73,22 +75,23 @@ class ProgramCache {
  public:
   explicit ProgramCache(std::filesystem::path shader_root) : root_(std::move(shader_root)) {}
 
-  Program& get(const std::string& vertex, const std::string& fragment, const std::vector<Define>& defines);
+  /// `settings` is equal where the defines are; these are asked for only when the settings are new, since
+  /// every frame asks for its programs.
+  Program& get(const std::string& vertex, const std::string& fragment, const std::string& settings,
+               const std::function<std::vector<Define>()>& defines);
   /// Forgets everything, so that edited files are read again.
   void clear();
   /// Every file that was read, and the folders in which more are looked for, for a watcher.
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
   [[nodiscard]] std::size_t size() const { return programs_.size(); }
-  /// Milliseconds spent in reading and compiling.
-  [[nodiscard]] double milliseconds() const { return milliseconds_; }
 
  private:
   std::shared_ptr<const ShaderSource> source(const std::string& file);
   std::filesystem::path root_;
   std::map<std::string, std::shared_ptr<const ShaderSource>> sources_;
-  std::map<std::string, std::unique_ptr<Program>> programs_;
-  double milliseconds_ = 0;
-  std::vector<std::filesystem::path> tried_;  ///< where sources were looked for
+  std::map<std::string, std::unique_ptr<Program>> programs_;  ///< by the defines that the sources mention
+  std::unordered_map<std::string, Program*> by_request_;      ///< by files and settings
+  std::vector<std::filesystem::path> tried_;                  ///< where sources were looked for
 };
 
 }  // namespace texel::gl

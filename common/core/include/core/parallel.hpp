@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace texel::grade {
+namespace texel {
 
 /// How many threads are worth having.
 unsigned processors();
@@ -11,4 +11,4 @@ unsigned processors();
 /// Calls `act` with 0 to count - 1 on so many threads; the first error is thrown when all have ended.
 void in_parallel(unsigned threads, std::size_t count, const std::function<void(std::size_t)>& act);
 
-}  // namespace texel::grade
+}  // namespace texel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "parallel.hpp"
+#include "core/parallel.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace texel::grade {
+namespace texel {
 
 unsigned processors() {
   return std::max(1U, std::thread::hardware_concurrency());
@@ -34,4 +34,4 @@ void in_parallel(unsigned threads, std::size_t count, const std::function<void(s
   if (fault) std::rethrow_exception(fault);
 }
 
-}  // namespace texel::grade
+}  // namespace texel

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <vector>
+
+namespace texel {
+
+/// What a stage has taken: by the clock on the wall, and of the main thread's processor alone. Milliseconds.
+struct StageTime {
+  double wall = 0, processor = 0;
+};
+
+/// While it lives, time counts for the stage of that name; a stage begun inside another does not count for
+/// the outer one. Only the main thread is watched: what others do beside it costs nobody's time.
+class Stage {
+ public:
+  /// `name` must live as long as this: a literal.
+  explicit Stage(const char* name);
+  ~Stage();
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+
+ private:
+  const char* name_;  ///< none on other threads
+  Stage* outer_ = nullptr;
+  StageTime begin_, inner_;
+};
+
+struct NamedStage {
+  std::string name;
+  StageTime time;
+};
+
+/// All stages since the process began, in the order in which they first ended.
+std::vector<NamedStage> stage_times();
+
+}  // namespace texel

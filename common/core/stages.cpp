@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "core/stages.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <thread>
+
+namespace texel {
+namespace {
+
+const std::thread::id main_thread = std::this_thread::get_id();
+Stage* innermost = nullptr;
+
+std::vector<NamedStage>& all_stages() {
+  static std::vector<NamedStage> all;
+  return all;
+}
+
+double milliseconds(clockid_t clock) {
+  timespec now{};
+  ::clock_gettime(clock, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+StageTime now() {
+  return {milliseconds(CLOCK_MONOTONIC), milliseconds(CLOCK_THREAD_CPUTIME_ID)};
+}
+
+void add(StageTime& sum, const StageTime& time, double factor = 1) {
+  sum.wall += factor * time.wall;
+  sum.processor += factor * time.processor;
+}
+
+}  // namespace
+
+Stage::Stage(const char* name) : name_(std::this_thread::get_id() == main_thread ? name : nullptr) {
+  if (name_ == nullptr) return;
+  outer_ = innermost;
+  innermost = this;
+  begin_ = now();
+}
+
+Stage::~Stage() {
+  if (name_ == nullptr) return;
+  innermost = outer_;
+  StageTime time = now();
+  add(time, begin_, -1);
+  if (outer_ != nullptr) add(outer_->inner_, time);
+  add(time, inner_, -1);
+  std::vector<NamedStage>& all = all_stages();
+  auto found = std::find_if(all.begin(), all.end(), [&](const NamedStage& one) { return one.name == name_; });
+  if (found == all.end()) found = all.insert(found, {name_, {}});
+  add(found->time, time);
+}
+
+std::vector<NamedStage> stage_times() {
+  return all_stages();
+}
+
+}  // namespace texel
