@@ -315,7 +315,8 @@ void mikktspace(Mesh& mesh, const Frames& frames, TangentReport& report) {
 
 }  // namespace
 
-TangentReport compute_tangents(Mesh& mesh, TangentMethod method) {
+TangentReport compute_tangents(Mesh& mesh, TangentMethod method, unsigned threads) {
+  static_cast<void>(threads);
   if (mesh.texcoords.size() != mesh.vertex_count())
     throw Error::failed("tangents need texture coordinates, and the mesh has none", {},
                         "give the file vt lines or choose a projection");

@@ -56,6 +56,6 @@ double texture_area(const std::array<glm::vec2, 3>& texcoords);
 /// Where triangles of both turns meet at a vertex, all methods but `averaged` append a vertex for the later
 /// one; the order of vertices and triangles is else kept. Linear time. Throws Error (exit 3) when the mesh
 /// has no normals or no texture coordinates.
-TangentReport compute_tangents(Mesh& mesh, TangentMethod method);
+TangentReport compute_tangents(Mesh& mesh, TangentMethod method, unsigned threads = 0);
 
 }  // namespace texel::mesh
