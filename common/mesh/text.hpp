@@ -91,8 +91,8 @@ inline bool take_plain_number(const char*& at, const char* end, float& value) {
   }
   if (count == 0 || count > 16 || digits > largest || (next != end && !is_blank(*next))) return false;
   // The quotient of two exact doubles is the double nearest to the number. It is 0 or 1e-16 and more, where a
-  // float has 29 bits less, and each middle between two floats is a double: so the number lies on the same side
-  // of it as the quotient and has the same nearest float, unless the quotient is such a middle itself.
+  // float has 29 bits less, and each middle between two floats is a double: so the number lies on the same
+  // side of it as the quotient and has the same nearest float, unless the quotient is such a middle itself.
   const double quotient = static_cast<double>(digits) / powers[behind_point];
   if ((std::bit_cast<std::uint64_t>(quotient) & 0x1FFFFFFF) == 0x10000000) return false;
   value = static_cast<float>(negative ? -quotient : quotient);
