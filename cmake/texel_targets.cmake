@@ -27,6 +27,13 @@ if(TEXEL_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
+# texel_round_as_written(FILES…): GCC 12's vectoriser of straight-line code turns double -> float -> double into
+# nothing, so that a result depends on what was inlined and on -O; these files' results do not.
+function(texel_round_as_written)
+  set_source_files_properties(${ARGN} PROPERTIES
+    COMPILE_OPTIONS $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
+endfunction()
+
 # texel_library(name SOURCES … DEPENDS … PRIVATE_DEPENDS …)
 # The folder's headers lie in include/<name>/; nothing else sees them but who links texel_<name>.
 function(texel_library name)

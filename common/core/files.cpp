@@ -49,11 +49,8 @@ std::size_t open_regular(const std::filesystem::path& path, Descriptor& file) {
   return static_cast<std::size_t>(status.st_size);
 }
 
-}  // namespace
-
-std::string read_file(const std::filesystem::path& path) {
-  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  std::string bytes(open_regular(path, file), '\0');
+std::string read_all(const std::filesystem::path& path, const Descriptor& file, std::size_t size) {
+  std::string bytes(size, '\0');
   std::size_t done = 0;
   while (done < bytes.size()) {
     const ssize_t got = ::read(file.get(), bytes.data() + done, bytes.size() - done);
@@ -64,6 +61,14 @@ std::string read_file(const std::filesystem::path& path) {
   }
   bytes.resize(done);
   return bytes;
+}
+
+}  // namespace
+
+std::string read_file(const std::filesystem::path& path) {
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  const std::size_t size = open_regular(path, file);
+  return read_all(path, file, size);
 }
 
 void write_file(const std::filesystem::path& path, std::string_view bytes) {
@@ -95,7 +100,10 @@ void write_file(const std::filesystem::path& path, std::string_view bytes) {
 MappedFile::MappedFile(const std::filesystem::path& path) {
   Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   size_ = open_regular(path, file);
-  if (size_ == 0) return;
+  if (size_ <= most_read) {
+    read_ = read_all(path, file, size_);
+    return;
+  }
   void* mapped = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, file.get(), 0);
   if (mapped == MAP_FAILED)
     throw Error::failed(fmt::format("cannot map: {}", std::strerror(errno)), {path.string()});

@@ -56,7 +56,7 @@ Kernel<Real> even_kernel(std::vector<double> weights, double sum = 1) {
 /// of fixed size let the compiler keep the sums in vector registers.
 template <class Real, class RowAt>
 void add_filtered(const Kernel<Real>& kernel, int width, const RowAt& row_at, Real* out) {
-  constexpr int block = 16;
+  constexpr int block = 32;
   const auto filter_block = [&](int x, int count) {
     Real sums[block] = {};
     const Real* here = row_at(0) + x;

@@ -72,7 +72,7 @@ constexpr Transform rgb_from_xyz(inverse(make_xyz_from_rgb()));
 
 /// The cube root of a float of about 0.01 to 1, which takes a fifth of std::cbrt's time: a third of the bits
 /// is a guess (the exponent is in front) with an error below 7 %, and each of two of Halley's steps cubes it.
-float cube_root(float v) {
+inline float cube_root(float v) {
   constexpr std::uint32_t two_thirds_of_the_bias = 2 * (127U << 23U) / 3;
   float root = std::bit_cast<float>(std::bit_cast<std::uint32_t>(v) / 3 + two_thirds_of_the_bias);
   for (int step = 0; step < 2; ++step) {
@@ -82,17 +82,20 @@ float cube_root(float v) {
   return root;
 }
 
+/// CIE's function between XYZ relative to white and L*a*b*.
+inline float lab_curve(float t) {
+  constexpr float knee = 6.0F / 29;
+  const float root = cube_root(t), line = t / (3 * knee * knee) + 4.0F / 29;  // a branch costs more
+  return t > knee * knee * knee ? root : line;
+}
+
 /// CIE L*a*b*, with a* and b* scaled by the Hunt effect: colours are less colourful where it is dark
 /// ("Perceptually uniform colour space").
-Triple hunt_lab(const Triple& linear_rgb) {
-  constexpr float knee = 6.0F / 29;
-  Triple f = xyz_from_rgb(linear_rgb);
-  for (float& t : f) {
-    const float root = cube_root(t), line = t / (3 * knee * knee) + 4.0F / 29;  // a branch costs more
-    t = t > knee * knee * knee ? root : line;
-  }
-  const float lightness = 116 * f[1] - 16;
-  return {lightness, 0.01F * lightness * 500 * (f[0] - f[1]), 0.01F * lightness * 200 * (f[1] - f[2])};
+inline Triple hunt_lab(const Triple& linear_rgb) {
+  const Triple xyz = xyz_from_rgb(linear_rgb);
+  const float x = lab_curve(xyz[0]), y = lab_curve(xyz[1]), z = lab_curve(xyz[2]);
+  const float lightness = 116 * y - 16;
+  return {lightness, 0.01F * lightness * 500 * (x - y), 0.01F * lightness * 200 * (y - z)};
 }
 
 /// The distance HyAB: along lightness and across it apart, which suits large differences ("Colour metric").
@@ -183,12 +186,17 @@ struct FilteredRow {
   std::vector<float> edge_x, edge_y, point_x, point_y;  ///< the feature pipeline
 };
 
+/// By value: a reference, as std::clamp takes, would keep the loop below from becoming vector instructions.
+inline float clamped(float v) {
+  const float positive = v < 0 ? 0 : v;
+  return positive > 1 ? 1 : positive;
+}
+
 /// Turns a row of filtered opponent channels into `hunt_lab`, as far as sRGB can show the colours.
 void make_hunt_lab(std::size_t width, float* light, float* red_green, float* blue_yellow) {
   for (std::size_t x = 0; x < width; ++x) {
-    Triple rgb = rgb_from_xyz({light[x] + red_green[x], light[x], light[x] - blue_yellow[x]});
-    for (float& value : rgb) value = std::min(std::max(value, 0.0F), 1.0F);
-    const Triple lab = hunt_lab(rgb);
+    const Triple rgb = rgb_from_xyz({light[x] + red_green[x], light[x], light[x] - blue_yellow[x]});
+    const Triple lab = hunt_lab({clamped(rgb[0]), clamped(rgb[1]), clamped(rgb[2])});
     light[x] = lab[0];
     red_green[x] = lab[1];
     blue_yellow[x] = lab[2];
@@ -203,16 +211,18 @@ class FilteredPicture {
   FilteredPicture(const Image8& picture, const Box& box, const Filters& filters) : filters_(filters) {
     Plane light(box.width(), box.height(), 1);
     Plane red_green = light, blue_yellow = light;
-    for (int y = 0; y < box.height(); ++y)
-      for (int x = 0; x < box.width(); ++x) {
-        const auto linear = [&](int c) {
-          return from_encoding8(rgb_sample(picture, box.left + x, box.bottom + y, c));
-        };
-        const Triple xyz = xyz_from_rgb({linear(0), linear(1), linear(2)});
+    std::array<float, 256> linear{};
+    for (std::size_t i = 0; i < linear.size(); ++i) linear[i] = from_encoding8(static_cast<std::uint8_t>(i));
+    const std::size_t green = picture.channels < 3 ? 0 : 1, blue = 2 * green;
+    for (int y = 0; y < box.height(); ++y) {
+      const std::uint8_t* rgb = &picture.at(box.left, box.bottom + y);
+      for (int x = 0; x < box.width(); ++x, rgb += picture.channels) {
+        const Triple xyz = xyz_from_rgb({linear[rgb[0]], linear[rgb[green]], linear[rgb[blue]]});
         light.at(x, y) = xyz[1];
         red_green.at(x, y) = xyz[0] - xyz[1];
         blue_yellow.at(x, y) = xyz[1] - xyz[2];
       }
+    }
     luminance_ = filtered_rows(light, filters.luminance);
     red_green_ = filtered_rows(red_green, filters.red_green);
     wide_ = filtered_rows(blue_yellow, filters.wide_rows);
@@ -254,11 +264,15 @@ float feature_error(const FilteredRow& a, const FilteredRow& b, std::size_t x) {
   return std::sqrt(std::max(std::abs(edges), std::abs(points)) / std::numbers::sqrt2_v<float>);
 }
 
-/// "Final difference": features raise the colours' error.
-float error_at(const FilteredRow& a, const FilteredRow& b, std::size_t x) {
-  const float distance = hyab({a.lightness[x], a.a[x], a.b[x]}, {b.lightness[x], b.a[x], b.b[x]});
-  if (distance == 0) return 0;  // the power of 0, without its cost
-  return std::pow(colour_error(distance), 1 - feature_error(a, b, x));
+/// "Final difference": features raise the colours' error. The first loop becomes vector instructions.
+void combine(const FilteredRow& a, const FilteredRow& b, std::vector<float>& distances,
+             std::vector<float>& exponents, float* errors) {
+  for (std::size_t x = 0; x < distances.size(); ++x) {
+    distances[x] = hyab({a.lightness[x], a.a[x], a.b[x]}, {b.lightness[x], b.a[x], b.b[x]});
+    exponents[x] = 1 - feature_error(a, b, x);
+  }
+  for (std::size_t x = 0; x < distances.size(); ++x)  // the power of 0, without its cost
+    errors[x] = distances[x] == 0 ? 0 : std::pow(colour_error(distances[x]), exponents[x]);
 }
 
 // ---- Pooling ----
@@ -304,12 +318,13 @@ ImageF flip_errors(const Image8& reference, const Image8& image, double pixels_p
   const Box box = box_to_compare(reference, image, filters.radius);  // beyond it the error is 0
   const FilteredPicture a(reference, box, filters), b(image, box, filters);
   ImageF errors(reference.width, reference.height, 1);
+  const auto width = static_cast<std::size_t>(box.width());
+  std::vector<float> distances(width), exponents(width);
   FilteredRow row_a, row_b;
   for (int y = 0; y < box.height(); ++y) {
     a.load(y, row_a);
     b.load(y, row_b);
-    for (int x = 0; x < box.width(); ++x)
-      errors.at(box.left + x, box.bottom + y) = error_at(row_a, row_b, static_cast<std::size_t>(x));
+    combine(row_a, row_b, distances, exponents, &errors.at(box.left, box.bottom + y));
   }
   return errors;
 }

@@ -45,15 +45,18 @@ std::int64_t resolve_index([[maybe_unused]] std::int64_t written, [[maybe_unused
 }
 
 /// Reads an integer off the front of [at, end); false when there is none or it has more than 18 digits.
-bool take_integer(const char*& at, const char* end, std::int64_t& value) {
-  const bool negative = at != end && *at == '-';
-  if (at != end && (*at == '-' || *at == '+')) ++at;
-  const char* const first_digit = at;
-  value = 0;
-  for (; at != end && *at >= '0' && *at <= '9' && at - first_digit < 18; ++at)
-    value = 10 * value + (*at - '0');
-  if (negative) value = -value;
-  return at != first_digit && (at == end || *at < '0' || *at > '9');
+inline bool take_integer(const char*& at, const char* end, std::int64_t& value) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const char* next = at;  // a copy, which the compiler can keep in a register
+  const bool negative = next != end && *next == '-';
+  if (next != end && (*next == '-' || *next == '+')) ++next;
+  const char* const first_digit = next;
+  const char* const limit = end - next > 18 ? next + 18 : end;
+  std::int64_t digits = 0;
+  for (; next != limit && is_digit(*next); ++next) digits = 10 * digits + (*next - '0');
+  value = negative ? -digits : digits;
+  at = next;
+  return next != first_digit && (next == end || !is_digit(*next));
 }
 
 class Parser {
@@ -107,9 +110,14 @@ class Parser {
   std::span<const float> numbers(std::string_view line, const char* keyword, std::size_t least,
                                  std::size_t most) {
     std::size_t count = 0;
-    for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
+    const char* at = line.data();
+    const char* const end = at + line.size();
+    for (; skip_blanks(at, end); ++count) {
       if (count == most) fail(fmt::format("{} has more than {} numbers", keyword, most), "remove the rest");
-      switch (parse_float(word, numbers_[count++])) {
+      if (take_plain_number(at, end, numbers_[count])) continue;
+      const std::string_view word(at, static_cast<std::size_t>(std::find_if(at, end, is_blank) - at));
+      at += word.size();
+      switch (parse_float(word, numbers_[count])) {
         case NumberStatus::ok:
           break;
         case NumberStatus::malformed:
@@ -156,20 +164,26 @@ class Parser {
     data_.normals.emplace_back(n[0], n[1], n[2]);
   }
 
+  [[noreturn]] void fail_no_index(const char* at, const char* end, const char* list) const {
+    const char* word_end = std::find_if(at, end, is_blank);
+    fail(fmt::format("{} is not an index of {}", for_message({at, static_cast<std::size_t>(word_end - at)}),
+                     list),
+         "write corners as v, v/vt, v//vn or v/vt/vn");
+  }
+
+  [[noreturn]] void fail_index(std::int64_t written, std::size_t count, const char* list) const {
+    if (written == 0) fail(fmt::format("index 0 of {}", list), "OBJ counts from 1, or from -1 backwards");
+    fail(fmt::format("index {} of {} is out of range: {} so far", written, list, count),
+         "a face may only use lines above it");
+  }
+
   /// One index of a corner; `at` stands on its first character.
   std::uint32_t take_index(const char*& at, const char* end, std::size_t count, const char* list) const {
     std::int64_t written = 0;
-    if (!take_integer(at, end, written)) {
-      const char* word_end = std::find_if(at, end, is_blank);
-      fail(fmt::format("{} is not an index of {}", for_message({at, static_cast<std::size_t>(word_end - at)}),
-                       list),
-           "write corners as v, v/vt, v//vn or v/vt/vn");
-    }
-    if (written == 0) fail(fmt::format("index 0 of {}", list), "OBJ counts from 1, or from -1 backwards");
+    if (!take_integer(at, end, written)) fail_no_index(at, end, list);
+    if (written == 0) fail_index(written, count, list);
     const std::int64_t index = resolve_index(written, static_cast<std::int64_t>(count));
-    if (index < 0 || index >= static_cast<std::int64_t>(count))
-      fail(fmt::format("index {} of {} is out of range: {} so far", written, list, count),
-           "a face may only use lines above it");
+    if (index < 0 || index >= static_cast<std::int64_t>(count)) fail_index(written, count, list);
     return static_cast<std::uint32_t>(index);
   }
 
@@ -193,9 +207,7 @@ class Parser {
     face_.clear();
     const char* at = line.data();
     const char* const end = at + line.size();
-    while (true) {
-      while (at != end && is_blank(*at)) ++at;
-      if (at == end || *at == '#') break;
+    while (skip_blanks(at, end)) {
       const Corner corner = take_corner(at, end);
       if (!face_.empty() && face_.back().position == corner.position)
         ++data_.report.dropped_corners;

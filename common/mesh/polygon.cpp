@@ -47,6 +47,21 @@ bool fan_fits(const std::vector<glm::dvec2>& flat) {
   return true;
 }
 
+/// Whether the fan fits by so much that rounding cannot matter: seen along the polygon's `normal` (of any
+/// length), each triangle a b of the fan has more than a thousandth of the area |a| |b| / 2. True for nearly
+/// all polygons that are drawn, at a third of the cost of flattening them.
+bool fan_fits_clearly(std::span<const glm::vec3> corners, const glm::dvec3& normal) {
+  const glm::dvec3 origin(corners[0]);
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    const glm::dvec3 a = glm::dvec3(corners[i]) - origin, b = glm::dvec3(corners[i + 1]) - origin;
+    const double along = glm::dot(glm::cross(a, b), normal);
+    const bool clear =
+        along > 0.0 && along * along > 1e-6 * glm::dot(a, a) * glm::dot(b, b) * glm::dot(normal, normal);
+    if (!clear) return false;
+  }
+  return true;
+}
+
 /// Whether some corner of the rest of the polygon lies inside or on the triangle a b c, which is then no ear.
 /// Corners at the same place as a, b or c do not count: a polygon with a bridge to a hole has such.
 [[maybe_unused]] bool holds_a_corner(const std::vector<glm::dvec2>& flat,
@@ -101,7 +116,12 @@ Cut triangulate(std::span<const glm::vec3> corners, std::vector<Triangle>& trian
     fan(corners.size(), triangles);
     return Cut::fan;
   }
-  const glm::vec3 normal = unit_or_zero(newell_normal(corners));
+  const glm::dvec3 newell = newell_normal(corners);
+  if (fan_fits_clearly(corners, newell)) {
+    fan(corners.size(), triangles);
+    return Cut::fan;
+  }
+  const glm::vec3 normal = unit_or_zero(newell);
   if (!is_zero(normal)) {
     const std::vector<glm::dvec2> flat = flatten(corners, normal);
     if (!fan_fits(flat) && corners.size() <= max_clipped_corners)

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/tangents.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
 #include "mesh/distinct.hpp"
 #include "mesh/vectors.hpp"
 #include "mesh/weld.hpp"
+#include "parallel.hpp"
 
 namespace texel::mesh {
 
@@ -75,25 +77,27 @@ struct Frames {
   std::vector<signed char> turn;  // +1, -1, or 0 for degenerate
 };
 
-Frames triangle_frames(const Mesh& mesh, TangentReport& report) {
+Frames triangle_frames(const Mesh& mesh, unsigned threads, TangentReport& report) {
   Frames frames{std::vector<TriangleFrame>(mesh.triangle_count()),
                 std::vector<signed char>(mesh.triangle_count())};
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    const auto corners = corners_of(mesh, t);
-    const auto positions = gather(mesh.positions, corners);
-    const auto texcoords = gather(mesh.texcoords, corners);
-    const double area = texture_area(texcoords);
-    TriangleFrame frame;
-    if (area != 0.0) frame = triangle_frame(positions, texcoords);
-    // A triangle without area in space has T and B of zero length or along the same line.
-    const glm::dvec3 across = glm::cross(glm::dvec3(frame.tangent), glm::dvec3(frame.bitangent));
-    if (is_zero(unit_or_zero(across))) {
-      ++report.degenerate_triangles;
-      continue;
+  in_parallel(threads, [&](unsigned part) {
+    const Share share(mesh.triangle_count(), part, threads);
+    for (std::size_t t = share.begin; t < share.end; ++t) {
+      const auto corners = corners_of(mesh, t);
+      const auto positions = gather(mesh.positions, corners);
+      const auto texcoords = gather(mesh.texcoords, corners);
+      const double area = texture_area(texcoords);
+      TriangleFrame frame;
+      if (area != 0.0) frame = triangle_frame(positions, texcoords);
+      // A triangle without area in space has T and B of zero length or along the same line.
+      const glm::dvec3 across = glm::cross(glm::dvec3(frame.tangent), glm::dvec3(frame.bitangent));
+      if (is_zero(unit_or_zero(across))) continue;
+      frames.of_triangle[t] = frame;
+      frames.turn[t] = area > 0.0 ? 1 : -1;
     }
-    frames.of_triangle[t] = frame;
-    frames.turn[t] = area > 0.0 ? 1 : -1;
-  }
+  });
+  report.degenerate_triangles =
+      static_cast<std::uint32_t>(std::count(frames.turn.begin(), frames.turn.end(), 0));
   return frames;
 }
 
@@ -175,23 +179,38 @@ void store_orthonormal(Mesh& mesh, const std::vector<TriangleFrame>& sums, Tange
 
 // ---- MikkTSpace: corners are numbered 3 * triangle + (0, 1, 2). ----
 
-/// For each corner the number of its distinct (position, normal, texcoord).
-std::vector<std::uint32_t> weld_corners(const Mesh& mesh) {
+/// For each corner the first vertex of its mesh that has the same position, normal and texcoord.
+std::vector<std::uint32_t> weld_corners(const Mesh& mesh, unsigned threads) {
   const auto same = [&mesh](std::uint32_t a, std::uint32_t b) {
     return mesh.positions[a] == mesh.positions[b] && mesh.normals[a] == mesh.normals[b] &&
            mesh.texcoords[a] == mesh.texcoords[b];
   };
-  DistinctTable table(mesh.vertex_count());
-  std::vector<std::uint32_t> first;  // a mesh vertex of each number
-  std::vector<std::uint32_t> of_vertex(mesh.vertex_count());
-  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+  const auto hash_of = [&mesh](std::uint32_t v) {
     std::uint64_t hash = 0;
-    const auto add = [&hash](float x) { hash = mix(hash ^ value_bits(x)); };
-    for (int k = 0; k < 3; ++k) add(mesh.positions[v][k]), add(mesh.normals[v][k]);
-    add(mesh.texcoords[v].s), add(mesh.texcoords[v].t);
-    of_vertex[v] = table.number(hash, [&](std::uint32_t n) { return same(first[n], v); });
-    if (of_vertex[v] == first.size()) first.push_back(v);
-  }
+    const auto add = [&hash](float x, float y) {
+      hash = mix(hash ^ (std::uint64_t{value_bits(x)} << 32 | value_bits(y)));
+    };
+    for (int k = 0; k < 3; ++k) add(mesh.positions[v][k], mesh.normals[v][k]);
+    add(mesh.texcoords[v].s, mesh.texcoords[v].t);
+    return hash;
+  };
+  std::vector<std::uint64_t> hashes(mesh.vertex_count());
+  in_parallel(threads, [&](unsigned part) {
+    const Share share(mesh.vertex_count(), part, threads);
+    for (std::size_t v = share.begin; v < share.end; ++v) hashes[v] = hash_of(static_cast<std::uint32_t>(v));
+  });
+  // Equal vertices have equal hashes: each part welds those whose hash is its own.
+  std::vector<std::uint32_t> of_vertex(mesh.vertex_count());
+  in_parallel(threads, [&](unsigned part) {
+    DistinctTable table(mesh.vertex_count() / threads);
+    std::vector<std::uint32_t> first;  // the first vertex of each number
+    for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+      if (hashes[v] % threads != part) continue;
+      const std::uint32_t n = table.number(hashes[v], [&](std::uint32_t k) { return same(first[k], v); });
+      if (n == first.size()) first.push_back(v);
+      of_vertex[v] = first[n];
+    }
+  });
   std::vector<std::uint32_t> of_corner(mesh.indices.size());
   for (std::size_t c = 0; c < of_corner.size(); ++c) of_corner[c] = of_vertex[mesh.indices[c]];
   return of_corner;
@@ -207,32 +226,38 @@ std::size_t previous_corner(std::size_t corner) {
 /// For the edge that starts at each corner, the corner at which the same edge starts in the triangle on its
 /// other side, or none. Edges that more than two triangles share are paired in order of appearance, and only
 /// edges that run in opposite directions match.
-std::vector<std::uint32_t> opposite_edges(const std::vector<std::uint32_t>& welded) {
-  struct Waiting {
-    std::uint32_t from, to, corner;  // corner: the last edge from -> to without a partner, or no_index
+std::vector<std::uint32_t> opposite_edges(const std::vector<std::uint32_t>& welded, std::size_t vertices,
+                                          unsigned threads) {
+  struct Edge {
+    std::uint32_t low, high;  // its vertices
+    std::uint32_t waiting;    // the last corner at which it starts and that has no partner, or no_index
+    bool upwards;             // whether it starts at `low` there
   };
   std::vector<std::uint32_t> opposite(welded.size(), no_index);
-  std::vector<Waiting> edges;
-  DistinctTable table(welded.size());
-  const auto lookup = [&](std::uint32_t from, std::uint32_t to) -> Waiting& {
-    const std::uint32_t n = table.number(mix(std::uint64_t{from} << 32 | to), [&](std::uint32_t k) {
-      return edges[k].from == from && edges[k].to == to;
-    });
-    if (n == edges.size()) edges.push_back({from, to, no_index});
-    return edges[n];
-  };
-  for (std::uint32_t c = 0; c < welded.size(); ++c) {
-    const std::uint32_t from = welded[c], to = welded[next_corner(c)];
-    if (from == to) continue;
-    Waiting& other = lookup(to, from);
-    if (other.corner != no_index) {
-      opposite[c] = other.corner;
-      opposite[other.corner] = c;
-      other.corner = no_index;
-    } else {
-      lookup(from, to).corner = c;
+  in_parallel(threads, [&](unsigned part) {
+    const Share share(vertices, part, threads);  // of the edges, by their lower vertex
+    std::vector<Edge> edges;
+    DistinctTable table(welded.size() / 2 / threads);
+    for (std::uint32_t c = 0; c < welded.size(); ++c) {
+      const std::uint32_t from = welded[c], to = welded[next_corner(c)];
+      const auto [low, high] = std::minmax(from, to);
+      if (from == to || !share.holds(low)) continue;
+      const std::uint32_t n = table.number(mix(std::uint64_t{low} << 32 | high), [&](std::uint32_t k) {
+        return edges[k].low == low && edges[k].high == high;
+      });
+      if (n == edges.size()) edges.push_back({low, high, no_index, false});
+      Edge& edge = edges[n];
+      const bool upwards = from == low;
+      if (edge.waiting == no_index || edge.upwards == upwards) {
+        edge.waiting = c;
+        edge.upwards = upwards;
+      } else {
+        opposite[c] = edge.waiting;
+        opposite[edge.waiting] = c;
+        edge.waiting = no_index;
+      }
     }
-  }
+  });
   return opposite;
 }
 
@@ -242,8 +267,8 @@ struct Groups {
   std::vector<signed char> turn;
 };
 
-Groups group_corners(const std::vector<std::uint32_t>& welded, std::vector<signed char> turn) {
-  const std::vector<std::uint32_t> opposite = opposite_edges(welded);
+Groups group_corners(const std::vector<std::uint32_t>& welded, const std::vector<std::uint32_t>& opposite,
+                     std::vector<signed char> turn) {
   Groups groups{std::vector<std::uint32_t>(welded.size(), no_index), {}};
   std::vector<std::size_t> stack;
   for (std::size_t start = 0; start < welded.size(); ++start) {
@@ -270,8 +295,8 @@ Groups group_corners(const std::vector<std::uint32_t>& welded, std::vector<signe
   return groups;
 }
 
-/// T of a corner's triangle and the corner's weight, both in the plane of the corner's normal.
-glm::dvec3 projected_tangent(const Mesh& mesh, std::size_t corner, const glm::vec3& tangent) {
+/// A triangle's unit T and the weight of its corner, both in the plane of the corner's normal.
+glm::dvec3 projected_tangent(const Mesh& mesh, std::size_t corner, const glm::vec3& unit_tangent) {
   const glm::dvec3 normal = mesh.normals[mesh.indices[corner]];
   const auto into_plane = [&normal](const glm::dvec3& v) {
     return glm::cross(glm::cross(normal, v), normal);
@@ -280,24 +305,35 @@ glm::dvec3 projected_tangent(const Mesh& mesh, std::size_t corner, const glm::ve
   const glm::dvec3 next = mesh.positions[mesh.indices[next_corner(corner)]];
   const glm::dvec3 previous = mesh.positions[mesh.indices[previous_corner(corner)]];
   const double angle = angle_between(into_plane(next - here), into_plane(previous - here));
-  return angle * glm::dvec3(unit_or_zero(into_plane(unit_or_zero(tangent))));
+  return angle * glm::dvec3(unit_or_zero(into_plane(unit_tangent)));
 }
 
-void mikktspace(Mesh& mesh, const Frames& frames, TangentReport& report) {
-  const std::vector<std::uint32_t> welded = weld_corners(mesh);
-  Groups groups = group_corners(welded, frames.turn);
-
+/// The sum of each group's projected tangents, in the order of the corners whatever the number of threads.
+std::vector<glm::dvec3> sum_by_group(const Mesh& mesh, const Groups& groups, const Frames& frames,
+                                     unsigned threads) {
   std::vector<glm::dvec3> sums(groups.turn.size(), glm::dvec3(0.0));
-  std::vector<std::uint32_t> group_at(mesh.vertex_count(),
-                                      no_index);  // by welded number: the first group there
-  for (std::size_t c = 0; c < welded.size(); ++c) {
-    const std::uint32_t group = groups.of_corner[c];
-    if (group == no_index) continue;
-    if (group_at[welded[c]] == no_index) group_at[welded[c]] = group;
-    sums[group] += projected_tangent(mesh, c, frames.of_triangle[c / 3].tangent);
-  }
+  in_parallel(threads, [&](unsigned part) {
+    const Share share(sums.size(), part, threads);  // of the groups; no_index is in none
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+      const std::uint32_t* group = &groups.of_corner[3 * t];
+      if (std::none_of(group, group + 3, [&](std::uint32_t g) { return share.holds(g); })) continue;
+      const glm::vec3 unit = unit_or_zero(frames.of_triangle[t].tangent);
+      for (std::size_t k = 0; k < 3; ++k)
+        if (share.holds(group[k])) sums[group[k]] += projected_tangent(mesh, 3 * t + k, unit);
+    }
+  });
+  return sums;
+}
+
+void mikktspace(Mesh& mesh, const Frames& frames, unsigned threads, TangentReport& report) {
+  const std::vector<std::uint32_t> welded = weld_corners(mesh, threads);
+  Groups groups = group_corners(welded, opposite_edges(welded, mesh.vertex_count(), threads), frames.turn);
+  const std::vector<glm::dvec3> sums = sum_by_group(mesh, groups, frames, threads);
 
   // A degenerate triangle that no group reached takes its neighbour's frame.
+  std::vector<std::uint32_t> group_at(mesh.vertex_count(), no_index);  // by welded vertex: the first there
+  for (std::size_t c = 0; c < welded.size(); ++c)
+    if (group_at[welded[c]] == no_index) group_at[welded[c]] = groups.of_corner[c];
   for (std::size_t c = 0; c < welded.size(); ++c)
     if (groups.of_corner[c] == no_index) groups.of_corner[c] = group_at[welded[c]];
   const std::vector<std::uint32_t> group_of_vertex = split(mesh, groups.of_corner, report);
@@ -315,15 +351,16 @@ void mikktspace(Mesh& mesh, const Frames& frames, TangentReport& report) {
 
 }  // namespace
 
-TangentReport compute_tangents(Mesh& mesh, TangentMethod method) {
+TangentReport compute_tangents(Mesh& mesh, TangentMethod method, unsigned threads) {
   if (mesh.texcoords.size() != mesh.vertex_count())
     throw Error::failed("tangents need texture coordinates, and the mesh has none", {},
                         "give the file vt lines or choose a projection");
   if (mesh.normals.size() != mesh.vertex_count())
     throw Error::failed("tangents need normals, and the mesh has none", {},
                         "generate flat or smooth normals");
+  if (threads == 0) threads = parts_for(mesh.triangle_count(), 10'000);
   TangentReport report;
-  const Frames frames = triangle_frames(mesh, report);
+  const Frames frames = triangle_frames(mesh, threads, report);
   mesh.bitangents.clear();
   mesh.tangents.assign(mesh.vertex_count(), glm::vec4(0.0f));
   switch (method) {
@@ -339,7 +376,7 @@ TangentReport compute_tangents(Mesh& mesh, TangentMethod method) {
       store_orthonormal(mesh, sum_by_angle(mesh, frames), report);
       break;
     case TangentMethod::mikktspace:
-      mikktspace(mesh, frames, report);
+      mikktspace(mesh, frames, threads, report);
       break;
   }
   return report;

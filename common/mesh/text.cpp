@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "text.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -12,8 +13,10 @@ LineReader::LineReader(std::string_view text) : text_(text) {
 
 std::string_view LineReader::physical_line() {
   const std::size_t begin = position_;
-  std::size_t end = begin;
-  while (end < text_.size() && text_[end] != '\n' && text_[end] != '\r') ++end;
+  if (newline_ < begin || begin == 0) newline_ = std::min(text_.find('\n', begin), text_.size());
+  // Lines of CR alone lie many before one '\n': that is why it is remembered.
+  const std::size_t end =
+      begin + std::min(text_.substr(begin, newline_ - begin).find('\r'), newline_ - begin);
   position_ = end;
   if (position_ < text_.size()) {
     const bool crlf = text_[end] == '\r' && end + 1 < text_.size() && text_[end + 1] == '\n';

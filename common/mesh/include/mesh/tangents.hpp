@@ -54,8 +54,9 @@ double texture_area(const std::array<glm::vec2, 3>& texcoords);
 
 /// Fills tangents (and bitangents for `averaged`, else empties them) from positions, normals and texcoords.
 /// Where triangles of both turns meet at a vertex, all methods but `averaged` append a vertex for the later
-/// one; the order of vertices and triangles is else kept. Linear time. Throws Error (exit 3) when the mesh
-/// has no normals or no texture coordinates.
-TangentReport compute_tangents(Mesh& mesh, TangentMethod method);
+/// one; the order of vertices and triangles is else kept. Expected linear time. The result does not depend on
+/// the number of `threads`; 0 takes as many as the processor has cores, and one for a small mesh. Throws
+/// Error (exit 3) when the mesh has no normals or no texture coordinates.
+TangentReport compute_tangents(Mesh& mesh, TangentMethod method, unsigned threads = 0);
 
 }  // namespace texel::mesh

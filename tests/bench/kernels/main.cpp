@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Google Benchmark's program; its options apply, --benchmark_filter=obj/ for one kernel alone. Exits with 1
+// when a result was wrong and with 2 for wrong usage.
+#include "kernels.hpp"
+
+namespace texel::bench {
+namespace {
+bool any_wrong = false;
+}
+
+void wrong_result(benchmark::State& state, const std::string& what) {
+  any_wrong = true;
+  state.SkipWithError(what.c_str());
+}
+
+}  // namespace texel::bench
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  texel::bench::register_obj();
+  texel::bench::register_tangents();
+  texel::bench::register_flip();
+  benchmark::RunSpecifiedBenchmarks();
+  return texel::bench::any_wrong ? 1 : 0;
+}

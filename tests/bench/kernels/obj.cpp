@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/obj.hpp"
+
+#include <tiny_obj_loader.h>
+
+#include <cstdlib>
+#include <functional>
+
+#include "kernels.hpp"
+#include "mesh/weld.hpp"
+#include "torus_file.hpp"
+
+namespace texel::bench {
+namespace {
+
+using Path = std::filesystem::path;
+
+/// A file of this process's scratch folder, written when it is first asked for.
+Path torus_file(const std::string& name, const TorusFile& torus) {
+  static const ScratchFolder folder;
+  Path path = folder.path() / (name + ".obj");
+  if (!std::filesystem::exists(path)) write_torus(path, torus);
+  return path;
+}
+
+std::size_t load_texel(const Path& path) {
+  const mesh::ObjData data = mesh::load_obj(path);
+  return data.triangle_count();
+}
+
+std::size_t load_texel_mesh(const Path& path) {
+  const mesh::Mesh mesh = mesh::weld(mesh::load_obj(path));
+  return mesh.triangle_count();
+}
+
+std::size_t load_tinyobjloader(const Path& path) {
+  tinyobj::attrib_t attributes;
+  std::vector<tinyobj::shape_t> shapes;
+  std::vector<tinyobj::material_t> materials;
+  std::string warning, error;
+  const std::string folder = path.parent_path().string();
+  if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, path.c_str(), folder.c_str()))
+    return 0;
+  std::size_t corners = 0;
+  for (const tinyobj::shape_t& shape : shapes) corners += shape.mesh.indices.size();
+  return corners / 3;
+}
+
+void register_file(const std::string& name, const std::function<Path()>& path) {
+  const auto version = [&](const char* end, std::size_t (*load)(const Path&)) {
+    const auto measure = [path, load](benchmark::State& state) {
+      const Path file = path();
+      const std::size_t expected = load_texel(file);
+      for (auto _ : state) {
+        if (load(file) != expected) return wrong_result(state, "another number of triangles");
+      }
+      const auto rounds = static_cast<double>(state.iterations());
+      state.counters["triangles_per_second"] =
+          benchmark::Counter(rounds * static_cast<double>(expected), benchmark::Counter::kIsRate);
+      state.counters["bytes_per_second"] = benchmark::Counter(
+          rounds * static_cast<double>(std::filesystem::file_size(file)), benchmark::Counter::kIsRate);
+    };
+    benchmark::RegisterBenchmark(("obj/" + name + "/" + end).c_str(), measure)
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime();
+  };
+  version("texel", load_texel);
+  version("texel_mesh", load_texel_mesh);
+  version("tinyobjloader", load_tinyobjloader);
+}
+
+void register_torus(const std::string& name, const TorusFile& torus) {
+  register_file(name, [=] { return torus_file(name, torus); });
+}
+
+}  // namespace
+
+void register_obj() {
+  for (const char* name : {"cube", "torus", "gator"})
+    register_file(name, [=] { return Path(TEXEL_SOURCE) / "assets/models" / (std::string(name) + ".obj"); });
+  register_torus("quads_2m", {1000, 1000, true});       // 130 MB
+  register_torus("triangles_2m", {1000, 1000, false});  // 170 MB
+  // To show that time grows with the number of triangles: about a gigabyte.
+  if (const char* large = std::getenv("TEXEL_BENCH_LARGE"); large && *large)
+    register_torus("quads_10m", {2500, 2000, true});
+}
+
+}  // namespace texel::bench

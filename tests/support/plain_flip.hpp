@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// FLIP (Andersson et al. 2020) in double precision, with the constants as the paper has them: what
+// image::flip_errors must come near to, and what its speed is measured against.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "image/flip.hpp"
+
+namespace texel::image {
+
+using Vector = std::array<double, 3>;
+
+/// X and Z of D65, Y = 1 (IEC 61966-2-1).
+inline constexpr double white_xyz[3] = {23359437.0 / 24577794, 1, 80288307.0 / 73733382};
+
+/// The linear part of an sRGB-encoded value, both 0 to 1.
+double plain_linear(double encoded);
+Vector plain_xyz(const Vector& linear_rgb);
+/// The x with x[0] * columns[0] + x[1] * columns[1] + x[2] * columns[2] = right.
+Vector solve(const std::array<Vector, 3>& columns, const Vector& right);
+/// L*a*b* with the Hunt effect of linear RGB.
+Vector plain_hunt_lab(const Vector& linear_rgb);
+double plain_hyab(const Vector& a, const Vector& b);
+/// A HyAB distance as an error of 0 to 1.
+double plain_colour_error(double distance);
+
+enum class PlainFilters {
+  square,    ///< each pixel as a weighted sum over the square around it, as the paper defines the filters
+  separable  ///< the same filters along the rows and then along the columns
+};
+
+/// The error of each pixel, row after row.
+std::vector<double> plain_flip(const Image8& reference, const Image8& image, PlainFilters filters,
+                               double pixels_per_degree = default_pixels_per_degree);
+
+}  // namespace texel::image
