@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -383,7 +384,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   try {
     options.work = fs::temp_directory_path() / fmt::format("texel_performance_{}", ::getpid());
-    make_folder(options.work);
+    fs::create_directories(options.work);
     Bench(options).run();
     fs::remove_all(options.work);
   } catch (const std::exception& error) {
