@@ -2,6 +2,7 @@
 #include "mesh/tangents.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -341,15 +342,20 @@ void mikktspace(Mesh& mesh, const Frames& frames, unsigned threads, TangentRepor
     if (groups.of_corner[c] == no_index) groups.of_corner[c] = group_at[welded[c]];
   const std::vector<std::uint32_t> group_of_vertex = split(mesh, groups.of_corner, report);
 
-  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    const std::uint32_t group = group_of_vertex[v];
-    glm::vec3 tangent = group == no_index ? glm::vec3(0.0f) : unit_or_zero(sums[group]);
-    if (is_zero(tangent)) {
-      ++report.fallback_vertices;
-      tangent = any_orthogonal(mesh.normals[v]);
+  std::atomic<std::uint32_t> fallbacks = 0;
+  in_parallel(threads, [&](unsigned part) {
+    const Share share(mesh.vertex_count(), part, threads);
+    for (std::size_t v = share.begin; v < share.end; ++v) {
+      const std::uint32_t group = group_of_vertex[v];
+      glm::vec3 tangent = group == no_index ? glm::vec3(0.0f) : unit_or_zero(sums[group]);
+      if (is_zero(tangent)) {
+        ++fallbacks;
+        tangent = any_orthogonal(mesh.normals[v]);
+      }
+      mesh.tangents[v] = {tangent, group != no_index && groups.turn[group] < 0 ? -1.0f : 1.0f};
     }
-    mesh.tangents[v] = {tangent, group != no_index && groups.turn[group] < 0 ? -1.0f : 1.0f};
-  }
+  });
+  report.fallback_vertices = fallbacks;
 }
 
 }  // namespace
