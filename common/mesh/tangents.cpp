@@ -2,6 +2,7 @@
 #include "mesh/tangents.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -179,6 +180,11 @@ void store_orthonormal(Mesh& mesh, const std::vector<TriangleFrame>& sums, Tange
 
 // ---- MikkTSpace: corners are numbered 3 * triangle + (0, 1, 2). ----
 
+/// Which of the parts does the things with this hash, by its lower half: DistinctTable takes the upper one.
+unsigned part_of(std::uint64_t hash, unsigned parts) {
+  return static_cast<unsigned>((hash & 0xFFFFFFFFu) * parts >> 32);
+}
+
 /// For each corner the first vertex of its mesh that has the same position, normal and texcoord.
 std::vector<std::uint32_t> weld_corners(const Mesh& mesh, unsigned threads) {
   const auto same = [&mesh](std::uint32_t a, std::uint32_t b) {
@@ -205,7 +211,7 @@ std::vector<std::uint32_t> weld_corners(const Mesh& mesh, unsigned threads) {
     DistinctTable table(mesh.vertex_count() / threads);
     std::vector<std::uint32_t> first;  // the first vertex of each number
     for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-      if (hashes[v] % threads != part) continue;
+      if (part_of(hashes[v], threads) != part) continue;
       const std::uint32_t n = table.number(hashes[v], [&](std::uint32_t k) { return same(first[k], v); });
       if (n == first.size()) first.push_back(v);
       of_vertex[v] = first[n];
@@ -226,8 +232,7 @@ std::size_t previous_corner(std::size_t corner) {
 /// For the edge that starts at each corner, the corner at which the same edge starts in the triangle on its
 /// other side, or none. Edges that more than two triangles share are paired in order of appearance, and only
 /// edges that run in opposite directions match.
-std::vector<std::uint32_t> opposite_edges(const std::vector<std::uint32_t>& welded, std::size_t vertices,
-                                          unsigned threads) {
+std::vector<std::uint32_t> opposite_edges(const std::vector<std::uint32_t>& welded, unsigned threads) {
   struct Edge {
     std::uint32_t low, high;  // its vertices
     std::uint32_t waiting;    // the last corner at which it starts and that has no partner, or no_index
@@ -235,16 +240,15 @@ std::vector<std::uint32_t> opposite_edges(const std::vector<std::uint32_t>& weld
   };
   std::vector<std::uint32_t> opposite(welded.size(), no_index);
   in_parallel(threads, [&](unsigned part) {
-    const Share share(vertices, part, threads);  // of the edges, by their lower vertex
     std::vector<Edge> edges;
     DistinctTable table(welded.size() / 2 / threads);
     for (std::uint32_t c = 0; c < welded.size(); ++c) {
       const std::uint32_t from = welded[c], to = welded[next_corner(c)];
       const auto [low, high] = std::minmax(from, to);
-      if (from == to || !share.holds(low)) continue;
-      const std::uint32_t n = table.number(mix(std::uint64_t{low} << 32 | high), [&](std::uint32_t k) {
-        return edges[k].low == low && edges[k].high == high;
-      });
+      const std::uint64_t hash = mix(std::uint64_t{low} << 32 | high);
+      if (from == to || part_of(hash, threads) != part) continue;
+      const std::uint32_t n =
+          table.number(hash, [&](std::uint32_t k) { return edges[k].low == low && edges[k].high == high; });
       if (n == edges.size()) edges.push_back({low, high, no_index, false});
       Edge& edge = edges[n];
       const bool upwards = from == low;
@@ -327,7 +331,7 @@ std::vector<glm::dvec3> sum_by_group(const Mesh& mesh, const Groups& groups, con
 
 void mikktspace(Mesh& mesh, const Frames& frames, unsigned threads, TangentReport& report) {
   const std::vector<std::uint32_t> welded = weld_corners(mesh, threads);
-  Groups groups = group_corners(welded, opposite_edges(welded, mesh.vertex_count(), threads), frames.turn);
+  Groups groups = group_corners(welded, opposite_edges(welded, threads), frames.turn);
   const std::vector<glm::dvec3> sums = sum_by_group(mesh, groups, frames, threads);
 
   // A degenerate triangle that no group reached takes its neighbour's frame.
@@ -338,15 +342,20 @@ void mikktspace(Mesh& mesh, const Frames& frames, unsigned threads, TangentRepor
     if (groups.of_corner[c] == no_index) groups.of_corner[c] = group_at[welded[c]];
   const std::vector<std::uint32_t> group_of_vertex = split(mesh, groups.of_corner, report);
 
-  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    const std::uint32_t group = group_of_vertex[v];
-    glm::vec3 tangent = group == no_index ? glm::vec3(0.0f) : unit_or_zero(sums[group]);
-    if (is_zero(tangent)) {
-      ++report.fallback_vertices;
-      tangent = any_orthogonal(mesh.normals[v]);
+  std::atomic<std::uint32_t> fallbacks = 0;
+  in_parallel(threads, [&](unsigned part) {
+    const Share share(mesh.vertex_count(), part, threads);
+    for (std::size_t v = share.begin; v < share.end; ++v) {
+      const std::uint32_t group = group_of_vertex[v];
+      glm::vec3 tangent = group == no_index ? glm::vec3(0.0f) : unit_or_zero(sums[group]);
+      if (is_zero(tangent)) {
+        ++fallbacks;
+        tangent = any_orthogonal(mesh.normals[v]);
+      }
+      mesh.tangents[v] = {tangent, group != no_index && groups.turn[group] < 0 ? -1.0f : 1.0f};
     }
-    mesh.tangents[v] = {tangent, group != no_index && groups.turn[group] < 0 ? -1.0f : 1.0f};
-  }
+  });
+  report.fallback_vertices = fallbacks;
 }
 
 }  // namespace
