@@ -5,6 +5,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -28,7 +29,11 @@ void in_parallel(unsigned threads, std::size_t count, const std::function<void(s
       }
   };
   std::vector<std::jthread> others;
-  for (unsigned i = 1; i < threads; ++i) others.emplace_back(work);
+  try {
+    for (unsigned i = 1; i < threads && i < count; ++i) others.emplace_back(work);
+  } catch (const std::system_error&) {
+    // No further thread can be had: those that there are do it all.
+  }
   work();
   others.clear();
   if (fault) std::rethrow_exception(fault);

@@ -9,7 +9,7 @@
 #include "mesh/distinct.hpp"
 #include "mesh/vectors.hpp"
 #include "mesh/weld.hpp"
-#include "parallel.hpp"
+#include "share.hpp"
 
 namespace texel::mesh {
 
@@ -81,7 +81,7 @@ struct Frames {
 Frames triangle_frames(const Mesh& mesh, unsigned threads, TangentReport& report) {
   Frames frames{std::vector<TriangleFrame>(mesh.triangle_count()),
                 std::vector<signed char>(mesh.triangle_count())};
-  in_parallel(threads, [&](unsigned part) {
+  in_parallel(threads, threads, [&](std::size_t part) {
     const Share share(mesh.triangle_count(), part, threads);
     for (std::size_t t = share.begin; t < share.end; ++t) {
       const auto corners = corners_of(mesh, t);
@@ -201,13 +201,13 @@ std::vector<std::uint32_t> weld_corners(const Mesh& mesh, unsigned threads) {
     return hash;
   };
   std::vector<std::uint64_t> hashes(mesh.vertex_count());
-  in_parallel(threads, [&](unsigned part) {
+  in_parallel(threads, threads, [&](std::size_t part) {
     const Share share(mesh.vertex_count(), part, threads);
     for (std::size_t v = share.begin; v < share.end; ++v) hashes[v] = hash_of(static_cast<std::uint32_t>(v));
   });
   // Equal vertices have equal hashes: each part welds those whose hash is its own.
   std::vector<std::uint32_t> of_vertex(mesh.vertex_count());
-  in_parallel(threads, [&](unsigned part) {
+  in_parallel(threads, threads, [&](std::size_t part) {
     DistinctTable table(mesh.vertex_count() / threads);
     std::vector<std::uint32_t> first;  // the first vertex of each number
     for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -239,7 +239,7 @@ std::vector<std::uint32_t> opposite_edges(const std::vector<std::uint32_t>& weld
     bool upwards;             // whether it starts at `low` there
   };
   std::vector<std::uint32_t> opposite(welded.size(), no_index);
-  in_parallel(threads, [&](unsigned part) {
+  in_parallel(threads, threads, [&](std::size_t part) {
     std::vector<Edge> edges;
     DistinctTable table(welded.size() / 2 / threads);
     for (std::uint32_t c = 0; c < welded.size(); ++c) {
@@ -316,7 +316,7 @@ glm::dvec3 projected_tangent(const Mesh& mesh, std::size_t corner, const glm::ve
 std::vector<glm::dvec3> sum_by_group(const Mesh& mesh, const Groups& groups, const Frames& frames,
                                      unsigned threads) {
   std::vector<glm::dvec3> sums(groups.turn.size(), glm::dvec3(0.0));
-  in_parallel(threads, [&](unsigned part) {
+  in_parallel(threads, threads, [&](std::size_t part) {
     const Share share(sums.size(), part, threads);  // of the groups; no_index is in none
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
       const std::uint32_t* group = &groups.of_corner[3 * t];
@@ -343,7 +343,7 @@ void mikktspace(Mesh& mesh, const Frames& frames, unsigned threads, TangentRepor
   const std::vector<std::uint32_t> group_of_vertex = split(mesh, groups.of_corner, report);
 
   std::atomic<std::uint32_t> fallbacks = 0;
-  in_parallel(threads, [&](unsigned part) {
+  in_parallel(threads, threads, [&](std::size_t part) {
     const Share share(mesh.vertex_count(), part, threads);
     for (std::size_t v = share.begin; v < share.end; ++v) {
       const std::uint32_t group = group_of_vertex[v];
