@@ -12,7 +12,7 @@ namespace texel::bench {
 /// the finished mesh too. Counters: triangles and bytes a second.
 void register_obj();
 
-/// Registers tangents/<mesh>/{texel,texel_1_thread,plain}: MikkTSpace's rules. Counter: triangles a second.
+/// Registers tangents/<mesh>/{texel,plain}: MikkTSpace's rules. Counter: triangles a second.
 void register_tangents();
 
 /// Registers flip/<size>/{texel,plain,plain_square}. Counter: megapixels a second.
