@@ -216,8 +216,8 @@ class Seen {
     const std::array<Vector, 3> columns = {plain_xyz({1, 0, 0}), plain_xyz({0, 1, 0}), plain_xyz({0, 0, 1})};
     for (std::size_t i = 0; i < filtered[0].size(); ++i) {
       const double y = (filtered[0][i] + 16) / 116;
-      Vector rgb = solve(columns, {(y + filtered[1][i] / 500) * white_xyz[0], y,
-                                   (y - filtered[2][i] / 200) * white_xyz[2]});
+      Vector rgb = solve(
+          columns, {(y + filtered[1][i] / 500) * white_xyz[0], y, (y - filtered[2][i] / 200) * white_xyz[2]});
       for (double& value : rgb) value = std::clamp(value, 0.0, 1.0);
       colours.push_back(plain_hunt_lab(rgb));
     }
@@ -231,7 +231,8 @@ class Seen {
     const auto bell = [&](int x) { return std::exp(-x * x / (2 * sigma * sigma)); };
     const Weights smooth = sampled(radius, bell);
     Weights detector = sampled(radius, [&](int x) { return profile(x) * bell(x); });
-    const double positive = sum_of({{detector, smooth}}, true), negative = sum_of({{detector, smooth}}, false);
+    const double positive = sum_of({{detector, smooth}}, true),
+                 negative = sum_of({{detector, smooth}}, false);
     for (double& weight : detector) weight /= weight > 0 ? positive : -negative;
     Plane light = opponents_[0];
     for (double& v : light) v = (v + 16) / 116;

@@ -175,7 +175,7 @@ class Plain {
   TangentReport report_;
   std::vector<glm::vec3> tangents_;  // of each triangle
   std::vector<int> turns_;
-  std::vector<std::uint32_t> point_;                  // of each corner, and the next two
+  std::vector<std::uint32_t> point_;  // of each corner, and the next two
   std::vector<std::optional<CornerNumber>> across_;
   std::vector<std::optional<std::uint32_t>> group_;
   std::vector<int> group_turns_;  // of each group, and the next

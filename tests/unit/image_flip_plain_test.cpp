@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "image/flip.hpp"
 #include "../support/flip_pictures.hpp"
 #include "../support/plain_flip.hpp"
+#include "image/flip.hpp"
 
 namespace texel::image {
 namespace {
@@ -64,9 +64,9 @@ TEST(FlipPlain, is_the_same_by_squares_and_by_rows_and_columns) {
 
 TEST(FlipPlain, agrees_in_a_large_picture) {
   const Image8 reference = scene(400, 300);
-  EXPECT_LT(distance_to_plain(reference, scene(400, 300, 1), default_pixels_per_degree,
-                              PlainFilters::separable),
-            1e-4);
+  EXPECT_LT(
+      distance_to_plain(reference, scene(400, 300, 1), default_pixels_per_degree, PlainFilters::separable),
+      1e-4);
 }
 
 }  // namespace

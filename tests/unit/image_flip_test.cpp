@@ -10,10 +10,10 @@
 #include <numbers>
 #include <vector>
 
-#include "core/error.hpp"
-#include "image/flip.hpp"
 #include "../support/flip_pictures.hpp"
 #include "../support/plain_flip.hpp"
+#include "core/error.hpp"
+#include "image/flip.hpp"
 
 namespace texel::image {
 namespace {

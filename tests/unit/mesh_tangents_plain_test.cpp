@@ -7,19 +7,20 @@
 #include <functional>
 #include <limits>
 
+#include "../support/plain_tangents.hpp"
 #include "mesh/distinct.hpp"
 #include "mesh/normals.hpp"
 #include "mesh/primitives.hpp"
 #include "mesh/tangents.hpp"
 #include "mesh/weld.hpp"
-#include "../support/plain_tangents.hpp"
 
 namespace texel::mesh {
 namespace {
 
 template <class Value>
 bool same_bits(const std::vector<Value>& a, const std::vector<Value>& b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), sizeof(Value) * a.size()) == 0);
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), sizeof(Value) * a.size()) == 0);
 }
 
 void expect_same(const Mesh& expected, const Mesh& mesh, const char* what) {
@@ -37,8 +38,8 @@ void expect_same(const TangentReport& expected, const TangentReport& report, con
   EXPECT_EQ(expected.split_vertices, report.split_vertices) << what;
 }
 
-/// Triangles between points of a coarse grid: many corners coincide, many triangles are degenerate, repeated or
-/// share an edge with more than one other.
+/// Triangles between points of a coarse grid: many corners coincide, many triangles are degenerate, repeated
+/// or share an edge with more than one other.
 Mesh heap(std::uint64_t seed, int triangles, unsigned steps) {
   Mesh mesh;
   std::uint64_t state = seed;
@@ -95,7 +96,8 @@ std::vector<Case> cases() {
   unused.indices.resize(unused.indices.size() / 2);
   all.push_back({"vertices that no triangle uses", unused});
   for (std::uint64_t seed = 1; seed <= 40; ++seed)
-    all.push_back({"heap", heap(seed, 20 + 10 * static_cast<int>(seed), 2 + static_cast<unsigned>(seed % 5))});
+    all.push_back(
+        {"heap", heap(seed, 20 + 10 * static_cast<int>(seed), 2 + static_cast<unsigned>(seed % 5))});
   return all;
 }
 

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "kernels.hpp"
 #include "../../support/flip_pictures.hpp"
 #include "../../support/plain_flip.hpp"
+#include "kernels.hpp"
 
 namespace texel::bench {
 namespace {
@@ -33,9 +33,8 @@ void register_size(int width, int height) {
       for (std::size_t i = 0; i < ours.size(); ++i)
         if (std::abs(ours[i] - theirs[i]) > 1e-4) return wrong_result(state, "further than 1e-4 from plain");
       for (auto _ : state) benchmark::DoNotOptimize(compute(a, b));
-      state.counters["megapixels_per_second"] =
-          benchmark::Counter(1e-6 * width * height * static_cast<double>(state.iterations()),
-                             benchmark::Counter::kIsRate);
+      state.counters["megapixels_per_second"] = benchmark::Counter(
+          1e-6 * width * height * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
     };
     const std::string size = std::to_string(width) + "x" + std::to_string(height);
     benchmark::RegisterBenchmark(("flip/" + size + "/" + end).c_str(), measure)

@@ -3,11 +3,11 @@
 
 #include <functional>
 
+#include "../../support/plain_tangents.hpp"
 #include "kernels.hpp"
 #include "mesh/normals.hpp"
 #include "mesh/primitives.hpp"
 #include "mesh/weld.hpp"
-#include "../../support/plain_tangents.hpp"
 
 namespace texel::bench {
 namespace {

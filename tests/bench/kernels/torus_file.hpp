@@ -8,8 +8,8 @@ namespace texel::bench {
 /// A torus as an exporter writes it: v with six decimals, vn with four, vt of a texture that is repeated, and
 /// faces of v/vt/vn. The same bytes every time.
 struct TorusFile {
-  int segments = 0;  ///< around the axis; a multiple of `tile`
-  int sides = 0;     ///< around the tube; a multiple of `tile`
+  int segments = 0;   ///< around the axis; a multiple of `tile`
+  int sides = 0;      ///< around the tube; a multiple of `tile`
   bool quads = true;  ///< faces of four corners, else of three
   int tile = 50;      ///< the texture covers this many by this many squares
 
