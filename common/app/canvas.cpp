@@ -131,8 +131,7 @@ void Canvas::finish(View view, glm::ivec2 size) {
 }
 
 void Canvas::present(View view) {
-  gl::Program& program =
-      programs_.get("app/present.vert", "app/present.frag", "", [] { return std::vector<gl::Define>(); });
+  gl::Program& program = programs_.get("app/present.vert", "app/present.frag");
   colour_->bind();
   program.use();
   gl::bind(0, GL_TEXTURE_2D, data_->texture());

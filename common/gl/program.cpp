@@ -171,6 +171,13 @@ std::shared_ptr<const ShaderSource> ProgramCache::source(const std::string& file
 }
 
 Program& ProgramCache::get(const std::string& vertex, const std::string& fragment,
+                           const std::vector<Define>& defines) {
+  std::string settings;
+  for (const Define& define : defines) settings += fmt::format("{} {}\n", define.name, define.value);
+  return get(vertex, fragment, settings, [&] { return defines; });
+}
+
+Program& ProgramCache::get(const std::string& vertex, const std::string& fragment,
                            const std::string& settings, const std::function<std::vector<Define>()>& defines) {
   const std::string request = vertex + "\n" + fragment + "\n" + settings;
   Program*& known = by_request_[request];

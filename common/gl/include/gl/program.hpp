@@ -75,8 +75,10 @@ class ProgramCache {
  public:
   explicit ProgramCache(std::filesystem::path shader_root) : root_(std::move(shader_root)) {}
 
-  /// `settings` is equal where the defines are; these are asked for only when the settings are new, since
-  /// every frame asks for its programs.
+  Program& get(const std::string& vertex, const std::string& fragment,
+               const std::vector<Define>& defines = {});
+  /// The same for those who ask in every frame: `settings` is equal where the defines are, and these are
+  /// wanted only when it is new.
   Program& get(const std::string& vertex, const std::string& fragment, const std::string& settings,
                const std::function<std::vector<Define>()>& defines);
   /// Forgets everything, so that edited files are read again.
