@@ -142,7 +142,7 @@ Stats stats_of(const std::string& lab, const std::string& arguments) {
   stats.warnings = json.at("warnings").get<std::vector<std::string>>();
   for (const auto& [stage, milliseconds] : json.at("milliseconds").items()) {
     EXPECT_GE(milliseconds.get<double>(), 0) << stage;
-    stats.stages.push_back(stage);
+    stats.stages[stage] = milliseconds.get<double>();
   }
   for (const Json& attribute : json.at("attributes")) EXPECT_GT(attribute.at("bytes"), 0) << attribute;
   for (const Json& texture : json.at("textures")) {

@@ -82,7 +82,8 @@ std::vector<std::string> views_of(const std::string& lab);
 struct Stats {
   std::string lab, renderer, version;
   double vertices = 0, triangles = 0, draw_calls = 0, peak_bytes = 0;
-  std::vector<std::string> attributes, textures, notes, warnings, stages;
+  std::vector<std::string> attributes, textures, notes, warnings;
+  std::map<std::string, double> stages;  ///< milliseconds
 };
 Stats stats_of(const std::string& lab, const std::string& arguments = {});
 
