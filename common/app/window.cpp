@@ -142,35 +142,28 @@ class Window {
   [[nodiscard]] params::Parameter* turn() { return lab_.parameters().find("turn"); }
   [[nodiscard]] bool turning() { return turn() != nullptr && !state_.paused && state_.error.empty(); }
 
-  /// Size of the framebuffer in pixels, of the window in units, and how many pixels a unit has.
-  [[nodiscard]] glm::ivec2 pixels() const {
-    glm::ivec2 size;
-    glfwGetFramebufferSize(window(), &size.x, &size.y);
-    return size;
+  /// Asks for the window's size, once a frame: each question waits for the window system's answer.
+  void ask_size() {
+    glfwGetFramebufferSize(window(), &pixels_.x, &pixels_.y);
+    glfwGetWindowSize(window(), &units_.x, &units_.y);
   }
-  [[nodiscard]] glm::ivec2 units() const {
-    glm::ivec2 size;
-    glfwGetWindowSize(window(), &size.x, &size.y);
-    return size;
-  }
-
   [[nodiscard]] float pixels_per_unit() const {
-    return static_cast<float>(pixels().x) / static_cast<float>(std::max(units().x, 1));
+    return static_cast<float>(pixels_.x) / static_cast<float>(std::max(units_.x, 1));
   }
   /// The picture lies right of the panel: its size in units and in pixels, and a window position within it.
   [[nodiscard]] glm::vec2 picture_units() const {
-    return {std::max(static_cast<float>(units().x) - state_.panel_width, 16.0F),
-            static_cast<float>(units().y)};
+    return {std::max(static_cast<float>(units_.x) - state_.panel_width, 16.0F), static_cast<float>(units_.y)};
   }
   [[nodiscard]] glm::ivec2 picture_pixels() const {
-    return {static_cast<int>(std::lround(picture_units().x * pixels_per_unit())), pixels().y};
+    return {static_cast<int>(std::lround(picture_units().x * pixels_per_unit())), pixels_.y};
   }
   [[nodiscard]] glm::vec2 in_picture(glm::vec2 position) const {
     return {position.x - state_.panel_width, position.y};
   }
 
   void frame() {
-    if (pixels().x == 0 || pixels().y == 0 || !gui_) return;  // iconified, or not yet made
+    ask_size();
+    if (pixels_.x == 0 || pixels_.y == 0 || !gui_) return;  // iconified, or not yet made
     {
       const Stage stage("panel");
       watch();
@@ -178,7 +171,7 @@ class Window {
       advance();
     }
     draw_picture();
-    canvas_.copy_to_window({pixels().x - picture_pixels().x, 0}, picture_pixels());
+    canvas_.copy_to_window({pixels_.x - picture_pixels().x, 0}, picture_pixels());
     {
       const Stage stage("panel");
       ImGui_ImplOpenGL3_NewFrame();
@@ -189,7 +182,7 @@ class Window {
       draw_case(state_, picture_units(), scale_);
       ImGui::Render();
     }
-    glViewport(0, 0, pixels().x, pixels().y);
+    glViewport(0, 0, pixels_.x, pixels_.y);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(window());
   }
@@ -421,7 +414,7 @@ class Window {
 
   void click() {
     const glm::vec2 pixel = in_picture(mouse_) * pixels_per_unit();
-    state_.inspected = {{static_cast<int>(pixel.x), pixels().y - 1 - static_cast<int>(pixel.y)}, {}, {}};
+    state_.inspected = {{static_cast<int>(pixel.x), pixels_.y - 1 - static_cast<int>(pixel.y)}, {}, {}};
     drawn_ = {};
   }
 
@@ -447,6 +440,8 @@ class Window {
   WindowState state_;
   Watcher watcher_;
   Stopwatch watch_clock_, frame_clock_;
+  glm::ivec2 pixels_{0};  ///< of the framebuffer
+  glm::ivec2 units_{0};   ///< of the window, in the units in which the mouse's place is told
   Look drawn_;
   bool inspected_once_ = false;
   bool steps_begun_ = false;
