@@ -2,13 +2,11 @@
 #include "check.hpp"
 
 #include <fmt/format.h>
-#include <stdlib.h>  // mkdtemp
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/files.hpp"
 #include "image/difference.hpp"
 #include "image/load.hpp"
@@ -16,19 +14,6 @@
 namespace texel::assets {
 
 namespace fs = std::filesystem;
-
-ScratchFolder::ScratchFolder() {
-  std::string name = (fs::temp_directory_path() / "texel_assets_XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) {
-    throw Error::failed("cannot make a temporary folder", {name}, "check the rights and the space there");
-  }
-  path_ = name;
-}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;  // a destructor has nobody to tell
-  fs::remove_all(path_, ignored);
-}
 
 namespace {
 

@@ -8,6 +8,7 @@
 
 #include "check.hpp"
 #include "core/error.hpp"
+#include "core/scratch_folder.hpp"
 #include "cube_maps.hpp"
 #include "models.hpp"
 #include "textures.hpp"
@@ -43,7 +44,7 @@ int main(int argc, char** argv) {
       make_all(folder);
       return 0;
     }
-    const texel::assets::ScratchFolder fresh;
+    const texel::ScratchFolder fresh;
     make_all(fresh.path());
     return texel::assets::same_files(fresh.path(), folder) ? 0 : 1;
   } catch (const CLI::ParseError& error) {

@@ -3,10 +3,19 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <chrono>
+#include <thread>
+#include <vector>
+
 #include "../support/picture_files.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/parallel.hpp"
 #include "core/process.hpp"
+#include "core/scratch_folder.hpp"
+#include "core/stages.hpp"
+#include "core/stopwatch.hpp"
 
 namespace texel {
 namespace {
@@ -118,6 +127,67 @@ TEST(RunProgram, gives_output_and_exit_code) {
 TEST(RunProgram, takes_words_as_they_are_and_says_what_is_missing) {
   EXPECT_EQ(run_program({"printf", "%s", "a b; $HOME"}).output, "a b; $HOME");
   EXPECT_THROW(run_program({"no_such_program_anywhere"}), Error);
+}
+
+TEST(InParallel, does_everything_once_whatever_the_number_of_threads) {
+  for (const unsigned threads : {1U, 2U, 7U}) {
+    std::vector<std::atomic<int>> done(100);
+    in_parallel(threads, done.size(), [&](std::size_t i) { ++done[i]; });
+    for (const std::atomic<int>& times : done) EXPECT_EQ(times, 1) << threads;
+  }
+  in_parallel(3, 0, [](std::size_t) { FAIL() << "there is nothing to do"; });
+}
+
+TEST(InParallel, throws_what_one_of_them_threw) {
+  const auto fail = [](std::size_t i) {
+    if (i == 40) throw Error::failed("the fortieth");
+  };
+  for (const unsigned threads : {1U, 3U})
+    EXPECT_EQ(message_of([&] { in_parallel(threads, 100, fail); }), "the fortieth");
+}
+
+/// What a stage has taken so far, milliseconds on the wall.
+double wall_of(const std::string& name) {
+  for (const NamedStage& stage : stage_times())
+    if (stage.name == name) return stage.time.wall;
+  return -1;
+}
+
+TEST(Stages, leave_out_what_is_begun_within_and_what_other_threads_do) {
+  const auto wait = [] { std::this_thread::sleep_for(std::chrono::milliseconds(20)); };
+  const Stopwatch whole;
+  {
+    const Stage outer("outer");
+    {
+      const Stage inner("inner");
+      wait();
+    }
+    std::jthread([&] {
+      const Stage beside("beside");
+      wait();
+    }).join();
+  }
+  const double inner = wall_of("inner"), outer = wall_of("outer");
+  EXPECT_LE(inner + outer, whole.milliseconds()) << "counted twice";
+  EXPECT_GE(inner, 20);
+  EXPECT_GE(outer, 20);
+  EXPECT_EQ(wall_of("beside"), -1);
+  { const Stage again("inner"); }
+  EXPECT_GE(wall_of("inner"), inner);
+  EXPECT_EQ(wall_of("outer"), outer);
+  for (const NamedStage& stage : stage_times()) EXPECT_LT(stage.time.processor, 20) << stage.name << " slept";
+}
+
+TEST(ScratchFolder, is_new_and_goes_with_all_that_is_in_it) {
+  std::filesystem::path path;
+  {
+    const ScratchFolder folder, other;
+    path = folder.path();
+    EXPECT_NE(path, other.path());
+    EXPECT_TRUE(std::filesystem::is_empty(path));
+    write_file(path / "file", "text");
+  }
+  EXPECT_FALSE(std::filesystem::exists(path));
 }
 
 }  // namespace

@@ -33,9 +33,8 @@ xdotool mousemove --window "$window" 70 276 click 1
 check 'a case that is picked sets its look' changed_from "$work/wrong"
 settle "$work/case"
 # The picture of the case stands at the lower right, with a white line between yours and the expected one.
-look "$work/corner" 340x380+600+330
-white_line() { (($(pixels_of "$work/corner" 255,255,255 0) > 150)); }
-check 'and shows the expected picture beside yours' white_line
+white_line() { look "$work/corner" 340x380+600+330 && (($(pixels_of "$work/corner" 255,255,255 0) > 150)); }
+check 'and shows the expected picture beside yours' eventually white_line
 
 press j  # the case's parameters stand in amber too
 cp "$source_root/shaders/05_normal_map/decode_normal.glsl" "$shader"

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <functional>
 
+#include "core/scratch_folder.hpp"
 #include "kernels.hpp"
 #include "mesh/weld.hpp"
 #include "torus_file.hpp"

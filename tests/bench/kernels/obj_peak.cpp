@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "core/scratch_folder.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/weld.hpp"
 #include "torus_file.hpp"
@@ -36,7 +37,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    const texel::bench::ScratchFolder folder;
+    const texel::ScratchFolder folder;
     std::filesystem::path path = argc == 2 ? std::filesystem::path(argv[1]) : folder.path() / "torus.obj";
     if (argc == 1) texel::bench::write_torus(path, {1000, 1000});
     const std::uint64_t before = peak_bytes();

@@ -2,7 +2,6 @@
 #include "torus_file.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <fstream>
@@ -62,16 +61,6 @@ void write_torus(const std::filesystem::path& path, const TorusFile& torus) {
   flush(1);
   file.close();
   if (!file) throw Error::failed("cannot write", {path.string()}, "is the disk full?");
-}
-
-ScratchFolder::ScratchFolder()
-    : path_(std::filesystem::temp_directory_path() / fmt::format("texel_bench_{}", ::getpid())) {
-  std::filesystem::create_directories(path_);
-}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
 }
 
 }  // namespace texel::bench

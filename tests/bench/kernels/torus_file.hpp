@@ -19,17 +19,4 @@ struct TorusFile {
 /// Writes the file piece by piece, in little memory. Throws Error (exit 3) when the disk is full.
 void write_torus(const std::filesystem::path& path, const TorusFile& torus);
 
-/// A folder of this process under the system's folder for temporary files; removed at its end with all in it.
-class ScratchFolder {
- public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 }  // namespace texel::bench

@@ -13,6 +13,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/process.hpp"
+#include "core/scratch_folder.hpp"
 #include "image/difference.hpp"
 #include "image/load.hpp"
 #include "rounds.hpp"
@@ -403,10 +404,9 @@ int main(int argc, char** argv) {
   app.add_option("--markdown", options.markdown, "Write the report into this file");
   CLI11_PARSE(app, argc, argv);
   try {
-    options.work = fs::temp_directory_path() / fmt::format("texel_performance_{}", ::getpid());
-    fs::create_directories(options.work);
+    const ScratchFolder folder;
+    options.work = folder.path();
     Bench(options).run();
-    fs::remove_all(options.work);
   } catch (const std::exception& error) {
     fmt::print(stderr, "performance: {}\n", error.what());
     return 3;
