@@ -11,6 +11,7 @@
 #include "core/parallel.hpp"
 #include "course/markers.hpp"
 #include "course_side.hpp"
+#include "fingerprint.hpp"
 #include "grade/judge.hpp"
 #include "grade/plan.hpp"
 #include "grade/submission.hpp"
@@ -35,6 +36,13 @@ std::set<std::string> untouched(const fs::path& source) {
   return steps;
 }
 
+/// Where the tree's own pictures of the last check lie: one build may serve several trees (TEXEL_ROOT), and
+/// whoever shows a picture does so when another tree is checked already.
+fs::path checked_folder(const OwnTree& tree, const course::Lab& lab) {
+  const std::string name = fingerprint({fs::weakly_canonical(tree.source).string()}).substr(0, 16);
+  return tree.build / "check" / name / lab.folder;
+}
+
 /// One lab's cases.
 class LabCheck {
  public:
@@ -44,8 +52,12 @@ class LabCheck {
         untouched_(untouched),
         expected_(expected_folder(tree.source, plan.lab)),
         own_(checked_folder(tree, plan.lab)),
-        studio_{tree.build / "bin" / plan.lab.program(), tree.source, context, true, {},
-                own_.parent_path() / "shaders"} {
+        studio_{tree.build / "bin" / plan.lab.program(),
+                tree.source,
+                context,
+                true,
+                {},
+                tree.build / "check/shaders"} {
     if (!fs::exists(studio_.program))
       throw Error::failed("is not built", {studio_.program.string()},
                           fmt::format("./run check {} builds it", plan.lab.number));
@@ -134,10 +146,6 @@ bool is_text_of_programs(const fs::path& file) {
 
 fs::path expected_folder(const fs::path& source, const course::Lab& lab) {
   return source / "labs" / lab.folder / "expected";
-}
-
-fs::path checked_folder(const OwnTree& tree, const course::Lab& lab) {
-  return tree.build / "check" / lab.folder;
 }
 
 std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>& labs,

@@ -201,6 +201,14 @@ TEST_F(StudentTree, names_nine_of_ten_mistakes_in_shaders) {
   EXPECT_GE(named, 0.9 * count);
 }
 
+/// The window shows a case's picture when it likes: by then another tree of the same build may be checked.
+TEST_F(StudentTree, keeps_its_pictures_when_another_tree_is_checked) {
+  const std::string picture = steps(9).at("9.4").at("cases").at(0).at("picture");
+  const std::string before = read_file(picture);
+  EXPECT_EQ(in_course("check 9").exit_code, 0);
+  EXPECT_EQ(read_file(picture), before);
+}
+
 TEST_F(StudentTree, says_where_a_shader_does_not_compile) {
   const fs::path file = root_ / "shaders/05_normal_map/decode_normal.glsl";
   const std::string before = read_file(file);

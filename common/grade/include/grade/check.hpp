@@ -20,9 +20,6 @@ struct OwnTree {
 /// and `mistakes.json`, what known mistakes look like.
 std::filesystem::path expected_folder(const std::filesystem::path& source, const course::Lab& lab);
 
-/// Where the tree's own pictures of the last check lie.
-std::filesystem::path checked_folder(const OwnTree& tree, const course::Lab& lab);
-
 /// Draws the public cases of the labs, and of those whose steps they need, by the programs as they are built,
 /// and judges them as the grader does. Steps that are as they were at first are said to be so. Each case's
 /// `picture` and `reference` are paths of files; there are no partial scores, only 0 and 1. Throws Error
