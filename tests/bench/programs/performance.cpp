@@ -191,12 +191,15 @@ class Bench {
     }
   }
 
+  /// Each takes a minute.
+  [[nodiscard]] int batch_rounds() const { return std::max(1, options_.rounds / 4); }
+
   void add_batch(const std::string& what, const LabProgram& lab, const Json& list,
                  const std::vector<std::vector<std::string>>& alone, double target) {
     const std::string file = work("list.json");
     write_file(file, list.dump());
     const std::vector<Pair> pairs = interleaved(
-        std::max(1, options_.rounds / 4),
+        batch_rounds(),
         [&] {
           return run_process({program(lab.program), "--batch", file, "--out", work("batch")}).milliseconds;
         },
@@ -294,8 +297,7 @@ class Bench {
   void start() {
     report_.begin("A window's first picture",
                   "A process that opens the window, draws its first picture and panel, shows them and one "
-                  "frame more, and "
-                  "ends; beside the floor's snapshot.");
+                  "frame more, and ends; beside the floor's snapshot.");
     if (!has_display()) return;
     for (const LabProgram& lab : kFloors)
       report_.add(
@@ -343,11 +345,11 @@ class Bench {
         "# How fast\n\n"
         "Made by `./run performance`, which takes about a quarter of an hour. All figures are of one "
         "machine, "
-        "taken in turn with what they stand beside in {} rounds; the ratio is the median of the rounds, with "
+        "taken in turn with what they stand beside in {} rounds (a batch in {}); the ratio is the median of "
         "the "
-        "quarters below and above it. The driver's cache of compiled shaders is off "
+        "rounds, with the quarters below and above it. The driver's cache of compiled shaders is off "
         "(`MESA_SHADER_CACHE_DISABLE=true`). Speed against *error* is in [accuracy.md](accuracy.md).\n",
-        options_.rounds);
+        options_.rounds, batch_rounds());
     for (const Report::Section& section : report_.sections) {
       if (section.rows.empty()) continue;
       text += fmt::format("\n## {}\n{}\n\n", section.title, section.text);

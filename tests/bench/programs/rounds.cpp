@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
@@ -38,8 +39,11 @@ Run run_process(const std::vector<std::string>& command) {
 
 Spread spread_of(std::vector<double> figures) {
   std::sort(figures.begin(), figures.end());
-  const auto at = [&](double q) {
-    return figures[static_cast<std::size_t>(q * static_cast<double>(figures.size() - 1) + 0.5)];
+  const auto at = [&](double q) {  // between two figures as far as q lies between them
+    const double place = q * static_cast<double>(figures.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, figures.size() - 1);
+    return std::lerp(figures[below], figures[above], place - static_cast<double>(below));
   };
   return {at(0.5), at(0.25), at(0.75)};
 }
