@@ -12,7 +12,13 @@ namespace texel::app {
 namespace {
 
 /// Background of colour pictures, linear light: a dark slate on which both black and white textures are seen.
-constexpr glm::vec3 kBackground(0.035F, 0.042F, 0.055F);
+constexpr glm::vec4 kBackground(0.035F, 0.042F, 0.055F, 1);
+/// Of data views, whose alpha is the object's mask.
+constexpr glm::vec4 kNothing(0);
+
+const glm::vec4& background_of(const gl::Target& target) {
+  return target.kind() == gl::Target::Kind::colour ? kBackground : kNothing;
+}
 
 /// Whether the picture is that truth's already: another method has the same right answer, which takes long to
 /// work out. Every 64th pixel is asked; what changes a truth changes all of it, or a part that has many of
@@ -43,12 +49,9 @@ void Canvas::draw_into(const gl::Target& target, View view, const std::optional<
   static_cast<void>(context_.take_errors());  // of a frame that was broken off
   target.bind();
   glDisable(GL_SCISSOR_TEST);
-  const bool colour = target.kind() == gl::Target::Kind::colour;
   glEnable(GL_FRAMEBUFFER_SRGB);
-  if (colour)
-    glClearColor(kBackground.r, kBackground.g, kBackground.b, 1);
-  else
-    glClearColor(0, 0, 0, 0);  // data views: alpha is the object's mask
+  const glm::vec4& background = background_of(target);
+  glClearColor(background.r, background.g, background.b, background.a);
   glDepthMask(GL_TRUE);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
@@ -105,8 +108,12 @@ gl::Record Canvas::record(View view, glm::ivec2 size, int samples) {
   gl::Record record;
   {
     gl::Recorder recorder;  // of the lab's own draw calls
-    draw_scene(view == View::error ? View::color : view, size, samples, {});
+    const gl::Target& target = draw_scene(view == View::error ? View::color : view, size, samples, {});
     record = recorder.take();
+    if (record.draw_calls > 0 && target.shows_only(background_of(target)))
+      record.warnings.emplace_back(
+          "nothing is seen: all triangles are outside of the view, culled, behind what is already drawn, or "
+          "have the background's colour");
   }
   if (view == View::error)
     draw(view, size, samples);
@@ -115,11 +122,13 @@ gl::Record Canvas::record(View view, glm::ivec2 size, int samples) {
   return record;
 }
 
-void Canvas::draw_scene(View view, glm::ivec2 size, int samples, const std::optional<Split>& split) {
-  if (view == View::color)
-    draw_into(fit(colour_, gl::Target::Kind::colour, size, samples), view, split);
-  else  // values are not averaged over a pixel: half a normal and half a background is neither
-    draw_into(fit(data_, gl::Target::Kind::data, size, 1), view, split);
+const gl::Target& Canvas::draw_scene(View view, glm::ivec2 size, int samples,
+                                     const std::optional<Split>& split) {
+  // Values are not averaged over a pixel: half a normal and half a background is neither.
+  const gl::Target& target = view == View::color ? fit(colour_, gl::Target::Kind::colour, size, samples)
+                                                 : fit(data_, gl::Target::Kind::data, size, 1);
+  draw_into(target, view, split);
+  return target;
 }
 
 void Canvas::finish(View view, glm::ivec2 size) {

@@ -68,7 +68,7 @@ class Canvas {
 
  private:
   void draw_into(const gl::Target& target, View view, const std::optional<Split>& split);
-  void draw_scene(View view, glm::ivec2 size, int samples, const std::optional<Split>& split);
+  const gl::Target& draw_scene(View view, glm::ivec2 size, int samples, const std::optional<Split>& split);
   void finish(View view, glm::ivec2 size);
   void present(View view);
   void draw_error(glm::ivec2 size);

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <ctime>
 #include <vector>
 
 #include "app/lab.hpp"
@@ -64,10 +63,10 @@ void draw_and_finish(Canvas& canvas, View view, glm::ivec2 size, int samples) {
   glFinish();
 }
 
-/// Milliseconds by stage of everything so far: `before` went by before the stopwatch was started.
-std::vector<std::pair<std::string, double>> stages_so_far(double before, const Stopwatch& since) {
-  const double total = before + since.milliseconds();
-  std::vector<std::pair<std::string, double>> list = {{"start", before}};
+/// Milliseconds by stage of everything so far; `start` is what went by before the first.
+std::vector<std::pair<std::string, double>> stages_so_far(double start) {
+  const double total = milliseconds_since_start();
+  std::vector<std::pair<std::string, double>> list = {{"start", start}};
   for (const NamedStage& stage : stage_times()) list.emplace_back(stage.name, stage.time.wall);
   double other = total;
   for (const auto& [name, milliseconds] : list) other -= milliseconds;
@@ -77,9 +76,7 @@ std::vector<std::pair<std::string, double>> stages_so_far(double before, const S
 
 /// Everything that needs a context but no window.
 void run_headless(AnyLab& lab, const Assets& assets, const CommandLine& line) {
-  // The loader's and the command line's time: nothing has waited yet, so that the processor's clock tells it.
-  const double before = 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-  const Stopwatch since;
+  const double start = milliseconds_since_start();
   const View view = find_view(lab.info(), line.view);
   const glm::ivec2 size = line.size.value_or(kSnapshotSize);
   if (!line.snapshot.empty()) check_ending(line.snapshot, view);
@@ -102,9 +99,8 @@ void run_headless(AnyLab& lab, const Assets& assets, const CommandLine& line) {
   }
   if (!line.snapshot.empty()) write_picture(canvas, lab, view, size, line.snapshot, context->renderer());
   if (line.stats.empty()) return;
-  Statistics statistics{
-      lab.info().folder(),          context->renderer(),  context->version(), lab.notes(), {},
-      stages_so_far(before, since), peak_resident_bytes()};
+  Statistics statistics{lab.info().folder(),  context->renderer(),  context->version(), lab.notes(), {},
+                        stages_so_far(start), peak_resident_bytes()};
   const Stopwatch again;
   draw_and_finish(canvas, view, size, line.samples);
   statistics.milliseconds.emplace_back("draw", again.milliseconds());  // all is loaded and compiled now

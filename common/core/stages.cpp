@@ -22,6 +22,10 @@ double milliseconds(clockid_t clock) {
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
+// When this program's first instructions run nothing has waited yet: the processor's clock tells how long
+// loading it took.
+const double loading = milliseconds(CLOCK_PROCESS_CPUTIME_ID), loaded_at = milliseconds(CLOCK_MONOTONIC);
+
 StageTime now() {
   return {milliseconds(CLOCK_MONOTONIC), milliseconds(CLOCK_THREAD_CPUTIME_ID)};
 }
@@ -55,6 +59,10 @@ Stage::~Stage() {
 
 std::vector<NamedStage> stage_times() {
   return all_stages();
+}
+
+double milliseconds_since_start() {
+  return loading + milliseconds(CLOCK_MONOTONIC) - loaded_at;
 }
 
 }  // namespace texel

@@ -87,32 +87,18 @@ Recorder::~Recorder() {
 }
 
 Record Recorder::take() {
-  if (record_.draw_calls > 0 && !record_.any_sample)
-    warn(
-        "nothing reaches a pixel: all triangles are outside of the view, culled, or behind what is already "
-        "drawn");
   if (record_.draw_calls == 0) warn("nothing is drawn");
   return std::move(record_);
 }
 
 void Recorder::on_draw_arrays(GLenum mode, GLint first, GLsizei count) {
   current->inspect(mode, count);
-  glBeginQuery(GL_SAMPLES_PASSED, current->samples_.id());
   current->draw_arrays_(mode, first, count);
-  glEndQuery(GL_SAMPLES_PASSED);
-  GLuint passed = 0;
-  glGetQueryObjectuiv(current->samples_.id(), GL_QUERY_RESULT, &passed);
-  current->record_.any_sample |= passed > 0;
 }
 
 void Recorder::on_draw_elements(GLenum mode, GLsizei count, GLenum type, const void* indices) {
   current->inspect(mode, count);
-  glBeginQuery(GL_SAMPLES_PASSED, current->samples_.id());
   current->draw_elements_(mode, count, type, indices);
-  glEndQuery(GL_SAMPLES_PASSED);
-  GLuint passed = 0;
-  glGetQueryObjectuiv(current->samples_.id(), GL_QUERY_RESULT, &passed);
-  current->record_.any_sample |= passed > 0;
 }
 
 void Recorder::inspect(GLenum mode, GLsizei count) {

@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
 #include "core/error.hpp"
 #include "core/stages.hpp"
 #include "gl/upload.hpp"
+#include "image/colour.hpp"
 
 namespace texel::gl {
 
@@ -66,12 +69,31 @@ void Target::resolve() const {
 }
 
 image::Image8 Target::read8() const {
+  return read8(0, height_);
+}
+
+image::Image8 Target::read8(int first_row, int rows) const {
   const Stage stage("read");
-  image::Image8 image(width_, height_, 4);
+  image::Image8 image(width_, rows, 4);
   bind_for_reading();
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.samples.data());
+  glReadPixels(0, first_row, width_, rows, GL_RGBA, GL_UNSIGNED_BYTE, image.samples.data());
   return image;
+}
+
+bool Target::shows_only(const glm::vec4& colour) const {
+  int steps[4];
+  for (int c = 0; c < 4; ++c) {
+    const bool is_encoded = kind_ == Kind::colour && c < 3;
+    steps[c] = static_cast<int>(std::lround(
+        255 * (is_encoded ? image::srgb_from_linear(colour[c]) : std::clamp(colour[c], 0.0F, 1.0F))));
+  }
+  const auto is_colour = [&](const image::Image8& part) {
+    for (std::size_t i = 0; i < part.samples.size(); ++i)
+      if (std::abs(part.samples[i] - steps[i % 4]) > 1) return false;
+    return true;
+  };
+  return is_colour(read8(height_ / 2, 1)) && is_colour(read8());
 }
 
 image::ImageF Target::read_float() const {

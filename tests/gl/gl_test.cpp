@@ -330,6 +330,37 @@ TEST_P(OpenGl, a_probe_of_columns_of_different_length_is_an_error) {
   EXPECT_NE(error_of([&] { probe(shaders(), "step.glsl", "a", {}, columns); }), "");
 }
 
+TEST_P(OpenGl, a_picture_of_one_colour_is_told_from_one_with_a_pixel_of_another) {
+  const glm::vec4 slate(0.035F, 0.042F, 0.055F, 1);
+  for (const Target::Kind kind : {Target::Kind::colour, Target::Kind::data}) {
+    const Target target(kind, 9, 9, kind == Target::Kind::colour ? 4 : 1);
+    target.bind();
+    glEnable(GL_FRAMEBUFFER_SRGB);
+    glClearColor(slate.r, slate.g, slate.b, slate.a);
+    glClear(GL_COLOR_BUFFER_BIT);
+    target.resolve();
+    EXPECT_TRUE(target.shows_only(slate));
+    EXPECT_FALSE(target.shows_only(glm::vec4(0)));
+    EXPECT_FALSE(target.shows_only(glm::vec4(glm::vec3(slate), 0)));
+    for (const glm::ivec2 pixel : {glm::ivec2(8, 0), glm::ivec2(0, 8), glm::ivec2(4, 4)}) {
+      target.bind();
+      glEnable(GL_SCISSOR_TEST);
+      glScissor(pixel.x, pixel.y, 1, 1);
+      glClearColor(0.06F, 0.042F, 0.055F, 1);
+      glClear(GL_COLOR_BUFFER_BIT);
+      target.resolve();
+      EXPECT_FALSE(target.shows_only(slate)) << pixel.x << ' ' << pixel.y;
+      target.bind();
+      glEnable(GL_SCISSOR_TEST);
+      glClearColor(slate.r, slate.g, slate.b, slate.a);
+      glClear(GL_COLOR_BUFFER_BIT);
+      glDisable(GL_SCISSOR_TEST);
+      target.resolve();
+      EXPECT_TRUE(target.shows_only(slate)) << pixel.x << ' ' << pixel.y;
+    }
+  }
+}
+
 /// The recorder, with a square that is drawn into a small target.
 class Recording : public OpenGl {
  protected:
@@ -337,18 +368,13 @@ class Recording : public OpenGl {
     target_.bind();
   }
 
-  Record draw(const Texture& texture, bool cull = false) {
+  Record draw(const Texture& texture) {
     Program& program = cache_.get("full.vert", "map.frag", {});
     program.use();
     bind(0, GL_TEXTURE_2D, texture);
     program.set("map", 0);
     Recorder recorder;
-    if (cull) {
-      glEnable(GL_CULL_FACE);
-      glCullFace(GL_FRONT);
-    }
     square_.draw(program);
-    glDisable(GL_CULL_FACE);
     return recorder.take();
   }
 
@@ -392,11 +418,6 @@ TEST_P(Recording, says_that_a_unit_has_no_texture) {
   Recorder recorder;
   square_.draw(program);
   EXPECT_TRUE(warns_of(recorder.take(), "reads unit 5, where no texture is bound"));
-}
-
-TEST_P(Recording, says_that_everything_is_culled) {
-  const Texture texture = make_texture_2d(filled(8, 8, {9, 9, 9}), Encoding::linear, {});
-  EXPECT_TRUE(warns_of(draw(texture, /*cull=*/true), "nothing reaches a pixel"));
 }
 
 TEST_P(Recording, says_that_nothing_is_drawn) {

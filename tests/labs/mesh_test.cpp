@@ -59,6 +59,17 @@ TEST_P(Models, come_from_a_file_that_is_named_alone) {
   EXPECT_TRUE(has(stats.notes[1], "no texture coordinates")) << stats.notes[1];
 }
 
+TEST_P(Models, of_which_nothing_is_seen_are_warned_of) {
+  // Two corners are one point, so that the triangle is drawn and reaches no pixel.
+  write_file(folder_ / "line.obj", "v 0 0 0\nv 1 0 0\nv 1 0 0\nf 1 2 3\n");
+  for (const char* view : {"color", "texcoord"}) {
+    const Stats stats =
+        stats_of(lab(), fmt::format("{} --view {}", shell_word((folder_ / "line.obj").string()), view));
+    EXPECT_EQ(stats.triangles, 1);
+    EXPECT_TRUE(has(fmt::format("{}", fmt::join(stats.warnings, "\n")), "nothing is seen")) << view;
+  }
+}
+
 TEST(Tangents, are_written_by_the_methods_of_lab_5_that_store_them) {
   const TemporaryFolder folder(fmt::format("tangents_{}", ::getpid()));
   const std::string file = (folder / "a.ply").string();

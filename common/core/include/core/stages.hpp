@@ -34,4 +34,7 @@ struct NamedStage {
 /// All stages since the process began, in the order in which they first ended.
 std::vector<NamedStage> stage_times();
 
+/// Milliseconds since the process began, its own loading included.
+double milliseconds_since_start();
+
 }  // namespace texel

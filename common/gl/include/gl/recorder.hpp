@@ -9,7 +9,8 @@
 
 namespace texel::gl {
 
-/// What a frame drew, read from OpenGL itself at each draw call: not what a lab says of itself.
+/// What a frame drew, read from OpenGL itself at each draw call: not what a lab says of itself. Nothing is
+/// counted by a query: llvmpipe compiles every shader anew for one (200 ms), and it waits for each draw call.
 struct Record {
   struct AttributeUse {
     std::string name;
@@ -25,7 +26,6 @@ struct Record {
   };
   long long vertices = 0, triangles = 0;
   int draw_calls = 0;
-  bool any_sample = false;  ///< did any draw call reach a pixel?
   std::vector<AttributeUse> attributes;
   std::vector<TextureUse> textures;
   /// Why something is not seen: incomplete mipmaps, a unit without a texture, an attribute that nothing
@@ -52,7 +52,6 @@ class Recorder {
   void inspect_samplers(GLuint program);
   void warn(const std::string& text);
   Record record_;
-  Query samples_;
   PFNGLDRAWARRAYSPROC draw_arrays_;
   PFNGLDRAWELEMENTSPROC draw_elements_;
 };

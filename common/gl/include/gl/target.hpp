@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <glm/vec4.hpp>
 #include <memory>
 
 #include "gl/objects.hpp"
@@ -32,12 +33,17 @@ class Target {
   /// The resolved picture in memory; RGBA.
   [[nodiscard]] image::Image8 read8() const;
   [[nodiscard]] image::ImageF read_float() const;
+  /// Whether every pixel of the resolved picture is `colour`, RGBA in linear light, within a step of 8 bits.
+  /// The middle row is asked first: in most pictures something stands there.
+  [[nodiscard]] bool shows_only(const glm::vec4& colour) const;
   /// Replaces the resolved picture of a colour target by one in memory, RGBA of the same size.
   void write8(const image::Image8& image) const;
   /// One pixel of a data target, counted from the bottom left.
   [[nodiscard]] image::ImageF read_pixel(int x, int y) const;
 
  private:
+  [[nodiscard]] image::Image8 read8(int first_row, int rows) const;
+
   Kind kind_;
   int width_, height_, samples_;
   Texture texture_;
