@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The kernels' benchmarks. Each is registered as <kernel>/<input>/<version>, so that the ratio of two
-// versions is that of two results whose names differ at the end.
+// versions is that of two results whose names differ at the end; growth/<kernel>/{small,large} is the same
+// work on more triangles.
 #pragma once
 #include <benchmark/benchmark.h>
 
@@ -9,14 +10,18 @@
 namespace texel::bench {
 
 /// Registers obj/<file>/{texel,texel_mesh,tinyobjloader}: from a file on disk to the parsed lists, ours to
-/// the finished mesh too. Counters: triangles and bytes a second.
+/// the finished mesh too; and growth/obj, to the finished mesh. Counters: set_triangles, and bytes a second.
 void register_obj();
 
-/// Registers tangents/<mesh>/{texel,plain}: MikkTSpace's rules. Counter: triangles a second.
+/// Registers tangents/<mesh>/{texel,plain}: MikkTSpace's rules; and growth/tangents of <mesh>. Counters:
+/// set_triangles.
 void register_tangents();
 
 /// Registers flip/<size>/{texel,plain,plain_square}. Counter: megapixels a second.
 void register_flip();
+
+/// The counters `triangles`, of one iteration, and `triangles_per_second`.
+void set_triangles(benchmark::State& state, std::size_t triangles);
 
 /// Stops a benchmark whose result is wrong, and has the program end with exit code 1.
 void wrong_result(benchmark::State& state, const std::string& what);

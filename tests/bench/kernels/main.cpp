@@ -13,6 +13,13 @@ void wrong_result(benchmark::State& state, const std::string& what) {
   state.SkipWithError(what.c_str());
 }
 
+void set_triangles(benchmark::State& state, std::size_t triangles) {
+  const auto count = static_cast<double>(triangles);
+  state.counters["triangles"] = count;
+  state.counters["triangles_per_second"] =
+      benchmark::Counter(static_cast<double>(state.iterations()) * count, benchmark::Counter::kIsRate);
+}
+
 }  // namespace texel::bench
 
 int main(int argc, char** argv) {

@@ -3,7 +3,6 @@
 
 #include <tiny_obj_loader.h>
 
-#include <cstdlib>
 #include <functional>
 
 #include "core/scratch_folder.hpp"
@@ -47,31 +46,27 @@ std::size_t load_tinyobjloader(const Path& path) {
   return corners / 3;
 }
 
-void register_file(const std::string& name, const std::function<Path()>& path) {
-  const auto version = [&](const char* end, std::size_t (*load)(const Path&)) {
-    const auto measure = [path, load](benchmark::State& state) {
-      const Path file = path();
-      const std::size_t expected = load_texel(file);
-      for (auto _ : state) {
-        if (load(file) != expected) return wrong_result(state, "another number of triangles");
-      }
-      const auto rounds = static_cast<double>(state.iterations());
-      state.counters["triangles_per_second"] =
-          benchmark::Counter(rounds * static_cast<double>(expected), benchmark::Counter::kIsRate);
-      state.counters["bytes_per_second"] = benchmark::Counter(
-          rounds * static_cast<double>(std::filesystem::file_size(file)), benchmark::Counter::kIsRate);
-    };
-    benchmark::RegisterBenchmark(("obj/" + name + "/" + end).c_str(), measure)
-        ->Unit(benchmark::kMillisecond)
-        ->UseRealTime();
+using Load = std::size_t (*)(const Path&);
+
+void register_load(const std::string& name, const std::function<Path()>& path, Load load) {
+  const auto measure = [path, load](benchmark::State& state) {
+    const Path file = path();
+    const std::size_t expected = load_texel(file);
+    for (auto _ : state) {
+      if (load(file) != expected) return wrong_result(state, "another number of triangles");
+    }
+    set_triangles(state, expected);
+    state.counters["bytes_per_second"] = benchmark::Counter(
+        static_cast<double>(state.iterations()) * static_cast<double>(std::filesystem::file_size(file)),
+        benchmark::Counter::kIsRate);
   };
-  version("texel", load_texel);
-  version("texel_mesh", load_texel_mesh);
-  version("tinyobjloader", load_tinyobjloader);
+  benchmark::RegisterBenchmark(name.c_str(), measure)->Unit(benchmark::kMillisecond)->UseRealTime();
 }
 
-void register_torus(const std::string& name, const TorusFile& torus) {
-  register_file(name, [=] { return torus_file(name, torus); });
+void register_file(const std::string& name, const std::function<Path()>& path) {
+  register_load("obj/" + name + "/texel", path, load_texel);
+  register_load("obj/" + name + "/texel_mesh", path, load_texel_mesh);
+  register_load("obj/" + name + "/tinyobjloader", path, load_tinyobjloader);
 }
 
 }  // namespace
@@ -79,11 +74,13 @@ void register_torus(const std::string& name, const TorusFile& torus) {
 void register_obj() {
   for (const char* name : {"cube", "torus", "gator"})
     register_file(name, [=] { return Path(TEXEL_SOURCE) / "assets/models" / (std::string(name) + ".obj"); });
-  register_torus("quads_2m", {1000, 1000, true});       // 130 MB
-  register_torus("triangles_2m", {1000, 1000, false});  // 170 MB
-  // To show that time grows with the number of triangles: about a gigabyte.
-  if (const char* large = std::getenv("TEXEL_BENCH_LARGE"); large && *large)
-    register_torus("quads_10m", {2500, 2000, true});
+  const auto quads_2m = [] { return torus_file("quads_2m", {1000, 1000, true}); };           // 130 MB
+  const auto triangles_2m = [] { return torus_file("triangles_2m", {1000, 1000, false}); };  // 170 MB
+  const auto quads_10m = [] { return torus_file("quads_10m", {2500, 2000, true}); };         // 700 MB
+  register_file("quads_2m", quads_2m);
+  register_file("triangles_2m", triangles_2m);
+  register_load("growth/obj/small", quads_2m, load_texel_mesh);
+  register_load("growth/obj/large", quads_10m, load_texel_mesh);
 }
 
 }  // namespace texel::bench

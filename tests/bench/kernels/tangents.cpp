@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/tangents.hpp"
 
-#include <functional>
+#include <fmt/format.h>
+
+#include <cmath>
 
 #include "../../support/plain_tangents.hpp"
 #include "kernels.hpp"
@@ -14,27 +16,28 @@ namespace {
 
 using mesh::Mesh;
 
-/// A torus of 500 thousand triangles, its vertices moved at random.
-Mesh rough_torus() {
-  return mesh::torus(1.0f, 0.4f, 500, 500, {0.5f, 1});
+/// A torus, its vertices moved at random.
+Mesh rough_torus(std::size_t triangles) {
+  const int side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(triangles) / 2)));
+  return mesh::torus(1.0f, 0.4f, side, side, {0.5f, 1});
 }
 
 /// The same with three vertices for each triangle, which welding has to find.
-Mesh soup() {
-  return mesh::split(rough_torus());
+Mesh soup(std::size_t triangles) {
+  return mesh::split(rough_torus(triangles));
 }
 
 /// Each texture coordinate the same: no triangle has a direction, and all are neighbours.
-Mesh degenerate() {
-  Mesh torus = rough_torus();
+Mesh degenerate(std::size_t triangles) {
+  Mesh torus = rough_torus(triangles);
   torus.texcoords.assign(torus.vertex_count(), glm::vec2(0.5f));
   return torus;
 }
 
-/// One vertex in the middle with 500 thousand triangles around it.
-Mesh fan() {
+/// One vertex in the middle and all triangles around it.
+Mesh fan(std::size_t triangles) {
   Mesh mesh;
-  constexpr std::uint32_t count = 500'000;
+  const auto count = static_cast<std::uint32_t>(triangles);
   mesh.positions = {{0, 0, 0}};
   for (std::uint32_t i = 0; i < count; ++i) {
     const double angle = 6.283185307179586 * i / count;
@@ -47,12 +50,12 @@ Mesh fan() {
 }
 
 /// All triangles at the same place, each with vertices of its own.
-Mesh heap() {
+Mesh heap(std::size_t triangles) {
   Mesh triangle;
   triangle.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   triangle.texcoords = {{0, 0}, {1, 0}, {0, 1}};
   triangle.normals.assign(3, {0, 0, 1});
-  for (int i = 0; i < 500'000; ++i) triangle.indices.insert(triangle.indices.end(), {0, 1, 2});
+  for (std::size_t i = 0; i < triangles; ++i) triangle.indices.insert(triangle.indices.end(), {0, 1, 2});
   return mesh::split(triangle);
 }
 
@@ -70,38 +73,39 @@ bool same(const Mesh& a, const Mesh& b) {
   return a.tangents == b.tangents && a.indices == b.indices && a.positions == b.positions;
 }
 
-void register_mesh(const std::string& name, Mesh (*make)()) {
-  const auto version = [&](const char* end, Mesh (*compute)(Mesh)) {
-    const auto measure = [make, compute](benchmark::State& state) {
-      const Mesh mesh = make();
-      if (!same(compute(mesh), compute == plain ? texel(mesh) : plain(mesh)))
-        return wrong_result(state, "other tangents than by the other version");
-      for (auto _ : state) {
-        state.PauseTiming();
-        Mesh copy = mesh;
-        state.ResumeTiming();
-        benchmark::DoNotOptimize(compute(std::move(copy)));
-      }
-      state.counters["triangles_per_second"] = benchmark::Counter(
-          static_cast<double>(state.iterations()) * static_cast<double>(mesh.triangle_count()),
-          benchmark::Counter::kIsRate);
-    };
-    benchmark::RegisterBenchmark(("tangents/" + name + "/" + end).c_str(), measure)
-        ->Unit(benchmark::kMillisecond)
-        ->UseRealTime();
+using Make = Mesh (*)(std::size_t triangles);
+using Compute = Mesh (*)(Mesh);
+
+/// Held to the result of `other` before it is measured, where there is one.
+void register_tangents_of(const std::string& name, Make make, std::size_t triangles, Compute compute,
+                          Compute other) {
+  const auto measure = [=](benchmark::State& state) {
+    const Mesh mesh = make(triangles);
+    if (other != nullptr && !same(compute(mesh), other(mesh)))
+      return wrong_result(state, "other tangents than by the other version");
+    for (auto _ : state) {
+      state.PauseTiming();
+      Mesh copy = mesh;
+      state.ResumeTiming();
+      benchmark::DoNotOptimize(compute(std::move(copy)));
+    }
+    set_triangles(state, mesh.triangle_count());
   };
-  version("texel", texel);
-  version("plain", plain);
+  benchmark::RegisterBenchmark(name.c_str(), measure)->Unit(benchmark::kMillisecond)->UseRealTime();
 }
 
 }  // namespace
 
 void register_tangents() {
-  register_mesh("torus", rough_torus);
-  register_mesh("soup", soup);
-  register_mesh("degenerate", degenerate);
-  register_mesh("fan", fan);
-  register_mesh("heap", heap);
+  constexpr std::size_t few = 500'000, many = 4'000'000;
+  const std::pair<const char*, Make> meshes[] = {
+      {"torus", rough_torus}, {"soup", soup}, {"degenerate", degenerate}, {"fan", fan}, {"heap", heap}};
+  for (const auto& [name, make] : meshes) {
+    register_tangents_of(fmt::format("tangents/{}/texel", name), make, few, texel, plain);
+    register_tangents_of(fmt::format("tangents/{}/plain", name), make, few, plain, texel);
+    register_tangents_of(fmt::format("growth/tangents of {}/small", name), make, few, texel, nullptr);
+    register_tangents_of(fmt::format("growth/tangents of {}/large", name), make, many, texel, nullptr);
+  }
 }
 
 }  // namespace texel::bench

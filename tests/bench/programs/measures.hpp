@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// What `performance` measures; each part adds its rows to the report, and throws Error where a result is
+// missing or wrong.
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "report.hpp"
+
+namespace texel::bench {
+
+struct Options {
+  std::filesystem::path bin = TEXEL_BIN, root = TEXEL_SOURCE;
+  std::filesystem::path work;  ///< scratch
+  int rounds = 11;
+
+  [[nodiscard]] std::string program(const std::string& name) const { return (bin / name).string(); }
+  [[nodiscard]] std::string assets() const { return (root / "assets").string(); }
+  [[nodiscard]] std::string work_file(const std::string& name) const { return (work / name).string(); }
+  /// Of what takes a minute each time.
+  [[nodiscard]] int long_rounds() const { return rounds < 8 ? 1 : rounds / 4; }
+};
+
+/// Labs beside their floors: a first picture, one more, many in a batch, in the window.
+void measure_snapshots(const Options& options, Report& report);
+void measure_one_more(const Options& options, Report& report);
+void measure_batches(const Options& options, Report& report);
+void measure_frames(const Options& options, Report& report);
+void measure_window_start(const Options& options, Report& report);
+
+/// `texel grade` beside drawing alone.
+void measure_grading(const Options& options, Report& report);
+
+/// kernels_bench and obj_peak.
+void measure_kernels(const Options& options, Report& report);
+
+}  // namespace texel::bench

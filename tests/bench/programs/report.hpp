@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "rounds.hpp"
+
+namespace texel::bench {
+
+/// The report as it grows: each line is printed when it is known.
+class Report {
+ public:
+  void begin(const std::string& title, const std::string& text);
+  void add(const Row& row);
+  /// Milliseconds by stage of a lab's snapshot, as --stats says them.
+  void add_stages(const std::string& lab, const nlohmann::ordered_json& stages) {
+    stages_.emplace_back(lab, stages);
+  }
+
+  [[nodiscard]] std::string as_json() const;
+  /// `rounds` and `long_rounds` are told in the introduction.
+  [[nodiscard]] std::string as_markdown(int rounds, int long_rounds) const;
+
+ private:
+  struct Section {
+    std::string title, text;
+    std::vector<Row> rows;
+  };
+  [[nodiscard]] std::string stage_table() const;
+
+  std::vector<Section> sections_;
+  std::vector<std::pair<std::string, nlohmann::ordered_json>> stages_;
+};
+
+}  // namespace texel::bench
