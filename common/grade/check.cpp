@@ -125,8 +125,7 @@ class LabCheck {
     result.passed = verdict.passed, result.score = verdict.passed ? 1 : 0;
     result.error = verdict.error, result.message = verdict.message;
     if (const auto fault = faults_.find(shot.file()); fault != faults_.end()) result.message = fault->second;
-    if (!result.passed && untouched_.contains(shot.graded.step))
-      result.message = "Not begun. " + result.message;
+    if (!result.passed && untouched_.contains(shot.graded.step)) result.message = kUntouched + result.message;
     return result;
   }
 

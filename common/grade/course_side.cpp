@@ -152,23 +152,37 @@ fs::path CourseSide::drawn_by(const LabPlan& plan, const course::Mutant& mutant)
                       course::mutated(mutant, read_file(solution_.source / mutant.file)));
 }
 
-std::optional<course::Mutant> CourseSide::recognise(const LabPlan& plan, const std::string& step,
-                                                    const std::map<std::string, fs::path>& pictures) {
-  std::vector<const Shot*> failed;
-  for (const Shot& shot : plan.shots)
-    if (pictures.count(shot.graded.name) > 0) failed.push_back(&shot);
-  if (failed.empty()) return {};
-  for (const course::Mutant& mutant : mutants_) {
-    if (mutant.step != step) continue;
-    const fs::path drawn = drawn_by(plan, mutant);
-    if (std::all_of(failed.begin(), failed.end(), [&](const Shot* shot) {
-          Expected as_mutant = expected(plan, *shot);
-          as_mutant.reference = drawn / shot->file();
-          return looks_like(*shot, as_mutant, pictures.at(shot->graded.name));
-        }))
-      return mutant;
+Mistake CourseSide::mistake_of(const LabPlan& plan, const course::Mutant& mutant) {
+  Mistake mistake{mutant.name, mutant.step, mutant.says, {}};
+  const fs::path drawn = drawn_by(plan, mutant);
+  for (const Shot& shot : plan.shots) {
+    if (shot.graded.step != mutant.step) continue;
+    Samples samples = sampled(shot, expected(plan, shot).reference, drawn / shot.file());
+    if (!samples.samples.empty()) mistake.cases[shot.graded.name] = std::move(samples);
   }
-  return {};
+  return mistake;
+}
+
+const Mistake* CourseSide::recognise(const LabPlan& plan, const std::string& step,
+                                     const std::map<std::string, fs::path>& pictures) {
+  const std::vector<Mistake>* known = nullptr;
+  const auto find = [&] {
+    const std::scoped_lock lock(mutex_);
+    const auto found = mistakes_.find(step);
+    if (found != mistakes_.end()) known = &found->second;
+  };
+  find();
+  if (known == nullptr) {
+    std::vector<Mistake> all;
+    for (const course::Mutant& mutant : mutants_)
+      if (mutant.step == step) all.push_back(mistake_of(plan, mutant));
+    {
+      const std::scoped_lock lock(mutex_);
+      mistakes_.emplace(step, std::move(all));  // unless another thread was faster
+    }
+    find();
+  }
+  return grade::recognise(*known, plan, step, pictures);
 }
 
 }  // namespace texel::grade

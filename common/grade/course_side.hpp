@@ -5,13 +5,13 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "course/mutant_file.hpp"
 #include "grade/judge.hpp"
 #include "grade/plan.hpp"
+#include "mistakes.hpp"
 #include "studio.hpp"
 #include "workshop.hpp"
 
@@ -34,10 +34,13 @@ class CourseSide {
   std::filesystem::path drawn_by(const LabPlan& plan, const course::Mutant& mutant);
   [[nodiscard]] const std::vector<course::Mutant>& mutants() const { return mutants_; }
 
-  /// The mutant that draws the same as the student in all failed shots of a step, if one does. `pictures` are
-  /// the student's, by case.
-  std::optional<course::Mutant> recognise(const LabPlan& plan, const std::string& step,
-                                          const std::map<std::string, std::filesystem::path>& pictures);
+  /// What a mutant looks like in the cases of its step. Throws Error (exit 3).
+  Mistake mistake_of(const LabPlan& plan, const course::Mutant& mutant);
+
+  /// grade::recognise among the mutants of the step: what the student's failed pictures (by case) look like,
+  /// or null. Throws Error (exit 3).
+  const Mistake* recognise(const LabPlan& plan, const std::string& step,
+                           const std::map<std::string, std::filesystem::path>& pictures);
 
   /// "llvmpipe …": what draws.
   [[nodiscard]] const std::string& renderer() const { return renderer_; }
@@ -63,6 +66,7 @@ class CourseSide {
   std::mutex mutex_;
   std::map<std::string, std::filesystem::path> folders_;
   std::map<std::string, std::unique_ptr<std::mutex>> drawing_;  ///< by mutant and lab
+  std::map<std::string, std::vector<Mistake>> mistakes_;        ///< by step
 };
 
 /// Where each step is written in a student's tree, found in it or in the course's. Throws Error (exit 3) as

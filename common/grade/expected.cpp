@@ -22,16 +22,8 @@ std::vector<Mistake> mistakes_of(CourseSide& course, const LabPlan& plan) {
   for (const course::Mutant& mutant : course.mutants())
     if (!mutant.step.empty() && std::stoi(mutant.step) == plan.lab.number) mutants.push_back(&mutant);
   std::vector<Mistake> all(mutants.size());
-  in_parallel(processors(), mutants.size(), [&](std::size_t i) {
-    const course::Mutant& mutant = *mutants[i];
-    const fs::path drawn = course.drawn_by(plan, mutant);
-    all[i] = {mutant.name, mutant.step, mutant.says, {}};
-    for (const Shot& shot : plan.shots) {
-      if (shot.graded.step != mutant.step) continue;
-      Samples samples = sampled(shot, course.expected(plan, shot).reference, drawn / shot.file());
-      if (!samples.samples.empty()) all[i].cases[shot.graded.name] = std::move(samples);
-    }
-  });
+  in_parallel(processors(), mutants.size(),
+              [&](std::size_t i) { all[i] = course.mistake_of(plan, *mutants[i]); });
   std::erase_if(all, [](const Mistake& mistake) { return mistake.cases.empty(); });
   return all;
 }

@@ -381,17 +381,16 @@ class ClassRun {
   /// What earlier steps made of a picture is not this one's merit.
   static void say_untouched(std::vector<CaseResult>& results) {
     for (CaseResult& result : results)
-      if (!result.passed)
-        result.score = 0, result.message = "This step is still as the starter has it. " + result.message;
+      if (!result.passed) result.score = 0, result.message = kUntouched + result.message;
   }
 
   void name_mistake(const LabPlan& plan, const std::string& step,
                     const std::map<std::string, fs::path>& failed, std::vector<CaseResult>& results) {
     if (failed.empty()) return;
-    const std::optional<course::Mutant> mutant = course_->recognise(plan, step, failed);
-    if (!mutant) return;
+    const Mistake* mistake = course_->recognise(plan, step, failed);
+    if (mistake == nullptr) return;
     for (CaseResult& result : results)
-      if (failed.count(result.name) > 0) result.mistake = mutant->name, result.mistake_says = mutant->says;
+      if (failed.count(result.name) > 0) result.mistake = mistake->name, result.mistake_says = mistake->says;
   }
 
   std::string keep_picture(const Open& student, const LabPlan& plan, const fs::path& file) const {

@@ -222,19 +222,6 @@ Verdict judge_picture(const Shot& shot, const Expected& expected, const fs::path
   return verdict;
 }
 
-template <class Picture>
-bool is_same(const Shot& shot, const fs::path& a_file, const fs::path& b_file) {
-  const Size size = size_of(shot);
-  const auto a = load(a_file, size, static_cast<Picture*>(nullptr));
-  const auto b = load(b_file, size, static_cast<Picture*>(nullptr));
-  const image::Difference difference =
-      image::compare(a, b, {.edge_tolerance = true, .unit = compared_as(shot.graded.view)});
-  // A mistake may show in nothing but what is not finite: then both must have that at the same pixels.
-  const auto non_finite = [](const Picture& picture) { return image::compare(picture, picture).non_finite; };
-  return difference.p999 <= shot.graded.limit && difference.non_finite == non_finite(a) &&
-         difference.non_finite == non_finite(b);
-}
-
 }  // namespace
 
 std::string unit_of(const std::string& view) {
@@ -255,17 +242,6 @@ Verdict judge(const Shot& shot, const Expected& expected, const fs::path& pictur
   if (shot.is_mesh()) return judge_mesh(shot.graded.limit, expected.reference, expected.worthless, picture);
   return shot.graded.view == "color" ? judge_picture<Image8>(shot, expected, picture)
                                      : judge_picture<ImageF>(shot, expected, picture);
-}
-
-bool looks_like(const Shot& shot, const Expected& expected, const fs::path& picture) {
-  if (!fs::exists(expected.reference)) return false;
-  try {
-    if (shot.is_mesh()) return judge_mesh(shot.graded.limit, expected.reference, {}, picture).passed;
-    return shot.graded.view == "color" ? is_same<Image8>(shot, expected.reference, picture)
-                                       : is_same<ImageF>(shot, expected.reference, picture);
-  } catch (const Error&) {
-    return false;
-  }
 }
 
 }  // namespace texel::grade

@@ -72,6 +72,28 @@ void sort_cases(const course::Lab& lab, std::vector<CaseResult>& cases) {
             [&](const CaseResult& a, const CaseResult& b) { return key(a) < key(b); });
 }
 
+bool is_explained(const StepResult& step) {
+  const auto is_untouched = [](const CaseResult& one) {
+    return !one.passed && one.message.starts_with(kUntouched);
+  };
+  return step.status == Status::failed &&
+         (!step.mistake.empty() || std::any_of(step.cases.begin(), step.cases.end(), is_untouched));
+}
+
+/// A step that needs this one, and failed by a mistake of its own, may have spoilt this one's pictures.
+void point_to_cause(StepResult& step, const std::vector<LabResult>& results, const Needs& needs) {
+  for (const LabResult& lab : results)
+    for (const StepResult& later : lab.steps) {
+      const std::vector<std::string> needed = needs.of(later.id);
+      if (later.status != Status::failed || later.mistake.empty() ||
+          std::find(needed.begin(), needed.end(), step.id) == needed.end())
+        continue;
+      step.message +=
+          fmt::format(" The cause may lie in step {}, whose pictures show a known mistake.", later.id);
+      return;
+    }
+}
+
 }  // namespace
 
 const char* name_of(Status status) {
@@ -109,7 +131,7 @@ double StudentResult::max_points() const {
 }
 
 StepResult step_result(const course::Step& step, std::vector<CaseResult> cases,
-                       const std::map<std::string, Status>& status) {
+                       const std::map<std::string, Before>& before) {
   StepResult result;
   result.id = step.id;
   result.title = step.title;
@@ -125,18 +147,24 @@ StepResult step_result(const course::Step& step, std::vector<CaseResult> cases,
     return result;
   }
 
+  const auto known = std::find_if(first, result.cases.end(),
+                                  [&](const CaseResult& one) { return failed(one) && !one.mistake.empty(); });
+  std::string missing;  // the first need that did not pass
+  bool is_explained = false;
   for (const std::string& need : step.needs) {
-    const auto found = status.find(need);
-    if (found == status.end() || found->second == Status::passed) continue;
+    const auto found = before.find(need);
+    if (found == before.end() || found->second.status == Status::passed) continue;
+    if (missing.empty()) missing = need;
+    is_explained |= found->second.is_explained;
+  }
+  if (!missing.empty() && (is_explained || known == result.cases.end())) {
     result.status = Status::skipped;
-    result.message = fmt::format("This step builds on step {}, which did not pass yet.", need);
+    result.message = fmt::format("This step builds on step {}, which did not pass yet.", missing);
     return result;
   }
 
   result.status = Status::failed;
   result.message = result.cases.empty() ? "Nothing of this step was judged." : first->message;
-  const auto known = std::find_if(first, result.cases.end(),
-                                  [&](const CaseResult& one) { return failed(one) && !one.mistake.empty(); });
   if (known != result.cases.end()) {
     result.mistake = known->mistake;
     result.mistake_says = known->mistake_says;
@@ -149,7 +177,7 @@ std::vector<LabResult> lab_results(const std::vector<course::Lab>& labs, std::ve
   for (CaseResult& result : cases) by_step[{result.lab, result.step}].push_back(std::move(result));
 
   const Needs needs(labs);
-  std::map<std::string, Status> status;
+  std::map<std::string, Before> before;
   std::vector<LabResult> results;
   for (const course::Lab& lab : labs) {
     LabResult result;
@@ -158,11 +186,14 @@ std::vector<LabResult> lab_results(const std::vector<course::Lab>& labs, std::ve
       std::vector<CaseResult>& its_cases = by_step[{lab.folder, step.id}];
       sort_cases(lab, its_cases);
       step.needs = needs.of(step.id);
-      result.steps.push_back(step_result(step, std::move(its_cases), status));
-      status[step.id] = result.steps.back().status;
+      result.steps.push_back(step_result(step, std::move(its_cases), before));
+      before[step.id] = {result.steps.back().status, is_explained(result.steps.back())};
     }
     results.push_back(std::move(result));
   }
+  for (LabResult& lab : results)
+    for (StepResult& step : lab.steps)
+      if (step.status == Status::failed && !is_explained(step)) point_to_cause(step, results, needs);
   return results;
 }
 

@@ -211,20 +211,5 @@ TEST(ScoreOfDirections, is_zero_for_a_float_picture_of_other_channels_or_size) {
   }
 }
 
-TEST(LooksLike, says_no_where_a_mistake_draws_nothing) {
-  const TemporaryFolder folder(fmt::format("nothing_{}", ::getpid()));
-  image::save_pfm(folder / "picture.pfm", disc_of_vectors(0));
-  image::save_png(folder / "picture.png", Image8(64, 64, 3));
-  Shot shot;
-  shot.graded.name = "n", shot.graded.size = "64x64", shot.graded.limit = 0.1;
-  const Expected nothing{folder / "nowhere", {}, {}};
-  shot.graded.view = "normal";
-  EXPECT_FALSE(grade::looks_like(shot, nothing, folder / "picture.pfm"));
-  shot.graded.view = "color";
-  EXPECT_FALSE(grade::looks_like(shot, nothing, folder / "picture.png"));
-  shot.graded.view = "mesh";
-  EXPECT_FALSE(grade::looks_like(shot, nothing, folder / "picture.pfm"));
-}
-
 }  // namespace
 }  // namespace texel::test

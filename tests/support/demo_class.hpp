@@ -114,7 +114,7 @@ inline grade::CaseResult demo_case(const std::string& lab, const std::string& st
 inline std::vector<grade::LabResult> demo_results(int solved, const std::string& mistake = {},
                                                   const std::string& says = {}) {
   std::vector<grade::LabResult> labs;
-  std::map<std::string, grade::Status> status;
+  std::map<std::string, grade::Before> before;
   for (const course::Lab& lab : demo_labs()) {
     grade::LabResult result;
     result.lab = lab;
@@ -132,11 +132,11 @@ inline std::vector<grade::LabResult> demo_results(int solved, const std::string&
           each.mistake_says = says;
           each.score = mistake.empty() ? 0 : 0.25;
         }
-      result.steps.push_back(grade::step_result(step, cases, status));
+      result.steps.push_back(grade::step_result(step, cases, before));
       result.steps.back().file =
           step.id == "5.2" ? "shaders/05_normal_map/tangent_frame.glsl" : "labs/" + lab.folder + "/lab.cpp";
       result.steps.back().line = 42;
-      status[step.id] = result.steps.back().status;
+      before[step.id] = {result.steps.back().status, !result.steps.back().mistake.empty()};
       --solved;
     }
     labs.push_back(result);

@@ -36,6 +36,7 @@
 #include "course/lab_file.hpp"
 #include "course/markers.hpp"
 #include "course/mutant_file.hpp"
+#include "grade/results.hpp"
 #include "grade/submission.hpp"
 
 namespace texel::test {
@@ -232,8 +233,16 @@ class ClassMaker {
       const Files changed = {{mutant.file, course::mutated(mutant, sources_.at(mutant.file))}};
       Json outcome = {{"passes", all_steps()}};
       if (!mutant.is_right) outcome = {{"fails", mutant.step}, {"mistake", mutant.name}};
+      // What the starter has there already is called that.
+      if (!mutant.is_right && is_untouched(mutant.step, mutant.file, changed.at(mutant.file)))
+        outcome = {{"zero", {mutant.step}}, {"says", grade::kUntouched}};
       put(kind, mutant.name, solution(changed), outcome);
     }
+  }
+
+  [[nodiscard]] bool is_untouched(const std::string& step, const std::string& file,
+                                  const std::string& text) const {
+    return course::untouched_steps(text, starter().at(file), file).count(step) > 0;
   }
 
   void threats(const std::string& kind) {

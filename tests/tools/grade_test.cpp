@@ -136,6 +136,9 @@ bool check_student(const grade::StudentResult& student, const json& expected) {
       if (zero.count(step.id) > 0) {
         EXPECT_EQ(step.score, 0) << told;
       }
+      if (zero.count(step.id) > 0 && expected.contains("says")) {
+        EXPECT_TRUE(has(step.message, expected.at("says"))) << told;
+      }
       if (expected.value("fails", "") != step.id) continue;
       EXPECT_LT(step.score, 1) << told;
       EXPECT_NE(step.status, grade::Status::passed) << told;

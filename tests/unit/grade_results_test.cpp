@@ -73,7 +73,7 @@ TEST(StepResult, passes_when_all_cases_do) {
 }
 
 TEST(StepResult, passes_although_a_needed_step_did_not) {
-  EXPECT_EQ(step_result(step_of("1.2", {"1.1"}), {judged("a", 1)}, {{"1.1", Status::failed}}).status,
+  EXPECT_EQ(step_result(step_of("1.2", {"1.1"}), {judged("a", 1)}, {{"1.1", {Status::failed}}}).status,
             Status::passed);
 }
 
@@ -121,22 +121,62 @@ TEST(StepResult, fails_with_nothing_where_nothing_was_judged) {
 }
 
 TEST(StepResult, is_skipped_when_a_needed_step_failed_or_was_skipped) {
-  const std::vector<CaseResult> cases = {looks_like(judged("a", 0.5), "flipped")};
   for (const Status status : {Status::failed, Status::skipped}) {
-    const StepResult result =
-        step_result(step_of("1.3", {"1.1", "1.2"}), cases, {{"1.1", Status::passed}, {"1.2", status}});
+    const StepResult result = step_result(step_of("1.3", {"1.1", "1.2"}), {judged("a", 0.5)},
+                                          {{"1.1", {Status::passed}}, {"1.2", {status}}});
     EXPECT_EQ(result.status, Status::skipped);
     EXPECT_EQ(result.score, 0.5);
     EXPECT_EQ(result.message, "This step builds on step 1.2, which did not pass yet.");
-    EXPECT_EQ(result.mistake, "") << "it would be counted as one of its own";
-    EXPECT_EQ(result.cases.at(0).mistake, "flipped");
   }
-  EXPECT_EQ(step_result(step_of("1.3", {"1.2"}), {}, {{"1.2", Status::failed}}).status, Status::skipped);
+  EXPECT_EQ(step_result(step_of("1.3", {"1.2"}), {}, {{"1.2", {Status::failed}}}).status, Status::skipped);
+}
+
+TEST(StepResult, with_a_known_mistake_is_skipped_only_where_something_explains_a_needed_step) {
+  const std::vector<CaseResult> cases = {looks_like(judged("a", 0.5), "flipped")};
+  const course::Step step = step_of("1.3", {"1.1", "1.2"});
+  const StepResult skipped =
+      step_result(step, cases, {{"1.1", {Status::failed, true}}, {"1.2", {Status::skipped}}});
+  EXPECT_EQ(skipped.status, Status::skipped);
+  EXPECT_EQ(skipped.mistake, "") << "it would be counted as one of its own";
+  EXPECT_EQ(skipped.cases.at(0).mistake, "flipped");
+  const StepResult failed = step_result(step, cases, {{"1.1", {Status::failed}}, {"1.2", {Status::skipped}}});
+  EXPECT_EQ(failed.status, Status::failed);
+  EXPECT_EQ(failed.mistake, "flipped");
+  EXPECT_EQ(failed.message, "message of a");
 }
 
 TEST(StepResult, fails_on_its_own_when_its_needs_passed_or_are_unknown) {
-  const std::map<std::string, Status> status = {{"1.1", Status::passed}, {"1.2", Status::failed}};
-  EXPECT_EQ(step_result(step_of("1.3", {"1.1", "0.9"}), {judged("a", 0)}, status).status, Status::failed);
+  const std::map<std::string, Before> before = {{"1.1", {Status::passed}}, {"1.2", {Status::failed}}};
+  EXPECT_EQ(step_result(step_of("1.3", {"1.1", "0.9"}), {judged("a", 0)}, before).status, Status::failed);
+}
+
+TEST(LabResults, point_from_a_step_that_nothing_explains_to_the_later_one_that_may_have_spoilt_it) {
+  const std::vector<course::Lab> labs = {
+      lab_of("01_quad", {step_of("1.1"), step_of("1.2", {"1.1"}), step_of("1.3", {"1.2"}), step_of("1.4")})};
+  const auto steps_of = [&](const CaseResult& first) {
+    return lab_results(labs, {first, judged_in("01_quad", "1.2", "b", 0),
+                              looks_like(judged_in("01_quad", "1.3", "c", 0), "flipped"),
+                              judged_in("01_quad", "1.4", "d", 0)})
+        .at(0)
+        .steps;
+  };
+  const std::vector<StepResult> unexplained = steps_of(judged_in("01_quad", "1.1", "a", 0));
+  EXPECT_EQ(unexplained[0].message,
+            "message of a The cause may lie in step 1.3, whose pictures show a known mistake.");
+  EXPECT_EQ(unexplained[1].status, Status::skipped);
+  EXPECT_EQ(unexplained[2].status, Status::failed);
+  EXPECT_EQ(unexplained[2].message, "message of c");
+  EXPECT_EQ(unexplained[3].message, "message of d") << "1.3 does not need it";
+
+  CaseResult untouched = judged_in("01_quad", "1.1", "a", 0);
+  untouched.message = kUntouched + "It is black.";
+  const CaseResult named = looks_like(judged_in("01_quad", "1.1", "a", 0), "mirrored");
+  for (const CaseResult& first : {untouched, named}) {
+    const std::vector<StepResult> steps = steps_of(first);
+    EXPECT_EQ(steps[0].message, first.message);
+    EXPECT_EQ(steps[2].status, Status::skipped);
+    EXPECT_EQ(steps[2].mistake, "");
+  }
 }
 
 TEST(LabResults, find_the_first_missing_step_through_others_and_in_other_labs) {

@@ -35,10 +35,6 @@ struct Verdict {
 /// share of vertices that are right. Throws Error (exit 3) when the expected files cannot be read.
 Verdict judge(const Shot& shot, const Expected& expected, const std::filesystem::path& picture);
 
-/// Whether a picture of the shot shows the same as the reference, within its limit: for recognising mistakes.
-/// False where either cannot be read.
-bool looks_like(const Shot& shot, const Expected& expected, const std::filesystem::path& picture);
-
 /// "steps", "degrees", "levels", "texture widths", "units": what a view's error is counted in.
 std::string unit_of(const std::string& view);
 

@@ -45,13 +45,16 @@ struct CaseResult {
   bool operator==(const CaseResult&) const = default;
 };
 
+/// How the message of a failed case begins when nothing of its step has been written.
+inline const std::string kUntouched = "This step is still as the starter has it. ";
+
 struct StepResult {
   std::string id, title;
   double points = 0;  ///< what the step is worth
   double score = 0;   ///< 0 to 1; the teacher's where there is an override
   Status status = Status::failed;
   std::string message;  ///< of the first failed case, or which needed step did not pass; "" when passed
-  std::string mistake, mistake_says;  ///< of the first failed case that has one; "" when skipped
+  std::string mistake, mistake_says;  ///< of the first failed case that has one; "" when passed or skipped
   std::string hint;                   ///< the step's first
   std::string file;                   ///< where the step is written, in the tree
   int line = 0;                       ///< of its first marker in the starter
@@ -109,18 +112,26 @@ struct ClassResult {
   std::vector<Change> changes;               ///< of the last regrade; empty after a first one
 };
 
+/// What those that need a step have to know of it.
+struct Before {
+  Status status = Status::failed;
+  bool is_explained = false;  ///< it failed by a mistake that is known by name, or nothing of it was written
+};
+
 /// A step out of its cases. It passed when all of them did, and there is one. Its score is the lower of the
 /// means over its public and its hidden cases, so that pictures that were made for the public cases earn
-/// nothing; 0 without a case. A step that failed while one of its `needs` did not pass was skipped. `status`
-/// is each step's of those before it, by id; a step that is not in it says nothing. `file` and `line` are
-/// left to who knows the tree.
+/// nothing; 0 without a case. A step that failed while one of its `needs` did not pass was skipped; but where
+/// nothing explains those, and its own pictures show a known mistake, it failed by that: a wrong line spoils
+/// pictures of earlier steps too. `before` has the steps before it, by id; a step that is not in it says
+/// nothing. `file` and `line` are left to who knows the tree.
 StepResult step_result(const course::Step& step, std::vector<CaseResult> cases,
-                       const std::map<std::string, Status>& status);
+                       const std::map<std::string, Before>& before);
 
 /// All steps of these labs out of one student's cases, in the labs' order. Beyond step_result, a step needs
 /// what its needs need, in other labs too, and its message names the first step of the course that is
-/// missing. A step's cases come public ones first, then in the lab file's order, then by name. Cases of other
-/// labs or steps are left out.
+/// missing; that of a step that nothing explains names the later one whose mistake may be the cause. A step's
+/// cases come public ones first, then in the lab file's order, then by name. Cases of other labs or steps are
+/// left out.
 std::vector<LabResult> lab_results(const std::vector<course::Lab>& labs, std::vector<CaseResult> cases);
 
 }  // namespace texel::grade
