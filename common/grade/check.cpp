@@ -75,12 +75,13 @@ class LabCheck {
     const std::vector<Mistake> mistakes = read_mistakes(expected_ / "mistakes.json");
     std::vector<CaseResult> results;
     for (const course::Step& step : plan_.lab.steps) {
-      std::map<std::string, fs::path> failed;
+      std::map<std::string, Failed> failed;
       for (const Shot& shot : plan_.shots) {
         if (shot.graded.step != step.id) continue;
         results.push_back(judged(shot));
-        if (!results.back().passed && fs::exists(own_ / shot.file()))
-          failed[shot.graded.name] = own_ / shot.file();
+        const Failed one{own_ / shot.file(), said_of(shot)};
+        if (!results.back().passed && (fs::exists(one.picture) || !one.said.empty()))
+          failed[shot.graded.name] = one;
       }
       const Mistake* known =
           untouched_.contains(step.id) ? nullptr : recognise(mistakes, plan_, step.id, failed);
@@ -104,12 +105,18 @@ class LabCheck {
     });
     for (std::size_t i = 0; i < parts.size(); ++i) {
       faults_.merge(drawn[i].faults);
+      said_.merge(drawn[i].said);
       const fs::path folder = own_ / fmt::format("{}", i);
       if (!fs::exists(folder)) continue;
       for (const fs::directory_entry& file : fs::directory_iterator(folder))
         fs::rename(file.path(), own_ / file.path().filename());
       fs::remove_all(folder);
     }
+  }
+
+  [[nodiscard]] std::string said_of(const Shot& shot) const {
+    const auto said = said_.find(shot.file());
+    return said == said_.end() ? "" : said->second;
   }
 
   [[nodiscard]] CaseResult judged(const Shot& shot) const {
@@ -133,7 +140,8 @@ class LabCheck {
   const std::set<std::string>& untouched_;
   fs::path expected_, own_;
   Studio studio_;
-  std::map<std::string, std::string> faults_;  ///< why a picture is missing, by its file
+  std::map<std::string, std::string> faults_,
+      said_;  ///< why a picture is missing, by its file: as Drawn has them
 };
 
 bool is_text_of_programs(const fs::path& file) {

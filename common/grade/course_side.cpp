@@ -28,6 +28,14 @@ std::string processor() {
   return {};
 }
 
+/// The ending of a file that stands in place of a picture: what the program said instead of drawing it.
+constexpr const char* kSaid = ".said";
+
+std::string said_instead_of(const fs::path& picture) {
+  const fs::path file = picture.string() + kSaid;
+  return fs::exists(file) ? read_file(file) : "";
+}
+
 /// What draws, as a lab's program says it.
 std::string ask_renderer(const fs::path& program, const std::string& context, const fs::path& root) {
   Sandbox plain;
@@ -113,7 +121,7 @@ fs::path CourseSide::draw_changed(const LabPlan& plan, const std::string& name, 
     own = slot.get();
   }
   const std::scoped_lock lock(*own);
-  const fs::path folder = folder_of(plan) / "mutants" / fingerprint({name, file, text}).substr(0, 32);
+  const fs::path folder = folder_of(plan) / "mutants" / fingerprint({name, file, text, kSaid}).substr(0, 32);
   if (fs::exists(folder)) return folder;
   const fs::path fresh = cache_ / fmt::format("mutant-{}-{}-{}", ::getpid(), plan.lab.number, name);
   fs::remove_all(fresh);
@@ -130,8 +138,9 @@ fs::path CourseSide::draw_changed(const LabPlan& plan, const std::string& name, 
   std::vector<std::string> names;
   for (const Shot& shot : plan.shots)
     if (shot.graded.step == step) names.push_back(shot.graded.name);
-  draw(studio, plan, names, fresh / "out");
+  const Drawn drawn = draw(studio, plan, names, fresh / "out");
   fs::create_directories(fresh / "out");
+  for (const auto& [picture, said] : drawn.said) write_file(fresh / "out" / (picture + kSaid), said);
   fs::create_directories(folder.parent_path());
   std::error_code exists;
   fs::rename(fresh / "out", folder, exists);
@@ -147,6 +156,11 @@ fs::path CourseSide::without_step(const LabPlan& plan, const Shot& shot) {
   return draw_changed(plan, "without-" + step, step, file, text) / shot.file();
 }
 
+Failed CourseSide::failed_by(const LabPlan& plan, const course::Mutant& mutant, const Shot& shot) {
+  const fs::path picture = drawn_by(plan, mutant) / shot.file();
+  return {picture, said_instead_of(picture)};
+}
+
 fs::path CourseSide::drawn_by(const LabPlan& plan, const course::Mutant& mutant) {
   return draw_changed(plan, mutant.name, mutant.step, mutant.file,
                       course::mutated(mutant, read_file(solution_.source / mutant.file)));
@@ -158,13 +172,15 @@ Mistake CourseSide::mistake_of(const LabPlan& plan, const course::Mutant& mutant
   for (const Shot& shot : plan.shots) {
     if (shot.graded.step != mutant.step) continue;
     Samples samples = sampled(shot, expected(plan, shot).reference, drawn / shot.file());
-    if (!samples.samples.empty()) mistake.cases[shot.graded.name] = std::move(samples);
+    samples.said = said_instead_of(drawn / shot.file());
+    if (!samples.samples.empty() || !samples.said.empty())
+      mistake.cases[shot.graded.name] = std::move(samples);
   }
   return mistake;
 }
 
 const Mistake* CourseSide::recognise(const LabPlan& plan, const std::string& step,
-                                     const std::map<std::string, fs::path>& pictures) {
+                                     const std::map<std::string, Failed>& failed) {
   const std::vector<Mistake>* known = nullptr;
   const auto find = [&] {
     const std::scoped_lock lock(mutex_);
@@ -182,7 +198,7 @@ const Mistake* CourseSide::recognise(const LabPlan& plan, const std::string& ste
     }
     find();
   }
-  return grade::recognise(*known, plan, step, pictures);
+  return grade::recognise(*known, plan, step, failed);
 }
 
 }  // namespace texel::grade

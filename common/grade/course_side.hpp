@@ -32,15 +32,17 @@ class CourseSide {
   /// What a mutant of a step draws in the cases of its step: a folder with the pictures that there are.
   /// Throws Error (exit 3).
   std::filesystem::path drawn_by(const LabPlan& plan, const course::Mutant& mutant);
+  /// Of one case. Throws Error (exit 3).
+  Failed failed_by(const LabPlan& plan, const course::Mutant& mutant, const Shot& shot);
   [[nodiscard]] const std::vector<course::Mutant>& mutants() const { return mutants_; }
 
   /// What a mutant looks like in the cases of its step. Throws Error (exit 3).
   Mistake mistake_of(const LabPlan& plan, const course::Mutant& mutant);
 
-  /// grade::recognise among the mutants of the step: what the student's failed pictures (by case) look like,
-  /// or null. Throws Error (exit 3).
+  /// grade::recognise among the mutants of the step: what the student's failed cases look like, or null.
+  /// Throws Error (exit 3).
   const Mistake* recognise(const LabPlan& plan, const std::string& step,
-                           const std::map<std::string, std::filesystem::path>& pictures);
+                           const std::map<std::string, Failed>& failed);
 
   /// "llvmpipe …": what draws.
   [[nodiscard]] const std::string& renderer() const { return renderer_; }

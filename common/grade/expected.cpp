@@ -35,11 +35,11 @@ std::size_t told_apart(CourseSide& course, const LabPlan& plan, const std::vecto
     const auto mistake = std::find_if(mistakes.begin(), mistakes.end(),
                                       [&](const Mistake& one) { return one.name == mutant.name; });
     if (mistake == mistakes.end()) continue;
-    std::map<std::string, fs::path> pictures;
+    std::map<std::string, Failed> failed;
     for (const Shot& shot : plan.shots)
       if (mistake->cases.contains(shot.graded.name))
-        pictures[shot.graded.name] = course.drawn_by(plan, mutant) / shot.file();
-    const Mistake* known = recognise(mistakes, plan, mutant.step, pictures);
+        failed[shot.graded.name] = course.failed_by(plan, mutant, shot);
+    const Mistake* known = recognise(mistakes, plan, mutant.step, failed);
     if (known != nullptr && known->name == mutant.name) ++count;
   }
   return count;

@@ -306,22 +306,25 @@ class ClassRun {
                    const Program& program, const Drawn& drawn, const fs::path& out) {
     for (const course::Step& step : plan.lab.steps) {
       std::vector<CaseResult> results;
-      std::map<std::string, fs::path> failed;
+      std::map<std::string, Failed> failed;
       for (const Shot& shot : plan.shots) {
         if (shot.graded.step != step.id) continue;
         if (std::find(names.begin(), names.end(), shot.graded.name) == names.end()) continue;
         results.push_back(judge_shot(student, plan, shot, program, drawn, out));
+        if (results.back().passed) continue;
         // A folder or a link of a picture's name is no picture.
-        if (results.back().passed || !fs::is_regular_file(fs::symlink_status(out / shot.file()))) continue;
-        failed[shot.graded.name] = out / shot.file();
+        Failed one;
+        if (fs::is_regular_file(fs::symlink_status(out / shot.file()))) one.picture = out / shot.file();
+        if (const auto said = drawn.said.find(shot.file()); said != drawn.said.end()) one.said = said->second;
+        if (!one.picture.empty() || !one.said.empty()) failed[shot.graded.name] = one;
       }
       if (student.untouched.count(step.id) == 0)
         name_mistake(plan, step.id, failed, results);
       else if (student.submission.fault.empty())
         say_untouched(results);
       for (CaseResult& result : results) {
-        if (const auto file = failed.find(result.name); file != failed.end())
-          result.picture = keep_picture(student, plan, file->second);
+        if (const auto one = failed.find(result.name); one != failed.end() && !one->second.picture.empty())
+          result.picture = keep_picture(student, plan, one->second.picture);
         store_->put(student.entry.id, result);
         ++judged_, ++finished_;
       }
@@ -384,8 +387,8 @@ class ClassRun {
       if (!result.passed) result.score = 0, result.message = kUntouched + result.message;
   }
 
-  void name_mistake(const LabPlan& plan, const std::string& step,
-                    const std::map<std::string, fs::path>& failed, std::vector<CaseResult>& results) {
+  void name_mistake(const LabPlan& plan, const std::string& step, const std::map<std::string, Failed>& failed,
+                    std::vector<CaseResult>& results) {
     if (failed.empty()) return;
     const Mistake* mistake = course_->recognise(plan, step, failed);
     if (mistake == nullptr) return;

@@ -107,9 +107,11 @@ double number(const json& value) {
   return value.is_null() ? std::nan("") : value.get<double>();
 }
 
-/// Which part of the samples the picture has; 0 for what is no picture of that size.
-double share_of_samples(const Shot& shot, const Samples& samples, const fs::path& picture) {
-  const Values values = read_values(shot, picture);
+/// Which part of the samples the picture has; 0 for what is no picture of that size. What was said is the
+/// same or is not.
+double share_of_samples(const Shot& shot, const Samples& samples, const Failed& failed) {
+  if (!samples.said.empty() || !failed.said.empty()) return samples.said == failed.said ? 1 : 0;
+  const Values values = read_values(shot, failed.picture);
   if (values.count == 0 || values.count != samples.count) return 0;
   std::size_t same = 0;
   for (const Samples::Sample& sample : samples.samples)
@@ -123,7 +125,7 @@ double share_of_samples(const Shot& shot, const Samples& samples, const fs::path
 
 Samples sampled(const Shot& shot, const fs::path& reference_file, const fs::path& wrong_file) {
   const Values reference = read_values(shot, reference_file), wrong = read_values(shot, wrong_file);
-  Samples samples{wrong.count, {}};
+  Samples samples{{}, wrong.count, {}};
   if (wrong.count == 0) return {};
   std::vector<std::size_t> different, equal;
   for (std::size_t i = 0; i < wrong.count; ++i) {
@@ -138,18 +140,18 @@ Samples sampled(const Shot& shot, const fs::path& reference_file, const fs::path
 }
 
 const Mistake* recognise(const std::vector<Mistake>& mistakes, const LabPlan& plan, const std::string& step,
-                         const std::map<std::string, fs::path>& failed) {
+                         const std::map<std::string, Failed>& failed) {
   const Mistake* best = nullptr;
   double most = 0;
   for (const Mistake& mistake : mistakes) {
     if (mistake.step != step) continue;
     double least = 1, sum = 0;
     for (const Shot& shot : plan.shots) {
-      const auto file = failed.find(shot.graded.name);
-      if (file == failed.end()) continue;
+      const auto one = failed.find(shot.graded.name);
+      if (one == failed.end()) continue;
       const auto samples = mistake.cases.find(shot.graded.name);
       const double part =
-          samples == mistake.cases.end() ? 0 : share_of_samples(shot, samples->second, file->second);
+          samples == mistake.cases.end() ? 0 : share_of_samples(shot, samples->second, one->second);
       least = std::min(least, part);
       sum += part;
     }
@@ -169,6 +171,10 @@ std::string to_json(const std::vector<Mistake>& mistakes) {
     nlohmann::ordered_json one{{"name", mistake.name}, {"step", mistake.step}, {"says", mistake.says}};
     for (const auto& [name, samples] : mistake.cases) {
       nlohmann::ordered_json& place = one["cases"][name];
+      if (!samples.said.empty()) {
+        place["said"] = samples.said;
+        continue;
+      }
       place["count"] = samples.count;
       for (const Samples::Sample& sample : samples.samples) {
         nlohmann::ordered_json values = {sample.index};
@@ -187,8 +193,9 @@ std::vector<Mistake> read_mistakes(const fs::path& file) {
     for (const json& one : json::parse(read_file(file))) {
       Mistake mistake{one.at("name"), one.at("step"), one.at("says"), {}};
       for (const auto& [name, place] : one.at("cases").items()) {
-        Samples samples{place.at("count"), {}};
-        for (const json& row : place.at("samples")) {
+        Samples samples{place.value("said", std::string()), 0, {}};
+        samples.count = samples.said.empty() ? place.at("count").get<std::size_t>() : 0;
+        for (const json& row : samples.said.empty() ? place.at("samples") : json::array()) {
           Samples::Sample sample{row.at(0), {}};
           for (std::size_t i = 1; i < row.size(); ++i) sample.values.push_back(number(row[i]));
           samples.samples.push_back(std::move(sample));

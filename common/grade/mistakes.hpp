@@ -14,6 +14,7 @@ namespace texel::grade {
 
 /// Some of the values of a picture or vertex stream: of pixels, row by row from the bottom, or of vertices.
 struct Samples {
+  std::string said;       ///< why the program draws nothing (Drawn::said): then there are no samples
   std::size_t count = 0;  ///< of all pixels or vertices
   struct Sample {
     std::size_t index = 0;
@@ -32,9 +33,15 @@ struct Mistake {
 /// the others from where it does not. None when it differs nowhere, or is no picture.
 Samples sampled(const Shot& shot, const std::filesystem::path& reference, const std::filesystem::path& wrong);
 
-/// The mistake of the step that has most of what all its failed pictures (by case) show, or none.
+/// What was drawn in a case and is wrong, or why nothing was (Drawn::said).
+struct Failed {
+  std::filesystem::path picture;
+  std::string said;
+};
+
+/// The mistake of the step that has most of what all its failed cases show, or none.
 const Mistake* recognise(const std::vector<Mistake>& mistakes, const LabPlan& plan, const std::string& step,
-                         const std::map<std::string, std::filesystem::path>& failed);
+                         const std::map<std::string, Failed>& failed);
 
 /// A lab's mistakes as a file. Reading throws Error (exit 3) with its name when it is broken.
 std::string to_json(const std::vector<Mistake>& mistakes);

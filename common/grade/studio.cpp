@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <regex>
 #include <sstream>
 
 #include "core/error.hpp"
@@ -77,6 +78,11 @@ std::map<std::string, std::string> reasons(const std::string& errors) {
   return all;
 }
 
+std::string without_folders(const std::string& reason) {
+  static const std::regex folders("[^ ]*/");
+  return std::regex_replace(reason.substr(0, reason.find('\n')), folders, "");
+}
+
 }  // namespace
 
 Drawn draw(const Studio& studio, const LabPlan& plan, const std::vector<std::string>& only,
@@ -98,7 +104,8 @@ Drawn draw(const Studio& studio, const LabPlan& plan, const std::vector<std::str
     for (const Shot* shot : left) {
       if (fs::is_regular_file(fs::symlink_status(out / shot->file()))) continue;
       if (const auto reason = why.find(shot->file()); reason != why.end())
-        drawn.faults[shot->file()] = reason->second;
+        drawn.faults[shot->file()] = reason->second,
+        drawn.said[shot->file()] = without_folders(reason->second);
       else
         missing.push_back(shot);
     }

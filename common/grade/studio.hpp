@@ -24,6 +24,9 @@ struct Studio {
 /// The reasons why files are missing, by the file's name, and remarks on the whole.
 struct Drawn {
   std::map<std::string, std::string> faults;
+  /// Of those, what the lab's program itself said: their first lines, without folders, since the same file
+  /// lies elsewhere for everybody. Not that it died or never ended, as it does by many mistakes.
+  std::map<std::string, std::string> said;
   std::vector<std::string> notes;
 };
 

@@ -230,13 +230,13 @@ class ClassMaker {
       if (sources_.count(mutant.file) > 0 && !mutant.step.empty() && is_asked(lab_of(mutant.step)))
         fit.push_back(mutant);
     for (const course::Mutant& mutant : some_of(fit, options_.limit)) {
-      const Files changed = {{mutant.file, course::mutated(mutant, sources_.at(mutant.file))}};
+      const Files files = solution({{mutant.file, course::mutated(mutant, sources_.at(mutant.file))}});
       Json outcome = {{"passes", all_steps()}};
       if (!mutant.is_right) outcome = {{"fails", mutant.step}, {"mistake", mutant.name}};
       // What the starter has there already is called that.
-      if (!mutant.is_right && is_untouched(mutant.step, mutant.file, changed.at(mutant.file)))
+      if (!mutant.is_right && is_untouched(mutant.step, mutant.file, files.at(mutant.file)))
         outcome = {{"zero", {mutant.step}}, {"says", grade::kUntouched}};
-      put(kind, mutant.name, solution(changed), outcome);
+      put(kind, mutant.name, files, outcome);
     }
   }
 

@@ -140,7 +140,9 @@ TEST_F(StudentTree, is_checked_step_by_step) {
 
   found = steps(6);
   EXPECT_EQ(found["6.1"].at("status"), "failed");
-  EXPECT_TRUE(found["6.1"].at("message").get<std::string>().starts_with("This step is still as the starter has it. ")) << found["6.1"];
+  EXPECT_TRUE(
+      found["6.1"].at("message").get<std::string>().starts_with("This step is still as the starter has it. "))
+      << found["6.1"];
   EXPECT_GT(found["6.1"].at("error").get<double>(), found["6.1"].at("limit").get<double>());
   EXPECT_FALSE(found["6.1"].at("unit").get<std::string>().empty());
 
