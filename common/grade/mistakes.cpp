@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// How many values tell one mistake from another: these tell apart all 122 that the nine labs' public cases
+/// How many values tell one mistake from another: these tell apart all 123 that the nine labs' public cases
 /// show (`./run expected` counts them).
 constexpr std::size_t kDifferent = 20, kEqual = 10;
 /// The part of its samples that a mistake's picture must have: edges may lie a pixel beside.
