@@ -95,8 +95,7 @@ glm::dvec3 labelled_colour(glm::dvec3 d) {
   if (rim > 0.90) return text.colour * 0.45;
 
   const auto on_text = [&](const char* line, double middle_x, double bottom, double size, double weight) {
-    return distance_to_text(line, (x - middle_x) / size + 0.5 * text_width(line), (y - bottom) / size) <
-           weight;
+    return in_text(line, (x - middle_x) / size + 0.5 * text_width(line), (y - bottom) / size, weight);
   };
   if (on_text(text.name, 0.0, 0.12, 0.095, 0.75)) return white;
   if (on_text(text.word, 0.0, -0.20, 0.034, 0.70)) return white;

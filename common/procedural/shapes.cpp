@@ -133,6 +133,16 @@ double distance_to_text(std::string_view text, double x, double y) {
   return nearest;
 }
 
+bool in_text(std::string_view text, double x, double y, double half_stroke) {
+  if (y < -half_stroke || y > 6 + half_stroke) return false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const double own_x = x - 6.0 * static_cast<double>(i);
+    if (own_x < -half_stroke || own_x > 4 + half_stroke) continue;
+    if (distance_to_character(text[i], own_x, y) < half_stroke) return true;
+  }
+  return false;
+}
+
 bool in_arrow(double x, double y, double length, double width) {
   const double head = 3.2 * width;
   if (x > length - head) return x < length && std::abs(y) < 0.62 * (length - x);

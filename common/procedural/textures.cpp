@@ -134,8 +134,8 @@ dvec3 label_grid(double u, double v) {
     const double ax = x - 3.28, ay = y - 3.28;
     if (in_arrow(ax, ay, 1.45, 0.13)) return {0.75, 0.02, 0.02};
     if (in_arrow(ay, ax, 1.45, 0.13)) return {0.01, 0.42, 0.03};
-    if (distance_to_text("s", (x - 4.26) / 0.075, (y - 3.60) / 0.075) < 0.75) return {0.75, 0.02, 0.02};
-    if (distance_to_text("t", (x - 3.58) / 0.075, (y - 4.22) / 0.075) < 0.75) return {0.01, 0.42, 0.03};
+    if (in_text("s", (x - 4.26) / 0.075, (y - 3.60) / 0.075, 0.75)) return {0.75, 0.02, 0.02};
+    if (in_text("t", (x - 3.58) / 0.075, (y - 4.22) / 0.075, 0.75)) return {0.01, 0.42, 0.03};
     const bool border = x < 3.035 || x > 4.965 || y < 3.035 || y > 4.965;
     return border ? ink : paper;
   }
@@ -145,15 +145,14 @@ dvec3 label_grid(double u, double v) {
         {0.72, 0.012, 0.012}, {0.015, 0.40, 0.03}, {0.02, 0.07, 0.75}, {0.95, 0.68, 0.01}};
     const char letter[] = {static_cast<char>('A' + corner)};
     const double size = 0.118;
-    const double d = distance_to_text({letter, 1}, (cx - 0.5) / size + 2, (cy - 0.5) / size + 3);
-    return d < 0.85 ? (corner == 3 ? ink : paper) : grounds[corner];
+    const bool is_letter = in_text({letter, 1}, (cx - 0.5) / size + 2, (cy - 0.5) / size + 3, 0.85);
+    return is_letter ? (corner == 3 ? ink : paper) : grounds[corner];
   }
   const bool dark = (column + row) % 2 == 0;
   const dvec3 ground = blend(hue(column / 8.0 + 0.03 * row), paper, dark ? 0.35 : 0.72) * (0.45 + 0.07 * row);
   const char label[] = {static_cast<char>('A' + column), static_cast<char>('1' + row)};
   const double size = 0.068;
-  const double d = distance_to_text({label, 2}, (cx - 0.5) / size + 5, (cy - 0.5) / size + 3);
-  if (d < 0.62) return ink;
+  if (in_text({label, 2}, (cx - 0.5) / size + 5, (cy - 0.5) / size + 3, 0.62)) return ink;
   const bool border = cx < 0.02 || cx > 0.98 || cy < 0.02 || cy > 0.98;
   return border ? ground * 0.35 : ground;
 }
@@ -190,9 +189,9 @@ dvec4 decal(double u, double v) {
   // The word bends around the ring: along it, an angle is a length.
   const double ring = 0.675, size = 0.026;
   const double top = std::remainder(angle, tau) * ring / size, out = (r - ring) / size;
-  if (distance_to_text("TEXEL", top + 0.5 * text_width("TEXEL"), out + 3) < 0.75) tint = {1.0, 0.93, 0.75};
+  if (in_text("TEXEL", top + 0.5 * text_width("TEXEL"), out + 3, 0.75)) tint = {1.0, 0.93, 0.75};
   const double bottom = -std::remainder(angle - tau / 2, tau) * ring / size;
-  if (distance_to_text("LABS", bottom + 0.5 * text_width("LABS"), 3 - out) < 0.75) tint = {1.0, 0.93, 0.75};
+  if (in_text("LABS", bottom + 0.5 * text_width("LABS"), 3 - out, 0.75)) tint = {1.0, 0.93, 0.75};
   return {tint, smooth_step(scallop + 0.05, scallop - 0.03, r)};
 }
 

@@ -196,6 +196,11 @@ TEST(Shapes, text_has_strokes_where_its_letters_have) {
   EXPECT_DOUBLE_EQ(distance_to_text("L", 4, 6), 4);  // nothing upper right
   EXPECT_EQ(distance_to_text("AL", 6, 3), 0);        // the next letter stands 6 further right
   EXPECT_GT(distance_to_text(" ", 2, 3), 100);
+  for (const char* text : {"TEXEL", "LABS", "A1", "s", "+ Q."})
+    for (double y = -2; y < 9; y += 0.113)
+      for (double x = -2; x < 32; x += 0.117)
+        ASSERT_EQ(in_text(text, x, y, 0.75), distance_to_text(text, x, y) < 0.75)
+            << text << ' ' << x << ' ' << y;
 }
 
 TEST(Shapes, star_has_a_point_upwards) {

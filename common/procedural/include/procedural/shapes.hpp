@@ -9,6 +9,10 @@ namespace texel::procedural {
 /// -, and the small letters s, t, u and v; anything else is a space.
 double distance_to_text(std::string_view text, double x, double y);
 
+/// Whether (x, y) lies on a line of writing whose strokes reach so far to each side of their middle. Much
+/// faster than the distance: most points are near no character.
+bool in_text(std::string_view text, double x, double y, double half_stroke);
+
 /// Distance from (x, y) to the line segment from (x0, y0) to (x1, y1), which must differ.
 double distance_to_segment(double x, double y, double x0, double y0, double x1, double y1);
 
