@@ -41,7 +41,7 @@ bool agrees(const image::ImageF& picture, const Truth& truth, glm::ivec2 size) {
 gl::Target& Canvas::fit(std::unique_ptr<gl::Target>& target, gl::Target::Kind kind, glm::ivec2 size,
                         int samples) {
   if (!target || target->width() != size.x || target->height() != size.y || target->samples() != samples)
-    target = std::make_unique<gl::Target>(kind, size.x, size.y, samples);
+    target = std::make_unique<gl::Target>(kind, size.x, size.y, samples, picture_.get());
   return *target;
 }
 

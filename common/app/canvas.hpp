@@ -73,8 +73,7 @@ class Canvas {
   void present(View view);
   void draw_error(glm::ivec2 size);
   [[nodiscard]] image::ImageF measured_picture(const Measure& measure, glm::ivec2 size);
-  static gl::Target& fit(std::unique_ptr<gl::Target>& target, gl::Target::Kind kind, glm::ivec2 size,
-                         int samples);
+  gl::Target& fit(std::unique_ptr<gl::Target>& target, gl::Target::Kind kind, glm::ivec2 size, int samples);
 
   gl::Context& context_;
   const Assets& assets_;

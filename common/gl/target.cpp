@@ -14,7 +14,8 @@
 
 namespace texel::gl {
 
-Target::Target(Kind kind, int width, int height, int samples) : kind_(kind), width_(width), height_(height) {
+Target::Target(Kind kind, int width, int height, int samples, const Target* other)
+    : kind_(kind), width_(width), height_(height) {
   GLint most = 1;
   glGetIntegerv(GL_MAX_SAMPLES, &most);
   GLint largest = 0;
@@ -35,20 +36,25 @@ Target::Target(Kind kind, int width, int height, int samples) : kind_(kind), wid
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glBindFramebuffer(GL_FRAMEBUFFER, resolved_.id());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.id(), 0);
-  if (samples_ > 1) {
-    multisampled_ = std::make_unique<Multisampled>();
-    glBindFramebuffer(GL_FRAMEBUFFER, multisampled_->framebuffer.id());
-    glBindRenderbuffer(GL_RENDERBUFFER, multisampled_->colour.id());
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, format, width, height);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                              multisampled_->colour.id());
+  if (other != nullptr && other->kind_ == kind && other->width_ == width && other->height_ == height &&
+      other->samples_ == samples_) {
+    scratch_ = other->scratch_;
+  } else {
+    scratch_ = std::make_shared<Scratch>();
+    const GLsizei stored = samples_ > 1 ? samples_ : 0;
+    glBindRenderbuffer(GL_RENDERBUFFER, scratch_->depth.id());
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, stored, GL_DEPTH_COMPONENT24, width, height);
+    if (samples_ > 1) {
+      scratch_->multisampled = std::make_unique<Multisampled>();
+      glBindFramebuffer(GL_FRAMEBUFFER, scratch_->multisampled->framebuffer.id());
+      glBindRenderbuffer(GL_RENDERBUFFER, scratch_->multisampled->colour.id());
+      glRenderbufferStorageMultisample(GL_RENDERBUFFER, stored, format, width, height);
+      glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                                scratch_->multisampled->colour.id());
+    }
   }
-  glBindRenderbuffer(GL_RENDERBUFFER, depth_.id());
-  if (samples_ > 1)
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_DEPTH_COMPONENT24, width, height);
-  else
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
+  bind();
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, scratch_->depth.id());
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE)
     throw Error::failed(fmt::format("this renderer cannot draw into a {}x{} {} picture (0x{:04x})", width,
@@ -56,14 +62,15 @@ Target::Target(Kind kind, int width, int height, int samples) : kind_(kind), wid
 }
 
 void Target::bind() const {
-  glBindFramebuffer(GL_FRAMEBUFFER, multisampled_ ? multisampled_->framebuffer.id() : resolved_.id());
+  const auto& multisampled = scratch_->multisampled;
+  glBindFramebuffer(GL_FRAMEBUFFER, multisampled ? multisampled->framebuffer.id() : resolved_.id());
   glViewport(0, 0, width_, height_);
 }
 
 void Target::resolve() const {
-  if (!multisampled_) return;
+  if (!scratch_->multisampled) return;
   glDisable(GL_SCISSOR_TEST);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, multisampled_->framebuffer.id());
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, scratch_->multisampled->framebuffer.id());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
   glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }

@@ -140,8 +140,8 @@ class LabCheck {
   const std::set<std::string>& untouched_;
   fs::path expected_, own_;
   Studio studio_;
-  std::map<std::string, std::string> faults_,
-      said_;  ///< why a picture is missing, by its file: as Drawn has them
+  std::map<std::string, std::string> faults_;  ///< why a picture is missing, by its file
+  std::map<std::string, std::string> said_;    ///< as Drawn has it
 };
 
 bool is_text_of_programs(const fs::path& file) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <csignal>
-#include <regex>
 #include <sstream>
 
 #include "core/error.hpp"
@@ -79,8 +78,11 @@ std::map<std::string, std::string> reasons(const std::string& errors) {
 }
 
 std::string without_folders(const std::string& reason) {
-  static const std::regex folders("[^ ]*/");
-  return std::regex_replace(reason.substr(0, reason.find('\n')), folders, "");
+  constexpr std::size_t most = 500;  // a hostile line may be as long as all that is kept
+  std::istringstream words(reason.substr(0, std::min(reason.find('\n'), most)));
+  std::string text;
+  for (std::string word; words >> word;) text += (text.empty() ? "" : " ") + word.substr(word.rfind('/') + 1);
+  return text;
 }
 
 }  // namespace

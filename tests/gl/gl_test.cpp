@@ -361,6 +361,26 @@ TEST_P(OpenGl, a_picture_of_one_colour_is_told_from_one_with_a_pixel_of_another)
   }
 }
 
+TEST_P(OpenGl, a_picture_stays_when_another_is_drawn_with_its_samples_and_depth) {
+  for (const int samples : {1, 4}) {
+    const Target first(Target::Kind::colour, 8, 8, samples);
+    const Target second(Target::Kind::colour, 8, 8, samples, &first);
+    const Target other(Target::Kind::data, 8, 8, 1, &first);  // shares nothing: another kind
+    const auto clear = [](const Target& target, float red) {
+      target.bind();
+      glClearColor(red, 0, 0, 1);
+      glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+      target.resolve();
+    };
+    clear(first, 1);
+    clear(second, 0);
+    clear(other, 0.5F);
+    EXPECT_TRUE(first.shows_only({1, 0, 0, 1})) << samples;
+    EXPECT_TRUE(second.shows_only({0, 0, 0, 1})) << samples;
+    EXPECT_TRUE(other.shows_only({0.5F, 0, 0, 1})) << samples;
+  }
+}
+
 /// The recorder, with a square that is drawn into a small target.
 class Recording : public OpenGl {
  protected:
