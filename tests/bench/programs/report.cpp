@@ -10,6 +10,15 @@ namespace texel::bench {
 
 using Json = nlohmann::ordered_json;
 
+namespace {
+
+/// Four digits, and no exponent where there are more before the point.
+std::string number(double value) {
+  return value < 1000 ? fmt::format("{:.4g}", value) : fmt::format("{:.0f}", value);
+}
+
+}  // namespace
+
 void Report::begin(const std::string& title, const std::string& text) {
   fmt::print("\n{}\n", title);
   sections_.push_back({title, text, {}});
@@ -55,9 +64,10 @@ std::string Report::as_markdown(int rounds, int long_rounds) const {
     text += fmt::format("| | {} | {} | ratio | target |\n|---|---|---|---|---|\n", section.rows[0].ours_is,
                         section.rows[0].theirs_is);
     for (const Row& row : section.rows)
-      text += fmt::format("| {} | {:.4g} {} | {:.4g} {} | **{:.3g}** ({:.3g} to {:.3g}) | {}{} |\n", row.what,
-                          row.ours.median, row.unit, row.theirs.median, row.unit, row.ratio.median,
-                          row.ratio.lower, row.ratio.upper, row.target, row.reached ? "" : ", **missed**");
+      text += fmt::format("| {} | {} {} | {} {} | **{:.3g}** ({:.3g} to {:.3g}) | {}{} |\n", row.what,
+                          number(row.ours.median), row.unit, number(row.theirs.median), row.unit,
+                          row.ratio.median, row.ratio.lower, row.ratio.upper, row.target,
+                          row.reached ? "" : ", **missed**");
   }
   if (!stages_.empty()) text += stage_table();
   return text;
