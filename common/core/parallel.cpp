@@ -17,6 +17,8 @@ unsigned processors() {
 
 void in_parallel(unsigned threads, std::size_t count, const std::function<void(std::size_t)>& act) {
   std::atomic<std::size_t> next = 0;
+  std::size_t first_fault =
+      count;  // all before it are under way when it is thrown, so that it is always the same
   std::exception_ptr fault;
   std::mutex mutex;
   const auto work = [&] {
@@ -24,7 +26,10 @@ void in_parallel(unsigned threads, std::size_t count, const std::function<void(s
         act(i);
       } catch (...) {
         const std::scoped_lock lock(mutex);
-        if (!fault) fault = std::current_exception();
+        if (i < first_fault) {
+          first_fault = i;
+          fault = std::current_exception();
+        }
         next = count;
       }
   };

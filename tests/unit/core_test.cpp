@@ -146,6 +146,15 @@ TEST(InParallel, throws_what_one_of_them_threw) {
     EXPECT_EQ(message_of([&] { in_parallel(threads, 100, fail); }), "the fortieth");
 }
 
+TEST(InParallel, throws_the_same_of_several_whichever_comes_first) {
+  const auto fail = [](std::size_t i) {
+    if (i == 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    throw Error::failed(i == 0 ? "the first" : "another");
+  };
+  for (const unsigned threads : {1U, 2U, 4U})
+    EXPECT_EQ(message_of([&] { in_parallel(threads, 10, fail); }), "the first") << threads;
+}
+
 /// What a stage has taken so far, milliseconds on the wall.
 double wall_of(const std::string& name) {
   for (const NamedStage& stage : stage_times())
