@@ -17,8 +17,9 @@ unsigned processors() {
 
 void in_parallel(unsigned threads, std::size_t count, const std::function<void(std::size_t)>& act) {
   std::atomic<std::size_t> next = 0;
-  std::size_t first_fault =
-      count;  // all before it are under way when it is thrown, so that it is always the same
+  // Numbers are begun in their order: when one throws, all lower ones are under way, and the lowest that
+  // throws is always the same.
+  std::size_t first_fault = count;
   std::exception_ptr fault;
   std::mutex mutex;
   const auto work = [&] {

@@ -107,16 +107,23 @@ double number(const json& value) {
   return value.is_null() ? std::nan("") : value.get<double>();
 }
 
+/// A failed case, its picture read once for all mistakes that it is held against.
+struct Read {
+  const Shot* shot;
+  std::string said;
+  Values values;
+};
+
 /// Which part of the samples the picture has; 0 for what is no picture of that size. What was said is the
 /// same or is not.
-double share_of_samples(const Shot& shot, const Samples& samples, const Failed& failed) {
+double share_of_samples(const Samples& samples, const Read& failed) {
   if (!samples.said.empty() || !failed.said.empty()) return samples.said == failed.said ? 1 : 0;
-  const Values values = read_values(shot, failed.picture);
+  const Values& values = failed.values;
   if (values.count == 0 || values.count != samples.count) return 0;
   std::size_t same = 0;
   for (const Samples::Sample& sample : samples.samples)
     if (sample.index < values.count && sample.values.size() == values.each &&
-        are_same(sample.values, values.at(sample.index), tolerance(shot)))
+        are_same(sample.values, values.at(sample.index), tolerance(*failed.shot)))
       ++same;
   return static_cast<double>(same) / static_cast<double>(samples.samples.size());
 }
@@ -141,17 +148,18 @@ Samples sampled(const Shot& shot, const fs::path& reference_file, const fs::path
 
 const Mistake* recognise(const std::vector<Mistake>& mistakes, const LabPlan& plan, const std::string& step,
                          const std::map<std::string, Failed>& failed) {
+  std::vector<Read> read;
+  for (const Shot& shot : plan.shots)
+    if (const auto one = failed.find(shot.graded.name); one != failed.end())
+      read.push_back({&shot, one->second.said, read_values(shot, one->second.picture)});
   const Mistake* best = nullptr;
   double most = 0;
   for (const Mistake& mistake : mistakes) {
     if (mistake.step != step) continue;
     double least = 1, sum = 0;
-    for (const Shot& shot : plan.shots) {
-      const auto one = failed.find(shot.graded.name);
-      if (one == failed.end()) continue;
-      const auto samples = mistake.cases.find(shot.graded.name);
-      const double part =
-          samples == mistake.cases.end() ? 0 : share_of_samples(shot, samples->second, one->second);
+    for (const Read& one : read) {
+      const auto samples = mistake.cases.find(one.shot->graded.name);
+      const double part = samples == mistake.cases.end() ? 0 : share_of_samples(samples->second, one);
       least = std::min(least, part);
       sum += part;
     }

@@ -83,6 +83,10 @@ std::string Report::stage_table() const {
     for (const auto& [name, time] : stages.items())
       if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
+  // A stage that only some labs have comes before what closes the list.
+  std::stable_partition(names.begin(), names.end(), [](const std::string& name) {
+    return name != "other" && name != "total" && name != "draw";
+  });
   for (const std::string& name : names) {
     body += fmt::format("| {} |", name);
     for (const auto& [lab, stages] : stages_) body += fmt::format(" {:.1f} |", stages.value(name, 0.0));
