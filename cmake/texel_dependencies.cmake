@@ -32,3 +32,15 @@ if(NOT EXISTS ${GLAD_DIR}/src/gl.c)
 endif()
 add_library(glad STATIC ${GLAD_DIR}/src/gl.c)
 target_include_directories(glad SYSTEM PUBLIC ${GLAD_DIR}/include)
+
+# The headers that nearly all our files include, read once; for tests with GoogleTest's.
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/empty.cpp CONTENT "")
+add_library(texel_precompiled STATIC ${CMAKE_BINARY_DIR}/empty.cpp)
+target_link_libraries(texel_precompiled PRIVATE texel_flags fmt::fmt glm::glm)
+target_precompile_headers(texel_precompiled PRIVATE ${CMAKE_CURRENT_LIST_DIR}/texel_precompiled.hpp)
+if(TEXEL_TESTS)
+  add_library(texel_test_precompiled STATIC ${CMAKE_BINARY_DIR}/empty.cpp)
+  target_link_libraries(texel_test_precompiled PRIVATE texel_flags fmt::fmt glm::glm GTest::gtest)
+  target_precompile_headers(texel_test_precompiled PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/texel_precompiled.hpp <gtest/gtest.h>)
+endif()

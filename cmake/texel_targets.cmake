@@ -7,10 +7,12 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 
+# Checkouts in other folders share their compiled objects. Precompiled headers ccache takes only when it is told so.
 find_program(CCACHE ccache)
 if(CCACHE)
-  set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+  set(CMAKE_C_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1
+      CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_C_COMPILER_LAUNCHER})
 endif()
 
 # The flags of our own targets; the libraries that we use are compiled as they are.
@@ -21,11 +23,30 @@ target_compile_options(texel_flags INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   # A fused multiply-add would give other bytes on another machine.
   -ffp-contract=off
+  $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> # what ccache needs of precompiled headers
   $<$<BOOL:${TEXEL_WARNINGS_AS_ERRORS}>:-Werror>)
 if(TEXEL_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
 endif()
+
+# texel_own(target): the flags of our own targets, and what nearly every file includes, which takes longer to read than
+# the rest of most and is read once for all (texel_precompiled is made in texel_dependencies.cmake).
+function(texel_own target)
+  target_link_libraries(${target} PRIVATE texel_flags fmt::fmt glm::glm)
+  target_precompile_headers(${target} REUSE_FROM texel_precompiled)
+endfunction()
+
+# texel_light(target), texel_light_files(FILES…): code that waits for files, people or other programs. Nobody sees that
+# it runs slower, and it compiles in half the time. With -Og GCC takes too much for uninitialized (its manual says so);
+# where optimized it still looks for that, as with the sanitizers.
+set(texel_light_options $<$<CONFIG:Release>:-Og> $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
+function(texel_light target)
+  target_compile_options(${target} PRIVATE ${texel_light_options})
+endfunction()
+function(texel_light_files)
+  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${texel_light_options}")
+endfunction()
 
 # texel_round_as_written(FILES…): GCC 12's vectoriser of straight-line code turns double -> float -> double into
 # nothing, so that a result depends on what was inlined and on -O; these files' results do not.
@@ -41,7 +62,8 @@ function(texel_library name)
   if(ARG_SOURCES)
     add_library(texel_${name} STATIC ${ARG_SOURCES})
     target_include_directories(texel_${name} PUBLIC include)
-    target_link_libraries(texel_${name} PUBLIC ${ARG_DEPENDS} PRIVATE texel_flags ${ARG_PRIVATE_DEPENDS})
+    target_link_libraries(texel_${name} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
+    texel_own(texel_${name})
   else()
     add_library(texel_${name} INTERFACE)
     target_include_directories(texel_${name} INTERFACE include)
@@ -53,7 +75,8 @@ endfunction()
 function(texel_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
-  target_link_libraries(${name} PRIVATE texel_flags ${ARG_DEPENDS})
+  target_link_libraries(${name} PRIVATE ${ARG_DEPENDS})
+  texel_own(${name})
   install(TARGETS ${name} DESTINATION bin)
 endfunction()
 
@@ -63,12 +86,20 @@ function(texel_lab folder)
   target_include_directories(lab${folder} PRIVATE ${folder})
 endfunction()
 
-# texel_test(name SOURCES … DEPENDS …): a GoogleTest program, one ctest entry for each test case
+# texel_test_program(name SOURCES … DEPENDS …): a GoogleTest program; who calls says what of it is a test.
+function(texel_test_program name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE texel_flags fmt::fmt glm::glm GTest::gtest_main ${ARG_DEPENDS})
+  target_precompile_headers(${name} REUSE_FROM texel_test_precompiled)
+  texel_light(${name})
+endfunction()
+
+# texel_test(name SOURCES … DEPENDS …): the same with one ctest entry for each test case
 # (WHOLE: one entry for the program, for tests that share a costly context).
 function(texel_test name)
-  cmake_parse_arguments(ARG "WHOLE" "" "SOURCES;DEPENDS" ${ARGN})
-  add_executable(${name} ${ARG_SOURCES})
-  target_link_libraries(${name} PRIVATE texel_flags GTest::gtest_main ${ARG_DEPENDS})
+  cmake_parse_arguments(ARG "WHOLE" "" "" ${ARGN})
+  texel_test_program(${name} ${ARG_UNPARSED_ARGUMENTS})
   if(ARG_WHOLE)
     add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
   else()

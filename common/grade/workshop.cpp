@@ -69,9 +69,6 @@ std::string output_of(const Words& command, const fs::path& folder, double secon
   plain.limits.kept_output = plain.limits.output = 64U << 20U;
   for (const char* name : {"CCACHE_DIR", "HOME"})
     if (const char* value = std::getenv(name)) plain.environment.emplace_back(name, value);
-  // What is the same as in the course's own build is compiled already.
-  plain.environment.emplace_back("CCACHE_BASEDIR", folder.string());
-  plain.environment.emplace_back("CCACHE_NOHASHDIR", "1");
   const Outcome outcome = grade::run(plain, command);
   if (!outcome.succeeded())
     throw Error::failed(
@@ -124,7 +121,10 @@ const Workshop::Recipe& Workshop::recipe(const std::string& program) {
                                [](const std::string& w) { return w == ":" || w == "&&"; }),
                 words.end());
     if (words.empty()) continue;
-    if (words.front().ends_with("ccache")) words.erase(words.begin());
+    if (const auto launcher = std::find_if(words.begin(), words.end(),
+                                           [](const std::string& w) { return w.ends_with("/ccache"); });
+        launcher != words.end())
+      words.erase(words.begin(), launcher + 1);
     if (const auto c = std::find(words.begin(), words.end(), "-c");
         c != words.end() && c + 1 != words.end()) {
       const std::string path = fs::path(*(c + 1)).lexically_relative(tree_.source).generic_string();

@@ -2,16 +2,16 @@
 // Makes a class folder whose grades are known: make_class --root TREE --out DIR --labs 8,9 [--kinds …]
 // [--limit N]
 //
-// | entries          | what they hand in                                        | what must come out |
-// |------------------|----------------------------------------------------------|--------------------------------------|
-// | solution-N       | everything solved                                        | full marks | | starter-N |
-// nothing solved                                           | 0                                    | |
-// steps-9.2        | everything up to step 9.2 solved                         | exactly these steps pass | |
-// mutant-NAME      | the solution with one of tests/mutants                   | its step fails, and is named
-// | | equivalent-NAME  | the solution with one of tests/equivalents               | full marks | |
-// threat-NAME      | the solution with one of tests/threats, or hostile files | 0 on what it fakes | |
-// slow-NAME        | the same, from tests/threats/slow.toml                   | 0 on what it fakes | |
-// broken-NAME      | an archive that is none, or is hostile                   | 0 |
+//   entries          what they hand in                                     what must come out
+//
+//   solution-N       everything solved                                     full marks
+//   starter-N        nothing solved                                        0
+//   steps-9.2        everything up to step 9.2 solved                      exactly these steps pass
+//   mutant-NAME      the solution with one of tests/mutants                its step fails, and is named
+//   equivalent-NAME  the solution with one of tests/equivalents            full marks
+//   threat-NAME      the solution with one of tests/threats, hostile files 0 on what it fakes
+//   slow-NAME        the same, from tests/threats/slow.toml                0 on what it fakes
+//   broken-NAME      an archive that is none, or is hostile                0
 //
 // Folders, zips and tarballs mix, some named as Canvas and Moodle do. Beside the folder comes DIR.json: for
 // each student's id the entry's kind and name, and what must come out: `passes`, the steps that must have
