@@ -7,8 +7,30 @@
 
 namespace texel::procedural {
 
+namespace detail {
+
+/// Every bit of the result depends on every bit of the argument (the finaliser of MurmurHash3).
+inline std::uint32_t mix_bits(std::uint32_t h) {
+  h ^= h >> 16;
+  h *= 0x85ebca6bu;
+  h ^= h >> 13;
+  h *= 0xc2b2ae35u;
+  return h ^ (h >> 16);
+}
+
+/// As std::floor, which is a call of a function on machines without its instruction.
+inline int floor_of(double a) {
+  const int towards_zero = static_cast<int>(a);
+  return towards_zero - (a < towards_zero ? 1 : 0);
+}
+
+}  // namespace detail
+
 /// A well-mixed 32-bit number from a lattice point and a seed, the same on every machine.
-std::uint32_t hash(int x, int y, std::uint32_t seed);
+inline std::uint32_t hash(int x, int y, std::uint32_t seed) {
+  const std::uint32_t h = detail::mix_bits(seed * 0x9e3779b9u + static_cast<std::uint32_t>(x));
+  return detail::mix_bits(h * 0x9e3779b9u + static_cast<std::uint32_t>(y));
+}
 
 /// The hash as a number in [0, 1).
 inline double random(int x, int y, std::uint32_t seed) {
@@ -17,7 +39,8 @@ inline double random(int x, int y, std::uint32_t seed) {
 
 /// The remainder that is never negative: in [0, period).
 inline int wrap(int i, int period) {
-  return ((i % period) + period) % period;
+  const int rest = i % period;
+  return rest < 0 ? rest + period : rest;
 }
 
 namespace detail {
@@ -38,12 +61,11 @@ Real lattice_slope(int i, int j, Real x, Real y, std::uint32_t seed) {
 /// (2002).
 template <class Real>
 Real noise(Real x, Real y, int period_x, int period_y, std::uint32_t seed) {
-  const int i = static_cast<int>(std::floor(value(x)));
-  const int j = static_cast<int>(std::floor(value(y)));
+  const int i = detail::floor_of(value(x)), j = detail::floor_of(value(y));
   const Real fx = x - static_cast<double>(i);
   const Real fy = y - static_cast<double>(j);
-  const int i0 = wrap(i, period_x), i1 = wrap(i + 1, period_x);
-  const int j0 = wrap(j, period_y), j1 = wrap(j + 1, period_y);
+  const int i0 = wrap(i, period_x), i1 = i0 + 1 == period_x ? 0 : i0 + 1;
+  const int j0 = wrap(j, period_y), j1 = j0 + 1 == period_y ? 0 : j0 + 1;
   const Real tx = smooth_step(0, 1, fx), ty = smooth_step(0, 1, fy);
   const Real below = mix(detail::lattice_slope(i0, j0, fx, fy, seed),
                          detail::lattice_slope<Real>(i1, j0, fx - 1.0, fy, seed), tx);
