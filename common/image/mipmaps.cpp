@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "core/parallel.hpp"
 #include "core/stages.hpp"
 #include "image/colour.hpp"
 
@@ -39,37 +40,23 @@ std::vector<Footprint> footprints(int size) {
   return result;
 }
 
-/// One axis at a time: the box is the product of its sides.
-ImageF halve_width(const ImageF& image) {
-  const std::vector<Footprint> columns = footprints(image.width);
-  ImageF half(static_cast<int>(columns.size()), image.height, image.channels);
-  const int channels = image.channels;
-  float* out = half.samples.data();
-  for (int y = 0; y < image.height; ++y)
-    for (const Footprint& column : columns) {
-      const float* in = &image.at(column.first, y);
-      for (int c = 0; c < channels; ++c, ++in) {
-        float sum = column.weights[0] * in[0];
-        if (column.count > 1) sum += column.weights[1] * in[channels];
-        if (column.count > 2) sum += column.weights[2] * in[2 * channels];
-        *out++ = sum;
-      }
+/// A row of `channels` samples a texel, halved in width.
+void halve_width(const std::vector<float>& row, const std::vector<Footprint>& columns, int channels,
+                 float* out) {
+  for (const Footprint& column : columns) {
+    const float* in = row.data() + column.first * channels;
+    for (int c = 0; c < channels; ++c, ++in) {
+      float sum = column.weights[0] * in[0];
+      if (column.count > 1) sum += column.weights[1] * in[channels];
+      if (column.count > 2) sum += column.weights[2] * in[2 * channels];
+      *out++ = sum;
     }
-  return half;
+  }
 }
 
-ImageF halve_height(const ImageF& image) {
-  const std::vector<Footprint> rows = footprints(image.height);
-  ImageF half(image.width, static_cast<int>(rows.size()), image.channels);
-  const std::size_t length = image.index(0, 1);
-  for (std::size_t y = 0; y < rows.size(); ++y)
-    for (int k = 0; k < rows[y].count; ++k) {
-      const float* in = &image.at(0, rows[y].first + k);
-      float* out = half.samples.data() + y * length;
-      for (std::size_t i = 0; i < length; ++i) out[i] += rows[y].weights[k] * in[i];
-    }
-  return half;
-}
+/// Samples of a level from which on a second thread makes it sooner: below it takes 0.1 ms, as starting one
+/// does.
+constexpr std::size_t kWorthThreads = 1U << 15U;
 
 }  // namespace
 
@@ -86,18 +73,36 @@ std::vector<Image8> mip_chain(const Image8& image, Encoding encoding) {
       values[c][i] = from_encoding8(static_cast<std::uint8_t>(i), encodings[c]);
   }
 
-  ImageF level(image.width, image.height, image.channels);
-  for (std::size_t i = 0; i < image.samples.size();)
-    for (std::size_t c = 0; c < channels; ++c, ++i) level.samples[i] = values[c][image.samples[i]];
-
   std::vector<Image8> chain = {image};
-  while (level.width > 1 || level.height > 1) {
-    level = halve_width(halve_height(level));  // the vectorised pass first
-    Image8 stored(level.width, level.height, level.channels);
-    for (std::size_t i = 0; i < stored.samples.size();)
-      for (std::size_t c = 0; c < channels; ++c, ++i)
-        stored.samples[i] = to_encoding8(level.samples[i], encodings[c]);
+  ImageF level;  // the last of the chain before it was rounded; the picture itself is read from its bytes
+  while (chain.back().width > 1 || chain.back().height > 1) {
+    const Image8& above = chain.back();
+    const std::size_t length = above.index(0, 1);
+    const std::vector<Footprint> rows = footprints(above.height), columns = footprints(above.width);
+    ImageF next(static_cast<int>(columns.size()), static_cast<int>(rows.size()), image.channels);
+    Image8 stored(next.width, next.height, next.channels);
+    // One axis at a time: the box is the product of its sides.
+    const auto make_row = [&](std::size_t y) {
+      std::vector<float> sum(length);
+      for (int k = 0; k < rows[y].count; ++k) {
+        const std::size_t in = above.index(0, rows[y].first + k);
+        const float weight = rows[y].weights[k];
+        if (chain.size() == 1)
+          for (std::size_t i = 0; i < length;)
+            for (std::size_t c = 0; c < channels; ++c, ++i)
+              sum[i] += weight * values[c][above.samples[in + i]];
+        else
+          for (std::size_t i = 0; i < length; ++i) sum[i] += weight * level.samples[in + i];
+      }
+      const std::size_t begin = next.index(0, static_cast<int>(y));
+      halve_width(sum, columns, image.channels, &next.samples[begin]);
+      for (std::size_t i = 0; i < next.index(0, 1);)
+        for (std::size_t c = 0; c < channels; ++c, ++i)
+          stored.samples[begin + i] = to_encoding8(next.samples[begin + i], encodings[c]);
+    };
+    in_parallel(stored.samples.size() < kWorthThreads ? 1 : processors(), rows.size(), make_row);
     chain.push_back(std::move(stored));
+    level = std::move(next);
   }
   return chain;
 }
