@@ -66,11 +66,8 @@ class Document : public testing::TestWithParam<std::string> {
       fs::create_directory_symlink(kRoot / name, work_ / name);
   }
 
-  /// With compiled shaders kept: a hundred commands draw with the same few.
   [[nodiscard]] Result run(const std::string& line) const {
-    return shell(
-        fmt::format("cd {} && export MESA_SHADER_CACHE_DISABLE=false MESA_SHADER_CACHE_DIR={} && {} 2>&1",
-                    shell_word(work_.string()), shell_word(TEXEL_BUILD "/documents_shaders"), line));
+    return shell(fmt::format("cd {} && {} 2>&1", shell_word(work_.string()), line));
   }
 
   /// In a starter, which is made when the first command wants it.
