@@ -365,7 +365,6 @@ TEST_P(OpenGl, a_picture_stays_when_another_is_drawn_with_its_samples_and_depth)
   for (const int samples : {1, 4}) {
     const Target first(Target::Kind::colour, 8, 8, samples);
     const Target second(Target::Kind::colour, 8, 8, samples, &first);
-    const Target other(Target::Kind::data, 8, 8, 1, &first);  // shares nothing: another kind
     const auto clear = [](const Target& target, float red) {
       target.bind();
       glClearColor(red, 0, 0, 1);
@@ -374,11 +373,33 @@ TEST_P(OpenGl, a_picture_stays_when_another_is_drawn_with_its_samples_and_depth)
     };
     clear(first, 1);
     clear(second, 0);
-    clear(other, 0.5F);
     EXPECT_TRUE(first.shows_only({1, 0, 0, 1})) << samples;
     EXPECT_TRUE(second.shows_only({0, 0, 0, 1})) << samples;
-    EXPECT_TRUE(other.shows_only({0.5F, 0, 0, 1})) << samples;
   }
+}
+
+TEST_P(OpenGl, only_a_picture_of_the_same_kind_size_and_samples_shares_them) {
+  const Target first(Target::Kind::colour, 8, 8, 4);
+  const auto samples_of = [](const Target& target) {
+    target.bind();
+    GLint samples = 0;
+    glGetIntegerv(GL_SAMPLES, &samples);
+    return samples;
+  };
+  EXPECT_EQ(samples_of(first), 4);
+  EXPECT_LE(samples_of(Target(Target::Kind::colour, 8, 8, 1, &first)), 1);
+  const Target wide(Target::Kind::colour, 16, 8, 4, &first);
+  wide.bind();
+  glClearColor(0, 1, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  wide.resolve();
+  EXPECT_TRUE(wide.shows_only({0, 1, 0, 1}));
+  const Target data(Target::Kind::data, 8, 8, 4, &first);
+  data.bind();
+  glClearColor(2.5F, 0, 0, 1);  // more than a colour's samples hold
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  data.resolve();
+  EXPECT_EQ(data.read_float().at(3, 3, 0), 2.5F);
 }
 
 /// The recorder, with a square that is drawn into a small target.
