@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What nearly every file includes; each still says so itself, since the presets dev and tidy build without it.
+// What nearly every file includes; each still says so itself, since the presets dev and tidy build without
+// it.
 #pragma once
 #include <fmt/format.h>
 

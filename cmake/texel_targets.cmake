@@ -30,22 +30,24 @@ if(TEXEL_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
-# texel_own(target): the flags of our own targets, and what nearly every file includes, which takes longer to read than
-# the rest of most and is read once for all (texel_precompiled is made in texel_dependencies.cmake).
+# texel_own(target [precompiled]): the flags of our own targets, and what nearly every file includes, which takes longer
+# to read than the rest of most and is read once for all (texel_dependencies.cmake makes texel_precompiled and, with
+# GoogleTest, texel_test_precompiled).
 function(texel_own target)
   target_link_libraries(${target} PRIVATE texel_flags fmt::fmt glm::glm)
-  target_precompile_headers(${target} REUSE_FROM texel_precompiled)
+  if(NOT ARGN)
+    set(ARGN texel_precompiled)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM ${ARGN})
 endfunction()
 
 # texel_light(target), texel_light_files(FILES…): code that waits for files, people or other programs. Nobody sees that
-# it runs slower, and it compiles in half the time. With -Og GCC takes too much for uninitialized (its manual says so);
-# where optimized it still looks for that, as with the sanitizers.
-set(texel_light_options $<$<CONFIG:Release>:-Og> $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
+# it runs slower, and it compiles sooner.
 function(texel_light target)
-  target_compile_options(${target} PRIVATE ${texel_light_options})
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 function(texel_light_files)
-  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${texel_light_options}")
+  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
 endfunction()
 
 # texel_round_as_written(FILES…): GCC 12's vectoriser of straight-line code turns double -> float -> double into
@@ -90,11 +92,9 @@ endfunction()
 function(texel_test_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
-  target_link_libraries(${name} PRIVATE texel_flags fmt::fmt glm::glm GTest::gtest_main ${ARG_DEPENDS})
-  target_precompile_headers(${name} REUSE_FROM texel_test_precompiled)
+  target_link_libraries(${name} PRIVATE GTest::gtest_main ${ARG_DEPENDS})
+  texel_own(${name} texel_test_precompiled)
   texel_light(${name})
-  # What is watched are the libraries; a test's own code takes twice as long to compile with all these checks.
-  target_compile_options(${name} PRIVATE $<$<BOOL:${TEXEL_SANITIZE}>:-fno-sanitize=undefined>)
 endfunction()
 
 # texel_test(name SOURCES … DEPENDS …): the same with one ctest entry for each test case
