@@ -11,7 +11,7 @@ namespace {
 TEST(Installed, labs_draw_the_same_after_the_prefix_is_moved) {
   const TemporaryFolder folder(fmt::format("installed_{}", ::getpid()));
   const std::string first = (folder / "first").string(), moved = (folder / "moved place").string();
-  const Result install = shell(fmt::format("cmake --install {} --prefix {}", TEXEL_BUILD, shell_word(first)));
+  const Result install = shell(fmt::format("cmake --install {} --prefix {}", kBuild, shell_word(first)));
   ASSERT_EQ(install.exit_code, 0) << install.errors;
   std::filesystem::rename(first, moved);
   for (const char* lab : {"lab01_texture_quad", "lab03_obj_texcoords", "lab05_normal_map", "lab09_bump"}) {

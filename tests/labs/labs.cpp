@@ -38,7 +38,7 @@ std::string EveryLab::unique_name() {
 }
 
 Result run_lab(const std::string& lab, const std::string& arguments, const std::string& before) {
-  return shell(fmt::format("{} {}/{} {}", before, TEXEL_BIN, lab, arguments));
+  return shell(fmt::format("{} {}/{} {}", before, kBin, lab, arguments));
 }
 
 void draw(const std::string& lab, const std::vector<Shot>& shots, const TemporaryFolder& folder,

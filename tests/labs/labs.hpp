@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../support/picture_files.hpp"
+#include "../support/places.hpp"
 #include "../support/process.hpp"
 #include "image/image.hpp"
 

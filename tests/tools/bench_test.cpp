@@ -17,10 +17,10 @@ namespace {
 using test::has;
 using test::Result;
 
-const std::filesystem::path kRoot = TEXEL_SOURCE;
+const std::filesystem::path kRoot = test::kSource;
 
 Result texel(const std::string& arguments) {
-  return test::shell(TEXEL_BIN "/texel " + arguments);
+  return test::shell(fmt::format("{}/texel {}", test::kBin, arguments));
 }
 
 /// A lab whose program never runs: only its cases count.

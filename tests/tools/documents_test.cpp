@@ -10,6 +10,7 @@
 #include <set>
 
 #include "../support/picture_files.hpp"
+#include "../support/places.hpp"
 #include "../support/process.hpp"
 #include "core/files.hpp"
 #include "course/lab_file.hpp"
@@ -23,7 +24,8 @@ using test::Result;
 using test::shell;
 using test::shell_word;
 
-const fs::path kRoot = TEXEL_SOURCE;
+const fs::path kRoot = test::kSource;
+const std::string kBin = test::kBin, kTexel = kBin + "/texel";
 
 /// Without what stands behind it as a remark.
 std::string command_in(std::string line) {
@@ -74,7 +76,7 @@ class Document : public testing::TestWithParam<std::string> {
   Result run_as_student(const std::string& line) {
     const fs::path starter = fs::absolute(folder_ / "starter");
     if (!fs::exists(starter)) {
-      const Result made = run(fmt::format(TEXEL_BIN "/texel starter --out {}", shell_word(starter.string())));
+      const Result made = run(fmt::format("{} starter --out {}", kTexel, shell_word(starter.string())));
       EXPECT_EQ(made.exit_code, 0) << made.output;
     }
     return run(fmt::format("TEXEL_ROOT={} {}", shell_word(starter.string()), line));
@@ -83,8 +85,7 @@ class Document : public testing::TestWithParam<std::string> {
   void run_lab(const std::string& arguments) {
     const std::size_t digits = arguments.find_first_not_of("0123456789");
     const std::string number = arguments.substr(0, digits);
-    const std::string program =
-        fmt::format(TEXEL_BIN "/lab{}_*", std::string(2 - number.size(), '0') + number);
+    const std::string program = fmt::format("{}/lab{}_*", kBin, std::string(2 - number.size(), '0') + number);
     std::string rest = digits == arguments.npos ? "" : arguments.substr(digits);
     // What opens a window draws a small picture in its place.
     static const std::regex without_window(
@@ -112,36 +113,36 @@ TEST_P(Document, shows_commands_that_work) {
       run_lab(words[1]);
     } else if (std::regex_match(command, words,
                                 std::regex(R"(\./run ((check|hint|reset|progress)( .*)?))"))) {
-      const Result result = run_as_student(TEXEL_BIN "/texel " + words[1].str());
+      const Result result = run_as_student(kTexel + " " + words[1].str());
       EXPECT_LE(result.exit_code, 1) << result.output;
     } else if (std::regex_match(command, words, std::regex(R"(\./run (watch \d+))"))) {
       const Result result =
-          run_as_student("timeout --signal=INT 1 " TEXEL_BIN "/texel " + words[1].str() + " </dev/null");
+          run_as_student("timeout --signal=INT 1 " + kTexel + " " + words[1].str() + " </dev/null");
       EXPECT_TRUE(has(result.output, "Save a file") || result.exit_code == 124) << result.output;
     } else if (std::regex_match(command, words, std::regex(R"(\./run bench( \d+)?)"))) {
       // The measuring itself is tested by accuracy.*; this has the same page made of what was measured.
-      const Result result = run("TEXEL_ROOT=" + shell_word(kRoot.string()) + " " TEXEL_BIN "/texel bench" +
-                                words[1].str() + " --from docs/accuracy.json --out bench");
+      const Result result = run(fmt::format("TEXEL_ROOT={} {} bench{} --from docs/accuracy.json --out bench",
+                                            shell_word(kRoot.string()), kTexel, words[1].str()));
       EXPECT_EQ(result.exit_code, 0) << result.output;
     } else if (std::regex_match(command, words, std::regex(R"((?:\./run|texel) (grade .*))"))) {
       // Whole classes are graded in grade_test; here what it is told is understood, and only the class is
       // missing.
-      const Result result = run(TEXEL_BIN "/texel " + words[1].str());
+      const Result result = run(kTexel + " " + words[1].str());
       EXPECT_NE(result.exit_code, 2) << result.output;
     } else if (std::regex_match(command, words, std::regex(R"(\./run(?: (\S+).*)?)"))) {
       // What sets up, tests or renews the whole tree is what continuous integration and its makers run.
       EXPECT_TRUE(has(help, words[1].matched ? "./run " + words[1].str() : "./run ")) << help;
     } else if (std::regex_match(command, words, std::regex(R"(texel( \w+)?( --verify)?)"))) {
       // The name alone; all of the starter is verified by grade_test's WholeCourse.
-      const Result result = run(TEXEL_BIN "/texel" + words[1].str() + " --help");
+      const Result result = run(kTexel + words[1].str() + " --help");
       EXPECT_EQ(result.exit_code, 0) << result.output;
     } else {
       static const std::regex program("^(build/release/bin/|(?=texel ))");
-      std::string line = std::regex_replace(command, program, TEXEL_BIN "/");
+      std::string line = std::regex_replace(command, program, kBin + "/");
       // One lab's is a share of it: the starter that the grader's tests have built.
       if (has(line, "--verify")) {
         const bool is_tried = has(line, "--labs 9") || std::getenv("TEXEL_TEST_ALL") != nullptr;
-        line += is_tried ? " --cache " TEXEL_BUILD "/grade" : " --help";
+        line += is_tried ? fmt::format(" --cache {}/grade", test::kBuild) : " --help";
       }
       const Result result = run(line);
       EXPECT_EQ(result.exit_code, 0) << result.output;

@@ -16,6 +16,7 @@
 #include <sstream>
 #include <thread>
 
+#include "../support/places.hpp"
 #include "../support/process.hpp"
 #include "core/files.hpp"
 #include "course/lab_file.hpp"
@@ -33,14 +34,15 @@ using test::Result;
 using test::shell;
 using test::shell_word;
 
-const fs::path kWork = fs::path(TEXEL_BUILD) / "grade_test";
-const fs::path kCache = fs::path(TEXEL_BUILD) / "grade";
+const fs::path kBin = test::kBin, kSource = test::kSource;
+const fs::path kWork = fs::path(test::kBuild) / "grade_test";
+const fs::path kCache = fs::path(test::kBuild) / "grade";
 constexpr const char* kSeed = "a seed that no report may show";
 
 /// The numbers of all labs, as --labs takes them.
 std::string all_labs() {
   std::string numbers;
-  for (const course::Lab& lab : course::read_labs(fs::path(TEXEL_SOURCE) / "labs"))
+  for (const course::Lab& lab : course::read_labs(kSource / "labs"))
     numbers += fmt::format("{}{}", numbers.empty() ? "" : ",", lab.number);
   return numbers;
 }
@@ -55,8 +57,8 @@ struct Class {
 Class make_class(const std::string& name, const std::string& labs, const std::string& rest) {
   Class made{kWork / name, labs, {}};
   const Result result =
-      shell(fmt::format("{} --root {} --out {} --labs {} {} 2>&1", MAKE_CLASS, shell_word(TEXEL_SOURCE),
-                        shell_word(made.folder.string()), labs, rest));
+      shell(fmt::format("{} --root {} --out {} --labs {} {} 2>&1", (kBin / "make_class").string(),
+                        shell_word(kSource.string()), shell_word(made.folder.string()), labs, rest));
   EXPECT_EQ(result.exit_code, 0) << result.output;
   made.expected = json::parse(read_file(kWork / (name + ".json")));
   return made;
@@ -64,7 +66,7 @@ Class make_class(const std::string& name, const std::string& labs, const std::st
 
 /// The command that grades a class, as words for a shell.
 std::string command(const Class& graded, const fs::path& out, const std::string& rest = {}) {
-  return fmt::format("{} grade {} --out {} --labs {} --cache {} --seed-file {} {}", TEXEL_BIN "/texel",
+  return fmt::format("{}/texel grade {} --out {} --labs {} --cache {} --seed-file {} {}", kBin.string(),
                      shell_word(graded.folder.string()), shell_word(out.string()), graded.labs,
                      shell_word(kCache.string()), shell_word((kWork / "seed.txt").string()), rest);
 }
@@ -154,7 +156,7 @@ bool check_student(const grade::StudentResult& student, const json& expected) {
 
 /// Holds all students of a class against what must come out.
 void check(const fs::path& out, const Class& graded) {
-  const grade::ClassResult results = grade::read_results(out, TEXEL_SOURCE);
+  const grade::ClassResult results = grade::read_results(out, kSource);
   const json& expected = graded.expected.at("students");
   EXPECT_EQ(results.students.size(), expected.size());
   int mutants = 0, named = 0;
@@ -174,7 +176,7 @@ void check_harmless(const fs::path& out, const Class& hostile,
                     const std::map<std::string, std::string>& before) {
   EXPECT_TRUE(files_in(hostile.folder) == before) << "submissions were changed";
   for (const fs::path& folder :
-       {fs::path("/"), fs::path("/tmp"), fs::path(TEXEL_SOURCE), hostile.folder, out, fs::current_path()})
+       {fs::path("/"), fs::path("/tmp"), kSource, hostile.folder, out, fs::current_path()})
     EXPECT_FALSE(fs::exists(folder / "texel_threat_was_here")) << folder;
   EXPECT_FALSE(has(dump(out), kSeed));
   for (const auto& [name, text] : files_in(out / "report")) {
@@ -232,7 +234,7 @@ TEST_F(Starter, is_built_and_an_empty_submission_scores_nothing) {
   fs::create_directories(empty.folder / "nobody");
   const Result result = grade(empty, kWork / "empty_out");
   ASSERT_EQ(result.exit_code, 0) << result.output;
-  const grade::ClassResult results = grade::read_results(kWork / "empty_out", TEXEL_SOURCE);
+  const grade::ClassResult results = grade::read_results(kWork / "empty_out", kSource);
   ASSERT_EQ(results.students.size(), 1U);
   EXPECT_EQ(results.students[0].points(), 0);
   EXPECT_GT(results.students[0].max_points(), 0);
@@ -322,8 +324,8 @@ TEST_F(GradedClass, is_the_same_from_two_shards) {
     const Result result = grade(few_, out, std::string("--shard ") + shard);
     ASSERT_EQ(result.exit_code, 0) << result.output;
   }
-  const Result result = shell(fmt::format("{}/texel grade merge {} {} --out {} --format csv 2>&1", TEXEL_BIN,
-                                          first.string(), second.string(), merged.string()));
+  const Result result = shell(fmt::format("{}/texel grade merge {} {} --out {} --format csv 2>&1",
+                                          kBin.string(), first.string(), second.string(), merged.string()));
   ASSERT_EQ(result.exit_code, 0) << result.output;
   expect_same(merged, kWork / "few_out");
 }
@@ -396,8 +398,8 @@ class WholeCourse : public GraderTest {
 };
 
 TEST_F(WholeCourse, has_a_starter_that_keeps_its_promises) {
-  const Result result =
-      shell(fmt::format("{}/texel starter --verify --cache {} 2>&1", TEXEL_BIN, shell_word(kCache.string())));
+  const Result result = shell(
+      fmt::format("{}/texel starter --verify --cache {} 2>&1", kBin.string(), shell_word(kCache.string())));
   EXPECT_EQ(result.exit_code, 0) << result.output;
 }
 
@@ -450,7 +452,7 @@ TEST_F(WholeCourse, is_the_same_after_twenty_sudden_ends_and_from_four_shards) {
   ASSERT_EQ(parallel.exit_code, 0) << parallel.output;
   const Result result =
       shell(fmt::format("{0}/texel grade merge {1}_1 {1}_2 {1}_3 {1}_4 --out {2} --format csv 2>&1",
-                        TEXEL_BIN, shards, merged.string()));
+                        kBin.string(), shards, merged.string()));
   ASSERT_EQ(result.exit_code, 0) << result.output;
   expect_same(merged, whole);
 }

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "../support/picture_files.hpp"
+#include "../support/places.hpp"
 #include "../support/process.hpp"
 #include "core/files.hpp"
 #include "course/lab_file.hpp"
@@ -48,7 +49,7 @@ class MutantEngine : public testing::Test {
   }
 
   [[nodiscard]] Result mutants(const std::string& arguments = {}) const {
-    return test::shell(fmt::format(TEXEL_BIN "/texel mutants --root '{}' --work '{}' {}",
+    return test::shell(fmt::format("{}/texel mutants --root '{}' --work '{}' {}", test::kBin,
                                    (folder_ / "tree").string(), (folder_ / "work").string(), arguments));
   }
 

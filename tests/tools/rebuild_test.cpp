@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "../support/places.hpp"
 #include "../support/process.hpp"
 #include "core/scratch_folder.hpp"
 
@@ -61,7 +62,7 @@ class Rebuild : public testing::Test {
     return files;
   }
 
-  const fs::path kBuild = TEXEL_BUILD, kSource = TEXEL_SOURCE;
+  const fs::path kBuild = test::kBuild, kSource = test::kSource;
   ScratchFolder work_;
 };
 

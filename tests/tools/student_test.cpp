@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "../support/picture_files.hpp"
+#include "../support/places.hpp"
 #include "../support/process.hpp"
 #include "core/files.hpp"
 #include "course/lab_file.hpp"
@@ -30,8 +31,8 @@ using test::Result;
 using test::shell;
 using test::shell_word;
 
-const fs::path kRoot = TEXEL_SOURCE;
-const std::string kTexel = TEXEL_BIN "/texel";
+const fs::path kRoot = test::kSource;
+const std::string kTexel = fmt::format("{}/texel", test::kBin);
 
 Result in_course(const std::string& arguments) {
   return shell(kTexel + " " + arguments + " 2>&1");
@@ -223,7 +224,7 @@ TEST_F(StudentTree, says_where_a_shader_does_not_compile) {
 }
 
 TEST_F(StudentTree, gives_one_hint_after_the_other) {
-  const fs::path shown = fs::path(TEXEL_BUILD) / "check/hints.json";
+  const fs::path shown = fs::path(test::kBuild) / "check/hints.json";
   fs::remove(shown);
   const Result first = texel("hint 2.2"), second = texel("hint 2.2");
   EXPECT_EQ(first.exit_code, 0) << first.output;

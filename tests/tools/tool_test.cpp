@@ -30,7 +30,7 @@ using test::Result;
 using test::shell;
 
 Result texel(const std::string& arguments) {
-  return shell(TEXEL_BIN "/texel " + arguments + " 2>&1");
+  return shell(fmt::format("{}/texel {} 2>&1", test::kBin, arguments));
 }
 
 /// Pictures of 10x10 that are compared: `b` differs from `a` by 60 steps of red in one pixel, and is 15 steps
@@ -243,14 +243,14 @@ TEST(List, names_each_lab_as_its_program_does) {
   EXPECT_EQ(labs.size(), std::size(test::kLabs));
   for (const course::Lab& lab : labs) {
     EXPECT_TRUE(has(list.output, lab.title)) << lab.folder;
-    const Result help = shell(fmt::format("{}/{} --help", TEXEL_BIN, lab.program()));
+    const Result help = shell(fmt::format("{}/{} --help", test::kBin, lab.program()));
     const std::string head = fmt::format("Lab {}: {}. {}\n", lab.number, lab.title, lab.lesson);
     EXPECT_TRUE(help.output.starts_with(head)) << "lab.toml: " << head << help.output.substr(0, 200);
   }
 }
 
 TEST(List, works_from_any_folder) {
-  EXPECT_EQ(shell("cd / && " TEXEL_BIN "/texel list").exit_code, 0);
+  EXPECT_EQ(shell(fmt::format("cd / && {}/texel list", test::kBin)).exit_code, 0);
 }
 
 TEST(Gallery, lists_the_sources_pictures_as_the_page_does) {
@@ -262,7 +262,7 @@ TEST(Documents, show_pictures_of_the_present_code) {
   for (const course::Lab& lab : course::read_labs("labs")) {
     const course::Look* hero = tools::hero_of(lab);
     ASSERT_NE(hero, nullptr) << lab.folder;
-    std::string line = fmt::format("{}/{}", TEXEL_BIN, lab.program());
+    std::string line = fmt::format("{}/{}", test::kBin, lab.program());
     for (const course::Setting& setting : hero->settings) line += course::flag(setting);
     const auto drawn = folder / (lab.folder + ".png"), small = folder / (lab.folder + "_small.png");
     const Result result = shell(fmt::format("{} --view {} --size {} --snapshot {} 2>&1", line, hero->view,
