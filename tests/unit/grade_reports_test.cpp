@@ -73,7 +73,7 @@ StudentResult talkative() {
       CaseResult result =
           test::demo_case("01_texture_quad", step.id, fmt::format("case_{}", j), "color", j % 2 == 1, false);
       result.message.clear();
-      for (int k = 0; k < 150; ++k) result.message += "ä€😀\"\n";  // characters of 2, 3 and 4 bytes
+      for (int k = 0; k < 1500; ++k) result.message += "ä€😀\"\n";  // characters of 2, 3 and 4 bytes
       step.cases.push_back(result);
     }
     step.message = step.cases.front().message;
