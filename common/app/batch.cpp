@@ -3,14 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "command_line.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "mesh/ply.hpp"
-#include "settings.hpp"
 #include "snapshot.hpp"
 
 namespace texel::app {
@@ -18,14 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Entry {
-  std::filesystem::path file;
-  View view;
-  glm::ivec2 size;
-  Settings values;
-};
-
-Entry parse_entry(const Json& json, AnyLab& lab) {
+BatchEntry parse_entry(const Json& json, AnyLab& lab) {
   if (!json.is_object()) throw Error::usage("an entry is an object {name, view, size, set}");
   for (const auto& [key, value] : json.items())
     if (key != "name" && key != "view" && key != "size" && key != "set")
@@ -34,10 +28,10 @@ Entry parse_entry(const Json& json, AnyLab& lab) {
   // The name is a file in the folder and nowhere else.
   if (name.empty() || name.find('/') != std::string::npos || name.starts_with('.'))
     throw Error::usage(fmt::format("'{}' is no file name", name), "give each entry a name without folders");
-  Entry entry{name,
-              find_view(lab.info(), json.value("view", std::string("color"))),
-              parse_size(json.value("size", std::string("512x512"))),
-              {}};
+  BatchEntry entry{name,
+                   find_view(lab.info(), json.value("view", std::string("color"))),
+                   parse_size(json.value("size", std::string("512x512"))),
+                   {}};
   const std::string ending = entry.file.extension().string();
   if (ending != ".png" && ending != ".pfm" && ending != ".ply") entry.file += ".png";
   if (ending != ".ply") check_ending(entry.file, entry.view);
@@ -45,8 +39,10 @@ Entry parse_entry(const Json& json, AnyLab& lab) {
   return entry;
 }
 
-std::vector<Entry> parse_list(const std::filesystem::path& list, AnyLab& lab) {
-  std::vector<Entry> entries;
+}  // namespace
+
+Batch read_batch(AnyLab& lab, const std::filesystem::path& list) {
+  Batch entries;
   std::set<std::filesystem::path> names;
   std::size_t index = 0;
   try {
@@ -67,15 +63,22 @@ std::vector<Entry> parse_list(const std::filesystem::path& list, AnyLab& lab) {
   return entries;
 }
 
-void write_entry(Canvas& canvas, AnyLab& lab, const Assets& assets, const Entry& entry,
-                 const std::filesystem::path& file, int samples) {
-  if (file.extension() == ".ply")
-    write_mesh(lab, assets, file);
-  else
-    write_snapshot(canvas, lab, entry.view, entry.size, samples, file);
+double pixels_per_program(const Batch& batch, const params::Set& parameters) {
+  double pixels = 0;
+  std::set<std::string> programs;
+  for (const BatchEntry& entry : batch) {
+    if (entry.file.extension() == ".ply") continue;
+    pixels += static_cast<double>(entry.size.x) * entry.size.y;
+    std::set<std::string> constants = {kViewNames[static_cast<std::size_t>(entry.view)]};
+    for (const auto& [name, value] : entry.values) {
+      const params::Parameter::Type type = parameters.find(name)->type;
+      if (type == params::Parameter::Type::choice || type == params::Parameter::Type::toggle)
+        constants.insert(name + "=" + value);
+    }
+    programs.insert(fmt::format("{}", fmt::join(constants, " ")));
+  }
+  return pixels / static_cast<double>(std::max<std::size_t>(programs.size(), 1));
 }
-
-}  // namespace
 
 void write_mesh(AnyLab& lab, const Assets& assets, const std::filesystem::path& file) {
   const mesh::Mesh* mesh = lab.mesh(assets);
@@ -83,24 +86,27 @@ void write_mesh(AnyLab& lab, const Assets& assets, const std::filesystem::path& 
   mesh::write_ply(file, *mesh);
 }
 
-void draw_batch(Canvas& canvas, AnyLab& lab, const Assets& assets, const std::filesystem::path& list,
+void draw_batch(Canvas& canvas, AnyLab& lab, const Assets& assets, const Batch& batch,
                 const std::filesystem::path& folder, int samples) {
-  const std::vector<Entry> entries = parse_list(list, lab);
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error)
     throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {folder.string()});
   const StartValues start(lab.parameters());
   std::size_t faults = 0;
-  for (const Entry& entry : entries) try {
+  for (const BatchEntry& entry : batch) try {
       start.set(entry.values);
-      write_entry(canvas, lab, assets, entry, folder / entry.file, samples);
+      const std::filesystem::path file = folder / entry.file;
+      if (file.extension() == ".ply")
+        write_mesh(lab, assets, file);
+      else
+        write_snapshot(canvas, lab, entry.view, entry.size, samples, file);
     } catch (const Error& fault) {
       ++faults;
       std::fprintf(stderr, "%s: %s\n", entry.file.c_str(), fault.what());
     }
   if (faults > 0)
-    throw Error::failed(fmt::format("{} of {} entries could not be drawn", faults, entries.size()));
+    throw Error::failed(fmt::format("{} of {} entries could not be drawn", faults, batch.size()));
 }
 
 }  // namespace texel::app

@@ -22,6 +22,9 @@ namespace texel::app {
 namespace {
 
 constexpr glm::ivec2 kSnapshotSize(512, 512);
+/// What optimising a shader takes longer, it has saved after 7 pictures of 512x512 in labs 5 and 9, and after
+/// 20 in labs 1 and 7.
+constexpr double kPixelsWorthOptimising = 7 * 512 * 512;
 
 void print(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
@@ -35,12 +38,12 @@ void write_report(const std::filesystem::path& file, const std::string& json) {
     write_file(file, json);
 }
 
-std::unique_ptr<gl::Context> headless_context(const CommandLine& line) {
+std::unique_ptr<gl::Context> headless_context(const CommandLine& line, gl::Shaders shaders) {
   const Stage stage("context");
-  if (line.context == "osmesa") return gl::create_headless(gl::ContextKind::osmesa);
-  if (line.context == "egl") return gl::create_headless(gl::ContextKind::egl);
+  if (line.context == "osmesa") return gl::create_headless(gl::ContextKind::osmesa, shaders);
+  if (line.context == "egl") return gl::create_headless(gl::ContextKind::egl, shaders);
   if (line.context == "window") return std::make_unique<gl::WindowContext>(64, 64, "texel");
-  return gl::create_headless();
+  return gl::create_headless(shaders);
 }
 
 /// Draws frame after frame and prints how long they took: the driver has finished each when it is counted.
@@ -80,16 +83,23 @@ void run_headless(AnyLab& lab, const Assets& assets, const CommandLine& line) {
   const View view = find_view(lab.info(), line.view);
   const glm::ivec2 size = line.size.value_or(kSnapshotSize);
   if (!line.snapshot.empty()) check_ending(line.snapshot, view);
-  const std::unique_ptr<gl::Context> context = headless_context(line);
+  const Batch batch = line.batch.empty() ? Batch() : read_batch(lab, line.batch);
+  const BenchPlan bench = line.bench.empty() ? BenchPlan() : read_bench(lab, line.bench);
+  const bool timed = line.frames > 0 || (!bench.cases.empty() && bench.seconds > 0);
+  const double pixels =
+      batch.empty() ? static_cast<double>(size.x) * size.y : pixels_per_program(batch, lab.parameters());
+  const std::unique_ptr<gl::Context> context =
+      headless_context(line, timed || pixels > kPixelsWorthOptimising ? gl::Shaders::quick_to_draw
+                                                                      : gl::Shaders::quick_to_compile);
   Canvas canvas(*context, assets, lab);
   canvas.set_error_scale(line.error_scale);
   if (!line.mesh.empty()) write_mesh(lab, assets, line.mesh);
-  if (!line.batch.empty()) draw_batch(canvas, lab, assets, line.batch, line.out, line.samples);
+  if (!line.batch.empty()) draw_batch(canvas, lab, assets, batch, line.out, line.samples);
   if (!line.measure.empty()) {
     canvas.draw(View::error, size, 1);
     write_report(line.measure, to_json(lab, *canvas.error_figures()));
   }
-  if (!line.bench.empty()) write_report(line.report, run_bench(canvas, lab, line.bench));
+  if (!line.bench.empty()) write_report(line.report, run_bench(canvas, lab, bench));
   if (line.frames > 0) time_frames(canvas, view, size, line.samples, line.frames);
   if (line.snapshot.empty() && line.stats.empty()) return;
 

@@ -49,10 +49,11 @@ class Library {
   void* handle_;
 };
 
-/// llvmpipe filters 8-bit textures by a short cut that is up to 10 steps off; not unless the user asked for
-/// it.
-void ask_for_exact_filtering() {
-  ::setenv("GALLIVM_PERF", "no_aos_sampling", /*overwrite=*/0);
+/// llvmpipe filters 8-bit textures by a short cut that is up to 10 steps off, and runs LLVM's optimising
+/// passes on every shader; neither unless the user asked for it.
+void set_up_llvmpipe(Shaders shaders) {
+  ::setenv("GALLIVM_PERF", shaders == Shaders::quick_to_compile ? "no_aos_sampling,nopt" : "no_aos_sampling",
+           /*overwrite=*/0);
 }
 
 class OsmesaContext : public Context {
@@ -170,18 +171,18 @@ std::vector<std::string> Context::take_errors() {
   return std::exchange(errors_, {});
 }
 
-std::unique_ptr<Context> create_headless(ContextKind kind) {
-  ask_for_exact_filtering();
+std::unique_ptr<Context> create_headless(ContextKind kind, Shaders shaders) {
+  set_up_llvmpipe(shaders);
   if (kind == ContextKind::osmesa) return std::make_unique<OsmesaContext>();
   return std::make_unique<EglContext>();
 }
 
-std::unique_ptr<Context> create_headless() {
+std::unique_ptr<Context> create_headless(Shaders shaders) {
   try {
-    return create_headless(ContextKind::osmesa);
+    return create_headless(ContextKind::osmesa, shaders);
   } catch (const Error& no_osmesa) {
     try {
-      return create_headless(ContextKind::egl);
+      return create_headless(ContextKind::egl, shaders);
     } catch (const Error& no_egl) {
       throw Error::failed(
           fmt::format("neither OSMesa nor EGL draws here ({}; {})", no_osmesa.what(), no_egl.what()), {},

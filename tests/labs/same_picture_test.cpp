@@ -74,6 +74,23 @@ TEST_P(SamePicture, by_every_run_on_every_renderer) {
   EXPECT_LE(difference.max, 1);
 }
 
+TEST_P(SamePicture, by_shaders_that_are_quick_to_compile_or_to_draw) {
+  std::vector<Shot> shots;
+  for (const Parameter& p : parameters_of(lab()))
+    for (const std::string& choice : p.choices)
+      if (p.name == "method") shots.push_back({choice, {{p.name, choice}}});
+  for (const std::string& view : views_of(lab()))
+    if (view != "color" && view != "error") shots.push_back({view + ".pfm", {}, view});
+  for (Shot& shot : shots) shot.size = "64x48";
+  const TemporaryFolder optimised(lab() + "_optimised");
+  draw(lab(), shots, folder_);
+  draw(lab(), shots, optimised, {}, "GALLIVM_PERF=no_aos_sampling");
+  for (const Shot& shot : shots) {
+    const std::string file = shot.name.ends_with(".pfm") ? shot.name : shot.name + ".png";
+    EXPECT_TRUE(read_file(folder_ / file) == read_file(optimised / file)) << file;
+  }
+}
+
 TEST_P(SamePicture, by_flags_config_and_batch) {
   const Settings settings = other_values();
   const std::string by_flags = snapshot("flags.png", flags(settings));

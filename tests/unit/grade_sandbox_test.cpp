@@ -52,7 +52,8 @@ std::string own(const std::string& argument) {
 bool runs(const std::string& argument) {
   for (const fs::directory_entry& entry : fs::directory_iterator("/proc")) {
     std::ifstream file(entry.path() / "cmdline");
-    const std::string line{std::istreambuf_iterator<char>(file), {}};
+    std::string line;
+    std::getline(file, line);  // nothing of a process that ends meanwhile, where an iterator would throw
     if (line.starts_with(guest) && has(line, argument)) return true;
   }
   return false;

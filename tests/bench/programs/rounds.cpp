@@ -16,16 +16,23 @@
 
 namespace texel::bench {
 
-Run run_process(const std::vector<std::string>& command) {
-  std::vector<char*> arguments;
-  for (const std::string& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
+Run run_process(const std::vector<std::string>& command, const std::vector<std::string>& environment) {
+  const auto pointers = [](const std::vector<std::string>& texts) {
+    std::vector<char*> all;
+    for (const std::string& text : texts) all.push_back(const_cast<char*>(text.c_str()));
+    return all;
+  };
+  std::vector<char*> arguments = pointers(command), variables = pointers(environment);
   arguments.push_back(nullptr);
+  for (char** variable = environ; *variable != nullptr; ++variable) variables.push_back(*variable);
+  variables.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
   ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   const Stopwatch stopwatch;
   pid_t process = 0;
-  const int error = ::posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
+  const int error =
+      ::posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), variables.data());
   ::posix_spawn_file_actions_destroy(&actions);
   if (error != 0) throw Error::failed("cannot be started", {command.front()}, "./run performance builds it");
   int status = 0;

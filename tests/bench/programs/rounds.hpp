@@ -13,8 +13,9 @@ struct Run {
   double mebibytes = 0;     ///< of resident memory at most
 };
 
-/// Runs a program to its end; its output is thrown away. Throws Error (exit 3) when it fails.
-Run run_process(const std::vector<std::string>& command);
+/// Runs a program to its end; its output is thrown away. `environment` is added to the present one:
+/// "NAME=value". Throws Error (exit 3) when it fails.
+Run run_process(const std::vector<std::string>& command, const std::vector<std::string>& environment = {});
 
 /// The middle of many figures, and the quarters below and above it.
 struct Spread {
