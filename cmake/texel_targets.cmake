@@ -21,6 +21,8 @@ target_compile_options(texel_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow
   # GCC 12 warns of overlapping copies inside std::string's operator+ that cannot happen (GCC bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+  # The sanitizers' own code makes GCC warn of std::regex; without them the same files are warned of as ever.
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${TEXEL_SANITIZE}>>:-Wno-maybe-uninitialized>
   # A fused multiply-add would give other bytes on another machine.
   -ffp-contract=off
   $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> # what ccache needs of precompiled headers
