@@ -43,6 +43,12 @@ Stream stream(const mesh::Mesh& mesh, Attribute attribute) {
 
 }  // namespace
 
+MeshBuffers::MeshBuffers(std::shared_ptr<const mesh::Mesh> mesh) : mesh_(std::move(mesh)) {}
+MeshBuffers::MeshBuffers(mesh::Mesh mesh)
+    : MeshBuffers(std::make_shared<const mesh::Mesh>(std::move(mesh))) {}
+MeshBuffers::MeshBuffers(MeshBuffers&& other) noexcept = default;
+MeshBuffers::~MeshBuffers() = default;
+
 void MeshBuffers::bind(const Program& program) {
   glBindVertexArray(vertex_array_.id());
   if (indices_ == nullptr) {

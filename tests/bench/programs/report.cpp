@@ -95,7 +95,7 @@ std::string Report::stage_table() const {
   return "\n## Where a snapshot's milliseconds go\n`labNN --snapshot FILE --stats -`, once. `start` is the "
          "program's own loading, `loader` the renderer's, `first_draw` mostly the driver's translation of "
          "the shaders into machine code: `draw` is the same picture once more, when all is there, and not "
-         "part of `total`.\n\n" +
+         "part of `total`; its shaders are those of a single picture, which `--frames` optimises.\n\n" +
          head + "\n" + rule + "\n" + body;
 }
 

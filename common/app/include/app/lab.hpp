@@ -6,7 +6,7 @@
 #include <concepts>
 #include <functional>
 #include <glm/glm.hpp>
-#include <memory>
+#include <list>
 #include <optional>
 #include <span>
 #include <string>
@@ -187,21 +187,20 @@ class Cache {
  public:
   template <class Make>
   Value& get(const Key& key, Make&& make) {
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
-      if (entries_[i].first != key) continue;
-      std::rotate(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(i),
-                  entries_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-      return *entries_.front().second;
+    const auto found =
+        std::find_if(entries_.begin(), entries_.end(), [&](const auto& entry) { return entry.first == key; });
+    if (found != entries_.end()) {
+      entries_.splice(entries_.begin(), entries_, found);
+    } else {
+      entries_.emplace_front(key, make());
+      if (entries_.size() > kEntries) entries_.pop_back();
     }
-    auto value = std::make_unique<Value>(make());
-    if (entries_.size() == kEntries) entries_.pop_back();
-    entries_.insert(entries_.begin(), {key, std::move(value)});
-    return *entries_.front().second;
+    return entries_.front().second;
   }
 
  private:
   static constexpr std::size_t kEntries = 4;  // both sides of the split slider, and what was there before
-  std::vector<std::pair<Key, std::unique_ptr<Value>>> entries_;
+  std::list<std::pair<Key, Value>> entries_;  // the last one used first
 };
 
 }  // namespace texel::app

@@ -12,8 +12,10 @@ namespace texel::gl {
 /// A mesh on the GPU: one buffer an attribute, uploaded when a program first reads it, and the indices.
 class MeshBuffers {
  public:
-  explicit MeshBuffers(std::shared_ptr<const mesh::Mesh> mesh) : mesh_(std::move(mesh)) {}
-  explicit MeshBuffers(mesh::Mesh mesh) : MeshBuffers(std::make_shared<const mesh::Mesh>(std::move(mesh))) {}
+  explicit MeshBuffers(std::shared_ptr<const mesh::Mesh> mesh);
+  explicit MeshBuffers(mesh::Mesh mesh);
+  MeshBuffers(MeshBuffers&& other) noexcept;
+  ~MeshBuffers();
 
   /// Draws all triangles with `program`, which must be in use. Throws Error when it reads an attribute that
   /// the mesh does not have.
