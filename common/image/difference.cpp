@@ -51,11 +51,20 @@ void for_each_near(const Place<Sample>& place, Act act) {
       act(Place<Sample>{picture, u, v});
 }
 
+/// Marks the pixels that differ from one of those around them by more than `contrast`.
 template <class Sample, class Apart>
-bool is_edge(const Place<Sample>& place, double contrast, const Apart& apart) {
-  bool edge = false;
-  for_each_near(place, [&](const Place<Sample>& near) { edge |= apart(place, near).largest > contrast; });
-  return edge;
+void mark_edges(const Image<Sample>& picture, double contrast, const Apart& apart, std::vector<char>& edges) {
+  const auto index = [&](int x, int y) { return static_cast<std::size_t>(y * picture.width + x); };
+  const auto mark = [&](int x, int y, int u, int v) {
+    if (u < 0 || u >= picture.width || v >= picture.height) return;
+    const bool is_edge = apart(Place<Sample>{picture, x, y}, Place<Sample>{picture, u, v}).largest > contrast;
+    if (is_edge) edges[index(x, y)] = edges[index(u, v)] = 1;
+  };
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {  // each pair of neighbours once
+      mark(x, y, x + 1, y);
+      for (int u = x - 1; u <= x + 1; ++u) mark(x, y, u, y + 1);
+    }
 }
 
 /// The difference of a pixel of one picture to the closest of those around a pixel of the other.
@@ -75,23 +84,26 @@ void forgive_edges(const Image<Sample>& reference, const Image<Sample>& image, d
                    const Apart& apart, Pixels& pixels) {
   const auto matters = [&](const PixelDifference& pixel) { return pixel.largest > least_forgiven * range; };
   if (std::none_of(pixels.begin(), pixels.end(), matters)) return;
-  Pixels tolerant = pixels;
-  long long edges = 0, forgiven = 0;
+  std::vector<char> is_edge(pixels.size(), 0);
+  mark_edges(reference, edge_contrast * range, apart, is_edge);
+  mark_edges(image, edge_contrast * range, apart, is_edge);
+  std::vector<std::pair<std::size_t, PixelDifference>> forgiven;
+  long long edges = 0;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const PixelDifference& own = pixels[i];
-    if (own.state != State::compared) continue;
-    const int x = static_cast<int>(i) % reference.width, y = static_cast<int>(i) / reference.width;
-    const Place<Sample> a{reference, x, y}, b{image, x, y};
-    if (!is_edge(a, edge_contrast * range, apart) && !is_edge(b, edge_contrast * range, apart)) continue;
+    if (own.state != State::compared || is_edge[i] == 0) continue;
     ++edges;
     if (!matters(own)) continue;
+    const int x = static_cast<int>(i) % reference.width, y = static_cast<int>(i) / reference.width;
+    const Place<Sample> a{reference, x, y}, b{image, x, y};
     const PixelDifference from_a = least(a, b, apart), from_b = least(b, a, apart);
     const PixelDifference& worse = from_a.largest > from_b.largest ? from_a : from_b;
     if (worse.largest >= own.largest) continue;
-    tolerant[i] = {State::compared, worse.largest, std::min(worse.sum, own.sum), true};
-    ++forgiven;
+    forgiven.emplace_back(
+        i, PixelDifference{State::compared, worse.largest, std::min(worse.sum, own.sum), true});
   }
-  if (static_cast<double>(forgiven) <= most_forgiven * static_cast<double>(edges)) pixels = tolerant;
+  if (static_cast<double>(forgiven.size()) > most_forgiven * static_cast<double>(edges)) return;
+  for (const auto& [i, pixel] : forgiven) pixels[i] = pixel;
 }
 
 /// The difference of every pixel that the mask lets through. `apart` gives that of two places, of whichever
