@@ -49,8 +49,8 @@ class Library {
   void* handle_;
 };
 
-/// llvmpipe filters 8-bit textures by a short cut that is up to 10 steps off, and runs LLVM's optimising
-/// passes on every shader; neither unless the user asked for it.
+/// llvmpipe filters 8-bit textures by a short cut that is up to 10 steps off, and puts every shader through
+/// LLVM's optimising passes: the first never, the second where it pays. What the user has set stays.
 void set_up_llvmpipe(Shaders shaders) {
   ::setenv("GALLIVM_PERF", shaders == Shaders::quick_to_compile ? "no_aos_sampling,nopt" : "no_aos_sampling",
            /*overwrite=*/0);
