@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "commands.hpp"
-#include "course/markers.hpp"
+#include "course/starter.hpp"
 #include "grade/check.hpp"
 
 namespace texel::tools {
@@ -41,7 +41,7 @@ Exit starter(const StarterOptions& options) {
       throw Error::usage(fmt::format("there is no step '{}'", step),
                          "the steps are those of labs/*/lab.toml");
   const std::filesystem::path root = options.root.empty() ? course_root() : options.root;
-  course::write_starter(root, options.out, is_solved);
+  course::write_files(course::starter_files(root, is_solved), options.out);
   fmt::print("wrote {}; begin there with: ./run\n", options.out.string());
   return Exit::holds;
 }

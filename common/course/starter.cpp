@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "course/starter.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,27 +41,24 @@ bool has_text(const fs::path& file) {
 
 }  // namespace
 
-void write_starter(const fs::path& root, const fs::path& to,
-                   const std::function<bool(const std::string&)>& solved) {
+std::vector<StarterFile> starter_files(const fs::path& root,
+                                       const std::function<bool(const std::string&)>& solved) {
   if (!fs::exists(root / "labs") || !fs::exists(root / "common"))
     throw Error::failed("is not the course's source tree", {root.string()},
                         "run this from the folder that holds labs, common and shaders");
-  if (fs::exists(to) && !(fs::is_directory(to) && fs::is_empty(to)))
-    throw Error::usage(fmt::format("'{}' holds something already", to.string()), "name a new folder");
+  std::vector<StarterFile> files;
   const auto give = [&](const fs::path& file) {
     const std::string path = file.lexically_relative(root).generic_string();
     if (is_withheld(path)) return;
-    fs::create_directories((to / path).parent_path());
     if (!has_text(file)) {
-      fs::copy_file(file, to / path);
+      files.push_back({path, file, {}});
       return;
     }
     const std::string text = read_file(file);
-    write_file(to / path, with_steps(text, path, solved));
-    fs::permissions(to / path, fs::status(file).permissions());
-    if (step_texts(text, path).empty()) return;
-    fs::create_directories((to / kFirstTexts / path).parent_path());
-    write_file(to / kFirstTexts / path, with_steps(text, path, [](const std::string&) { return false; }));
+    files.push_back({path, file, with_steps(text, path, solved)});
+    if (!step_texts(text, path).empty())
+      files.push_back({(kFirstTexts / fs::path(path)).generic_string(), file,
+                       with_steps(text, path, [](const std::string&) { return false; })});
   };
   try {
     for (const char* given : kGiven) {
@@ -68,8 +67,30 @@ void write_starter(const fs::path& root, const fs::path& to,
       for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / given))
         if (entry.is_regular_file()) give(entry.path());
     }
-    // What students read first.
-    if (fs::exists(root / kStudentsGuide)) fs::copy_file(root / kStudentsGuide, to / "README.md");
+  } catch (const fs::filesystem_error& error) {
+    throw Error::failed(fmt::format("cannot read: {}", error.code().message()), {error.path1().string()});
+  }
+  // What students read first.
+  if (fs::exists(root / kStudentsGuide)) files.push_back({"README.md", root / kStudentsGuide, {}});
+  std::sort(files.begin(), files.end(),
+            [](const StarterFile& a, const StarterFile& b) { return a.path < b.path; });
+  return files;
+}
+
+void write_files(const std::vector<StarterFile>& files, const fs::path& to) {
+  if (fs::exists(to) && !(fs::is_directory(to) && fs::is_empty(to)))
+    throw Error::usage(fmt::format("'{}' holds something already", to.string()), "name a new folder");
+  try {
+    for (const StarterFile& file : files) {
+      const fs::path place = to / file.path;
+      fs::create_directories(place.parent_path());
+      if (!file.text) {
+        fs::copy_file(file.source, place);
+        continue;
+      }
+      write_file(place, *file.text);
+      fs::permissions(place, fs::status(file.source).permissions());
+    }
   } catch (const fs::filesystem_error& error) {
     throw Error::failed(fmt::format("cannot write: {}", error.code().message()), {error.path1().string()},
                         "check that the disk has room and the folder can be written");

@@ -128,7 +128,7 @@ class LabCheck {
     if (fs::exists(own_ / shot.file())) result.picture = (own_ / shot.file()).string();
     const fs::path mask =
         shot.is_mesh() ? fs::path() : expected_ / fmt::format("{}.mask.png", shot.graded.name);
-    const Verdict verdict = judge(shot, {result.reference, mask, {}}, own_ / shot.file());
+    const Verdict verdict = judge(shot, {result.reference, mask}, own_ / shot.file());
     result.passed = verdict.passed, result.score = verdict.passed ? 1 : 0;
     result.error = verdict.error, result.message = verdict.message;
     if (const auto fault = faults_.find(shot.file()); fault != faults_.end()) result.message = fault->second;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -107,8 +108,7 @@ fs::path CourseSide::folder_of(const LabPlan& plan) const {
 Expected CourseSide::expected(const LabPlan& plan, const Shot& shot) const {
   const fs::path folder = folder_of(plan);
   return {folder / "solution" / shot.file(),
-          shot.is_mesh() ? fs::path() : folder / "mask" / (shot.graded.name + ".png"),
-          {folder / "starter" / shot.file()}};
+          shot.is_mesh() ? fs::path() : folder / "mask" / (shot.graded.name + ".png")};
 }
 
 fs::path CourseSide::draw_changed(const LabPlan& plan, const std::string& name, const std::string& step,
@@ -154,6 +154,20 @@ fs::path CourseSide::without_step(const LabPlan& plan, const Shot& shot) {
   const std::string text = course::with_steps(read_file(solution_.source / file), file,
                                               [&](const std::string& other) { return other != step; });
   return draw_changed(plan, "without-" + step, step, file, text) / shot.file();
+}
+
+double CourseSide::worthless(const LabPlan& plan, const Shot& shot) {
+  const std::string key = plan.lab.folder + "/" + shot.graded.name;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (const auto known = worthless_.find(key); known != worthless_.end()) return known->second;
+  }
+  // Two threads may do this at once, with the same result.
+  double least = std::numeric_limits<double>::infinity();
+  for (const fs::path& picture : {folder_of(plan) / "starter" / shot.file(), without_step(plan, shot)})
+    least = std::min(least, judge(shot, expected(plan, shot), picture).wrongness);
+  const std::scoped_lock lock(mutex_);
+  return worthless_[key] = least;
 }
 
 Failed CourseSide::failed_by(const LabPlan& plan, const course::Mutant& mutant, const Shot& shot) {

@@ -26,8 +26,9 @@ class CourseSide {
   /// Draws what the lab's shots are judged by, unless it is there. Throws Error (exit 3).
   void prepare(const LabPlan& plan);
   [[nodiscard]] Expected expected(const LabPlan& plan, const Shot& shot) const;
-  /// What the solution without the shot's own step draws. Throws Error (exit 3).
-  std::filesystem::path without_step(const LabPlan& plan, const Shot& shot);
+  /// What grade::score takes: the wrongness of what the starter draws, or the solution without the shot's own
+  /// step, whichever is less wrong. Drawn and judged for the first that asks. Throws Error (exit 3).
+  double worthless(const LabPlan& plan, const Shot& shot);
 
   /// What a mutant of a step draws in the cases of its step: a folder with the pictures that there are.
   /// Throws Error (exit 3).
@@ -54,6 +55,8 @@ class CourseSide {
   /// Draws the cases of a step by the solution with another text in one of its files.
   std::filesystem::path draw_changed(const LabPlan& plan, const std::string& name, const std::string& step,
                                      const std::string& file, const std::string& text);
+  /// What the solution without the shot's own step draws.
+  std::filesystem::path without_step(const LabPlan& plan, const Shot& shot);
   [[nodiscard]] Studio studio(const BuiltTree& tree, const LabPlan& plan) const;
 
   BuiltTree solution_;
@@ -68,6 +71,7 @@ class CourseSide {
   std::mutex mutex_;
   std::map<std::string, std::filesystem::path> folders_;
   std::map<std::string, std::unique_ptr<std::mutex>> drawing_;  ///< by mutant and lab
+  std::map<std::string, double> worthless_;                     ///< by lab and case
   std::map<std::string, std::vector<Mistake>> mistakes_;        ///< by step
 };
 

@@ -33,10 +33,12 @@ std::vector<std::string> names_in(const Descriptor& folder, std::size_t most) {
 }
 
 std::string read_some(const Descriptor& file, std::size_t most) {
-  std::string bytes(most, '\0');
+  constexpr std::size_t step = 16384;
+  std::string bytes;
   std::size_t done = 0;
   while (done < most) {
-    const ssize_t got = ::read(file.get(), bytes.data() + done, most - done);
+    bytes.resize(std::min(most, std::max(2 * done, step)));  // most files are far smaller than `most`
+    const ssize_t got = ::read(file.get(), bytes.data() + done, bytes.size() - done);
     if (got <= 0) break;
     done += static_cast<std::size_t>(got);
   }

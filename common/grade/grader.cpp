@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -339,15 +340,12 @@ class ClassRun {
     result.unit = unit_of(shot.graded.view);
     result.command = shot.hidden ? "" : command(plan, shot);
     if (!shot.hidden) result.reference = fmt::format("references/{}/{}", plan.lab.folder, shot.file());
-    Expected expected = course_->expected(plan, shot);
-    Verdict verdict = judge(shot, expected, out / shot.file());
-    // Only now, since it takes a program of its own.
-    const bool is_untouched = student.untouched.count(shot.graded.step) > 0;
-    if (!verdict.passed && !is_untouched && fs::exists(out / shot.file())) {
-      expected.worthless.push_back(course_->without_step(plan, shot));
-      verdict = judge(shot, expected, out / shot.file());
-    }
-    result.passed = verdict.passed, result.score = verdict.score, result.error = verdict.error;
+    const Verdict verdict = judge(shot, course_->expected(plan, shot), out / shot.file());
+    result.passed = verdict.passed, result.error = verdict.error;
+    // What earns nothing takes programs of its own: drawn only where something may be earned.
+    const bool may_earn =
+        !verdict.passed && std::isfinite(verdict.wrongness) && student.untouched.count(shot.graded.step) == 0;
+    result.score = score(shot, verdict, may_earn ? course_->worthless(plan, shot) : 0);
     result.message = verdict.message;
     if (const auto fault = drawn.faults.find(shot.file()); fault != drawn.faults.end())
       result.message = without_our_folders(fault->second);

@@ -10,10 +10,12 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "core/files.hpp"
 #include "image/difference.hpp"
 #include "image/flip.hpp"
 #include "image/load.hpp"
 #include "judge_mesh.hpp"
+#include "mesh/ply.hpp"
 #include "text.hpp"
 
 namespace texel::grade {
@@ -78,17 +80,24 @@ ImageF load(const fs::path& file, Size size, const ImageF*) {
   return picture;
 }
 
+mesh::Mesh load_stream(const fs::path& file) {
+  constexpr std::uintmax_t most = 64U << 20U;
+  if (fs::file_size(file) > most) throw Error::failed("is larger than 64 MiB", {file.string()});
+  return mesh::read_ply(file);
+}
+
 /// One part of the picture: the object or the background.
 struct Part {
   const char* name;
   Image8 mask;
   bool any = false;
+  image::Difference difference;  ///< of the picture from the reference there
 };
 
 std::vector<Part> parts_of(const fs::path& mask_file, Size size) {
   const Image8 mask = image::load_png(mask_file, size.width, size.height);
-  std::vector<Part> parts = {{"object", Image8(size.width, size.height, 1)},
-                             {"background", Image8(size.width, size.height, 1)}};
+  std::vector<Part> parts = {{"object", Image8(size.width, size.height, 1), false, {}},
+                             {"background", Image8(size.width, size.height, 1), false, {}}};
   for (int y = 0; y < size.height; ++y)
     for (int x = 0; x < size.width; ++x) {
       Part& part = parts[mask.at(x, y) > 127 ? 0 : 1];
@@ -132,25 +141,24 @@ double share_of_other_blocks(const Image8& reference, const Image8& picture, con
 }
 
 /// The worst mean error of a picture over a part, as a share of what makes it useless.
-double mean_error(const Image8& reference, const Image8& picture, const Part& part, const std::string&) {
-  const double flip = image::flip_figures(image::flip_errors(reference, picture), &part.mask).mean;
-  const double steps = image::compare(reference, picture, {.mask = &part.mask, .edge_tolerance = true}).mean;
-  return std::max({std::pow(flip / kUselessFlip, 2), steps / kUselessSteps,
-                   share_of_other_blocks(reference, picture, part) / kUselessBlocks});
-}
-
-double mean_error(const ImageF& reference, const ImageF& picture, const Part& part, const std::string& view) {
-  const image::Difference difference = image::compare(
-      reference, picture, {.mask = &part.mask, .edge_tolerance = true, .unit = compared_as(view)});
-  if (difference.non_finite > 0) return std::numeric_limits<double>::infinity();
-  return difference.mean / useless_mean(unit_of(view));
-}
-
-template <class Picture>
-double worst_mean_error(const Picture& reference, const Picture& picture, const std::vector<Part>& parts,
-                        const std::string& view) {
+double wrongness(const Image8& reference, const Image8& picture, const std::vector<Part>& parts,
+                 const std::string&) {
+  const ImageF flip_errors = image::flip_errors(reference, picture);
   double worst = 0;
-  for (const Part& part : parts) worst = std::max(worst, mean_error(reference, picture, part, view));
+  for (const Part& part : parts) {
+    const double flip = image::flip_figures(flip_errors, &part.mask).mean;
+    worst = std::max({worst, std::pow(flip / kUselessFlip, 2), part.difference.mean / kUselessSteps,
+                      share_of_other_blocks(reference, picture, part) / kUselessBlocks});
+  }
+  return worst;
+}
+
+double wrongness(const ImageF&, const ImageF&, const std::vector<Part>& parts, const std::string& view) {
+  double worst = 0;
+  for (const Part& part : parts) {
+    if (part.difference.non_finite > 0) return std::numeric_limits<double>::infinity();
+    worst = std::max(worst, part.difference.mean / useless_mean(unit_of(view)));
+  }
   return worst;
 }
 
@@ -165,9 +173,30 @@ std::string where(const image::Difference& difference) {
                      difference.worst_y, row, column);
 }
 
+Verdict nothing_to_compare(std::string message) {
+  return {false, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+          std::move(message)};
+}
+
+Verdict unreadable(const char* kind, const fs::path& file, const Error& error) {
+  // The text begins with the place, which is no business of the student's.
+  std::string text = error.what();
+  if (text.starts_with(file.string())) text = text.substr(std::min(text.size(), file.string().size() + 2));
+  return nothing_to_compare(fmt::format("The {} {}", kind, plain_text(text)));
+}
+
 /// A number with the digits that matter.
 std::string short_number(double value) {
   return fmt::format("{:.3g}", value);
+}
+
+/// False for what cannot be read: whoever unpacks it says why.
+bool are_same_bytes(const fs::path& a, const fs::path& b) {
+  try {
+    return MappedFile(a).bytes() == MappedFile(b).bytes();
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 template <class Picture>
@@ -180,22 +209,17 @@ Verdict judge_picture(const Shot& shot, const Expected& expected, const fs::path
   try {
     picture = load(file, size, static_cast<Picture*>(nullptr));
   } catch (const Error& error) {
-    // Its text begins with the place, which is no business of the student's.
-    std::string text = error.what();
-    if (text.starts_with(file.string())) text = text.substr(std::min(text.size(), file.string().size() + 2));
-    verdict.error = std::numeric_limits<double>::quiet_NaN();
-    verdict.message = "The picture " + plain_text(text);
-    return verdict;
+    return unreadable("picture", file, error);
   }
 
   verdict.passed = true;
-  verdict.score = 1;
   long long non_finite = 0;
   std::string worst;
-  const std::vector<Part> parts = parts_of(expected.mask, size);
-  for (const Part& part : parts) {
-    const image::Difference difference = image::compare(
-        reference, picture, {.mask = &part.mask, .edge_tolerance = true, .unit = compared_as(view)});
+  std::vector<Part> parts = parts_of(expected.mask, size);
+  for (Part& part : parts) {
+    part.difference = image::compare(reference, picture,
+                                     {.mask = &part.mask, .edge_tolerance = true, .unit = compared_as(view)});
+    const image::Difference& difference = part.difference;
     non_finite += difference.non_finite;
     if (difference.p999 > verdict.error || worst.empty()) {
       verdict.error = std::max(verdict.error, difference.p999);
@@ -204,22 +228,22 @@ Verdict judge_picture(const Shot& shot, const Expected& expected, const fs::path
     if (difference.p999 > shot.graded.limit || difference.non_finite > 0) verdict.passed = false;
   }
   if (verdict.passed) return verdict;
-  double zero = unit_of(view) == "units" ? std::numeric_limits<double>::infinity() : 1;
-  for (const fs::path& nothing : expected.worthless)
-    if (fs::exists(nothing))
-      zero = std::min(zero, worst_mean_error(reference, load(nothing, size, static_cast<Picture*>(nullptr)),
-                                             parts, view));
-  verdict.score =
-      zero > 0 && std::isfinite(zero) ? 1 - worst_mean_error(reference, picture, parts, view) / zero : 0;
-  verdict.score = std::clamp(verdict.score, 0.0, kMostOfWrong);
-  if (non_finite > 0) {
-    verdict.score = 0;
-    verdict.message = fmt::format("{} pixels are not finite (NaN or infinity).", non_finite);
-  } else {
-    verdict.message = fmt::format("Off by {} {} where {} is the limit; {}.", short_number(verdict.error),
-                                  unit_of(view), short_number(shot.graded.limit), worst);
-  }
+  verdict.wrongness = wrongness(reference, picture, parts, view);
+  verdict.message = non_finite > 0
+                        ? fmt::format("{} pixels are not finite (NaN or infinity).", non_finite)
+                        : fmt::format("Off by {} {} where {} is the limit; {}.", short_number(verdict.error),
+                                      unit_of(view), short_number(shot.graded.limit), worst);
   return verdict;
+}
+
+Verdict judge_stream(const Shot& shot, const Expected& expected, const fs::path& file) {
+  mesh::Mesh reference = mesh::read_ply(expected.reference), own;
+  try {
+    own = load_stream(file);
+  } catch (const Error& error) {
+    return unreadable("vertex stream", file, error);
+  }
+  return judge_mesh(shot.graded.limit, std::move(reference), std::move(own));
 }
 
 }  // namespace
@@ -233,15 +257,19 @@ std::string unit_of(const std::string& view) {
 }
 
 Verdict judge(const Shot& shot, const Expected& expected, const fs::path& picture) {
-  if (!fs::is_regular_file(fs::symlink_status(picture))) {
-    Verdict verdict;
-    verdict.error = std::numeric_limits<double>::quiet_NaN();
-    verdict.message = "There is no picture.";
-    return verdict;
-  }
-  if (shot.is_mesh()) return judge_mesh(shot.graded.limit, expected.reference, expected.worthless, picture);
-  return shot.graded.view == "color" ? judge_picture<Image8>(shot, expected, picture)
-                                     : judge_picture<ImageF>(shot, expected, picture);
+  if (!fs::is_regular_file(fs::symlink_status(picture))) return nothing_to_compare("There is no picture.");
+  if (shot.is_mesh()) return judge_stream(shot, expected, picture);
+  if (shot.graded.view != "color") return judge_picture<ImageF>(shot, expected, picture);
+  // Most right pictures are this right. Of floats the same bytes may still be no numbers.
+  if (are_same_bytes(expected.reference, picture)) return {true, 0, 0, {}};
+  return judge_picture<Image8>(shot, expected, picture);
+}
+
+double score(const Shot& shot, const Verdict& verdict, double worthless) {
+  if (verdict.passed) return 1;
+  const double zero = unit_of(shot.graded.view) == "units" ? worthless : std::min(1.0, worthless);
+  if (!(zero > 0) || !std::isfinite(zero)) return 0;
+  return std::clamp(1 - verdict.wrongness / zero, 0.0, kMostOfWrong);
 }
 
 }  // namespace texel::grade

@@ -6,25 +6,18 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
-#include <limits>
 #include <unordered_map>
 #include <vector>
-
-#include "core/error.hpp"
-#include "mesh/ply.hpp"
-#include "text.hpp"
 
 namespace texel::grade {
 namespace {
 
-namespace fs = std::filesystem;
 using glm::dvec3;
 
 /// Positions and texture coordinates that are this close are the same: float32 keeps 1e-7 of them.
 constexpr double kSame = 1e-4;
 /// Positions are looked up in cells of this size; models are about 1 large.
 constexpr double kCell = 1e-3;
-constexpr std::uintmax_t kMostBytes = 64U << 20U;
 /// Without any weld there are up to six vertices for one.
 constexpr std::size_t kMostTooMany = 16;
 
@@ -129,42 +122,19 @@ Match match(const Lookup& reference, const Lookup& other, double limit) {
 
 }  // namespace
 
-Verdict judge_mesh(double limit, const fs::path& reference_file, const std::vector<fs::path>& worthless,
-                   const fs::path& file) {
-  const Lookup reference(mesh::read_ply(reference_file));
-  Verdict verdict;
-  verdict.error = std::numeric_limits<double>::quiet_NaN();
-  mesh::Mesh mesh;
-  try {
-    if (fs::file_size(file) > kMostBytes) throw Error::failed("is larger than 64 MiB", {file.string()});
-    mesh = mesh::read_ply(file);
-  } catch (const Error& error) {
-    std::string text = error.what();
-    if (text.starts_with(file.string())) text = text.substr(std::min(text.size(), file.string().size() + 2));
-    verdict.message = "The vertex stream " + plain_text(text);
-    return verdict;
-  }
-  const Lookup own(std::move(mesh));
+Verdict judge_mesh(double limit, mesh::Mesh reference_mesh, mesh::Mesh own_mesh) {
+  const Lookup reference(std::move(reference_mesh)), own(std::move(own_mesh));
   const Match found = match(reference, own, limit);
   const std::size_t count = own.mesh.vertex_count(), expected = reference.mesh.vertex_count();
-  verdict.error = found.error;
-  verdict.passed = found.error <= limit && count == expected;
-  verdict.score = 1;
-  if (verdict.passed) return verdict;
-  double least = 0;
-  for (const fs::path& nothing : worthless)
-    if (fs::exists(nothing))
-      least = std::max(least, match(reference, Lookup(mesh::read_ply(nothing)), limit).share);
-  verdict.score = least < 1 ? std::clamp((found.share - least) / (1 - least), 0.0, 0.95) : 0;
-  verdict.message =
-      count != expected
-          ? fmt::format("{} vertices where {} are expected; {:.0f} % of those are there and right.", count,
-                        expected, 100 * found.share)
-          : fmt::format(
-                "{:.0f} % of the vertices are right; normals, tangents or triangles around the others are "
-                "off by up to {:.3g} degrees where {:.3g} is the limit.",
-                100 * found.share, found.error, limit);
-  return verdict;
+  if (found.error <= limit && count == expected) return {true, found.error, 0, {}};
+  return {false, found.error, 1 - found.share,
+          count != expected
+              ? fmt::format("{} vertices where {} are expected; {:.0f} % of those are there and right.",
+                            count, expected, 100 * found.share)
+              : fmt::format(
+                    "{:.0f} % of the vertices are right; normals, tangents or triangles around the others "
+                    "are off by up to {:.3g} degrees where {:.3g} is the limit.",
+                    100 * found.share, found.error, limit)};
 }
 
 }  // namespace texel::grade

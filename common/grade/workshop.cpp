@@ -10,7 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
-#include "course/markers.hpp"
+#include "course/starter.hpp"
 #include "fingerprint.hpp"
 #include "lock.hpp"
 #include "text.hpp"
@@ -75,6 +75,12 @@ std::string output_of(const Words& command, const fs::path& folder, double secon
         fmt::format("'{}' fails with exit code {}", fmt::join(command, " "), outcome.exit_code),
         {folder.string()}, "it says:\n" + end_of(outcome.output + outcome.errors));
   return outcome.output;
+}
+
+/// Whether programs do not depend on a file of the starter.
+bool is_for_people(const std::string& path) {
+  return path.starts_with("docs/") || fs::path(path).filename() == "README.md" ||
+         path.find("/expected/") != path.npos;
 }
 
 /// The word after `option`; where there is none, "".
@@ -274,26 +280,16 @@ Program Workshop::make(const std::string& program, const std::map<std::string, s
 BuiltTree starter_tree(const fs::path& course, const fs::path& cache) {
   fs::create_directories(cache);
   const FileLock lock(cache / "lock");
-  const fs::path fresh = cache / "starter-new";
-  fs::remove_all(fresh);
-  course::write_starter(course, fresh);
-  // Programs do not depend on what people read and look at.
-  for (const fs::directory_entry& lab : fs::directory_iterator(fresh / "labs")) {
-    if (!lab.is_directory()) continue;
-    fs::remove_all(lab.path() / "expected");
-    fs::remove(lab.path() / "README.md");
-  }
-  for (const char* text : {"docs", "README.md"}) fs::remove_all(fresh / text);
-  const std::string compiler = output_of({"c++", "--version"}, cache, 60);
-  const std::string print = fingerprint({fingerprint_of_folder(fresh), compiler, cache.string()});
+  std::vector<course::StarterFile> files = course::starter_files(course);
+  std::erase_if(files, [](const course::StarterFile& file) { return is_for_people(file.path); });
+  std::string print = fingerprint({output_of({"c++", "--version"}, cache, 60), cache.string()});
+  for (const course::StarterFile& file : files)
+    print = fingerprint({print, file.path, file.text ? *file.text : read_file(file.source)});
   BuiltTree tree{cache / ("starter-" + print.substr(0, 16)), {}, print};
   tree.build = tree.source / "build/release";
-  if (fs::exists(tree.build / "is-built")) {
-    fs::remove_all(fresh);
-    return tree;
-  }
+  if (fs::exists(tree.build / "is-built")) return tree;
   fs::remove_all(tree.source);
-  fs::rename(fresh, tree.source);
+  course::write_files(files, tree.source);
   output_of({"cmake", "--preset", "release"}, tree.source, 300);
   output_of({"ninja", "-C", "build/release", "labs/all"}, tree.source, 3600);
   write_file(tree.build / "is-built", "");

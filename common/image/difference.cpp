@@ -146,6 +146,7 @@ PixelDifference angle(const float* a, const float* b) {
   const auto zero = [](const float* v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; };
   if (zero(a) && zero(b)) return {State::left_out};
   if (zero(a) || zero(b)) return {State::compared, 180, 180};
+  if (std::equal(a, a + 3, b)) return {State::compared, 0, 0};
   const std::array<double, 3> u = {a[0], a[1], a[2]};
   const std::array<double, 3> v = {b[0], b[1], b[2]};
   const double cross =

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "core/files.hpp"
@@ -40,23 +41,26 @@ class ScoreOf : public testing::TestWithParam<int> {
     const Scene& scene = kScenes[GetParam()];
     draw(scene.lab, {{"reference", scene.look}, {"mask", scene.look, "mask"}}, folder_);
     shot_.graded.name = "picture", shot_.graded.size = "128x128", shot_.graded.limit = 2;
-    expected_ = {file("reference"), file("mask"), {file("starter")}};
+    expected_ = {file("reference"), file("mask")};
     reference_ = image::load8(file("reference"), 3);
     // As most starters do: the object is there, and grey.
     const Image8 mask = image::load8(file("mask"), 1);
     image::save_png(file("starter"),
                     changed([&](int x, int y, int c) { return mask.at(x, y) > 127 ? 128 : at(x, y, c); }));
+    worthless_ = verdict_of("starter").wrongness;
   }
 
   std::filesystem::path file(const std::string& name) { return folder_ / (name + ".png"); }
-  Verdict verdict_of(const Image8& picture) {
-    image::save_png(file("picture"), picture);
-    return grade::judge(shot_, expected_, file("picture"));
+  Verdict verdict_of(const std::string& name) { return grade::judge(shot_, expected_, file(name)); }
+  double score(const std::string& name) {
+    const Verdict verdict = verdict_of(name);
+    const double score = grade::score(shot_, verdict, worthless_);
+    EXPECT_EQ(verdict.passed, score == 1) << verdict.message;
+    return score;
   }
   double score(const Image8& picture) {
-    const Verdict verdict = verdict_of(picture);
-    EXPECT_EQ(verdict.passed, verdict.score == 1) << verdict.message;
-    return verdict.score;
+    image::save_png(file("picture"), picture);
+    return score("picture");
   }
   /// The reference with each sample replaced by what `change(x, y, channel)` gives.
   template <class Change>
@@ -75,6 +79,7 @@ class ScoreOf : public testing::TestWithParam<int> {
   TemporaryFolder folder_{fmt::format("score_{}", ::getpid())};
   Shot shot_;
   Expected expected_;
+  double worthless_ = 0;
   Image8 reference_;
 };
 
@@ -96,23 +101,22 @@ TEST_P(ScoreOf, another_labs_picture_is_zero) {
   for (const Scene& other : kScenes) {
     if (other.lab == std::string(kScenes[GetParam()].lab)) continue;
     draw(other.lab, {{"other", other.look}}, folder_);
-    EXPECT_EQ(grade::judge(shot_, expected_, file("other")).score, 0) << other.lab;
+    EXPECT_EQ(score("other"), 0) << other.lab;
   }
 }
 
 TEST_P(ScoreOf, the_starters_own_picture_is_zero) {
-  EXPECT_EQ(grade::judge(shot_, expected_, file("starter")).score, 0);
+  EXPECT_EQ(score("starter"), 0);
 }
 
 TEST_P(ScoreOf, a_missing_broken_or_wrongly_sized_picture_is_zero) {
-  EXPECT_EQ(grade::judge(shot_, expected_, file("nowhere")).score, 0);
-  EXPECT_TRUE(std::isnan(grade::judge(shot_, expected_, file("nowhere")).error));
+  EXPECT_EQ(score("nowhere"), 0);
+  EXPECT_TRUE(std::isnan(verdict_of("nowhere").error));
   image::save_png(file("small"), Image8(64, 64, 3));
-  const Verdict small = grade::judge(shot_, expected_, file("small"));
-  EXPECT_EQ(small.score, 0);
-  EXPECT_NE(small.message.find("64x64"), std::string::npos) << small.message;
+  EXPECT_EQ(score("small"), 0);
+  EXPECT_NE(verdict_of("small").message.find("64x64"), std::string::npos) << verdict_of("small").message;
   write_file(file("broken"), "no picture");
-  EXPECT_EQ(grade::judge(shot_, expected_, file("broken")).score, 0);
+  EXPECT_EQ(score("broken"), 0);
 }
 
 TEST_P(ScoreOf, a_mirrored_picture_or_one_upside_down_is_at_most_0_3) {
@@ -148,6 +152,8 @@ INSTANTIATE_TEST_SUITE_P(Scene, ScoreOf, testing::Range(0, 3), [](const testing:
   return std::string(kScenes[scene.param].lab).substr(0, 5);
 });
 
+constexpr double kNoneWorthless = std::numeric_limits<double>::infinity();
+
 /// A float picture of unit vectors on a disc.
 ImageF disc_of_vectors(float tilt) {
   ImageF picture(64, 64, 3);
@@ -170,21 +176,25 @@ TEST(ScoreOfDirections, falls_with_the_angle_and_is_zero_for_what_is_not_finite)
   image::save_pfm(folder / "reference.pfm", disc_of_vectors(0));
   Shot shot;
   shot.graded.name = "n", shot.graded.view = "normal", shot.graded.size = "64x64", shot.graded.limit = 0.1;
-  const Expected expected{folder / "reference.pfm", folder / "mask.png", {}};
+  const Expected expected{folder / "reference.pfm", folder / "mask.png"};
   const auto verdict = [&](const ImageF& picture) {
     image::save_pfm(folder / "picture.pfm", picture);
     return grade::judge(shot, expected, folder / "picture.pfm");
   };
+  const auto score = [&](const Verdict& of) { return grade::score(shot, of, kNoneWorthless); };
   constexpr float degree = 3.14159265F / 180;
   EXPECT_TRUE(verdict(disc_of_vectors(0.09F * degree)).passed);
   const Verdict off = verdict(disc_of_vectors(10 * degree));
   EXPECT_NEAR(off.error, 10, 1e-3);
-  EXPECT_NEAR(off.score, 1 - 10.0 / 40, 1e-3);
-  EXPECT_EQ(verdict(disc_of_vectors(50 * degree)).score, 0);
+  EXPECT_NEAR(score(off), 1 - 10.0 / 40, 1e-3);
+  EXPECT_EQ(score(verdict(disc_of_vectors(50 * degree))), 0);
   ImageF one_nan = disc_of_vectors(0);
   one_nan.at(31, 31, 1) = std::nanf("");
-  EXPECT_EQ(verdict(one_nan).score, 0);
+  EXPECT_EQ(score(verdict(one_nan)), 0);
   EXPECT_NE(verdict(one_nan).message.find("not finite"), std::string::npos);
+  image::save_pfm(folder / "reference.pfm", one_nan);
+  EXPECT_FALSE(verdict(one_nan).passed) << "what is no number is not right, though the reference has it too";
+  image::save_pfm(folder / "reference.pfm", disc_of_vectors(0));
   // Of 1804 pixels one may be off, 3 not.
   ImageF few = disc_of_vectors(0);
   few.at(31, 31, 0) = 1;
@@ -199,13 +209,13 @@ TEST(ScoreOfDirections, is_zero_for_a_float_picture_of_other_channels_or_size) {
   image::save_pfm(folder / "reference.pfm", disc_of_vectors(0));
   Shot shot;
   shot.graded.name = "n", shot.graded.size = "64x64", shot.graded.limit = 0.1;
-  const Expected expected{folder / "reference.pfm", folder / "mask.png", {}};
+  const Expected expected{folder / "reference.pfm", folder / "mask.png"};
   for (const char* view : {"normal", "texcoord", "depth"}) {
     shot.graded.view = view;
     for (const ImageF& picture : {ImageF(64, 64, 1), ImageF(63, 64, 3)}) {
       image::save_pfm(folder / "picture.pfm", picture);
       const Verdict verdict = grade::judge(shot, expected, folder / "picture.pfm");
-      EXPECT_EQ(verdict.score, 0) << view;
+      EXPECT_EQ(grade::score(shot, verdict, kNoneWorthless), 0) << view;
       EXPECT_TRUE(verdict.message.starts_with("The picture ")) << verdict.message;
     }
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "course/markers.hpp"
+#include "course/starter.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -139,7 +140,8 @@ TEST(Starter, has_no_solution_no_tests_and_no_right_answers) {
   put(folder / "tree/CMakeLists.txt", "a\n#@teacher begin\nadd_subdirectory(tests)\n#@starter\n#@end\n");
   put(folder / "tree/run", "#!/bin/sh\n");
   fs::permissions(folder / "tree/run", fs::perms::owner_exec, fs::perm_options::add);
-  write_starter(folder / "tree", folder / "out");
+  const std::vector<StarterFile> files = starter_files(folder / "tree");
+  write_files(files, folder / "out");
   EXPECT_EQ(read_file(folder / "out/labs/05_x/lab.cpp"), with_steps(kText, "", nothing));
   EXPECT_EQ(read_file(folder / "out/labs/05_x/lab.toml"), "lab = \"05_x\"\n");
   EXPECT_EQ(read_file(folder / "out/CMakeLists.txt"), "a\n");
@@ -147,8 +149,8 @@ TEST(Starter, has_no_solution_no_tests_and_no_right_answers) {
   EXPECT_FALSE(fs::exists(folder / "out/common/app/include/app/truth_scene.hpp"));
   EXPECT_FALSE(fs::exists(folder / "out/tests"));
   EXPECT_NE(fs::status(folder / "out/run").permissions() & fs::perms::owner_exec, fs::perms::none);
-  EXPECT_THROW(write_starter(folder / "tree", folder / "out"), Error) << "over what is there";
-  EXPECT_THROW(write_starter(folder / "nowhere", folder / "out2"), Error);
+  EXPECT_THROW(write_files(files, folder / "out"), Error) << "over what is there";
+  EXPECT_THROW(starter_files(folder / "nowhere"), Error);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 #include "core/files.hpp"
 #include "grade/judge.hpp"
@@ -25,13 +26,13 @@ class JudgeMesh : public testing::Test {
   }
   ~JudgeMesh() override { fs::remove_all(folder_); }
 
-  Verdict verdict(const Mesh& reference, const Mesh& picture, const Mesh* starter = nullptr) {
+  Verdict verdict(const Mesh& reference, const Mesh& picture) {
     mesh::write_ply(folder_ / "r.ply", reference);
     mesh::write_ply(folder_ / "p.ply", picture);
-    if (starter != nullptr) mesh::write_ply(folder_ / "s.ply", *starter);
-    Expected expected{folder_ / "r.ply", {}, {}};
-    if (starter != nullptr) expected.worthless.push_back(folder_ / "s.ply");
-    return judge(shot_, expected, folder_ / "p.ply");
+    return judge(shot_, {folder_ / "r.ply", {}}, folder_ / "p.ply");
+  }
+  double score_of(const Verdict& verdict, double worthless = std::numeric_limits<double>::infinity()) {
+    return score(shot_, verdict, worthless);
   }
 
   fs::path folder_ = fs::temp_directory_path() / ("texel_judge_mesh_" + std::to_string(::getpid()));
@@ -68,7 +69,7 @@ TEST_F(JudgeMesh, takes_every_right_cut_of_a_flat_polygon_and_no_fan_beyond_it) 
   EXPECT_TRUE(verdict(square, other).passed) << verdict(square, other).message;
   const Verdict fan = verdict(dented(kOneCut), dented({0, 1, 2, 0, 2, 3, 0, 3, 4}));
   EXPECT_FALSE(fan.passed);
-  EXPECT_LT(fan.score, 1);
+  EXPECT_LT(score_of(fan), 1);
 }
 
 TEST_F(JudgeMesh, sees_a_flipped_triangle_a_turned_normal_and_a_lost_handedness) {
@@ -84,7 +85,7 @@ TEST_F(JudgeMesh, sees_a_flipped_triangle_a_turned_normal_and_a_lost_handedness)
   for (std::size_t i = 0; i < 10; ++i) handed.tangents[i].w = -1;
   const Verdict found = verdict(reference, handed);
   EXPECT_FALSE(found.passed);
-  EXPECT_NEAR(found.score, 0.95, 0.03) << "ten of 325 vertices are wrong";
+  EXPECT_NEAR(score_of(found), 0.95, 0.03) << "ten of 325 vertices are wrong";
 }
 
 TEST_F(JudgeMesh, counts_vertices_that_are_too_many) {
@@ -104,20 +105,21 @@ TEST_F(JudgeMesh, gives_the_starters_own_stream_nothing) {
   const Mesh reference = mesh::torus(0.7F, 0.3F, 24, 12);
   Mesh starter = reference;
   for (std::size_t i = 0; i < starter.normals.size() / 2; ++i) starter.normals[i] = {0, 1, 0};
-  EXPECT_NEAR(verdict(reference, starter).score, 0.58, 0.01) << "some of that half do point up";
-  EXPECT_EQ(verdict(reference, starter, &starter).score, 0);
+  const Verdict found = verdict(reference, starter);
+  EXPECT_NEAR(score_of(found), 0.58, 0.01) << "some of that half do point up";
+  EXPECT_EQ(score_of(found, found.wrongness), 0);
 }
 
 TEST_F(JudgeMesh, refuses_what_is_no_stream) {
   const Mesh reference = mesh::torus(0.7F, 0.3F, 24, 12);
   verdict(reference, reference);
-  const Expected expected{folder_ / "r.ply", {}, {}};
+  const Expected expected{folder_ / "r.ply", {}};
   write_file(folder_ / "p.ply",
              "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nend_header\n");
   const Verdict broken = judge(shot_, expected, folder_ / "p.ply");
-  EXPECT_EQ(broken.score, 0);
+  EXPECT_EQ(score_of(broken), 0);
   EXPECT_TRUE(broken.message.starts_with("The vertex stream")) << broken.message;
-  EXPECT_EQ(judge(shot_, expected, folder_ / "none.ply").score, 0);
+  EXPECT_EQ(score_of(judge(shot_, expected, folder_ / "none.ply")), 0);
 }
 
 }  // namespace

@@ -58,11 +58,4 @@ inline constexpr const char* kFirstTexts = ".starter";
 /// when it cannot be read, and as markers_of.
 std::string first_text(const std::filesystem::path& tree, const std::string& file);
 
-/// Writes what a student gets into `to`: the tree of the course without tests, solutions and right answers.
-/// The steps for which `solved` says so are solved. Throws Error (exit 2) when `to` holds something already,
-/// Error (exit 3) when `root` is not the course's source tree or writing fails, and as markers_of.
-void write_starter(
-    const std::filesystem::path& root, const std::filesystem::path& to,
-    const std::function<bool(const std::string&)>& solved = [](const std::string&) { return false; });
-
 }  // namespace texel::course
