@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "mistakes.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <span>
 
 #include "core/error.hpp"
-#include "core/files.hpp"
 #include "grade/judge.hpp"
 #include "image/load.hpp"
 #include "mesh/ply.hpp"
@@ -20,7 +16,6 @@ namespace texel::grade {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 /// How many values tell one mistake from another: these tell apart all 123 that the nine labs' public cases
 /// show (`./run expected` counts them).
@@ -102,11 +97,6 @@ void spread(const Values& of, const std::vector<std::size_t>& indices, std::size
   }
 }
 
-/// A number; JSON has none that are not finite.
-double number(const json& value) {
-  return value.is_null() ? std::nan("") : value.get<double>();
-}
-
 /// A failed case, its picture read once for all mistakes that it is held against.
 struct Read {
   const Shot* shot;
@@ -171,52 +161,6 @@ const Mistake* recognise(const std::vector<Mistake>& mistakes, const LabPlan& pl
     }
   }
   return best;
-}
-
-std::string to_json(const std::vector<Mistake>& mistakes) {
-  std::string text = "[\n";
-  for (const Mistake& mistake : mistakes) {
-    nlohmann::ordered_json one{{"name", mistake.name}, {"step", mistake.step}, {"says", mistake.says}};
-    for (const auto& [name, samples] : mistake.cases) {
-      nlohmann::ordered_json& place = one["cases"][name];
-      if (!samples.said.empty()) {
-        place["said"] = samples.said;
-        continue;
-      }
-      place["count"] = samples.count;
-      for (const Samples::Sample& sample : samples.samples) {
-        nlohmann::ordered_json values = {sample.index};
-        for (const double value : sample.values) values.push_back(value);  // NaN becomes null
-        place["samples"].push_back(values);
-      }
-    }
-    text += one.dump() + (&mistake == &mistakes.back() ? "\n" : ",\n");
-  }
-  return text + "]\n";
-}
-
-std::vector<Mistake> read_mistakes(const fs::path& file) {
-  std::vector<Mistake> mistakes;
-  try {
-    for (const json& one : json::parse(read_file(file))) {
-      Mistake mistake{one.at("name"), one.at("step"), one.at("says"), {}};
-      for (const auto& [name, place] : one.at("cases").items()) {
-        Samples samples{place.value("said", std::string()), 0, {}};
-        samples.count = samples.said.empty() ? place.at("count").get<std::size_t>() : 0;
-        for (const json& row : samples.said.empty() ? place.at("samples") : json::array()) {
-          Samples::Sample sample{row.at(0), {}};
-          for (std::size_t i = 1; i < row.size(); ++i) sample.values.push_back(number(row[i]));
-          samples.samples.push_back(std::move(sample));
-        }
-        mistake.cases[name] = std::move(samples);
-      }
-      mistakes.push_back(std::move(mistake));
-    }
-  } catch (const json::exception& error) {
-    throw Error::failed(fmt::format("is no list of mistakes: {}", error.what()), {file.string()},
-                        "take the file from the course again");
-  }
-  return mistakes;
 }
 
 }  // namespace texel::grade

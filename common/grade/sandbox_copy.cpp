@@ -17,7 +17,7 @@ namespace texel::grade {
 namespace {
 
 constexpr int deepest = 16;
-constexpr std::size_t most_names = 1'000'000;  // the sandbox was ended long before
+constexpr std::size_t most_copied = 1'000'000;  // the sandbox was ended long before
 
 Error cannot_write(const std::filesystem::path& path) {
   return Error::failed(fmt::format("cannot write: {}", std::strerror(errno)), {path.string()},
@@ -39,7 +39,7 @@ void copy_file(const Descriptor& from, const std::filesystem::path& to, mode_t m
 
 bool copy_folder(const Descriptor& from, const std::filesystem::path& to, std::uint64_t& room, int depth) {
   bool all = true;
-  for (const std::string& name : names_in(from, most_names)) {
+  for (const std::string& name : names_in(from, most_copied)) {
     const Descriptor entry = open_in(from, name);
     struct stat status {};
     if (!entry.is_open() || ::fstat(entry.get(), &status) != 0) continue;

@@ -11,10 +11,10 @@
 #include <array>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
+#include "json.hpp"
 
 namespace texel::test {
 
@@ -177,7 +177,7 @@ class Browser {
       if (count <= 0) throw std::runtime_error("the browser did not start or has gone");
       received_.append(block.data(), static_cast<std::size_t>(count));
     }
-    Json message = Json::parse(received_.substr(0, end));
+    Json message = parse_json(received_.substr(0, end));
     received_.erase(0, end + 1);
     return message;
   }

@@ -10,12 +10,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <random>
 #include <set>
 #include <sstream>
 #include <thread>
 
+#include "../support/json.hpp"
 #include "../support/places.hpp"
 #include "../support/process.hpp"
 #include "core/files.hpp"
@@ -60,7 +60,7 @@ Class make_class(const std::string& name, const std::string& labs, const std::st
       shell(fmt::format("{} --root {} --out {} --labs {} {} 2>&1", (kBin / "make_class").string(),
                         shell_word(kSource.string()), shell_word(made.folder.string()), labs, rest));
   EXPECT_EQ(result.exit_code, 0) << result.output;
-  made.expected = json::parse(read_file(kWork / (name + ".json")));
+  made.expected = test::parse_json(read_file(kWork / (name + ".json")));
   return made;
 }
 
@@ -369,8 +369,10 @@ TEST_F(GradedClass, has_reports_in_every_format) {
   EXPECT_EQ(rows.size(), few_.expected.at("students").size() + 1);
   for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
   for (const auto& [id, expected] : few_.expected.at("students").items()) {
-    EXPECT_TRUE(json::parse(read_file(out / "gradescope" / id / "results.json")).contains("tests")) << id;
-    EXPECT_TRUE(json::parse(read_file(out / "prairielearn" / id / "results.json")).contains("score")) << id;
+    EXPECT_TRUE(test::parse_json(read_file(out / "gradescope" / id / "results.json")).contains("tests"))
+        << id;
+    EXPECT_TRUE(test::parse_json(read_file(out / "prairielearn" / id / "results.json")).contains("score"))
+        << id;
     EXPECT_TRUE(read_file(out / "junit" / (id + ".xml")).starts_with("<?xml")) << id;
     EXPECT_TRUE(has(read_file(out / "report" / (id + ".html")), "</html>")) << id;
   }

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <set>
 
+#include "../support/json.hpp"
 #include "../support/picture_files.hpp"
 #include "../support/places.hpp"
 #include "../support/process.hpp"
@@ -69,7 +69,7 @@ TEST_F(MutantEngine, tells_what_the_tests_notice_from_what_they_do_not) {
   EXPECT_TRUE(has(result.output, "1 of 2 caught (50 %); 0 survive for a reason")) << result.output;
   EXPECT_EQ(read_file(folder_ / "tree/clamp.cpp"), kSource) << "only the copy is changed";
   EXPECT_EQ(read_file(folder_ / "work/tree/clamp.cpp"), kSource) << "and changed back";
-  const auto json = nlohmann::json::parse(read_file(report));
+  const auto json = test::parse_json(read_file(report));
   EXPECT_EQ(json.at("caught"), 1);
   EXPECT_EQ(json.at("mutants"), 2);
   EXPECT_EQ(json.at("results").at(0).at("fate"), "caught");

@@ -9,10 +9,10 @@
 
 #include <chrono>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <thread>
 
+#include "../support/json.hpp"
 #include "../support/picture_files.hpp"
 #include "../support/places.hpp"
 #include "../support/process.hpp"
@@ -56,7 +56,7 @@ class StudentTree : public testing::Test {
 
   /// The steps of a lab by id, as --json has them.
   static std::map<std::string, json> steps(int lab) {
-    const json result = json::parse(shell(line(fmt::format("check {} --json", lab))).output);
+    const json result = test::parse_json(shell(line(fmt::format("check {} --json", lab))).output);
     std::map<std::string, json> steps;
     for (const json& step : result.at("steps")) steps[step.at("id")] = step;
     return steps;
@@ -80,7 +80,7 @@ TEST(CourseTree, passes_its_own_checks) {
   const Result result = shell(kTexel + " check --json");
   EXPECT_EQ(result.exit_code, 0) << result.output;
   std::set<int> labs;
-  for (const json& lab : json::parse(result.output)) {
+  for (const json& lab : test::parse_json(result.output)) {
     labs.insert(std::stoi(lab.at("lab").get<std::string>()));
     for (const json& step : lab.at("steps")) EXPECT_EQ(step.at("status"), "passed") << step.dump(1);
   }
@@ -93,7 +93,7 @@ TEST(CourseTree, has_its_catalogue_in_the_samples_of_mistakes) {
   for (const course::Mutant& mutant : course::read_catalogue(kRoot / "tests/mutants"))
     catalogue[mutant.name] = mutant;
   for (const course::Lab& lab : course::read_labs(kRoot / "labs")) {
-    const json mistakes = json::parse(read_file(kRoot / "labs" / lab.folder / "expected/mistakes.json"));
+    const json mistakes = test::parse_json(read_file(kRoot / "labs" / lab.folder / "expected/mistakes.json"));
     EXPECT_GE(mistakes.size(), 6U) << lab.folder;
     for (const json& mistake : mistakes) {
       SCOPED_TRACE(mistake.at("name"));

@@ -5,8 +5,8 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
+#include "../support/json.hpp"
 #include "core/files.hpp"
 #include "mesh/obj.hpp"
 
@@ -95,13 +95,13 @@ TEST_F(Plan, writes_models_that_nobody_has_seen) {
 
 TEST_F(Plan, lists_what_the_programs_batch_option_takes) {
   const LabPlan plan = plan_of(lab_, "s").front();
-  const auto list = nlohmann::json::parse(plan.batch());
+  const auto list = test::parse_json(plan.batch());
   ASSERT_EQ(list.size(), 3U);
   EXPECT_EQ(list[0].dump(), R"({"name":"open.png","set":{"turn":"10"},"size":"128x128","view":"color"})");
   EXPECT_EQ(list[2]["name"], "unseen.ply");
   EXPECT_FALSE(list[2].contains("view"));
-  EXPECT_EQ(nlohmann::json::parse(plan.batch({"secret"})).size(), 1U);
-  const auto masks = nlohmann::json::parse(plan.mask_batch());
+  EXPECT_EQ(test::parse_json(plan.batch({"secret"})).size(), 1U);
+  const auto masks = test::parse_json(plan.mask_batch());
   ASSERT_EQ(masks.size(), 2U) << "a vertex stream has no mask";
   EXPECT_EQ(masks[1]["view"], "mask");
 }

@@ -9,13 +9,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <random>
 #include <set>
 
 #include "../../common/grade/reports/pictures.hpp"
 #include "../../common/grade/reports/wording.hpp"
 #include "../support/demo_class.hpp"
+#include "../support/json.hpp"
 #include "../support/picture_files.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
@@ -134,11 +134,11 @@ void check_gradescope(const json& results) {
 
 TEST_F(Reports, for_gradescope_have_its_fields_for_every_student) {
   for (const StudentResult& each : results_.students)
-    if (each.incident.empty()) check_gradescope(json::parse(gradescope(each)));
+    if (each.incident.empty()) check_gradescope(test::parse_json(gradescope(each)));
 }
 
 TEST_F(Reports, for_gradescope_have_a_test_a_step_that_sum_up_to_the_score) {
-  const json results = json::parse(gradescope(student("ada-half")));
+  const json results = test::parse_json(gradescope(student("ada-half")));
   EXPECT_DOUBLE_EQ(results["score"], student("ada-half").points());
   double score = 0, most = 0;
   std::vector<std::string> numbers;
@@ -158,7 +158,7 @@ TEST_F(Reports, for_gradescope_have_a_test_a_step_that_sum_up_to_the_score) {
 }
 
 TEST_F(Reports, for_gradescope_tell_students_of_hidden_cases_only_how_many_failed) {
-  const json results = json::parse(gradescope(student("ada-half")));
+  const json results = test::parse_json(gradescope(student("ada-half")));
   ASSERT_EQ(results["tests"].size(), 10U);
   for (const json& test : results["tests"]) {
     const bool is_secret = test["visibility"] == "hidden";
@@ -182,7 +182,7 @@ TEST_F(Reports, for_gradescope_are_shortened_to_a_megabyte_without_losing_a_scor
   const std::string text = gradescope(talkative());
   EXPECT_LE(text.size(), kLargest);
   EXPECT_GT(text.size(), kLargest / 4);  // no more was cut than had to be
-  const json results = json::parse(text);
+  const json results = test::parse_json(text);
   check_gradescope(results);
   EXPECT_NEAR(results["score"], 60, 1e-9);
   ASSERT_EQ(results["tests"].size(), 120U);
@@ -231,21 +231,21 @@ void check_prairielearn(const json& results) {
 
 TEST_F(Reports, for_prairielearn_have_its_fields_for_every_student) {
   for (const StudentResult& each : results_.students)
-    check_prairielearn(json::parse(prairielearn(each, folder_)));
+    check_prairielearn(test::parse_json(prairielearn(each, folder_)));
 }
 
 TEST_F(Reports, for_prairielearn_give_a_score_of_0_to_1_and_pictures_of_failed_cases) {
-  const json results = json::parse(prairielearn(student("ada-half"), folder_));
+  const json results = test::parse_json(prairielearn(student("ada-half"), folder_));
   EXPECT_NEAR(results["score"], student("ada-half").points() / student("ada-half").max_points(), 1e-6);
   EXPECT_FALSE(results["tests"][0].contains("images"));  // 3.1 passed
   EXPECT_EQ(results["tests"][2]["images"].size(), 3U);   // 5.2: a public case's two, a hidden one's own
   EXPECT_EQ(results["tests"][2]["images"][0]["label"], "turned_normal, yours");
-  EXPECT_EQ(json::parse(prairielearn(student("index"), folder_))["score"], 1);
+  EXPECT_EQ(test::parse_json(prairielearn(student("index"), folder_))["score"], 1);
 }
 
 TEST_F(Reports, for_prairielearn_call_what_has_no_mark_not_gradable) {
   for (const char* id : {"dora-incident", "emil-bomb"})
-    EXPECT_EQ(json::parse(prairielearn(student(id), folder_))["gradable"], false) << id;
+    EXPECT_EQ(test::parse_json(prairielearn(student(id), folder_))["gradable"], false) << id;
 }
 
 TEST_F(Reports, for_prairielearn_leave_out_pictures_and_text_beyond_a_megabyte) {
@@ -253,7 +253,7 @@ TEST_F(Reports, for_prairielearn_leave_out_pictures_and_text_beyond_a_megabyte) 
   std::mt19937 random(1);
   for (std::uint8_t& sample : noise.samples) sample = static_cast<std::uint8_t>(random());
   image::save_png(folder_ / "pictures/wrong.png", noise);  // 260 kB as a data URL
-  const json results = json::parse(prairielearn(student("ada-half"), folder_));
+  const json results = test::parse_json(prairielearn(student("ada-half"), folder_));
   std::size_t images = 0;
   for (const json& test : results["tests"])
     if (test.contains("images")) images += test["images"].size();
@@ -263,8 +263,8 @@ TEST_F(Reports, for_prairielearn_leave_out_pictures_and_text_beyond_a_megabyte) 
 
   const std::string text = prairielearn(talkative(), folder_);
   EXPECT_LE(text.size(), kLargest);
-  check_prairielearn(json::parse(text));
-  EXPECT_NEAR(json::parse(text)["score"], 1.0 / 3, 1e-6);
+  check_prairielearn(test::parse_json(text));
+  EXPECT_NEAR(test::parse_json(text)["score"], 1.0 / 3, 1e-6);
 }
 
 // JUnit
