@@ -15,6 +15,7 @@
 #include "course/markers.hpp"
 #include "fingerprint.hpp"
 #include "grade/submission.hpp"
+#include "kept.hpp"
 
 namespace texel::grade {
 namespace {
@@ -84,7 +85,7 @@ void CourseSide::prepare(const LabPlan& plan) {
   const fs::path program = solution_.build / "bin" / plan.lab.program();
   const std::string key = fingerprint({surroundings_, plan.lab.folder, read_file(program), plan.batch()});
   const fs::path folder = cache_ / "references" / key.substr(0, 32);
-  if (!fs::exists(folder)) {
+  if (!is_kept(folder)) {
     const fs::path fresh = cache_ / fmt::format("references-{}-{}", ::getpid(), plan.lab.number);
     fs::remove_all(fresh);
     fs::create_directories(fresh);

@@ -24,6 +24,7 @@
 #include "grade/plan.hpp"
 #include "grade/store.hpp"
 #include "grade/submission.hpp"
+#include "kept.hpp"
 #include "lock.hpp"
 #include "studio.hpp"
 #include "text.hpp"
@@ -81,6 +82,7 @@ class ClassRun {
     prepare();
     open_store();
     grade(entries);
+    remove_unused(options_.cache);
     GradeSummary summary{entries.size(), judged_, 0, stopwatch_.milliseconds() / 1000 - ready_};
     for (const StudentResult& student : store_->read(graded_labs_).students)
       if (!student.incident.empty()) ++summary.incidents;

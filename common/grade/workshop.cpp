@@ -12,6 +12,7 @@
 #include "core/files.hpp"
 #include "course/starter.hpp"
 #include "fingerprint.hpp"
+#include "kept.hpp"
 #include "lock.hpp"
 #include "text.hpp"
 
@@ -176,12 +177,11 @@ Workshop::Object Workshop::compile(const Recipe& recipe, const std::string& path
   Object object;
   object.key = fingerprint({tree_.fingerprint, fmt::format("{}", fmt::join(command, "\n")), path, text});
   const fs::path kept = cache_ / "objects" / object.key;
-  if (fs::exists(kept / "file.o")) {
-    object.file = kept / "file.o";
-    return object;
-  }
-  if (fs::exists(kept / "log")) {
-    object.log = read_file(kept / "log");
+  if (is_kept(kept)) {
+    if (fs::exists(kept / "file.o"))
+      object.file = kept / "file.o";
+    else
+      object.log = read_file(kept / "log");
     return object;
   }
   const fs::path work = new_folder("compile"), sources = work / "source", out = work / "out";
@@ -267,7 +267,7 @@ Program Workshop::make(const std::string& program, const std::map<std::string, s
       cache_ / "programs" /
       fingerprint({tree_.fingerprint, program, fmt::format("{}", fmt::join(how.link, "\n")), keys});
   made.file = kept / program;
-  if (fs::exists(made.file)) return made;
+  if (is_kept(kept)) return made;
   const std::string log = link(how, program, objects, kept);
   if (log.empty()) return made;
   if (objects.empty())
@@ -287,7 +287,7 @@ BuiltTree starter_tree(const fs::path& course, const fs::path& cache) {
     print = fingerprint({print, file.path, file.text ? *file.text : read_file(file.source)});
   BuiltTree tree{cache / ("starter-" + print.substr(0, 16)), {}, print};
   tree.build = tree.source / "build/release";
-  if (fs::exists(tree.build / "is-built")) return tree;
+  if (is_kept(tree.source) && fs::exists(tree.build / "is-built")) return tree;
   fs::remove_all(tree.source);
   course::write_files(files, tree.source);
   output_of({"cmake", "--preset", "release"}, tree.source, 300);

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// What the grader makes once and keeps in its cache: starters, objects, programs, the course's own pictures.
+// Each is a folder under the fingerprint of what it was made of, and its time of change is when it was used
+// last.
+#pragma once
+#include <filesystem>
+
+namespace texel::grade {
+
+/// Whether a folder of the cache is there; if so it counts as used now.
+bool is_kept(const std::filesystem::path& folder);
+
+/// Removes what nobody has used for a month; starters, which are large, and what a killed run left half made,
+/// after a week.
+void remove_unused(const std::filesystem::path& cache);
+
+}  // namespace texel::grade
