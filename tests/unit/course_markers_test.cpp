@@ -139,7 +139,8 @@ TEST(Starter, has_no_solution_no_tests_and_no_right_answers) {
   put(folder / "tree/tests/unit/a_test.cpp", "a test\n");
   put(folder / "tree/CMakeLists.txt", "a\n#@teacher begin\nadd_subdirectory(tests)\n#@starter\n#@end\n");
   put(folder / "tree/run", "#!/bin/sh\n");
-  fs::permissions(folder / "tree/run", fs::perms::owner_exec, fs::perm_options::add);
+  for (const char* file : {"run", "labs/05_x/lab.cpp"})
+    fs::permissions(folder / "tree" / file, fs::perms::owner_exec, fs::perm_options::add);
   const std::vector<StarterFile> files = starter_files(folder / "tree");
   write_files(files, folder / "out");
   EXPECT_EQ(read_file(folder / "out/labs/05_x/lab.cpp"), with_steps(kText, "", nothing));
@@ -148,7 +149,9 @@ TEST(Starter, has_no_solution_no_tests_and_no_right_answers) {
   EXPECT_FALSE(fs::exists(folder / "out/common/truth"));
   EXPECT_FALSE(fs::exists(folder / "out/common/app/include/app/truth_scene.hpp"));
   EXPECT_FALSE(fs::exists(folder / "out/tests"));
-  EXPECT_NE(fs::status(folder / "out/run").permissions() & fs::perms::owner_exec, fs::perms::none);
+  for (const char* file : {"run", "labs/05_x/lab.cpp"})
+    EXPECT_NE(fs::status(folder / "out" / file).permissions() & fs::perms::owner_exec, fs::perms::none)
+        << file;
   EXPECT_THROW(write_files(files, folder / "out"), Error) << "over what is there";
   EXPECT_THROW(starter_files(folder / "nowhere"), Error);
 }

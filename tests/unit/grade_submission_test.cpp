@@ -382,6 +382,21 @@ TEST(Unpack, takes_a_folder_and_follows_nothing_in_it) {
   EXPECT_TRUE(has(unpack(entry, allowed, few).fault, "more than 3 files"));
 }
 
+TEST(Unpack, takes_a_whole_mebibyte_out_of_a_folder_and_no_more) {
+  const test::TemporaryFolder folder("class");
+  std::string whole;
+  while (whole.size() < (1U << 20U)) whole += "line " + std::to_string(whole.size()) + "\n";
+  whole.resize(1U << 20U);
+  for (const char* lab : {"jane/labs/01_texture_quad", "jane/labs/05_normal_map"})
+    fs::create_directories(folder / lab);
+  write_file(folder / "jane/labs/01_texture_quad/lab.cpp", whole);
+  write_file(folder / "jane/labs/05_normal_map/lab.cpp", whole + "/");
+  const Submission submission = unpack(read_class(path_of(folder)).at(0), allowed);
+  EXPECT_EQ(submission.files.size(), 1U);
+  EXPECT_TRUE(submission.files.at("labs/01_texture_quad/lab.cpp") == whole);
+  EXPECT_EQ(reason_of(submission, "labs/05_normal_map/lab.cpp"), "is larger than 1024 KiB");
+}
+
 TEST(Overlay, can_be_read_by_the_sandbox_whatever_the_umask) {
   const test::TemporaryFolder tree("overlay_tree");
   const test::TemporaryFolder out("overlay_out");
