@@ -21,6 +21,8 @@
 #include "core/files.hpp"
 #include "course/lab_file.hpp"
 #include "grade/grader.hpp"
+#include "grade/judge.hpp"
+#include "grade/plan.hpp"
 #include "grade/sandbox.hpp"
 #include "grade/store.hpp"
 
@@ -274,6 +276,41 @@ double GradedClass::seconds_ = 0;
 TEST_F(GradedClass, gives_everybody_what_they_earned) {
   ASSERT_EQ(graded_.exit_code, 0) << graded_.output;
   check(kWork / "two_labs_out", two_labs_);
+}
+
+/// What earns nothing is judged once for all students, so each case's must be its own. The solution without
+/// the step may be less wrong than the starter: then a picture earns less than this.
+TEST_F(GradedClass, gives_no_more_than_by_how_much_a_picture_is_less_wrong_than_the_starters) {
+  std::map<std::string, grade::Shot> shots;
+  for (const grade::LabPlan& plan : grade::plan(course::read_labs(kSource / "labs"), "", {}))
+    for (const grade::Shot& shot : plan.shots) shots[plan.lab.folder + "/" + shot.graded.name] = shot;
+  const fs::path out = kWork / "two_labs_out";
+  std::map<std::string, double> starters;
+  int earn = 0;
+  const auto each_wrong = [&](bool of_starters, const auto& act) {
+    for (const grade::StudentResult& student : grade::read_results(out, kSource).students) {
+      const json& expected = two_labs_.expected.at("students").at(student.id);
+      if ((expected.at("kind") == "starter") != of_starters) continue;
+      for (const grade::LabResult& lab : student.labs)
+        for (const grade::StepResult& step : lab.steps)
+          for (const grade::CaseResult& one : step.cases) {
+            if (one.hidden || one.passed || one.picture.empty()) continue;
+            const std::string name = one.lab + "/" + one.name;
+            const fs::path mask = kSource / "labs" / one.lab / "expected" / (one.name + ".mask.png");
+            act(name, one, grade::judge(shots.at(name), {out / one.reference, mask}, out / one.picture));
+          }
+    }
+  };
+  each_wrong(true, [&](const std::string& name, const grade::CaseResult&, const grade::Verdict& verdict) {
+    starters[name] = verdict.wrongness;
+  });
+  each_wrong(false,
+             [&](const std::string& name, const grade::CaseResult& one, const grade::Verdict& verdict) {
+               if (!starters.contains(name)) return;
+               EXPECT_LE(one.score, grade::score(shots.at(name), verdict, starters.at(name))) << name;
+               if (one.score > 0) ++earn;
+             });
+  EXPECT_GE(earn, 3);
 }
 
 /// On OSMesa, which `auto` prefers, the two labs are graded above.
