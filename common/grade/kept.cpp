@@ -10,14 +10,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Whether a name is `kind` and the first digits of a fingerprint. Nothing else may go: the cache may be any
+/// folder, in which somebody has things of their own.
+bool is_ours(const std::string& name, const std::string& kind) {
+  constexpr std::size_t fewest = 16;
+  return name.starts_with(kind) && name.size() >= kind.size() + fewest &&
+         name.find_first_not_of("0123456789abcdef", kind.size()) == name.npos;
+}
+
 /// Another process may remove or use the same things: what fails is left to the next.
-template <class Chosen>
-void remove_older(const fs::path& folder, std::chrono::days age, const Chosen& chosen) {
+void remove_older(const fs::path& folder, const std::string& kind, std::chrono::days age) {
   std::error_code error;
   std::vector<fs::path> old;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     const auto used = it->last_write_time(error);
-    if (!error && chosen(it->path().filename().string()) && used < fs::file_time_type::clock::now() - age)
+    if (!error && is_ours(it->path().filename().string(), kind) &&
+        used < fs::file_time_type::clock::now() - age)
       old.push_back(it->path());
   }
   for (const fs::path& thing : old) fs::remove_all(thing, error);
@@ -34,14 +42,8 @@ bool is_kept(const fs::path& folder) {
 
 void remove_unused(const fs::path& cache) {
   for (const char* things : {"objects", "programs", "references", "solutions/objects", "solutions/programs"})
-    remove_older(cache / things, std::chrono::days(30), [](const std::string&) { return true; });
-  const auto is_large_or_half_made = [](const std::string& name) {
-    for (const char* kind : {"starter-", "references-", "mutant-", "compile-", "link-"})
-      if (name.starts_with(kind)) return true;
-    return false;
-  };
-  remove_older(cache, std::chrono::days(7), is_large_or_half_made);
-  remove_older(cache / "solutions", std::chrono::days(7), is_large_or_half_made);
+    remove_older(cache / things, "", std::chrono::days(30));
+  remove_older(cache, "starter-", std::chrono::days(7));
 }
 
 }  // namespace texel::grade

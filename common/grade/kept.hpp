@@ -10,8 +10,8 @@ namespace texel::grade {
 /// Whether a folder of the cache is there; if so it counts as used now.
 bool is_kept(const std::filesystem::path& folder);
 
-/// Removes what nobody has used for a month; starters, which are large, and what a killed run left half made,
-/// after a week.
+/// Removes what nobody has used for a month, and starters, which are large, after a week. What is not called
+/// by a fingerprint stays.
 void remove_unused(const std::filesystem::path& cache);
 
 }  // namespace texel::grade

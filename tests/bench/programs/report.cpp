@@ -53,7 +53,7 @@ std::string Report::as_json() const {
 std::string Report::as_markdown(int rounds, int long_rounds) const {
   std::string text = fmt::format(
       "# How fast\n\n"
-      "Made by `./run performance`, which takes about twenty minutes. All figures are of one machine, taken "
+      "Made by `./run performance`, which takes about half an hour. All figures are of one machine, taken "
       "in turn with what they stand beside in {} rounds (batches and grading in {}); the ratio is the median "
       "of the rounds, with the quarters below and above it. The driver's cache of compiled shaders is off "
       "(`MESA_SHADER_CACHE_DISABLE=true`). Speed against *error* is in [accuracy.md](accuracy.md).\n",
