@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <future>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "command_line.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/parallel.hpp"
 #include "mesh/ply.hpp"
 #include "snapshot.hpp"
 
@@ -88,23 +91,42 @@ void write_mesh(AnyLab& lab, const Assets& assets, const std::filesystem::path& 
 
 void draw_batch(Canvas& canvas, AnyLab& lab, const Assets& assets, const Batch& batch,
                 const std::filesystem::path& folder, int samples) {
+  const bool at_once = processors() > 1;  // a picture is compressed while the next is drawn
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error)
     throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {folder.string()});
   const StartValues start(lab.parameters());
   std::size_t faults = 0;
-  for (const BatchEntry& entry : batch) try {
-      start.set(entry.values);
-      const std::filesystem::path file = folder / entry.file;
-      if (file.extension() == ".ply")
-        write_mesh(lab, assets, file);
-      else
-        write_snapshot(canvas, lab, entry.view, entry.size, samples, file);
+  const auto attempt = [&](const BatchEntry& entry, const std::function<void()>& act) {
+    try {
+      act();
     } catch (const Error& fault) {
       ++faults;
       std::fprintf(stderr, "%s: %s\n", entry.file.c_str(), fault.what());
     }
+  };
+  const BatchEntry* before = nullptr;
+  std::future<void> written;
+  const auto finish_writing = [&] {
+    if (written.valid()) attempt(*before, [&] { written.get(); });
+  };
+  for (const BatchEntry& entry : batch) {
+    std::optional<Snapshot> snapshot;
+    attempt(entry, [&] {
+      start.set(entry.values);
+      const std::filesystem::path file = folder / entry.file;
+      if (file.extension() == ".ply") return write_mesh(lab, assets, file);
+      canvas.draw(entry.view, entry.size, samples);
+      snapshot = take_snapshot(canvas, lab, entry.view, entry.size, file);
+    });
+    finish_writing();
+    if (!snapshot) continue;
+    before = &entry;
+    written = std::async([taken = std::move(*snapshot)] { taken.write(); });
+    if (!at_once) finish_writing();
+  }
+  finish_writing();
   if (faults > 0)
     throw Error::failed(fmt::format("{} of {} entries could not be drawn", faults, batch.size()));
 }

@@ -31,7 +31,8 @@ double pixels_per_program(const Batch& batch, const params::Set& parameters);
 
 /// Draws all from one process into `folder`, which is made when it is missing. Each starts from the lab's
 /// present parameters. One that cannot be drawn is a line `file: why` on standard error and does not keep the
-/// others from being drawn; in the end Error (exit 3) says how many there were.
+/// others from being drawn; in the end Error (exit 3) says how many there were. With one thread
+/// (TEXEL_THREADS=1) each is written before the next is begun.
 void draw_batch(Canvas& canvas, AnyLab& lab, const Assets& assets, const Batch& batch,
                 const std::filesystem::path& folder, int samples);
 

@@ -64,7 +64,7 @@ class Canvas {
 
   [[nodiscard]] gl::ProgramCache& programs() { return programs_; }
   [[nodiscard]] const Assets& assets() const { return assets_; }
-  [[nodiscard]] gl::Context& context() { return context_; }
+  [[nodiscard]] gl::Context& context() const { return context_; }
 
  private:
   void draw_into(const gl::Target& target, View view, const std::optional<Split>& split);

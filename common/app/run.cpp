@@ -107,7 +107,7 @@ void run_headless(AnyLab& lab, const Assets& assets, const CommandLine& line) {
     const Stage stage("first_draw");
     draw_and_finish(canvas, view, size, line.samples);
   }
-  if (!line.snapshot.empty()) write_picture(canvas, lab, view, size, line.snapshot, context->renderer());
+  if (!line.snapshot.empty()) take_snapshot(canvas, lab, view, size, line.snapshot).write();
   if (line.stats.empty()) return;
   Statistics statistics{lab.info().folder(),  context->renderer(),  context->version(), lab.notes(), {},
                         stages_so_far(start), peak_resident_bytes()};

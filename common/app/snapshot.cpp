@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "image/save.hpp"
 
 namespace texel::app {
 
@@ -17,29 +16,28 @@ void check_ending(const std::filesystem::path& file, View view) {
                        "end the name in .png or .pfm");
 }
 
-void write_picture(const Canvas& canvas, AnyLab& lab, View view, glm::ivec2 size,
-                   const std::filesystem::path& file, const std::string& renderer) {
-  if (file.extension() == ".pfm") {
-    image::save_pfm(file, canvas.read_float());
-    return;
-  }
-  const image::Text texts[] = {{"Lab", lab.info().folder()},
-                               {"Parameters", lab.parameters().key()},
-                               {"View", kViewNames[static_cast<std::size_t>(view)]},
-                               {"Size", fmt::format("{}x{}", size.x, size.y)},
-                               {"Renderer", renderer}};
-  const image::Image8 rgba = canvas.read8();
-  image::Image8 rgb(rgba.width, rgba.height, 3);  // the target's alpha is no part of the picture
-  for (std::size_t pixel = 0; pixel < rgba.samples.size() / 4; ++pixel)
-    for (std::size_t c = 0; c < 3; ++c) rgb.samples[pixel * 3 + c] = rgba.samples[pixel * 4 + c];
-  image::save_png(file, rgb, texts);
+Snapshot take_snapshot(const Canvas& canvas, AnyLab& lab, View view, glm::ivec2 size,
+                       const std::filesystem::path& file) {
+  if (file.extension() == ".pfm") return {file, {}, canvas.read_float(), {}};
+  return {file,
+          canvas.read8(),
+          {},
+          {{"Lab", lab.info().folder()},
+           {"Parameters", lab.parameters().key()},
+           {"View", kViewNames[static_cast<std::size_t>(view)]},
+           {"Size", fmt::format("{}x{}", size.x, size.y)},
+           {"Renderer", canvas.context().renderer()}}};
 }
 
-void write_snapshot(Canvas& canvas, AnyLab& lab, View view, glm::ivec2 size, int samples,
-                    const std::filesystem::path& file) {
-  check_ending(file, view);
-  canvas.draw(view, size, samples);
-  write_picture(canvas, lab, view, size, file, canvas.context().renderer());
+void Snapshot::write() const {
+  if (file.extension() == ".pfm") {
+    image::save_pfm(file, values);
+    return;
+  }
+  image::Image8 rgb(colours.width, colours.height, 3);  // the target's alpha is no part of the picture
+  for (std::size_t pixel = 0; pixel < colours.samples.size() / 4; ++pixel)
+    for (std::size_t c = 0; c < 3; ++c) rgb.samples[pixel * 3 + c] = colours.samples[pixel * 4 + c];
+  image::save_png(file, rgb, texts);
 }
 
 }  // namespace texel::app

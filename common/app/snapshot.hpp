@@ -1,21 +1,31 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "canvas.hpp"
+#include "image/save.hpp"
 
 namespace texel::app {
 
-/// Draws one picture and writes it: .png (with the lab, its parameters, the view, the size and the renderer
-/// as text chunks) or .pfm (the values of a data view). Throws Error (usage) for any other ending.
-void write_snapshot(Canvas& canvas, AnyLab& lab, View view, glm::ivec2 size, int samples,
-                    const std::filesystem::path& file);
+/// A picture that was drawn, and its file. Nothing of OpenGL or of the lab: any thread may write it.
+struct Snapshot {
+  std::filesystem::path file;
+  image::Image8 colours;           ///< as seen, for a .png
+  image::ImageF values;            ///< of a data view, for a .pfm
+  std::vector<image::Text> texts;  ///< of a .png: lab, parameters, view, size and renderer
 
-/// Writes the picture that the canvas holds, as write_snapshot does.
-void write_picture(const Canvas& canvas, AnyLab& lab, View view, glm::ivec2 size,
-                   const std::filesystem::path& file, const std::string& renderer);
+  /// Throws Error (exit 3) when the file cannot be written.
+  void write() const;
+};
 
-/// Throws Error (usage) unless a picture of `view` can be written to such a file.
+/// Reads the picture that the canvas holds, which was drawn with the lab's present parameters.
+Snapshot take_snapshot(const Canvas& canvas, AnyLab& lab, View view, glm::ivec2 size,
+                       const std::filesystem::path& file);
+
+/// Throws Error (usage) unless a picture of `view` can be written to such a file: .png, or .pfm for a data
+/// view.
 void check_ending(const std::filesystem::path& file, View view);
 
 }  // namespace texel::app

@@ -328,7 +328,7 @@ class Window {
     for (int i = 1; i < 1000; ++i) {
       const std::filesystem::path file = fmt::format("{}-{:03}.png", lab_.info().program(), i);
       if (std::filesystem::exists(file)) continue;
-      write_picture(canvas_, lab_, state_.view, picture_pixels(), file, context_.renderer());
+      take_snapshot(canvas_, lab_, state_.view, picture_pixels(), file).write();
       state_.message = "wrote " + file.string();
       return;
     }

@@ -1,17 +1,33 @@
 // SPDX-License-Identifier: MIT
 #include "core/parallel.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <mutex>
 #include <system_error>
 #include <thread>
 #include <vector>
 
+#include "core/error.hpp"
+
 namespace texel {
 
 unsigned processors() {
+  if (const char* variable = std::getenv("TEXEL_THREADS"); variable != nullptr && *variable != '\0') {
+    unsigned threads = 0;
+    const char* const end = variable + std::strlen(variable);
+    const auto [read, fault] = std::from_chars(variable, end, threads);
+    if (fault != std::errc() || read != end || threads == 0)
+      throw Error::usage(fmt::format("TEXEL_THREADS is '{}', which is no number of threads", variable),
+                         "set it to 1 or more, or to nothing");
+    return threads;
+  }
   return std::max(1U, std::thread::hardware_concurrency());
 }
 

@@ -36,8 +36,10 @@ Outcome run(const Studio& studio, const std::string& list, const fs::path& work,
   sandbox.limits.cpu_seconds = kProcessorSeconds, sandbox.limits.wall_seconds = kWallSeconds;
   sandbox.limits.disk = 64U << 20U, sandbox.limits.files = 1024;
   sandbox.environment = {{"TEXEL_ROOT", studio.root.string()},
-                         // All processors are busy with other students.
-                         {"LP_NUM_THREADS", "0"}};
+                         // All processors are busy with other students. And so each picture is written before
+                         // the next is begun: the first that is missing is what a dying program was at.
+                         {"LP_NUM_THREADS", "0"},
+                         {"TEXEL_THREADS", "1"}};
   if (studio.shader_cache.empty())
     sandbox.environment.emplace_back("MESA_SHADER_CACHE_DISABLE", "true");
   else

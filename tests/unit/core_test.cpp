@@ -129,6 +129,23 @@ TEST(RunProgram, takes_words_as_they_are_and_says_what_is_missing) {
   EXPECT_THROW(run_program({"no_such_program_anywhere"}), Error);
 }
 
+TEST(Processors, are_those_of_the_machine_or_as_many_as_TEXEL_THREADS_says) {
+  ::unsetenv("TEXEL_THREADS");
+  const unsigned all = processors();
+  EXPECT_GE(all, 1U);
+  const auto with = [](const char* text) {
+    ::setenv("TEXEL_THREADS", text, 1);
+    return processors();
+  };
+  EXPECT_EQ(with("3"), 3U);
+  EXPECT_EQ(with(""), all);
+  for (const char* wrong : {"0", "-1", "two", "2 ", "1.5", "99999999999"})
+    EXPECT_EQ(message_of([&] { with(wrong); }),
+              "TEXEL_THREADS is '" + std::string(wrong) +
+                  "', which is no number of threads; set it to 1 or more, or to nothing");
+  ::unsetenv("TEXEL_THREADS");
+}
+
 TEST(InParallel, does_everything_once_whatever_the_number_of_threads) {
   for (const unsigned threads : {1U, 2U, 7U}) {
     std::vector<std::atomic<int>> done(100);

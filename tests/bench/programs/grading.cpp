@@ -80,9 +80,10 @@ void add_grading(const Options& options, Report& report, const std::string& what
     in_parallel(processors(), kStudents * plans.size(), [&](std::size_t i) {
       const course::Lab& drawn = plans[i % plans.size()].lab;
       const std::string student = fmt::format("student_{}", i / plans.size());
-      run_process({"env", "LP_NUM_THREADS=0", "TEXEL_ROOT=" + (students / student).string(),
-                   options.program(drawn.program()), "--batch", options.work_file(drawn.folder + ".json"),
-                   "--out", options.work_file("drawn/" + student)});
+      run_process({"env", "LP_NUM_THREADS=0", "TEXEL_THREADS=1",
+                   "TEXEL_ROOT=" + (students / student).string(), options.program(drawn.program()), "--batch",
+                   options.work_file(drawn.folder + ".json"), "--out",
+                   options.work_file("drawn/" + student)});
     });
     return stopwatch.milliseconds();
   };

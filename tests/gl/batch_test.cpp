@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// Batches: that each picture is written while the next is drawn, unless there is but one thread; and how much
+// each shader program draws, which decides whether optimising it pays.
+#include "../../common/app/batch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "../support/picture_files.hpp"
+#include "core/error.hpp"
+#include "image/load.hpp"
+
+namespace texel::app {
+namespace {
+
+/// Fills the picture with one grey, and remembers which files were there when it was called.
+struct Grey {
+  static constexpr View kViews[] = {View::color};
+  static constexpr Info info{1, "grey", "Grey", "One grey.", kViews};
+  struct Parameters {
+    float grey{};
+    void declare(params::Set& set) { set.add(grey, {"grey", 0, 0, 1, "", "Linear light"}); }
+  };
+  explicit Grey(const Assets&) {}
+  void draw(const Parameters& parameters, Frame&) {
+    files_there.push_back(std::filesystem::exists(folder) ? names_in(folder) : "");
+    glClearColor(parameters.grey, parameters.grey, parameters.grey, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+  }
+
+  static std::string names_in(const std::filesystem::path& place) {
+    std::vector<std::string> names;
+    for (const auto& file : std::filesystem::directory_iterator(place))
+      names.push_back(file.path().filename());
+    std::sort(names.begin(), names.end());
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
+    return text;
+  }
+
+  static inline std::filesystem::path folder;
+  static inline std::vector<std::string> files_there;
+};
+
+class BatchOfThreads : public testing::TestWithParam<int> {
+ protected:
+  BatchOfThreads() : files_("batch_test") {
+    ::setenv("TEXEL_THREADS", std::to_string(GetParam()).c_str(), 1);
+    Grey::folder = files_ / "out";
+    Grey::files_there.clear();
+  }
+  ~BatchOfThreads() override { ::unsetenv("TEXEL_THREADS"); }
+
+  void draw(const Batch& batch) {
+    const std::unique_ptr<gl::Context> context = gl::create_headless();
+    const Assets assets;
+    LabOf<Grey> lab;
+    Canvas canvas(*context, assets, lab);
+    draw_batch(canvas, lab, assets, batch, Grey::folder, 1);
+  }
+  [[nodiscard]] static int sample(const std::string& file) {
+    return image::load8(Grey::folder / file, 3).samples.at(0);
+  }
+
+  const Batch batch_ = {{"a.png", View::color, {16, 16}, {{"grey", "0"}}},
+                        {"b.png", View::color, {900, 900}, {{"grey", "1"}}},
+                        {"c.png", View::color, {16, 16}, {{"grey", "0.5"}}}};
+
+ private:
+  test::TemporaryFolder files_;
+};
+INSTANTIATE_TEST_SUITE_P(Threads, BatchOfThreads, testing::Values(1, 2), testing::PrintToStringParamName());
+
+TEST_P(BatchOfThreads, gives_each_picture_its_own_file) {
+  draw(batch_);
+  EXPECT_EQ(Grey::names_in(Grey::folder), "a.png b.png c.png");
+  EXPECT_EQ(sample("a.png"), 0);
+  EXPECT_EQ(sample("b.png"), 255);
+  EXPECT_EQ(sample("c.png"), 188);  // IEC 61966-2-1 of one half
+}
+
+TEST_P(BatchOfThreads, says_which_file_could_not_be_written_and_writes_the_others) {
+  std::filesystem::create_directories(Grey::folder / "b.png");  // a folder stands in its way
+  testing::internal::CaptureStderr();
+  std::string message;
+  try {
+    draw(batch_);
+  } catch (const Error& error) {
+    message = error.what();
+    EXPECT_EQ(error.exit_code(), Exit::failed);
+  }
+  const std::string lines = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(message, "1 of 3 entries could not be drawn");
+  EXPECT_TRUE(lines.starts_with("b.png: ")) << lines;
+  EXPECT_EQ(sample("a.png"), 0);
+  EXPECT_EQ(sample("c.png"), 188);
+}
+
+// The grader takes the first picture that is missing for the one at which a program died.
+TEST_P(BatchOfThreads, has_written_each_picture_when_it_begins_the_next_if_there_is_one) {
+  draw(batch_);
+  if (GetParam() == 1)
+    EXPECT_EQ(Grey::files_there, (std::vector<std::string>{"", "a.png", "a.png b.png"}));
+  else
+    EXPECT_EQ(Grey::files_there.size(), 3U);
+}
+
+enum class Method { nearest, linear };
+constexpr params::Item kMethods[] = {{"nearest", "One texel"}, {"linear", "Four texels"}};
+
+class PixelsPerProgram : public testing::Test {
+ protected:
+  PixelsPerProgram() {
+    parameters_.add(method_, {"method", Method::nearest, kMethods, "The filter"});
+    parameters_.add(flip_, {"flip", false, "Upside down"});
+    parameters_.add(tilt_, {"tilt", 0, -90, 90, "degrees", "How far it leans"});
+  }
+  void expect(double pixels, const Batch& batch) const {
+    EXPECT_DOUBLE_EQ(pixels_per_program(batch, parameters_), pixels);
+  }
+
+ private:
+  Method method_{};
+  bool flip_{};
+  float tilt_{};
+  params::Set parameters_;
+};
+
+TEST_F(PixelsPerProgram, are_all_of_a_turning_model) {
+  expect(3 * 64 * 48, {{"a.png", View::color, {64, 48}, {}},
+                       {"b.png", View::color, {64, 48}, {{"tilt", "10"}}},
+                       {"c.png", View::color, {64, 48}, {{"tilt", "20"}}}});
+}
+
+TEST_F(PixelsPerProgram, are_shared_among_methods_toggles_and_views) {
+  expect(100 * 100, {{"a.png", View::color, {100, 100}, {}},
+                     {"b.png", View::color, {100, 100}, {{"method", "linear"}}},
+                     {"c.png", View::color, {100, 100}, {{"flip", "on"}}},
+                     {"d.png", View::depth, {100, 100}, {}}});
+  // In whichever order they are named.
+  expect(2 * 100 * 100, {{"a.png", View::color, {100, 100}, {{"flip", "on"}, {"method", "linear"}}},
+                         {"b.png", View::color, {100, 100}, {{"method", "linear"}, {"flip", "on"}}}});
+}
+
+TEST_F(PixelsPerProgram, are_none_of_a_vertex_stream) {
+  expect(0, {});
+  expect(0, {{"a.ply", View::color, {512, 512}, {}}});
+  expect(64, {{"a.ply", View::color, {512, 512}, {}}, {"b.pfm", View::depth, {8, 8}, {}}});
+}
+
+}  // namespace
+}  // namespace texel::app

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// Which picture gets the blame when a program dies. The program is a script that does what a picture's name
+// says.
+#include "../../common/grade/studio.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../support/picture_files.hpp"
+#include "core/files.hpp"
+
+namespace texel::grade {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kProgram = R"(#!/bin/sh
+while [ $# -gt 0 ]; do
+  case $1 in --batch) list=$2 ;; --out) out=$2 ;; esac
+  shift
+done
+for name in $(grep -o '"name": *"[^"]*"' "$list" | cut -d '"' -f 4); do
+  case $name in
+    dies*) kill -s SEGV $$ ;;
+    fails*) echo "$name: /somewhere/lab.frag:3: no such function" >&2 ;;
+    asks*) printenv TEXEL_THREADS >"$out/$name" ;;
+    *) echo drawn >"$out/$name" ;;
+  esac
+done
+)";
+
+class StudioTest : public testing::Test {
+ protected:
+  StudioTest() : folder_("studio") {
+    fs::create_directories(folder_ / "program");
+    fs::create_directories(folder_ / "root");
+    studio_.program = folder_ / "program/lab";
+    studio_.root = folder_ / "root";
+    studio_.trusted = true;
+    write_file(studio_.program, kProgram);
+    fs::permissions(studio_.program, fs::perms::owner_all);
+  }
+
+  /// The drawn ones' names.
+  std::string draw_all(const std::vector<std::string>& names) {
+    LabPlan plan;
+    for (const std::string& name : names) {
+      Shot shot;
+      shot.graded.name = name, shot.graded.view = "color";
+      plan.shots.push_back(shot);
+    }
+    drawn_ = draw(studio_, plan, {}, folder_ / "out");
+    std::string present;
+    for (const std::string& name : names)
+      if (fs::exists(picture(name))) present += (present.empty() ? "" : " ") + name;
+    return present;
+  }
+  [[nodiscard]] fs::path picture(const std::string& name) const { return folder_ / ("out/" + name + ".png"); }
+  [[nodiscard]] std::string faulty() const {
+    std::string files;
+    for (const auto& [file, why] : drawn_.faults) files += (files.empty() ? "" : " ") + file;
+    return files;
+  }
+
+  test::TemporaryFolder folder_;
+  Studio studio_;
+  Drawn drawn_;
+};
+
+TEST_F(StudioTest, blames_the_picture_at_which_the_program_died_and_has_the_others_drawn) {
+  EXPECT_EQ(draw_all({"a", "b", "dies", "c", "d"}), "a b c d");
+  EXPECT_EQ(faulty(), "dies.png");
+  EXPECT_EQ(drawn_.faults["dies.png"],
+            "The program crashed here: it read or wrote where nothing is (SIGSEGV)");
+  EXPECT_TRUE(drawn_.said.empty());
+  EXPECT_EQ(drawn_.notes.size(), 1U);
+}
+
+TEST_F(StudioTest, starts_a_program_that_dies_four_times_at_the_most) {
+  EXPECT_EQ(draw_all({"a", "dies1", "dies2", "b", "dies3", "dies4", "c"}), "a b");
+  EXPECT_EQ(faulty(), "c.png dies1.png dies2.png dies3.png dies4.png");
+  EXPECT_EQ(drawn_.faults["c.png"],
+            "Not drawn: the program was ended or died several times before this one's turn came");
+}
+
+TEST_F(StudioTest, passes_on_what_the_program_says_of_a_picture) {
+  EXPECT_EQ(draw_all({"a", "fails", "b"}), "a b");
+  EXPECT_EQ(faulty(), "fails.png");
+  EXPECT_EQ(drawn_.faults["fails.png"], "/somewhere/lab.frag:3: no such function");
+  EXPECT_EQ(drawn_.said["fails.png"], "lab.frag:3: no such function");
+}
+
+// Else a program might die at a picture while the one before is not yet written.
+TEST_F(StudioTest, allows_the_program_one_thread) {
+  EXPECT_EQ(draw_all({"asks"}), "asks");
+  EXPECT_EQ(read_file(picture("asks")), "1\n");
+}
+
+}  // namespace
+}  // namespace texel::grade
