@@ -306,12 +306,16 @@ std::string command_line(AnyLab& lab, View view) {
   return line;
 }
 
+float default_panel_width(float window, float scale) {
+  return std::min(340 * scale, window / 2);
+}
+
 Action draw_panel(AnyLab& lab, WindowState& state, float scale) {
   state.panel_width = 0;
   if (!state.panel_visible) return Action::none;
   const glm::vec2 window(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y);
   ImGui::SetNextWindowPos({0, 0});
-  ImGui::SetNextWindowSize({std::min(340 * scale, window.x / 2), window.y}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize({default_panel_width(window.x, scale), window.y}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowSizeConstraints({std::min(200 * scale, window.x / 2), window.y},
                                       {window.x * 0.7F, window.y});
   const Info& info = lab.info();

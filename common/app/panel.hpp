@@ -48,6 +48,9 @@ void steps_section(AnyLab& lab, WindowState& state);
 /// Over the picture: the pictures of the case that was picked. As draw_overlay.
 void draw_case(WindowState& state, glm::vec2 size, float scale);
 
+/// How wide the panel is until it is resized, in units of a window so wide.
+float default_panel_width(float window, float scale);
+
 /// Draws the panel for one frame with ImGui, at the left edge; changes parameters and state in place.
 Action draw_panel(AnyLab& lab, WindowState& state, float scale);
 

@@ -14,5 +14,5 @@ for lab in "${labs[@]}"; do
   check "$program leaves standard error empty" test ! -s "$work/errors"
 done
 
-times_frames() { [[ $("$bin/lab01_texture_quad" --frames 2 --context window) == "the first after "*" ms"*"2 frames of "*"parameters: "*" %" ]]; }
+times_frames() { [[ $("$bin/lab01_texture_quad" --frames 2 --context window) == "the first after "*" ms, the panel after "*" ms"*"2 frames of "*"parameters: "*" %" ]]; }
 check '--frames in a window times it and its panel' times_frames
