@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "../support/picture_files.hpp"
+#include "../support/said.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "gl/context.hpp"
@@ -22,17 +23,7 @@ namespace {
 
 using image::Encoding;
 using image::Image8;
-
-/// The message of the Error that `action` throws, or "" for none.
-template <class Action>
-std::string error_of(Action&& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return {};
-}
+using test::error_of;
 
 Image8 filled(int width, int height, std::initializer_list<int> colour) {
   Image8 image(width, height, static_cast<int>(colour.size()));

@@ -11,6 +11,7 @@
 #include "../support/picture_files.hpp"
 #include "../support/places.hpp"
 #include "../support/process.hpp"
+#include "../support/said.hpp"
 #include "image/image.hpp"
 
 namespace texel::test {

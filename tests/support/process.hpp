@@ -54,8 +54,4 @@ inline std::string shell_word(const std::string& word) {
   return result + "'";
 }
 
-inline bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 }  // namespace texel::test

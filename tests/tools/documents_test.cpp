@@ -12,6 +12,7 @@
 #include "../support/picture_files.hpp"
 #include "../support/places.hpp"
 #include "../support/process.hpp"
+#include "../support/said.hpp"
 #include "core/files.hpp"
 #include "course/lab_file.hpp"
 

@@ -18,6 +18,7 @@
 #include "../support/json.hpp"
 #include "../support/places.hpp"
 #include "../support/process.hpp"
+#include "../support/said.hpp"
 #include "core/files.hpp"
 #include "course/lab_file.hpp"
 #include "grade/grader.hpp"

@@ -9,6 +9,7 @@
 
 #include "../support/places.hpp"
 #include "../support/process.hpp"
+#include "../support/said.hpp"
 #include "core/scratch_folder.hpp"
 
 namespace texel {

@@ -16,6 +16,7 @@
 #include "../support/picture_files.hpp"
 #include "../support/places.hpp"
 #include "../support/process.hpp"
+#include "../support/said.hpp"
 #include "core/files.hpp"
 #include "course/lab_file.hpp"
 #include "course/markers.hpp"

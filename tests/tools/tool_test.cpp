@@ -11,6 +11,7 @@
 #include "../support/json.hpp"
 #include "../support/picture_files.hpp"
 #include "../support/process.hpp"
+#include "../support/said.hpp"
 #include "core/files.hpp"
 #include "course/lab_file.hpp"
 #include "gallery.hpp"

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../support/picture_files.hpp"
+#include "../support/said.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
@@ -20,16 +21,8 @@
 namespace texel {
 namespace {
 
+using test::error_of;
 using test::TemporaryFolder;
-
-std::string message_of(const auto& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
 
 TEST(Error, says_place_and_remedy) {
   const Error error = Error::failed("no such face", {"cube.obj", 7, 3}, "count from 1");
@@ -76,7 +69,7 @@ TEST(WriteFile, keeps_the_old_file_when_it_fails) {
 
 TEST(WriteFile, names_the_file_when_its_folder_is_missing) {
   const TemporaryFolder folder("core_missing");
-  const std::string message = message_of([&] { write_file(folder / "none/a.txt", "x"); });
+  const std::string message = error_of([&] { write_file(folder / "none/a.txt", "x"); });
   EXPECT_NE(message.find("none/a.txt: cannot write: No such file"), std::string::npos) << message;
   EXPECT_TRUE(folder.empty());
 }
@@ -87,21 +80,21 @@ TEST(WriteFile, fails_when_the_disk_is_full) {
   const TemporaryFolder folder("core_full");
   const std::string beside = (folder / "a.txt").string() + "." + std::to_string(::getpid()) + ".part";
   std::filesystem::create_symlink("/dev/full", beside);
-  const std::string message = message_of([&] { write_file(folder / "a.txt", "x"); });
+  const std::string message = error_of([&] { write_file(folder / "a.txt", "x"); });
   EXPECT_NE(message.find("No space left"), std::string::npos) << message;
   EXPECT_TRUE(folder.empty());
 }
 
 TEST(ReadFile, tells_a_missing_file_from_a_folder) {
   const TemporaryFolder folder("core_read");
-  EXPECT_NE(message_of([&] { read_file(folder / "none"); }).find("cannot open"), std::string::npos);
-  EXPECT_NE(message_of([&] { read_file(folder / ""); }).find("not a regular file"), std::string::npos);
+  EXPECT_NE(error_of([&] { read_file(folder / "none"); }).find("cannot open"), std::string::npos);
+  EXPECT_NE(error_of([&] { read_file(folder / ""); }).find("not a regular file"), std::string::npos);
 }
 
 TEST(ReadFile, does_not_wait_for_a_pipe) {
   const TemporaryFolder folder("core_pipe");
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
-  EXPECT_NE(message_of([&] { read_file(folder / "pipe"); }).find("not a regular file"), std::string::npos);
+  EXPECT_NE(error_of([&] { read_file(folder / "pipe"); }).find("not a regular file"), std::string::npos);
 }
 
 TEST(MappedFile, shows_the_bytes_of_a_file) {
@@ -140,7 +133,7 @@ TEST(Processors, are_those_of_the_machine_or_as_many_as_TEXEL_THREADS_says) {
   EXPECT_EQ(with("3"), 3U);
   EXPECT_EQ(with(""), all);
   for (const char* wrong : {"0", "-1", "two", "2 ", "1.5", "99999999999"})
-    EXPECT_EQ(message_of([&] { with(wrong); }),
+    EXPECT_EQ(error_of([&] { with(wrong); }),
               "TEXEL_THREADS is '" + std::string(wrong) +
                   "', which is no number of threads; set it to 1 or more, or to nothing");
   ::unsetenv("TEXEL_THREADS");
@@ -160,7 +153,7 @@ TEST(InParallel, throws_what_one_of_them_threw) {
     if (i == 40) throw Error::failed("the fortieth");
   };
   for (const unsigned threads : {1U, 3U})
-    EXPECT_EQ(message_of([&] { in_parallel(threads, 100, fail); }), "the fortieth");
+    EXPECT_EQ(error_of([&] { in_parallel(threads, 100, fail); }), "the fortieth");
 }
 
 TEST(InParallel, throws_the_same_of_several_whichever_comes_first) {
@@ -169,7 +162,7 @@ TEST(InParallel, throws_the_same_of_several_whichever_comes_first) {
     throw Error::failed(i == 0 ? "the first" : "another");
   };
   for (const unsigned threads : {1U, 2U, 4U})
-    EXPECT_EQ(message_of([&] { in_parallel(threads, 10, fail); }), "the first") << threads;
+    EXPECT_EQ(error_of([&] { in_parallel(threads, 10, fail); }), "the first") << threads;
 }
 
 /// What a stage has taken so far, milliseconds on the wall.

@@ -17,6 +17,7 @@
 #include "../support/demo_class.hpp"
 #include "../support/json.hpp"
 #include "../support/picture_files.hpp"
+#include "../support/said.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 
@@ -25,12 +26,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using test::has;
 
 constexpr std::size_t kLargest = 1'000'000;
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 std::size_t times(const std::string& text, const std::string& part) {
   std::size_t count = 0;

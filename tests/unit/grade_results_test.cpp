@@ -27,7 +27,8 @@ CaseResult looks_like(CaseResult result, const std::string& mistake) {
   return result;
 }
 
-course::Step step_of(const std::string& id, const std::vector<std::string>& needs = {}, double points = 1) {
+course::Step named_step(const std::string& id, const std::vector<std::string>& needs = {},
+                        double points = 1) {
   course::Step step;
   step.id = id;
   step.title = "title of " + id;
@@ -37,7 +38,7 @@ course::Step step_of(const std::string& id, const std::vector<std::string>& need
   return step;
 }
 
-course::Lab lab_of(const std::string& folder, const std::vector<course::Step>& steps) {
+course::Lab lab_with(const std::string& folder, const std::vector<course::Step>& steps) {
   course::Lab lab;
   lab.folder = folder;
   lab.steps = steps;
@@ -59,7 +60,7 @@ CaseResult judged_in(const std::string& lab, const std::string& step, const std:
 }
 
 TEST(StepResult, passes_when_all_cases_do) {
-  const StepResult result = step_result(step_of("1.1", {}, 2), {judged("a", 1), judged("b", 1, true)}, {});
+  const StepResult result = step_result(named_step("1.1", {}, 2), {judged("a", 1), judged("b", 1, true)}, {});
   EXPECT_EQ(result.status, Status::passed);
   EXPECT_EQ(result.score, 1);
   EXPECT_EQ(result.points, 2);
@@ -73,31 +74,32 @@ TEST(StepResult, passes_when_all_cases_do) {
 }
 
 TEST(StepResult, passes_although_a_needed_step_did_not) {
-  EXPECT_EQ(step_result(step_of("1.2", {"1.1"}), {judged("a", 1)}, {{"1.1", {Status::failed}}}).status,
+  EXPECT_EQ(step_result(named_step("1.2", {"1.1"}), {judged("a", 1)}, {{"1.1", {Status::failed}}}).status,
             Status::passed);
 }
 
 TEST(StepResult, has_the_mean_of_its_cases_where_all_are_public_or_all_are_hidden) {
-  EXPECT_DOUBLE_EQ(step_result(step_of("1.1"), {judged("a", 0.25), judged("b", 1)}, {}).score, 0.625);
-  EXPECT_DOUBLE_EQ(step_result(step_of("1.1"), {judged("a", 0.5, true), judged("b", 1, true)}, {}).score,
+  EXPECT_DOUBLE_EQ(step_result(named_step("1.1"), {judged("a", 0.25), judged("b", 1)}, {}).score, 0.625);
+  EXPECT_DOUBLE_EQ(step_result(named_step("1.1"), {judged("a", 0.5, true), judged("b", 1, true)}, {}).score,
                    0.75);
 }
 
 TEST(StepResult, earns_nothing_by_pictures_made_for_the_public_cases) {
-  const StepResult forged =
-      step_result(step_of("1.1"), {judged("a", 1), judged("b", 1), judged("c", 1), judged("d", 0, true)}, {});
+  const StepResult forged = step_result(
+      named_step("1.1"), {judged("a", 1), judged("b", 1), judged("c", 1), judged("d", 0, true)}, {});
   EXPECT_EQ(forged.score, 0);
   EXPECT_EQ(forged.status, Status::failed);
 }
 
 TEST(StepResult, is_not_lifted_by_its_hidden_cases) {
   EXPECT_DOUBLE_EQ(
-      step_result(step_of("1.1"), {judged("a", 0), judged("b", 0.5), judged("c", 1, true)}, {}).score, 0.25);
+      step_result(named_step("1.1"), {judged("a", 0), judged("b", 0.5), judged("c", 1, true)}, {}).score,
+      0.25);
 }
 
 TEST(StepResult, says_what_the_first_failed_case_says) {
   const StepResult result = step_result(
-      step_of("1.1"),
+      named_step("1.1"),
       {looks_like(judged("a", 1), "nothing"), judged("b", 0.5), looks_like(judged("e", 1), "nothing"),
        looks_like(judged("c", 0), "flipped"), looks_like(judged("d", 0), "turned")},
       {});
@@ -110,11 +112,11 @@ TEST(StepResult, says_what_the_first_failed_case_says) {
 TEST(StepResult, fails_by_one_case_that_has_not_full_marks_but_nearly) {
   CaseResult nearly = judged("a", 1);
   nearly.passed = false;
-  EXPECT_EQ(step_result(step_of("1.1"), {nearly}, {}).status, Status::failed);
+  EXPECT_EQ(step_result(named_step("1.1"), {nearly}, {}).status, Status::failed);
 }
 
 TEST(StepResult, fails_with_nothing_where_nothing_was_judged) {
-  const StepResult result = step_result(step_of("1.1"), {}, {});
+  const StepResult result = step_result(named_step("1.1"), {}, {});
   EXPECT_EQ(result.status, Status::failed);
   EXPECT_EQ(result.score, 0);
   EXPECT_EQ(result.message, "Nothing of this step was judged.");
@@ -122,18 +124,18 @@ TEST(StepResult, fails_with_nothing_where_nothing_was_judged) {
 
 TEST(StepResult, is_skipped_when_a_needed_step_failed_or_was_skipped) {
   for (const Status status : {Status::failed, Status::skipped}) {
-    const StepResult result = step_result(step_of("1.3", {"1.1", "1.2"}), {judged("a", 0.5)},
+    const StepResult result = step_result(named_step("1.3", {"1.1", "1.2"}), {judged("a", 0.5)},
                                           {{"1.1", {Status::passed}}, {"1.2", {status}}});
     EXPECT_EQ(result.status, Status::skipped);
     EXPECT_EQ(result.score, 0.5);
     EXPECT_EQ(result.message, "This step builds on step 1.2, which did not pass yet.");
   }
-  EXPECT_EQ(step_result(step_of("1.3", {"1.2"}), {}, {{"1.2", {Status::failed}}}).status, Status::skipped);
+  EXPECT_EQ(step_result(named_step("1.3", {"1.2"}), {}, {{"1.2", {Status::failed}}}).status, Status::skipped);
 }
 
 TEST(StepResult, with_a_known_mistake_is_skipped_only_where_something_explains_a_needed_step) {
   const std::vector<CaseResult> cases = {looks_like(judged("a", 0.5), "flipped")};
-  const course::Step step = step_of("1.3", {"1.1", "1.2"});
+  const course::Step step = named_step("1.3", {"1.1", "1.2"});
   const StepResult skipped =
       step_result(step, cases, {{"1.1", {Status::failed, true}}, {"1.2", {Status::skipped}}});
   EXPECT_EQ(skipped.status, Status::skipped);
@@ -147,12 +149,13 @@ TEST(StepResult, with_a_known_mistake_is_skipped_only_where_something_explains_a
 
 TEST(StepResult, fails_on_its_own_when_its_needs_passed_or_are_unknown) {
   const std::map<std::string, Before> before = {{"1.1", {Status::passed}}, {"1.2", {Status::failed}}};
-  EXPECT_EQ(step_result(step_of("1.3", {"1.1", "0.9"}), {judged("a", 0)}, before).status, Status::failed);
+  EXPECT_EQ(step_result(named_step("1.3", {"1.1", "0.9"}), {judged("a", 0)}, before).status, Status::failed);
 }
 
 TEST(LabResults, point_from_a_step_that_nothing_explains_to_the_later_one_that_may_have_spoilt_it) {
-  const std::vector<course::Lab> labs = {
-      lab_of("01_quad", {step_of("1.1"), step_of("1.2", {"1.1"}), step_of("1.3", {"1.2"}), step_of("1.4")})};
+  const std::vector<course::Lab> labs = {lab_with(
+      "01_quad",
+      {named_step("1.1"), named_step("1.2", {"1.1"}), named_step("1.3", {"1.2"}), named_step("1.4")})};
   const auto steps_of = [&](const CaseResult& first) {
     return lab_results(labs, {first, judged_in("01_quad", "1.2", "b", 0),
                               looks_like(judged_in("01_quad", "1.3", "c", 0), "flipped"),
@@ -181,8 +184,8 @@ TEST(LabResults, point_from_a_step_that_nothing_explains_to_the_later_one_that_m
 
 TEST(LabResults, find_the_first_missing_step_through_others_and_in_other_labs) {
   const std::vector<course::Lab> labs = {
-      lab_of("01_quad", {step_of("1.1"), step_of("1.2", {"1.1"})}),
-      lab_of("02_multi", {step_of("2.1", {"1.2"}), step_of("2.2", {"2.1"}), step_of("2.3")})};
+      lab_with("01_quad", {named_step("1.1"), named_step("1.2", {"1.1"})}),
+      lab_with("02_multi", {named_step("2.1", {"1.2"}), named_step("2.2", {"2.1"}), named_step("2.3")})};
   const std::vector<LabResult> results = lab_results(
       labs, {judged_in("02_multi", "2.2", "a of 2.2", 0), judged_in("02_multi", "2.1", "a of 2.1", 1),
              judged_in("01_quad", "1.2", "a of 1.2", 1), judged_in("01_quad", "1.1", "a of 1.1", 0),
@@ -199,15 +202,15 @@ TEST(LabResults, find_the_first_missing_step_through_others_and_in_other_labs) {
 }
 
 TEST(LabResults, name_the_cause_and_not_a_step_that_was_skipped_for_it) {
-  const std::vector<course::Lab> labs = {
-      lab_of("01_quad", {step_of("1.1"), step_of("1.2", {"1.1"}), step_of("1.3", {"1.2", "1.1"})})};
+  const std::vector<course::Lab> labs = {lab_with(
+      "01_quad", {named_step("1.1"), named_step("1.2", {"1.1"}), named_step("1.3", {"1.2", "1.1"})})};
   const std::vector<LabResult> results = lab_results(labs, {});
   EXPECT_EQ(results.at(0).steps.at(1).status, Status::skipped);
   EXPECT_EQ(results.at(0).steps.at(2).message, "This step builds on step 1.1, which did not pass yet.");
 }
 
 TEST(LabResults, have_the_public_cases_first_in_the_labs_order) {
-  const std::vector<course::Lab> labs = {lab_of("01_quad", {step_of("1.1")})};
+  const std::vector<course::Lab> labs = {lab_with("01_quad", {named_step("1.1")})};
   CaseResult hidden = judged_in("01_quad", "1.1", "A hidden", 0);
   hidden.hidden = true;
   const std::vector<LabResult> results = lab_results(
@@ -220,7 +223,7 @@ TEST(LabResults, have_the_public_cases_first_in_the_labs_order) {
 }
 
 TEST(LabResults, leave_out_cases_of_other_labs_and_steps) {
-  const std::vector<course::Lab> labs = {lab_of("01_quad", {step_of("1.1")})};
+  const std::vector<course::Lab> labs = {lab_with("01_quad", {named_step("1.1")})};
   const std::vector<LabResult> results =
       lab_results(labs, {judged_in("01_quad", "1.1", "a of 1.1", 1), judged_in("01_quad", "1.9", "gone", 0),
                          judged_in("02_multi", "1.1", "elsewhere", 0)});
@@ -230,8 +233,9 @@ TEST(LabResults, leave_out_cases_of_other_labs_and_steps) {
 }
 
 TEST(Points, are_those_of_the_steps_times_their_scores) {
-  const std::vector<course::Lab> labs = {lab_of("01_quad", {step_of("1.1", {}, 2), step_of("1.2", {}, 3)}),
-                                         lab_of("02_multi", {step_of("2.1", {}, 0.5)})};
+  const std::vector<course::Lab> labs = {
+      lab_with("01_quad", {named_step("1.1", {}, 2), named_step("1.2", {}, 3)}),
+      lab_with("02_multi", {named_step("2.1", {}, 0.5)})};
   StudentResult student;
   student.labs =
       lab_results(labs, {judged_in("01_quad", "1.1", "a", 0.25), judged_in("01_quad", "1.2", "b", 1),

@@ -19,6 +19,7 @@
 #include <thread>
 
 #include "../support/picture_files.hpp"
+#include "../support/said.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 
@@ -26,6 +27,7 @@ namespace texel::grade {
 namespace {
 
 namespace fs = std::filesystem;
+using test::has;
 
 /// A place for stores that no other test has, which may run at the same time.
 class Folder : public test::TemporaryFolder {
@@ -85,17 +87,13 @@ const StepResult& step_in(const StudentResult& student, const std::string& id) {
 }
 
 /// Something done that must end with an error; its exit code and text, or "3: no error".
-std::string error_of(const std::function<void()>& work) {
+std::string failure_of(const std::function<void()>& work) {
   try {
     work();
   } catch (const Error& error) {
     return fmt::format("{}: {}", static_cast<int>(error.exit_code()), error.what());
   }
   return "no error";
-}
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 /// What a process of its own says; "" when it ended otherwise. GoogleTest's macros do not reach back.
@@ -235,13 +233,13 @@ TEST(Store, refuses_a_score_that_is_none_and_a_student_that_is_unknown) {
   Store store(folder / "store");
   store.put_student(student_of("jane"), "");
   for (const double score : {-0.01, 1.01, std::nan("")}) {
-    const std::string error = error_of([&] { store.put("jane", case_of("1.1", "a", score)); });
+    const std::string error = failure_of([&] { store.put("jane", case_of("1.1", "a", score)); });
     EXPECT_TRUE(has(error, "3: ") && has(error, "a row does not fit")) << score << " " << error;
   }
-  EXPECT_TRUE(has(error_of([&] { store.put("john", case_of("1.1", "a", 1)); }), "a row does not fit"));
-  EXPECT_TRUE(has(error_of([&] { store.put_notes("john", "01_quad", {"a"}); }), "a row does not fit"));
-  EXPECT_TRUE(has(error_of([&] { store.put_incident("john", "01_quad", "a"); }), "a row does not fit"));
-  EXPECT_TRUE(has(error_of([&] { store.put_log("john", {"a", "b"}); }), "a row does not fit"));
+  EXPECT_TRUE(has(failure_of([&] { store.put("john", case_of("1.1", "a", 1)); }), "a row does not fit"));
+  EXPECT_TRUE(has(failure_of([&] { store.put_notes("john", "01_quad", {"a"}); }), "a row does not fit"));
+  EXPECT_TRUE(has(failure_of([&] { store.put_incident("john", "01_quad", "a"); }), "a row does not fit"));
+  EXPECT_TRUE(has(failure_of([&] { store.put_log("john", {"a", "b"}); }), "a row does not fit"));
   EXPECT_EQ(store.dump(), "students\tjane\t\tname of jane\t\t\n");
 }
 
@@ -454,12 +452,12 @@ TEST(Overrides, need_a_score_and_a_reason) {
   const Folder folder;
   Store store(folder / "store");
   for (const double score : {-0.5, 2.0, std::nan("")})
-    EXPECT_TRUE(has(error_of([&] {
+    EXPECT_TRUE(has(failure_of([&] {
                       store.put_override({"jane", "1.1", score, "a"});
                     }),
                     "2: the override"))
         << score;
-  EXPECT_TRUE(has(error_of([&] { store.put_override({"jane", "1.1", 1, ""}); }), "has no reason"));
+  EXPECT_TRUE(has(failure_of([&] { store.put_override({"jane", "1.1", 1, ""}); }), "has no reason"));
   EXPECT_TRUE(store.overrides().empty());
 }
 
@@ -646,7 +644,7 @@ TEST(Merge, refuses_stores_that_contradict_each_other_and_leaves_them) {
     fill(b, "anna");
     contradict(b);
     const std::string before = a.dump();
-    const std::string error = error_of([&] { a.merge(b); });
+    const std::string error = failure_of([&] { a.merge(b); });
     EXPECT_TRUE(has(error, "2: ") && has(error, what)) << what << " | " << error;
     EXPECT_TRUE(has(error, folder / "a") && has(error, folder / "b")) << error;
     EXPECT_EQ(a.dump(), before);
@@ -661,12 +659,12 @@ TEST(Merge, refuses_another_earlier_score) {
   fill(b, "jane", 0.25);
   a.begin_anew(two_labs());
   b.begin_anew(two_labs());
-  EXPECT_TRUE(has(error_of([&] { a.merge(b); }), "the earlier score of step 1.1 of the student jane"));
+  EXPECT_TRUE(has(failure_of([&] { a.merge(b); }), "the earlier score of step 1.1 of the student jane"));
 }
 
 TEST(Store, that_cannot_be_says_why_and_leaves_what_is_there) {
   const Folder folder;
-  const auto open = [](const fs::path& file) { return error_of([&] { Store store(file); }); };
+  const auto open = [](const fs::path& file) { return failure_of([&] { Store store(file); }); };
 
   EXPECT_TRUE(has(open(folder / "none/store"), "its folder does not exist; make it first"));
   fs::create_directory(folder / "folder");
@@ -702,7 +700,7 @@ TEST(Store, leaves_databases_of_other_programs_and_later_versions) {
       {"later", "the store is of version 2, later than 1; use the program"}};
   for (const auto& [name, says] : errors) {
     const std::string before = read_file(folder / name);
-    const std::string error = error_of([&] { Store store(folder / name); });
+    const std::string error = failure_of([&] { Store store(folder / name); });
     EXPECT_TRUE(has(error, "3: " + (folder / name).string()) && has(error, says)) << error;
     EXPECT_TRUE(read_file(folder / name) == before) << name;
   }
@@ -720,7 +718,7 @@ TEST(Store, says_that_it_is_damaged) {
   ASSERT_GT(bytes.size(), 100'000U);
   std::fill(bytes.begin() + 20'000, bytes.end(), '\xAA');
   write_file(folder / "store", bytes);
-  const std::string error = error_of([&] { (void)Store(folder / "store").dump(); });
+  const std::string error = failure_of([&] { (void)Store(folder / "store").dump(); });
   EXPECT_TRUE(has(error, "3: " + (folder / "store").string() + ": the store is damaged; put a copy"))
       << error;
 }
@@ -739,13 +737,13 @@ TEST(Store, keeps_what_was_put_when_the_disk_is_full_and_goes_on_when_there_is_r
       store.put("jane", result);
       ++put;
     };
-    const std::string error = error_of([&] {
+    const std::string error = failure_of([&] {
       while (put < 1000) put_one();
     });
     const std::size_t put_before = put;
     const bool all_there = store.judged("jane").size() == put;
-    const std::string opened = error_of([&] { Store another(folder / "another"); });
-    const std::string again = error_of(put_one);
+    const std::string opened = failure_of([&] { Store another(folder / "another"); });
+    const std::string again = failure_of(put_one);
     fs::remove(folder / "filler");
     put_one();
     const bool more_there = store.judged("jane").size() == put && put == put_before + 1;
@@ -772,11 +770,11 @@ TEST(Store, says_that_the_disk_is_full_when_it_is_opened) {
     }
     std::ofstream filler(folder / "filler");
     filler << std::string(1'000'000, 'x') << std::flush;
-    const std::string full = error_of([&] { (void)Store(folder / "store").dump(); });
+    const std::string full = failure_of([&] { (void)Store(folder / "store").dump(); });
     fs::resize_file(folder / "filler", 0);
     const std::string before = Store(folder / "store").dump();
     std::ofstream(folder / "one more");
-    const std::string no_more_files = error_of([&] { (void)Store(folder / "store").dump(); });
+    const std::string no_more_files = failure_of([&] { (void)Store(folder / "store").dump(); });
     fs::remove(folder / "one more");
     return fmt::format("{}|{}|{}", full, no_more_files, Store(folder / "store").dump() == before);
   });
@@ -797,8 +795,8 @@ TEST(Store, says_that_the_file_system_is_read_only) {
     }
     if (::mount(nullptr, (folder / ".").c_str(), nullptr, MS_REMOUNT | MS_RDONLY, nullptr) != 0)
       return kNoMount;
-    return error_of([&] { Store store(folder / "store"); }) + "|" +
-           error_of([&] { Store store(folder / "another"); });
+    return failure_of([&] { Store store(folder / "store"); }) + "|" +
+           failure_of([&] { Store store(folder / "another"); });
   });
   if (said == kNoMount) GTEST_SKIP() << said;
   const char* error =
@@ -825,7 +823,7 @@ TEST(Store, says_that_the_folder_or_file_cannot_be_written) {
     const std::string said = in_child([&] {
       // Root may write everywhere, nobody may not.
       if (::geteuid() == 0 && ::setuid(65534) != 0) return std::string("is root");
-      return error_of([&] {
+      return failure_of([&] {
         Store store(folder / name);
         store.put_facts({});
       });
@@ -846,7 +844,7 @@ TEST(Store, is_written_by_many_threads) {
   std::vector<std::string> errors(kThreads);
   for (int t = 0; t < kThreads; ++t)
     threads.emplace_back([&, t] {
-      errors[t] = error_of([&] {
+      errors[t] = failure_of([&] {
         for (int i = 0; i < kCases; ++i)
           (t % 2 == 0 ? store : other).put("jane", case_of("1.1", fmt::format("{}-{}", t, i), 1));
       });
@@ -864,7 +862,7 @@ TEST(Store, can_be_begun_by_many_at_once) {
     const fs::path file = folder / fmt::format("store{}", round);
     for (std::string& error : errors)
       threads.emplace_back([&] {
-        error = error_of([&] {
+        error = failure_of([&] {
           Store store(file);
           store.put_override({"jane", std::to_string(&error - errors.data()), 1, "a"});
         });

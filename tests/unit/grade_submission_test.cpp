@@ -11,6 +11,7 @@
 
 #include "../support/archives.hpp"
 #include "../support/picture_files.hpp"
+#include "../support/said.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 
@@ -19,6 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::Format;
+using test::has;
 using test::pack;
 using test::Packed;
 
@@ -50,10 +52,6 @@ std::string reason_of(const Submission& submission, const std::string& path) {
   for (const Ignored& ignored : submission.ignored)
     if (ignored.path == path) return ignored.reason;
   return "not ignored";
-}
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 std::map<std::string, Entry> class_of(const std::vector<std::string>& file_names) {

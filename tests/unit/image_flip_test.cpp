@@ -12,25 +12,18 @@
 
 #include "../support/flip_pictures.hpp"
 #include "../support/plain_flip.hpp"
+#include "../support/said.hpp"
 #include "core/error.hpp"
 #include "image/flip.hpp"
 
 namespace texel::image {
 namespace {
 
+using test::error_of;
+
 /// FLIP of two constant colours (linear RGB): the filters leave constants, and there are no features.
 double flip_of_colours(const Vector& a, const Vector& b) {
   return plain_colour_error(plain_hyab(plain_hunt_lab(a), plain_hunt_lab(b)));
-}
-
-std::string error_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.exit_code(), Exit::failed);
-    return error.what();
-  }
-  return "";
 }
 
 // ---- Colour and constants ----

@@ -6,11 +6,14 @@
 #include <cmath>
 #include <functional>
 
+#include "../support/said.hpp"
 #include "core/error.hpp"
 #include "image/ssim.hpp"
 
 namespace texel::image {
 namespace {
+
+using test::error_of;
 
 constexpr double kC1 = 6.5025, kC2 = 58.5225;  // (0.01 * 255)^2 and (0.03 * 255)^2
 
@@ -61,16 +64,6 @@ double straightforward(const Image8& a, const Image8& b) {
              ((mean_a * mean_a + mean_b * mean_b + kC1) * (variance_a + variance_b + kC2));
     }
   return sum / (a.width * a.height);
-}
-
-std::string error_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.exit_code(), Exit::failed);
-    return error.what();
-  }
-  return "";
 }
 
 TEST(Ssim, is_one_when_the_pictures_are_the_same) {

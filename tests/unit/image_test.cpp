@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "../support/picture_files.hpp"
+#include "../support/said.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "image/colour.hpp"
@@ -18,6 +19,8 @@ namespace texel::image {
 namespace {
 
 using test::bytes;
+using test::error_of;
+using test::has;
 using test::TemporaryFolder;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -44,22 +47,6 @@ Image<Sample> grey(int width, int height, std::vector<Sample> samples) {
   EXPECT_EQ(image.samples.size(), samples.size());
   image.samples = std::move(samples);
   return image;
-}
-
-/// The message of the Error that `act` throws; "" when it throws none.
-template <class Act>
-std::string error_of(Act act) {
-  try {
-    act();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.exit_code(), Exit::failed);
-    return error.what();
-  }
-  return "";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 /// Writes the bytes and tries to load them.
@@ -155,8 +142,8 @@ TEST(PngText, is_refused_and_no_file_left_when_it_cannot_be_held) {
   for (const Text& text : bad) {
     const std::string message =
         error_of([&] { save_png(folder / "a.png", four_colours(), std::span(&text, 1)); });
-    EXPECT_TRUE(contains(message, "a.png")) << text.key;
-    EXPECT_TRUE(contains(message, "79 printable")) << message;
+    EXPECT_TRUE(has(message, "a.png")) << text.key;
+    EXPECT_TRUE(has(message, "79 printable")) << message;
   }
   EXPECT_TRUE(folder.empty());
 }
@@ -164,18 +151,18 @@ TEST(PngText, is_refused_and_no_file_left_when_it_cannot_be_held) {
 TEST(PngText, is_an_error_when_the_file_is_no_png) {
   const TemporaryFolder folder("png_text_rubbish");
   write_file(folder / "a.png", "rubbish");
-  EXPECT_TRUE(contains(error_of([&] { read_png_text(folder / "a.png"); }), "a.png"));
+  EXPECT_TRUE(has(error_of([&] { read_png_text(folder / "a.png"); }), "a.png"));
   write_file(folder / "empty.png", "");
-  EXPECT_TRUE(contains(error_of([&] { read_png_text(folder / "empty.png"); }), "empty.png"));
-  EXPECT_TRUE(contains(error_of([&] { read_png_text(folder / "none.png"); }), "none.png"));
+  EXPECT_TRUE(has(error_of([&] { read_png_text(folder / "empty.png"); }), "empty.png"));
+  EXPECT_TRUE(has(error_of([&] { read_png_text(folder / "none.png"); }), "none.png"));
 }
 
 TEST(Save, leaves_no_file_when_it_fails) {
   const TemporaryFolder folder("save_fails");
-  EXPECT_TRUE(contains(error_of([&] { save_png(folder / "a.png", Image8{}); }), "a.png"));
-  EXPECT_TRUE(contains(error_of([&] { save_pfm(folder / "a.pfm", ImageF{}); }), "a.pfm"));
-  EXPECT_TRUE(contains(error_of([&] { save_png(folder / "no/folder.png", four_colours()); }), "folder.png"));
-  EXPECT_TRUE(contains(error_of([&] { save_png(folder / "a.png", four_colours(), {}, 99); }), "a.png"));
+  EXPECT_TRUE(has(error_of([&] { save_png(folder / "a.png", Image8{}); }), "a.png"));
+  EXPECT_TRUE(has(error_of([&] { save_pfm(folder / "a.pfm", ImageF{}); }), "a.pfm"));
+  EXPECT_TRUE(has(error_of([&] { save_png(folder / "no/folder.png", four_colours()); }), "folder.png"));
+  EXPECT_TRUE(has(error_of([&] { save_png(folder / "a.png", four_colours(), {}, 99); }), "a.png"));
   EXPECT_TRUE(folder.empty());
 }
 
@@ -217,14 +204,14 @@ TEST(Load, refuses_a_jpeg_whose_tables_do_not_fit) {
   const TemporaryFolder folder("jpeg_tables");
   std::string huffman = test::jpeg_16x16(false);
   huffman[huffman.find("\xff\xc4") + 5 + 12] = '\xff';  // 256 codes with the one that there is
-  EXPECT_FALSE(contains(load_error(folder, "a.jpg", huffman), "impossible"));
+  EXPECT_FALSE(has(load_error(folder, "a.jpg", huffman), "impossible"));
   huffman[huffman.find("\xff\xc4") + 5 + 13] = '\x01';
-  EXPECT_TRUE(contains(load_error(folder, "a.jpg", huffman), "impossible JPEG tables"));
-  EXPECT_TRUE(contains(load_error(folder, "a.jpg", "\xff" + huffman), "impossible JPEG tables"));
+  EXPECT_TRUE(has(load_error(folder, "a.jpg", huffman), "impossible JPEG tables"));
+  EXPECT_TRUE(has(load_error(folder, "a.jpg", "\xff" + huffman), "impossible JPEG tables"));
   std::string sampling = test::jpeg_16x16(false);
   sampling[sampling.find("\x01\x22") + 1] = '\x32';  // three across, of which two are no whole part
   sampling[sampling.find("\x02\x11") + 1] = '\x21';
-  EXPECT_TRUE(contains(load_error(folder, "a.jpg", sampling), "impossible JPEG tables"));
+  EXPECT_TRUE(has(load_error(folder, "a.jpg", sampling), "impossible JPEG tables"));
 }
 
 TEST(Load, names_the_file_and_the_remedy_when_it_is_no_picture) {
@@ -232,12 +219,12 @@ TEST(Load, names_the_file_and_the_remedy_when_it_is_no_picture) {
   for (const std::string& content : {std::string(), std::string("rubbish"), std::string(1000, '\0'),
                                      std::string(1000, '\xff'), std::string("v 1 2 3\nf 1 2 3\n")}) {
     const std::string message = load_error(folder, "a.png", content);
-    EXPECT_TRUE(contains(message, "a.png")) << message;
-    EXPECT_TRUE(contains(message, "PNG, JPEG, GIF, BMP or TGA")) << message;
+    EXPECT_TRUE(has(message, "a.png")) << message;
+    EXPECT_TRUE(has(message, "PNG, JPEG, GIF, BMP or TGA")) << message;
     EXPECT_NE(error_of([&] { info(folder / "a.png"); }), "");
     EXPECT_NE(error_of([&] { load16(folder / "a.png"); }), "");
   }
-  EXPECT_TRUE(contains(error_of([&] { load8(folder / "none.png"); }), "none.png"));
+  EXPECT_TRUE(has(error_of([&] { load8(folder / "none.png"); }), "none.png"));
   EXPECT_NE(error_of([&] { load8(folder / "."); }), "");
 }
 
@@ -257,7 +244,7 @@ TEST(Load, is_an_error_wherever_the_file_is_cut) {
   for (const auto& [name, content] : files) {
     EXPECT_EQ(load_error(folder, name, content), "") << name;
     for (std::size_t size = 0; size < content.size(); ++size)
-      EXPECT_TRUE(contains(load_error(folder, name, content.substr(0, size)), name)) << name << " " << size;
+      EXPECT_TRUE(has(load_error(folder, name, content.substr(0, size)), name)) << name << " " << size;
   }
 }
 
@@ -270,9 +257,9 @@ TEST(Load, refuses_a_picture_that_is_too_large_by_its_header) {
                                       {0xffffffff, 0xffffffff}}) {
     const std::string message =
         load_error(folder, "large.png", test::png(width, height, 8, 2, bytes({0, 1, 2, 3})));
-    EXPECT_TRUE(contains(message, "large.png")) << message;
-    EXPECT_TRUE(contains(message, "too large")) << message;
-    EXPECT_TRUE(contains(message, "16384")) << message;
+    EXPECT_TRUE(has(message, "large.png")) << message;
+    EXPECT_TRUE(has(message, "too large")) << message;
+    EXPECT_TRUE(has(message, "16384")) << message;
   }
 }
 
@@ -280,7 +267,7 @@ TEST(Load, refuses_a_tiny_file_with_a_huge_header) {
   const TemporaryFolder folder("huge_header");
   const std::string message =
       load_error(folder, "huge.png", test::png(16384, 16384, 8, 0, bytes({0, 1, 2, 3})));
-  EXPECT_TRUE(contains(message, "cut short")) << message;
+  EXPECT_TRUE(has(message, "cut short")) << message;
 }
 
 TEST(Pfm, keeps_every_value_when_saved_and_loaded) {
@@ -334,7 +321,7 @@ TEST(Pfm, is_an_error_when_header_or_size_are_wrong) {
         "Pf\n99999999999999999999 1\n-1.0\n" + four_bytes, std::string(1000, 'P'),
         "Pf\n1 1\n-1.0x\n" + four_bytes}) {
     write_file(folder / "a.pfm", content);
-    EXPECT_TRUE(contains(error_of([&] { load_pfm(folder / "a.pfm"); }), "a.pfm")) << content;
+    EXPECT_TRUE(has(error_of([&] { load_pfm(folder / "a.pfm"); }), "a.pfm")) << content;
   }
 }
 
@@ -537,7 +524,7 @@ TEST(Difference, looks_only_where_the_mask_is_light) {
 }
 
 TEST(Difference, is_an_error_when_sizes_or_channels_differ) {
-  EXPECT_TRUE(contains(error_of([] { compare(Image8(2, 3, 1), Image8(3, 2, 1)); }), "2x3 and 3x2"));
+  EXPECT_TRUE(has(error_of([] { compare(Image8(2, 3, 1), Image8(3, 2, 1)); }), "2x3 and 3x2"));
   EXPECT_NE(error_of([] { heatmap(Image8(2, 3, 1), Image8(3, 2, 1)); }), "");
   EXPECT_NE(error_of([] { compare(Image8(), Image8()); }), "");
   EXPECT_NE(error_of([] { compare(ImageF(1, 1, 1), ImageF(1, 1, 3)); }), "");

@@ -13,13 +13,11 @@
 namespace texel::mesh {
 namespace {
 
-constexpr double degrees = 57.29577951308232;
-
 /// The largest angle between two lists of directions.
 double worst_degrees(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) {
   double worst = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i)
-    worst = std::max(worst, degrees * angle_between(glm::dvec3(a[i]), glm::dvec3(b[i])));
+    worst = std::max(worst, glm::degrees(angle_between(glm::dvec3(a[i]), glm::dvec3(b[i]))));
   return worst;
 }
 
@@ -64,12 +62,12 @@ TEST(Normals, by_angle_do_not_depend_on_how_a_face_is_cut) {
   Mesh cube = cube_split();
   smooth_normals(cube, Weighting::angle);
   for (std::size_t v = 0; v < 24; ++v)
-    EXPECT_LT(degrees * angle_between(glm::dvec3(cube.normals[v]), glm::dvec3(cube.positions[v])), 1e-4);
+    EXPECT_LT(glm::degrees(angle_between(glm::dvec3(cube.normals[v]), glm::dvec3(cube.positions[v]))), 1e-4);
   smooth_normals(cube, Weighting::area);
   double worst = 0.0;
   for (std::size_t v = 0; v < 24; ++v)
-    worst =
-        std::max(worst, degrees * angle_between(glm::dvec3(cube.normals[v]), glm::dvec3(cube.positions[v])));
+    worst = std::max(worst,
+                     glm::degrees(angle_between(glm::dvec3(cube.normals[v]), glm::dvec3(cube.positions[v]))));
   EXPECT_GT(worst, 10.0);  // acos(5 / sqrt(27)) = 15.8 where one face counts twice, 13.3 at other corners
 }
 

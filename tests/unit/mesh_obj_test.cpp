@@ -17,7 +17,7 @@
 namespace texel::mesh {
 namespace {
 
-const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+const std::string obj_triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 ObjData parse(const std::string& text) {
   return parse_obj(text, "test.obj");
@@ -59,14 +59,14 @@ TEST(Obj, reads_every_form_of_a_corner) {
       {"f 1 2 3 # a comment", {2, no_index, no_index}},
   };
   for (const Row& row : rows) {
-    const ObjData data = parse(triangle + "vt 0 0\nvt 1 1\nvn 0 0 1\nvn 1 0 0\n" + row.face + "\n");
+    const ObjData data = parse(obj_triangle + "vt 0 0\nvt 1 1\nvn 0 0 1\nvn 1 0 0\n" + row.face + "\n");
     ASSERT_EQ(data.corners.size(), 3u) << row.face;
     EXPECT_EQ(data.corners[2], row.last) << row.face;
   }
 }
 
 TEST(Obj, counts_negative_indices_from_the_lines_above_the_face) {
-  const ObjData data = parse(triangle + "f -3 -2 -1\nv 9 9 9\nv 8 8 8\nf -5 -2 -1\n");
+  const ObjData data = parse(obj_triangle + "f -3 -2 -1\nv 9 9 9\nv 8 8 8\nf -5 -2 -1\n");
   EXPECT_EQ(data.corners[3].position, 0u);
   EXPECT_EQ(data.corners[4].position, 3u);
   EXPECT_EQ(data.corners[5].position, 4u);
@@ -134,12 +134,12 @@ TEST(Obj, joins_lines_that_end_in_a_backslash) {
   const ObjData data = parse("v 0 0 \\\n 0\r\nv 1 0 0\nv 0 1 0\n# C:\\models\\\nf 1 \\\r\n 2 \\\n 3\n");
   EXPECT_EQ(data.corners.size(), 3u);
   EXPECT_EQ(data.report.lines, 8u);
-  EXPECT_EQ(parse(triangle + "f 1 2 3\\").corners.size(), 3u) << "a continuation at the end of the file";
+  EXPECT_EQ(parse(obj_triangle + "f 1 2 3\\").corners.size(), 3u) << "a continuation at the end of the file";
 }
 
 TEST(Obj, keeps_runs_of_materials_groups_and_smoothing) {
   const ObjData data =
-      parse(triangle +
+      parse(obj_triangle +
             "mtllib a.mtl b.mtl\nmtllib c d.mtl\nusemtl unused\nusemtl red paint # note\ng body\n"
             "f 1 2 3\nusemtl blue\no tail\ns 1\nf 1 2 3\nusemtl blue\nf 1 2 3\ns off\nf 1 2 3\n");
   ASSERT_EQ(data.libraries.size(), 2u);
@@ -153,11 +153,11 @@ TEST(Obj, keeps_runs_of_materials_groups_and_smoothing) {
   EXPECT_EQ(data.smoothing[0].group, 0u);
   EXPECT_EQ(data.smoothing[1].first_triangle, 1u);
   EXPECT_EQ(data.smoothing[2].first_triangle, 3u);
-  EXPECT_TRUE(parse(triangle + "s off\nf 1 2 3\ns 0\n").smoothing.empty()) << "never switched on";
+  EXPECT_TRUE(parse(obj_triangle + "s off\nf 1 2 3\ns 0\n").smoothing.empty()) << "never switched on";
 }
 
 TEST(Obj, counts_what_it_repairs_or_leaves_out) {
-  const ObjData data = parse(triangle +
+  const ObjData data = parse(obj_triangle +
                              "v 1 1 0\np 1\nl 1 2 3\ncurv 0 1\nparm u 0\n"
                              "f 1\nf 1 2\nf 1 2 2\nf 1 1 1 1\nf 1 2 2 3\nf 1 2 3 1\nf 1 2 4 3\n");
   EXPECT_EQ(data.report.points_and_lines, 2u);
@@ -171,10 +171,10 @@ TEST(Obj, counts_what_it_repairs_or_leaves_out) {
 }
 
 TEST(Obj, tells_of_corners_without_vt_or_vn_among_others) {
-  const ObjData data = parse(triangle + "vt 0.5 0.5\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\nf 1 2/1 3\n");
+  const ObjData data = parse(obj_triangle + "vt 0.5 0.5\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\nf 1 2/1 3\n");
   EXPECT_EQ(data.report.missing_texcoords, 2u);
   EXPECT_EQ(data.report.missing_normals, 3u);
-  EXPECT_TRUE(parse(triangle + "vt 0 0\nvn 0 0 1\nf 1 2 3\n").texcoords.empty()) << "no face uses them";
+  EXPECT_TRUE(parse(obj_triangle + "vt 0 0\nvn 0 0 1\nf 1 2 3\n").texcoords.empty()) << "no face uses them";
 }
 
 TEST(Obj, refuses_bad_input_with_the_line_and_a_remedy) {
@@ -185,26 +185,26 @@ TEST(Obj, refuses_bad_input_with_the_line_and_a_remedy) {
   };
   const Row rows[] = {
       {"", 0, "empty"},
-      {triangle, 0, "no face"},
+      {obj_triangle, 0, "no face"},
       {"hello\nworld\n", 0, "2 lines not understood"},
-      {triangle + "f 1\nf 2 3\n", 0, "no face"},
-      {triangle + "f 0 1 2\n", 4, "index 0"},
-      {triangle + "f 1 2 4\n", 4, "index 4 of v is out of range: 3 so far"},
-      {triangle + "f 1 2 -4\n", 4, "index -4 of v is out of range"},
-      {triangle + "f 1/1 2/1 3/1\n", 4, "index 1 of vt is out of range: 0 so far"},
-      {triangle + "f 1//1 2//1 3//1\n", 4, "index 1 of vn"},
-      {triangle + "f 1/0 2/0 3/0\n", 4, "index 0 of vt"},
-      {triangle + "f 1 2 4\nv 1 1 1\n", 4, "so far"},  // a face uses a line below it
-      {triangle + "f 1 2 99999999999999999999\n", 4, "not an index"},
-      {triangle + "f 1 2 999999999999999999\n", 4, "out of range"},
-      {triangle + "f 1 2 -999999999999999999\n", 4, "out of range"},
-      {triangle + "f 1 2 3x\n", 4, "stray"},
-      {triangle + "f 1 2 x\n", 4, "'x' is not an index"},
-      {triangle + "f 1 2 /1\n", 4, "not an index"},
-      {triangle + "f 1/1/1/1 2 3\n", 4, "out of range"},
-      {triangle + "vt 0\nvn 0 0 1\nf 1/1/1/1 2 3\n", 6, "more than three"},
-      {triangle + "f 1 2 3.5\n", 4, "stray"},
-      {triangle + "f 1 2 -\n", 4, "not an index"},
+      {obj_triangle + "f 1\nf 2 3\n", 0, "no face"},
+      {obj_triangle + "f 0 1 2\n", 4, "index 0"},
+      {obj_triangle + "f 1 2 4\n", 4, "index 4 of v is out of range: 3 so far"},
+      {obj_triangle + "f 1 2 -4\n", 4, "index -4 of v is out of range"},
+      {obj_triangle + "f 1/1 2/1 3/1\n", 4, "index 1 of vt is out of range: 0 so far"},
+      {obj_triangle + "f 1//1 2//1 3//1\n", 4, "index 1 of vn"},
+      {obj_triangle + "f 1/0 2/0 3/0\n", 4, "index 0 of vt"},
+      {obj_triangle + "f 1 2 4\nv 1 1 1\n", 4, "so far"},  // a face uses a line below it
+      {obj_triangle + "f 1 2 99999999999999999999\n", 4, "not an index"},
+      {obj_triangle + "f 1 2 999999999999999999\n", 4, "out of range"},
+      {obj_triangle + "f 1 2 -999999999999999999\n", 4, "out of range"},
+      {obj_triangle + "f 1 2 3x\n", 4, "stray"},
+      {obj_triangle + "f 1 2 x\n", 4, "'x' is not an index"},
+      {obj_triangle + "f 1 2 /1\n", 4, "not an index"},
+      {obj_triangle + "f 1/1/1/1 2 3\n", 4, "out of range"},
+      {obj_triangle + "vt 0\nvn 0 0 1\nf 1/1/1/1 2 3\n", 6, "more than three"},
+      {obj_triangle + "f 1 2 3.5\n", 4, "stray"},
+      {obj_triangle + "f 1 2 -\n", 4, "not an index"},
       {"v 0 nan 0\n", 1, "not a finite"},
       {"v 0 0 -inf\n", 1, "not a finite"},
       {"v 0 0 0\n\nv 1e308 0 0\n", 3, "too large"},
@@ -231,8 +231,8 @@ TEST(Obj, refuses_bad_input_with_the_line_and_a_remedy) {
                    "ELF\x02\0\0\x01\n\0\0\n",
                    12),
        1, "binary"},
-      {std::string("v\0 \0\x31\0\n\0", 8), 1, "binary"},              // UTF-16
-      {triangle + "f 1 2 3\n" + std::string(40, '\0'), 5, "binary"},  // a tail of zeros
+      {std::string("v\0 \0\x31\0\n\0", 8), 1, "binary"},                  // UTF-16
+      {obj_triangle + "f 1 2 3\n" + std::string(40, '\0'), 5, "binary"},  // a tail of zeros
   };
   for (const Row& row : rows) {
     try {
@@ -249,12 +249,12 @@ TEST(Obj, refuses_bad_input_with_the_line_and_a_remedy) {
 }
 
 TEST(Obj, refuses_a_file_cut_off_in_a_number_or_face) {
-  const std::string text = triangle + "f 1 2 3\nf 3 2 1\n";
+  const std::string text = obj_triangle + "f 1 2 3\nf 3 2 1\n";
   // Each cut either parses (a line's end) or says where it stopped.
   for (std::size_t length = 0; length < text.size(); ++length) {
     try {
       EXPECT_GE(parse(text.substr(0, length)).triangle_count(), 1u);
-      EXPECT_GE(length, triangle.size() + 7);
+      EXPECT_GE(length, obj_triangle.size() + 7);
     } catch (const Error& error) {
       EXPECT_EQ(error.exit_code(), Exit::failed);
     }
@@ -262,7 +262,7 @@ TEST(Obj, refuses_a_file_cut_off_in_a_number_or_face) {
 }
 
 TEST(Obj, shows_progress_that_grows_on_a_long_file) {
-  std::string text = triangle;
+  std::string text = obj_triangle;
   while (text.size() < (3u << 20)) text += "f 1 2 3\n";
   std::vector<double> parts;
   parse_obj(text, "long.obj", {[&parts](double part) { parts.push_back(part); }});
@@ -275,7 +275,7 @@ TEST(Obj, reads_material_libraries_beside_the_file) {
   const Folder folder("obj_materials");
   write_file(folder / "my paints.mtl", "newmtl red\nKd 1 0 0\nmap_Kd -s 2 2 -clamp on red brick.png\n");
   write_file(folder / "b.mtl", "newmtl blue\nnorm n.png\nmap_Bump -bm 0.5 h.png\n");
-  write_file(folder / "model.obj", triangle +
+  write_file(folder / "model.obj", obj_triangle +
                                        "mtllib my paints.mtl\nmtllib missing.mtl b.mtl\nusemtl red\nf 1 2 3\n"
                                        "usemtl green\nf 1 2 3\n");
   const ObjData data = load_obj(folder / "model.obj");

@@ -15,12 +15,11 @@
 namespace texel::mesh {
 namespace {
 
-constexpr double degrees = 57.29577951308232;
 constexpr TangentMethod all_methods[] = {TangentMethod::averaged, TangentMethod::gram_schmidt,
                                          TangentMethod::angle_weighted, TangentMethod::mikktspace};
 
 double degrees_between(const glm::vec3& a, const glm::vec3& b) {
-  return degrees * angle_between(glm::dvec3(a), glm::dvec3(b));
+  return glm::degrees(angle_between(glm::dvec3(a), glm::dvec3(b)));
 }
 
 /// The largest angle between the method's tangents and the exact ones that lie in `exact.tangents`.

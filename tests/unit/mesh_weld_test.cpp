@@ -15,11 +15,11 @@
 namespace texel::mesh {
 namespace {
 
-ObjData parse(const std::string& text) {
+ObjData obj_data(const std::string& text) {
   return parse_obj(text, "test.obj");
 }
 
-const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+const std::string obj_square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 TEST(Distinct, numbers_things_by_first_appearance_however_they_hash) {
   for (const bool colliding : {false, true}) {
@@ -50,7 +50,7 @@ TEST(Weld, makes_one_vertex_for_each_distinct_corner) {
       {"f 1/1/1 2/1/1 3/1/1\nf 1/1/1 3/2/1 4/1/1\n", 5},  // equal vn, other vt at one corner
   };
   for (const Row& row : rows) {
-    const Mesh mesh = weld(parse(square + "vt 0 0\nvt 1 1\nvn 0 0 1\nvn 0 1 0\n" + row.faces));
+    const Mesh mesh = weld(obj_data(obj_square + "vt 0 0\nvt 1 1\nvn 0 0 1\nvn 0 1 0\n" + row.faces));
     EXPECT_EQ(mesh.vertex_count(), row.vertices) << row.faces;
     EXPECT_EQ(mesh.triangle_count(), 2u);
     EXPECT_EQ(mesh.texcoords.empty(), std::string(row.faces).find("1/1") == std::string::npos);
@@ -59,7 +59,7 @@ TEST(Weld, makes_one_vertex_for_each_distinct_corner) {
 
 TEST(Weld, keeps_what_each_corner_says) {
   const ObjData data =
-      parse(square + "vt 0.1 0.2\nvt 0.3 0.4\nvn 0 0 2\nvn 0 3 0\nf 1/2/1 2/1/2 3/2/2 4/1/1\n");
+      obj_data(obj_square + "vt 0.1 0.2\nvt 0.3 0.4\nvn 0 0 2\nvn 0 3 0\nf 1/2/1 2/1/2 3/2/2 4/1/1\n");
   const Mesh mesh = weld(data);
   ASSERT_EQ(mesh.indices.size(), data.corners.size());
   for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
@@ -70,8 +70,8 @@ TEST(Weld, keeps_what_each_corner_says) {
 }
 
 TEST(Weld, groups_triangles_by_material_in_order_of_first_use) {
-  const Mesh mesh =
-      weld(parse(square + "f 1 2 3\nusemtl a\nf 2 3 4\nusemtl b\nf 3 4 1\nusemtl a\nf 4 1 2\nf 1 2 4\n"));
+  const Mesh mesh = weld(
+      obj_data(obj_square + "f 1 2 3\nusemtl a\nf 2 3 4\nusemtl b\nf 3 4 1\nusemtl a\nf 4 1 2\nf 1 2 4\n"));
   ASSERT_EQ(mesh.groups.size(), 3u);
   EXPECT_EQ(mesh.groups[0].material, "");
   EXPECT_EQ(mesh.groups[1].material, "a");
@@ -79,11 +79,11 @@ TEST(Weld, groups_triangles_by_material_in_order_of_first_use) {
   EXPECT_EQ(mesh.groups[1].index_count, 9u);
   EXPECT_EQ(mesh.groups[2].first_index, 12u);
   EXPECT_EQ(mesh.groups[2].index_count, 3u);
-  EXPECT_TRUE(weld(parse(square + "f 1 2 3\n")).groups.empty());
+  EXPECT_TRUE(weld(obj_data(obj_square + "f 1 2 3\n")).groups.empty());
 }
 
 TEST(Weld, makes_colours_linear) {
-  const Mesh mesh = weld(parse("v 0 0 0 1 0.5 0\nv 1 0 0 0.04 1 1\nv 0 1 0\nf 1 2 3\n"));
+  const Mesh mesh = weld(obj_data("v 0 0 0 1 0.5 0\nv 1 0 0 0.04 1 1\nv 0 1 0\nf 1 2 3\n"));
   ASSERT_EQ(mesh.colors.size(), 3u);
   EXPECT_NEAR(mesh.colors[0].g, 0.214041f, 1e-6f);  // IEC 61966-2-1 of 0.5
   EXPECT_NEAR(mesh.colors[1].r, 0.04f / 12.92f, 1e-8f);
@@ -91,7 +91,7 @@ TEST(Weld, makes_colours_linear) {
 }
 
 TEST(Weld, fills_what_some_corners_lack) {
-  const Mesh mesh = weld(parse(square + "vt 0.5 0.5\nvn 0 0 0\nvn 1 0 0\nf 1/1/2 2/1/1 3\n"));
+  const Mesh mesh = weld(obj_data(obj_square + "vt 0.5 0.5\nvn 0 0 0\nvn 1 0 0\nf 1/1/2 2/1/1 3\n"));
   EXPECT_EQ(mesh.texcoords[2], glm::vec2(0.0f));
   EXPECT_EQ(mesh.normals[0], glm::vec3(1.0f, 0.0f, 0.0f));  // as written
   EXPECT_EQ(mesh.normals[1], glm::vec3(0.0f, 0.0f, 1.0f));  // of zero length: generated

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <set>
 
-#include "procedural/noise.hpp"
+#include "../support/numbers.hpp"
 #include "truth/basis.hpp"
 
 namespace texel::truth {
@@ -18,11 +18,9 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 using procedural::face_coordinate;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
+using test::number;
 
-double number(int i, int axis) {
-  return procedural::random(i, axis, 13);
-}
 dvec3 vector(int i) {
   return 2.0 * dvec3(number(i, 0), number(i, 1), number(i, 2)) - 1.0;
 }

@@ -16,7 +16,7 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 dvec3 unit(int i) {
   return sphere()({procedural::random(i, 0, 17), procedural::random(i, 1, 17)}).position;

@@ -10,7 +10,7 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
-#include "procedural/noise.hpp"
+#include "../support/numbers.hpp"
 #include "truth/basis.hpp"
 
 namespace texel::truth {
@@ -18,10 +18,7 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-
-double number(int i, int axis) {
-  return procedural::random(i, axis, 9);
-}
+using test::number;
 
 /// A ray from somewhere around the origin to somewhere near it.
 Ray ray(int i) {

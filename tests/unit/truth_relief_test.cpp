@@ -20,7 +20,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-dvec2 texcoord(int i) {
+dvec2 inner_texcoord(int i) {
   return {procedural::random(i, 0, 3), 0.05 + 0.9 * procedural::random(i, 1, 3)};
 }
 
@@ -37,9 +37,9 @@ TEST(TruthRelief, constant_height_leaves_the_normal_as_it_is) {
   for (const Surface& surface :
        {quad(), sphere(), torus(1, 0.4), reparameterised(torus(1, 0.4), sheared(0.7))})
     for (int i = 0; i < 100; ++i) {
-      const SurfacePoint p = surface(texcoord(i));
+      const SurfacePoint p = surface(inner_texcoord(i));
       EXPECT_LT(angle(relief_normal(p, {0, 0}), p.normal), 1e-15);
-      EXPECT_LT(angle(relief_normal(p, bump_gradient(texcoord(i)), 0), p.normal), 1e-15);
+      EXPECT_LT(angle(relief_normal(p, bump_gradient(inner_texcoord(i)), 0), p.normal), 1e-15);
       // A sphere or torus that grows keeps its normals: every tube's radius is changed alike.
       EXPECT_LT(angle(displaced_normal(p, 0.05, {0, 0}), p.normal), 2e-15);
     }
@@ -49,7 +49,7 @@ TEST(TruthRelief, gradient_lies_in_the_surface_and_gives_the_change_of_height_al
   for (const Surface& surface : {sphere(2), torus(1, 0.4), reparameterised(torus(1, 0.4), sheared(0.7)),
                                  placed(sphere(), {{dvec3(4, 0, 0), dvec3(0.5, 1, 0), dvec3(0, 0, 1)}})})
     for (int i = 0; i < 200; ++i) {
-      const dvec2 st = texcoord(i), slope = bump_gradient(st);
+      const dvec2 st = inner_texcoord(i), slope = bump_gradient(st);
       const SurfacePoint p = surface(st);
       const dvec3 gradient = surface_gradient(p, slope);
       // Roundings of slopes of at most 0.5 and steps of at most 26 units.
@@ -63,7 +63,7 @@ TEST(TruthRelief, height_field_does_not_depend_on_how_the_texture_coordinates_ru
   const Surface surface = torus(1, 0.4);
   for (const TexcoordMap& map : {sheared(std::numbers::pi / 4), stretched(4), mirrored()})
     for (int i = 0; i < 200; ++i) {
-      const dvec2 st = texcoord(i), slope = bump_gradient(st);
+      const dvec2 st = inner_texcoord(i), slope = bump_gradient(st);
       // The same heights in other coordinates: the gradient of h(parameter(texcoord)) by the chain rule.
       const dvec2 other_slope = glm::transpose(glm::inverse(map.linear)) * slope;
       const SurfacePoint other = reparameterised(surface, map)(map.texcoord(st));
@@ -77,7 +77,7 @@ TEST(TruthRelief, displaced_normal_is_that_of_the_surface_that_moves) {
                                  reparameterised(sphere(), sheared(0.7))}) {
     double worst = 0;
     for (int i = 0; i < 300; ++i) {
-      const dvec2 st = texcoord(i);
+      const dvec2 st = inner_texcoord(i);
       const auto moved = [&](dvec2 at) {
         const SurfacePoint p = surface(at);
         return p.position + strength * bump(at) * p.normal;
@@ -99,7 +99,7 @@ TEST(TruthRelief, shallow_relief_is_the_limit_of_the_displaced_surface) {
   const auto worst = [&](double times) {
     double largest = 0;
     for (int i = 0; i < 300; ++i) {
-      const dvec2 st = texcoord(i);
+      const dvec2 st = inner_texcoord(i);
       const SurfacePoint p = surface(st);
       const dvec2 slope = bump_gradient(times * st);
       largest = std::max(
@@ -117,7 +117,7 @@ TEST(TruthRelief, both_truths_agree_where_the_texture_keeps_right_angles_and_len
   // high.
   const double width = 1.4;
   for (int i = 0; i < 200; ++i) {
-    const dvec2 st = texcoord(i);
+    const dvec2 st = inner_texcoord(i);
     const dvec3 texel = procedural::normal(procedural::HeightField::bump, st.s, st.t);
     for (const Surface& surface : {quad(), cube_face(procedural::Face::negative_x, 0.7)}) {
       const SurfacePoint p = surface(st);
@@ -131,7 +131,7 @@ TEST(TruthRelief, both_truths_differ_by_design_under_shear_and_stretch) {
   const auto mean_difference = [](const TexcoordMap& map) {
     double sum = 0;
     for (int i = 0; i < 200; ++i) {
-      const dvec2 st = texcoord(i);
+      const dvec2 st = inner_texcoord(i);
       const SurfacePoint p = reparameterised(quad(0.5), map)(st);
       const dvec3 texel = procedural::normal(procedural::HeightField::bump, st.s, st.t);
       sum +=
@@ -147,8 +147,8 @@ TEST(TruthRelief, both_truths_differ_by_design_under_shear_and_stretch) {
 
 TEST(TruthRelief, baking_and_reading_a_texel_gives_the_normal_back) {
   for (int i = 0; i < 200; ++i) {
-    const SurfacePoint p = reparameterised(torus(1, 0.4), sheared(0.7))(texcoord(i));
-    const dvec3 wanted = relief_normal(p, bump_gradient(texcoord(i)), 3);
+    const SurfacePoint p = reparameterised(torus(1, 0.4), sheared(0.7))(inner_texcoord(i));
+    const dvec3 wanted = relief_normal(p, bump_gradient(inner_texcoord(i)), 3);
     for (const Frame& frame : {orthonormal_frame(p), parametric_frame(p)}) {
       const dvec3 texel = baked_texel(frame, wanted);
       EXPECT_NEAR(glm::length(texel), 1, 1e-15);

@@ -20,7 +20,7 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 dvec2 texcoord(int i) {
   return {procedural::random(i, 0, 5), procedural::random(i, 1, 5)};

@@ -8,17 +8,14 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "procedural/noise.hpp"
+#include "../support/numbers.hpp"
 
 namespace texel::truth {
 namespace {
 
 using glm::dvec2;
 using glm::dvec4;
-
-double number(int i, int axis) {
-  return procedural::random(i, axis, 23);
-}
+using test::number;
 
 /// Texel (x, y) holds x + 10 y.
 Bitmap numbered(int width, int height) {

@@ -18,6 +18,7 @@
 
 #include "../support/picture_files.hpp"
 #include "../support/process.hpp"
+#include "../support/said.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 
