@@ -49,16 +49,9 @@ class Library {
   void* handle_;
 };
 
-/// llvmpipe filters 8-bit textures by a short cut that is up to 10 steps off, and puts every shader through
-/// LLVM's optimising passes: the first never, the second where it pays. What the user has set stays.
-void set_up_llvmpipe(Shaders shaders) {
-  ::setenv("GALLIVM_PERF", shaders == Shaders::quick_to_compile ? "no_aos_sampling,nopt" : "no_aos_sampling",
-           /*overwrite=*/0);
-}
-
 class OsmesaContext : public Context {
  public:
-  OsmesaContext() {
+  explicit OsmesaContext(Shaders shaders) : Context(shaders) {
     const auto create =
         library().function<OSMesaContext(const int*, OSMesaContext)>("OSMesaCreateContextAttribs");
     const int attributes[] = {OSMESA_FORMAT,
@@ -98,7 +91,7 @@ class OsmesaContext : public Context {
 
 class EglContext : public Context {
  public:
-  EglContext() {
+  explicit EglContext(Shaders shaders) : Context(shaders) {
     const auto get_platform_display =
         library().function<EGLDisplay(EGLenum, void*, const EGLAttrib*)>("eglGetPlatformDisplay");
     display_ = get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
@@ -145,6 +138,13 @@ class EglContext : public Context {
 
 }  // namespace
 
+// llvmpipe filters 8-bit textures by a short cut that is up to 10 steps off, and puts every shader through
+// LLVM's optimising passes: the first never, the second where it pays. What the user has set stays.
+Context::Context(Shaders shaders) {
+  ::setenv("GALLIVM_PERF", shaders == Shaders::quick_to_compile ? "no_aos_sampling,nopt" : "no_aos_sampling",
+           /*overwrite=*/0);
+}
+
 void Context::load(void* (*get_address)(const char*)) {
   const auto loader = [](void* get, const char* name) {
     return reinterpret_cast<GLADapiproc>(reinterpret_cast<void* (*)(const char*)>(get)(name));
@@ -172,9 +172,8 @@ std::vector<std::string> Context::take_errors() {
 }
 
 std::unique_ptr<Context> create_headless(ContextKind kind, Shaders shaders) {
-  set_up_llvmpipe(shaders);
-  if (kind == ContextKind::osmesa) return std::make_unique<OsmesaContext>();
-  return std::make_unique<EglContext>();
+  if (kind == ContextKind::osmesa) return std::make_unique<OsmesaContext>(shaders);
+  return std::make_unique<EglContext>(shaders);
 }
 
 std::unique_ptr<Context> create_headless(Shaders shaders) {

@@ -8,7 +8,8 @@
 
 namespace texel::gl {
 
-WindowContext::WindowContext(int width, int height, const std::string& title) {
+WindowContext::WindowContext(int width, int height, const std::string& title)
+    : Context(Shaders::quick_to_draw) {
   static std::string reason;
   glfwSetErrorCallback([](int, const char* text) { reason = text; });
   if (glfwInit() == GLFW_FALSE)

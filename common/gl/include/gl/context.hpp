@@ -41,7 +41,8 @@ class Context {
   [[nodiscard]] std::vector<std::string> take_errors();
 
  protected:
-  Context() = default;
+  /// Before the driver is loaded, which reads then what its shader compiler is to aim at.
+  explicit Context(Shaders shaders);
   void load(void* (*get_address)(const char*));
 
  private:
