@@ -218,7 +218,10 @@ std::vector<std::uint32_t> weld_corners(const Mesh& mesh, unsigned threads) {
     }
   });
   std::vector<std::uint32_t> of_corner(mesh.indices.size());
-  for (std::size_t c = 0; c < of_corner.size(); ++c) of_corner[c] = of_vertex[mesh.indices[c]];
+  in_parallel(threads, threads, [&](std::size_t part) {
+    const Share share(of_corner.size(), part, threads);
+    for (std::size_t c = share.begin; c < share.end; ++c) of_corner[c] = of_vertex[mesh.indices[c]];
+  });
   return of_corner;
 }
 
@@ -335,11 +338,13 @@ void mikktspace(Mesh& mesh, const Frames& frames, unsigned threads, TangentRepor
   const std::vector<glm::dvec3> sums = sum_by_group(mesh, groups, frames, threads);
 
   // A degenerate triangle that no group reached takes its neighbour's frame.
-  std::vector<std::uint32_t> group_at(mesh.vertex_count(), no_index);  // by welded vertex: the first there
-  for (std::size_t c = 0; c < welded.size(); ++c)
-    if (group_at[welded[c]] == no_index) group_at[welded[c]] = groups.of_corner[c];
-  for (std::size_t c = 0; c < welded.size(); ++c)
-    if (groups.of_corner[c] == no_index) groups.of_corner[c] = group_at[welded[c]];
+  if (report.degenerate_triangles > 0) {
+    std::vector<std::uint32_t> group_at(mesh.vertex_count(), no_index);  // by welded vertex: the first there
+    for (std::size_t c = 0; c < welded.size(); ++c)
+      if (group_at[welded[c]] == no_index) group_at[welded[c]] = groups.of_corner[c];
+    for (std::size_t c = 0; c < welded.size(); ++c)
+      if (groups.of_corner[c] == no_index) groups.of_corner[c] = group_at[welded[c]];
+  }
   const std::vector<std::uint32_t> group_of_vertex = split(mesh, groups.of_corner, report);
 
   std::atomic<std::uint32_t> fallbacks = 0;
