@@ -133,7 +133,7 @@ TEST(Processors, are_those_of_the_machine_or_as_many_as_TEXEL_THREADS_says) {
   EXPECT_EQ(with("3"), 3U);
   EXPECT_EQ(with(""), all);
   for (const char* wrong : {"0", "-1", "two", "2 ", "1.5", "99999999999"})
-    EXPECT_EQ(error_of([&] { with(wrong); }),
+    EXPECT_EQ(error_of([&] { with(wrong); }, Exit::usage),
               "TEXEL_THREADS is '" + std::string(wrong) +
                   "', which is no number of threads; set it to 1 or more, or to nothing");
   ::unsetenv("TEXEL_THREADS");
