@@ -132,8 +132,9 @@ void measure_one_more(const Options& options, Report& report) {
   constexpr int more = 20;
   report.begin(
       "One more picture",
-      fmt::format("The same picture once more from a process that has drawn it already (a lab's `--batch`; "
-                  "the floor in a loop): the time of {} and of one, and the difference shared. Both have "
+      fmt::format("The same picture once more from a process that has drawn it already (a lab's `--batch`, "
+                  "which compresses it beside the next one's drawing; the floor in a loop): the time of {} "
+                  "and of one, and the difference shared. Both have "
                   "optimised shaders.",
                   more + 1));
   for (const LabProgram& lab : kFloors) {
