@@ -196,7 +196,7 @@ class Window {
 
   void frame() {
     ask_size();
-    if (!is_seen() || !gui_) return;
+    if (!is_seen() || !gui_) return;  // or not yet opened
     {
       const Stage stage("panel");
       watch();

@@ -20,12 +20,13 @@ namespace texel {
 
 unsigned processors() {
   if (const char* variable = std::getenv("TEXEL_THREADS"); variable != nullptr && *variable != '\0') {
+    constexpr unsigned most = 1024;
     unsigned threads = 0;
     const char* const end = variable + std::strlen(variable);
     const auto [read, fault] = std::from_chars(variable, end, threads);
-    if (fault != std::errc() || read != end || threads == 0)
+    if (fault != std::errc() || read != end || threads == 0 || threads > most)
       throw Error::usage(fmt::format("TEXEL_THREADS is '{}', which is no number of threads", variable),
-                         "set it to 1 or more, or to nothing");
+                         fmt::format("set it to 1 to {}, or to nothing", most));
     return threads;
   }
   return std::max(1U, std::thread::hardware_concurrency());

@@ -131,11 +131,12 @@ TEST(Processors, are_those_of_the_machine_or_as_many_as_TEXEL_THREADS_says) {
     return processors();
   };
   EXPECT_EQ(with("3"), 3U);
+  EXPECT_EQ(with("1024"), 1024U);
   EXPECT_EQ(with(""), all);
-  for (const char* wrong : {"0", "-1", "two", "2 ", "1.5", "99999999999"})
+  for (const char* wrong : {"0", "-1", "two", "2 ", "1.5", "1025", "99999999999"})
     EXPECT_EQ(error_of([&] { with(wrong); }, Exit::usage),
               "TEXEL_THREADS is '" + std::string(wrong) +
-                  "', which is no number of threads; set it to 1 or more, or to nothing");
+                  "', which is no number of threads; set it to 1 to 1024, or to nothing");
   ::unsetenv("TEXEL_THREADS");
 }
 
