@@ -32,24 +32,41 @@ if(TEXEL_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
-# texel_own(target [precompiled]): the flags of our own targets, and what nearly every file includes, which takes longer
-# to read than the rest of most and is read once for all (texel_dependencies.cmake makes texel_precompiled and, with
-# GoogleTest, texel_test_precompiled).
-function(texel_own target)
-  target_link_libraries(${target} PRIVATE texel_flags fmt::fmt glm::glm)
-  if(NOT ARGN)
-    set(ARGN texel_precompiled)
-  endif()
-  target_precompile_headers(${target} REUSE_FROM ${ARGN})
+# What nearly every file includes takes longer to read than the rest of most, and is read once for all. GCC takes a
+# precompiled header only for the options that it was made with, so each kind of target has its own:
+#   (plain)  what is measured
+#   LIGHT    code that waits for files, people or other programs: nobody sees that it runs slower, and it compiles sooner
+#   TEST     light, with GoogleTest
+set(TEXEL_LIGHT $<$<CONFIG:Release>:-O1>)
+function(texel_precompile name)
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/empty.cpp CONTENT "")
+  cmake_parse_arguments(ARG "" "" "OPTIONS;DEPENDS;HEADERS" ${ARGN})
+  add_library(${name} STATIC ${CMAKE_BINARY_DIR}/empty.cpp)
+  target_link_libraries(${name} PRIVATE texel_flags fmt::fmt glm::glm ${ARG_DEPENDS})
+  target_compile_options(${name} PRIVATE ${ARG_OPTIONS})
+  target_precompile_headers(${name} PRIVATE ${CMAKE_SOURCE_DIR}/cmake/texel_precompiled.hpp ${ARG_HEADERS})
 endfunction()
 
-# texel_light(target), texel_light_files(FILES…): code that waits for files, people or other programs. Nobody sees that
-# it runs slower, and it compiles sooner.
-function(texel_light target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+# texel_own(target [LIGHT | TEST]): the flags and precompiled headers of our own targets.
+function(texel_own target)
+  cmake_parse_arguments(ARG "LIGHT;TEST" "" "" ${ARGN})
+  set(precompiled texel_precompiled)
+  if(ARG_LIGHT OR ARG_TEST)
+    target_compile_options(${target} PRIVATE ${TEXEL_LIGHT})
+    set(precompiled texel_precompiled_light)
+  endif()
+  if(ARG_TEST)
+    set(precompiled texel_precompiled_test)
+  endif()
+  target_link_libraries(${target} PRIVATE texel_flags fmt::fmt glm::glm)
+  target_precompile_headers(${target} REUSE_FROM ${precompiled})
 endfunction()
-function(texel_light_files)
-  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
+
+# texel_options_of(OPTIONS … FILES …): files with options of their own, and without the precompiled headers that
+# were made with others.
+function(texel_options_of)
+  cmake_parse_arguments(ARG "" "" "OPTIONS;FILES" ${ARGN})
+  set_source_files_properties(${ARG_FILES} PROPERTIES COMPILE_OPTIONS "${ARG_OPTIONS}" SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 
 # texel_together(target): seven of its files are compiled as one, which reads and instantiates what they all include once
@@ -63,19 +80,21 @@ endfunction()
 # texel_round_as_written(FILES…): GCC 12's vectoriser of straight-line code turns double -> float -> double into
 # nothing, so that a result depends on what was inlined and on -O; these files' results do not.
 function(texel_round_as_written)
-  set_source_files_properties(${ARGN} PROPERTIES
-    COMPILE_OPTIONS $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
+  texel_options_of(OPTIONS $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize> FILES ${ARGN})
 endfunction()
 
-# texel_library(name SOURCES … DEPENDS … PRIVATE_DEPENDS …)
+# texel_library(name [LIGHT] SOURCES … DEPENDS … PRIVATE_DEPENDS …)
 # The folder's headers lie in include/<name>/; nothing else sees them but who links texel_<name>.
 function(texel_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "LIGHT" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  if(ARG_LIGHT)
+    set(kind LIGHT)
+  endif()
   if(ARG_SOURCES)
     add_library(texel_${name} STATIC ${ARG_SOURCES})
     target_include_directories(texel_${name} PUBLIC include)
     target_link_libraries(texel_${name} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
-    texel_own(texel_${name})
+    texel_own(texel_${name} ${kind})
   else()
     add_library(texel_${name} INTERFACE)
     target_include_directories(texel_${name} INTERFACE include)
@@ -83,12 +102,15 @@ function(texel_library name)
   endif()
 endfunction()
 
-# texel_program(name SOURCES … DEPENDS …): a program that is installed.
+# texel_program(name [LIGHT] SOURCES … DEPENDS …): a program that is installed.
 function(texel_program name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "LIGHT" "" "SOURCES;DEPENDS" ${ARGN})
+  if(ARG_LIGHT)
+    set(kind LIGHT)
+  endif()
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_DEPENDS})
-  texel_own(${name})
+  texel_own(${name} ${kind})
   install(TARGETS ${name} DESTINATION bin)
 endfunction()
 
@@ -103,8 +125,7 @@ function(texel_test_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE GTest::gtest_main ${ARG_DEPENDS})
-  texel_own(${name} texel_test_precompiled)
-  texel_light(${name})
+  texel_own(${name} TEST)
 endfunction()
 
 # texel_test(name SOURCES … DEPENDS …): the same with one ctest entry for each test case

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // texel: the course's command line.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>

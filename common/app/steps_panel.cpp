@@ -117,7 +117,7 @@ void draw_case(WindowState& state, glm::vec2 size, float scale) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = side * static_cast<float>(pictures.height) / static_cast<float>(pictures.width);
     const auto show = [&](const gl::Texture& texture, float from, float to) {
-      const auto id = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id()));
+      const auto id = ImTextureID(std::uintptr_t{texture.id()});  // a pointer, since ImGui 1.91 a number
       // Bottom row first: v runs upwards.
       ImGui::GetWindowDrawList()->AddImage(id, {at.x + from * side, at.y}, {at.x + to * side, at.y + height},
                                            {from, 1}, {to, 0});

@@ -12,11 +12,10 @@
 #include "core/error.hpp"
 #include "core/stages.hpp"
 
-// The types and constants of EGL 1.5 and OSMesa; their functions are looked up at run time.
+// The types and constants of EGL 1.5; its functions are looked up at run time.
 #define EGL_EGL_PROTOTYPES 0
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <GL/osmesa.h>
 
 namespace texel::gl {
 namespace {
@@ -49,34 +48,38 @@ class Library {
   void* handle_;
 };
 
+/// What we use of OSMesa. Mesa no longer comes with its header since 25.1, but older libraries stay in use.
+struct OsmesaApi {
+  using Handle = struct osmesa_context*;
+  using Create = Handle(const int* attributes, Handle share);
+  using MakeCurrent = GLboolean(Handle, void* buffer, GLenum type, GLsizei width, GLsizei height);
+  using Destroy = void(Handle);
+  using GetAddress = void*(const char*);
+  static constexpr int kFormat = 0x22, kDepthBits = 0x30, kProfile = 0x33, kCoreProfile = 0x34,
+                       kMajorVersion = 0x36, kMinorVersion = 0x37;
+};
+
 class OsmesaContext : public Context {
  public:
   explicit OsmesaContext(Shaders shaders) : Context(shaders) {
-    const auto create =
-        library().function<OSMesaContext(const int*, OSMesaContext)>("OSMesaCreateContextAttribs");
-    const int attributes[] = {OSMESA_FORMAT,
-                              OSMESA_RGBA,
-                              OSMESA_DEPTH_BITS,
-                              24,
-                              OSMESA_PROFILE,
-                              OSMESA_CORE_PROFILE,
-                              OSMESA_CONTEXT_MAJOR_VERSION,
-                              3,
-                              OSMESA_CONTEXT_MINOR_VERSION,
-                              3,
+    const auto create = library().function<OsmesaApi::Create>("OSMesaCreateContextAttribs");
+    const int attributes[] = {OsmesaApi::kFormat,       GL_RGBA,
+                              OsmesaApi::kDepthBits,    24,
+                              OsmesaApi::kProfile,      OsmesaApi::kCoreProfile,
+                              OsmesaApi::kMajorVersion, 3,
+                              OsmesaApi::kMinorVersion, 3,
                               0};
     context_ = create(attributes, nullptr);
     if (context_ == nullptr) throw Error::failed("OSMesa gives no OpenGL 3.3 core context");
     OsmesaContext::make_current();
   }
-  ~OsmesaContext() override { library().function<void(OSMesaContext)>("OSMesaDestroyContext")(context_); }
+  ~OsmesaContext() override { library().function<OsmesaApi::Destroy>("OSMesaDestroyContext")(context_); }
   void make_current() override {
-    const auto make =
-        library().function<GLboolean(OSMesaContext, void*, GLenum, GLsizei, GLsizei)>("OSMesaMakeCurrent");
+    const auto make = library().function<OsmesaApi::MakeCurrent>("OSMesaMakeCurrent");
     // We draw into framebuffer objects; the default framebuffer is one pixel that nobody looks at.
     if (make(context_, pixel_, GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE)
       throw Error::failed("cannot make the OSMesa context current");
-    load(library().function<void*(const char*)>("OSMesaGetProcAddress"));
+    load(library().function<OsmesaApi::GetAddress>("OSMesaGetProcAddress"));
   }
   [[nodiscard]] const char* kind_name() const override { return "osmesa"; }
 
@@ -85,7 +88,7 @@ class OsmesaContext : public Context {
     static const Library osmesa("libOSMesa.so.8", "libosmesa6");
     return osmesa;
   }
-  OSMesaContext context_;
+  OsmesaApi::Handle context_;
   unsigned char pixel_[4] = {};
 };
 

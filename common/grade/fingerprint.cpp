@@ -2,6 +2,7 @@
 #include "fingerprint.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sodium.h>
 
 #include <algorithm>

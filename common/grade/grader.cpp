@@ -2,6 +2,7 @@
 #include "grade/grader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sodium.h>
 #include <unistd.h>
 

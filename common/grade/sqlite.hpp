@@ -50,7 +50,7 @@ class Statement {
   template <typename... Values>
   void bind(const Values&... values) {
     sqlite3_reset(handle_.get());
-    int place = 0;
+    [[maybe_unused]] int place = 0;  // there may be no values
     (bind_one(++place, values), ...);
   }
   /// The values of another statement's row.

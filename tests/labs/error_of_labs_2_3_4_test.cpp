@@ -2,6 +2,7 @@
 // The view `error` of labs 2, 3 and 4: each method against the exact answer, in figures that an independent
 // reasoning gives as well.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 

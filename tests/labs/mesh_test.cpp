@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Models from files, and the vertex stream that --mesh writes.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 

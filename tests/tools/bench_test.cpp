@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `texel bench`: what it makes of raw times, and docs/accuracy.md.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <map>

@@ -97,11 +97,12 @@ std::vector<MutantResult> read_report(const std::filesystem::path& file,
   try {
     const Json report = Json::parse(read_file(file));
     for (const Json& entry : report.at("results")) {
+      const auto text = [&entry](const char* key) { return entry.at(key).get<std::string>(); };
       const auto mutant = std::find_if(mutants.begin(), mutants.end(), [&](const course::Mutant& m) {
-        return m.name == entry.at("name") && m.file == entry.at("file") && m.what == entry.at("what") &&
-               m.by == entry.at("replaced_by");
+        return m.name == text("name") && m.file == text("file") && m.what == text("what") &&
+               m.by == text("replaced_by");
       });
-      const auto fate = std::find(kFates.begin(), kFates.end(), entry.at("fate").get<std::string>());
+      const auto fate = std::find(kFates.begin(), kFates.end(), text("fate"));
       if (mutant == mutants.end() || fate == kFates.end()) continue;
       results.push_back(
           {*mutant, static_cast<Fate>(fate - kFates.begin()), entry.at("by"), entry.at("seconds")});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The commands with which a student goes from step to step.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
