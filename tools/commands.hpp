@@ -21,6 +21,12 @@ std::vector<course::Lab> course_labs();
 /// Those of these numbers; all when there is none. Throws Error (usage) for a number that no lab has.
 std::vector<course::Lab> chosen_labs(const std::vector<int>& numbers);
 
+/// The lab's program in this build.
+std::filesystem::path program_of(const course::Lab& lab);
+/// Whether the lab's program knows the right answers and draws the view `error`; a student's tree holds none.
+/// Throws Error (exit 3) when the program does not start.
+bool knows_truth(const course::Lab& lab);
+
 /// Makes a folder that is missing, with those above it. Throws Error (exit 3).
 void make_folder(const std::filesystem::path& folder);
 

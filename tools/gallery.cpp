@@ -35,8 +35,7 @@ struct Work {
 
 Work work_for(const course::Lab& lab, const fs::path& out) {
   const fs::path folder = out / lab.folder;
-  return {&lab, folder, folder / "batch.json",
-          fs::read_symlink("/proc/self/exe").parent_path() / lab.program()};
+  return {&lab, folder, folder / "batch.json", program_of(lab)};
 }
 
 /// Whether every picture was drawn from the same list, and after all that it is made from was last changed.
@@ -51,6 +50,18 @@ bool is_current(const Work& work, const fs::path& root) {
     const fs::path file = work.folder / (look.name + ".png");
     return fs::exists(file) && fs::last_write_time(file) >= newest;
   });
+}
+
+/// Takes the looks out that need the right answers where there are none, and says so.
+void leave_out_errors(std::vector<course::Lab>& labs) {
+  std::size_t left_out = 0;
+  for (course::Lab& lab : labs) {
+    const auto is_error = [](const course::Look& look) { return look.view == "error"; };
+    if (std::any_of(lab.looks.begin(), lab.looks.end(), is_error) && !knows_truth(lab))
+      left_out += std::erase_if(lab.looks, is_error);
+  }
+  if (left_out > 0)
+    fmt::print("  {} pictures of errors are left out: this tree does not hold the right answers\n", left_out);
 }
 
 void say(const course::Lab& lab, const char* what) {
@@ -131,7 +142,8 @@ std::string picture(const course::Lab& lab, const course::Look& look) {
 }
 
 Exit gallery(const GalleryOptions& options) {
-  const std::vector<course::Lab> labs = chosen_labs(options.labs);
+  std::vector<course::Lab> labs = chosen_labs(options.labs);
+  leave_out_errors(labs);
   const fs::path root = app::Assets().shader_root().parent_path();
   std::vector<Work> works;
   std::size_t count = 0;

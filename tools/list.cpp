@@ -5,6 +5,7 @@
 
 #include "app/assets.hpp"
 #include "commands.hpp"
+#include "core/process.hpp"
 
 namespace texel::tools {
 
@@ -31,6 +32,17 @@ std::vector<course::Lab> chosen_labs(const std::vector<int>& numbers) {
     return std::find(numbers.begin(), numbers.end(), lab.number) == numbers.end();
   });
   return labs;
+}
+
+std::filesystem::path program_of(const course::Lab& lab) {
+  return course_build() / "bin" / lab.program();
+}
+
+bool knows_truth(const course::Lab& lab) {
+  const Ran ran = run_program({program_of(lab), "--list-views"});
+  if (ran.exit_code != 0)
+    throw Error::failed("does not say which views it draws", {program_of(lab).string()});
+  return ("\n" + ran.output).find("\nerror\n") != std::string::npos;
 }
 
 void make_folder(const std::filesystem::path& folder) {

@@ -33,7 +33,7 @@ BatchEntry parse_entry(const Json& json, AnyLab& lab) {
   if (name.empty() || name.find('/') != std::string::npos || name.starts_with('.'))
     throw Error::usage(fmt::format("'{}' is no file name", name), "give each entry a name without folders");
   BatchEntry entry{name,
-                   find_view(lab.info(), json.value("view", std::string("color"))),
+                   find_view(lab, json.value("view", std::string("color"))),
                    parse_size(json.value("size", std::string("512x512"))),
                    {}};
   const std::string ending = entry.file.extension().string();
@@ -73,7 +73,7 @@ double pixels_per_program(const Batch& batch, const params::Set& parameters) {
   for (const BatchEntry& entry : batch) {
     if (entry.file.extension() == ".ply") continue;
     pixels += static_cast<double>(entry.size.x) * entry.size.y;
-    std::set<std::string> constants = {kViewNames[static_cast<std::size_t>(entry.view)]};
+    std::set<std::string> constants = {name_of(entry.view)};
     for (const auto& [name, value] : entry.values) {
       const params::Parameter::Type type = parameters.find(name)->type;
       if (type == params::Parameter::Type::choice || type == params::Parameter::Type::toggle)

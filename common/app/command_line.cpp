@@ -55,14 +55,16 @@ glm::ivec2 parse_size(const std::string& text) {
   return size;
 }
 
-View find_view(const Info& info, const std::string& name) {
+View find_view(const AnyLab& lab, const std::string& name) {
   std::string list;
   std::vector<std::string> names;
-  for (const View view : info.views) {
-    names.emplace_back(kViewNames[static_cast<std::size_t>(view)]);
+  for (const View view : lab.views()) {
+    names.emplace_back(name_of(view));
     if (names.back() == name) return view;
     list += (list.empty() ? "" : ", ") + names.back();
   }
+  if (std::ranges::count(lab.info().views, View::error) > 0 && name == name_of(View::error))
+    throw Error::usage("the view 'error' needs the right answers, which a student's tree does not hold");
   const std::string near = nearest(name, names);
   throw Error::usage(fmt::format("this lab has no view '{}' but {}", name, list),
                      near.empty() ? "" : fmt::format("did you mean '{}'?", near));
@@ -142,7 +144,7 @@ std::optional<CommandLine> read_command_line(AnyLab& lab, int argc, char** argv)
   }
   line.turn_given = lab.parameters().find("turn") != nullptr && app.count("--turn") > 0;
   if (app.count("--size") > 0) line.size = parse_size(size);
-  find_view(info, line.view);
+  find_view(lab, line.view);
   if (!line.batch.empty() && line.out.empty()) throw Error::usage("--batch needs --out DIR");
   return line;
 }

@@ -30,7 +30,7 @@ std::optional<CommandLine> read_command_line(AnyLab& lab, int argc, char** argv)
 glm::ivec2 parse_size(const std::string& text);
 
 /// The view of that name. Throws Error (usage) when the lab does not have it.
-View find_view(const Info& info, const std::string& name);
+View find_view(const AnyLab& lab, const std::string& name);
 
 /// The lab's parameter that names its model file, or null.
 params::Parameter* model_parameter(params::Set& parameters);

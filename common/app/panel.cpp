@@ -124,10 +124,10 @@ void parameters_section(params::Set& parameters) {
 
 void view_section(AnyLab& lab, WindowState& state) {
   if (!ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen)) return;
-  for (const View view : lab.info().views) {
-    if (view != lab.info().views.front()) ImGui::SameLine();
+  for (const View view : lab.views()) {
+    if (view != lab.views().front()) ImGui::SameLine();
     if (ImGui::GetContentRegionAvail().x < ImGui::GetFontSize() * 6) ImGui::NewLine();
-    if (ImGui::RadioButton(kViewNames[static_cast<std::size_t>(view)], state.view == view)) state.view = view;
+    if (ImGui::RadioButton(name_of(view), state.view == view)) state.view = view;
   }
 
   if (state.figures) {
@@ -245,7 +245,7 @@ void pixel_section(const WindowState& state) {
   }
   ImGui::Text("x %d, y %d (from the bottom left)", state.inspected->pixel.x, state.inspected->pixel.y);
   for (const auto& [view, value] : state.inspected->values) {
-    const char* name = kViewNames[static_cast<std::size_t>(view)];
+    const char* name = name_of(view);
     if (value.w <= 0)
       pixel_row(name, "background");
     else
@@ -254,7 +254,7 @@ void pixel_section(const WindowState& state) {
   if (!state.inspected->comparison) return;
   const Canvas::Comparison& c = *state.inspected->comparison;
   ImGui::Separator();
-  ImGui::TextColored(kGrey, "%s against the truth", kViewNames[static_cast<std::size_t>(c.measure.view)]);
+  ImGui::TextColored(kGrey, "%s against the truth", name_of(c.measure.view));
   pixel_row("method", c.measure.view, c.value);
   pixel_row("truth", c.measure.view, c.truth);
   pixel_row("error", fmt::format("{:.4g} {}", c.error, name_of(c.measure.unit)));
@@ -302,7 +302,7 @@ void plate(ImVec2 at, const ImVec4& colour, const std::string& text, float wrap_
 std::string command_line(AnyLab& lab, View view) {
   std::string line = lab.info().program();
   if (const std::string flags = lab.parameters().flags(); !flags.empty()) line += " " + flags;
-  if (view != View::color) line += fmt::format(" --view {}", kViewNames[static_cast<std::size_t>(view)]);
+  if (view != View::color) line += fmt::format(" --view {}", name_of(view));
   return line;
 }
 

@@ -76,7 +76,7 @@ std::string to_json(AnyLab& lab, const ErrorFigures& figures) {
   Json json;
   json["lab"] = lab.info().folder();
   json["parameters"] = lab.parameters().key();
-  json["view"] = kViewNames[static_cast<std::size_t>(measure.view)];
+  json["view"] = name_of(measure.view);
   json["truth"] = measure.truth;
   json["unit"] = name_of(measure.unit);
   json["mean"] = figures.mean;

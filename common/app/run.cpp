@@ -80,7 +80,7 @@ std::vector<std::pair<std::string, double>> stages_so_far(double start) {
 /// Everything that needs a context but no window.
 void run_headless(AnyLab& lab, const Assets& assets, const CommandLine& line) {
   const double start = milliseconds_since_start();
-  const View view = find_view(lab.info(), line.view);
+  const View view = find_view(lab, line.view);
   const glm::ivec2 size = line.size.value_or(kSnapshotSize);
   if (!line.snapshot.empty()) check_ending(line.snapshot, view);
   const Batch batch = line.batch.empty() ? Batch() : read_batch(lab, line.batch);
@@ -124,8 +124,7 @@ void run_as_asked(AnyLab& lab, const CommandLine& line) {
     return;
   }
   if (line.list_views) {
-    for (const View view : lab.info().views)
-      print(fmt::format("{}\n", kViewNames[static_cast<std::size_t>(view)]));
+    for (const View view : lab.views()) print(fmt::format("{}\n", name_of(view)));
     return;
   }
   if (!line.save_config.empty()) save_config(line.save_config, lab.info(), lab.parameters());

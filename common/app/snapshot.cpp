@@ -24,7 +24,7 @@ Snapshot take_snapshot(const Canvas& canvas, AnyLab& lab, View view, glm::ivec2 
           {},
           {{"Lab", lab.info().folder()},
            {"Parameters", lab.parameters().key()},
-           {"View", kViewNames[static_cast<std::size_t>(view)]},
+           {"View", name_of(view)},
            {"Size", fmt::format("{}x{}", size.x, size.y)},
            {"Renderer", canvas.context().renderer()}}};
 }

@@ -31,8 +31,8 @@ void pick(AnyLab& lab, WindowState& state, const LabStep& step, const StepCase& 
   try {
     lab.parameters().reset();
     for (const auto& [parameter, value] : one.settings) lab.parameters().at(parameter).set(value);
-    for (const View view : lab.info().views)
-      if (one.view == kViewNames[static_cast<std::size_t>(view)]) state.view = view;
+    for (const View view : lab.views())
+      if (one.view == name_of(view)) state.view = view;
     state.split.reset();
     state.paused = true;
     state.message.clear();

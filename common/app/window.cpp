@@ -75,7 +75,7 @@ class Window {
         context_(line.size.value_or(kWindowSize).x, line.size.value_or(kWindowSize).y,
                  fmt::format("Texel Labs {}: {}", lab.info().number, lab.info().title)),
         canvas_(context_, assets, lab) {
-    state_.view = find_view(lab.info(), line.view);
+    state_.view = find_view(lab, line.view);
     state_.paused = line.turn_given;
     state_.config_file = lab.info().program() + ".toml";
     const std::filesystem::path root = assets.shader_root().parent_path();
@@ -319,7 +319,7 @@ class Window {
     state_.inspected->values.clear();
     state_.inspected->comparison.reset();
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= picture_pixels().x || pixel.y >= picture_pixels().y) return;
-    for (const View view : lab_.info().views)
+    for (const View view : lab_.views())
       if (view != View::color && view != View::mask && view != View::error)
         state_.inspected->values.emplace_back(view, canvas_.value_at(view, picture_pixels(), pixel));
     state_.inspected->comparison = canvas_.compare_at(picture_pixels(), pixel);

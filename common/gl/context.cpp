@@ -63,11 +63,16 @@ class OsmesaContext : public Context {
  public:
   explicit OsmesaContext(Shaders shaders) : Context(shaders) {
     const auto create = library().function<OsmesaApi::Create>("OSMesaCreateContextAttribs");
-    const int attributes[] = {OsmesaApi::kFormat,       GL_RGBA,
-                              OsmesaApi::kDepthBits,    24,
-                              OsmesaApi::kProfile,      OsmesaApi::kCoreProfile,
-                              OsmesaApi::kMajorVersion, 3,
-                              OsmesaApi::kMinorVersion, 3,
+    const int attributes[] = {OsmesaApi::kFormat,
+                              GL_RGBA,
+                              OsmesaApi::kDepthBits,
+                              24,
+                              OsmesaApi::kProfile,
+                              OsmesaApi::kCoreProfile,
+                              OsmesaApi::kMajorVersion,
+                              3,
+                              OsmesaApi::kMinorVersion,
+                              3,
                               0};
     context_ = create(attributes, nullptr);
     if (context_ == nullptr) throw Error::failed("OSMesa gives no OpenGL 3.3 core context");

@@ -75,8 +75,7 @@ class ClassRun {
       throw Error::usage(fmt::format("there is no shard {} of {}", options_.shard, options_.shards),
                          "shards are 1/4, 2/4, …");
     if (!options_.unsafe && !sandbox_fault().empty())
-      throw Error::failed("the students' programs cannot be locked in: " + sandbox_fault(), {},
-                          "install bubblewrap; or give --unsafe when you trust every submission");
+      throw Error::failed("the students' programs cannot be locked in: " + sandbox_fault());
     const std::vector<Entry> entries = chosen_entries();
     make_folders();
     const FileLock lock(options_.out / "lock", true);

@@ -93,6 +93,9 @@ pid_t spawn(const Launch& launch, const std::vector<int>& descriptors) {
                                    pointers(launch.command).data(), pointers(launch.environment).data());
   ::posix_spawn_file_actions_destroy(&actions);
   ::posix_spawnattr_destroy(&attributes);
+  if (error == ENOENT && launch.command[0] == "bwrap")
+    throw sandbox_error("there is no bwrap",
+                        "install bubblewrap, or give --unsafe for programs that you trust");
   if (error != 0)
     throw sandbox_error(fmt::format("cannot start {}: {}", launch.command[0], std::strerror(error)));
   return child;
@@ -128,10 +131,8 @@ double seconds_of(const timeval& time) {
 
 }  // namespace
 
-Error sandbox_error(const std::string& what) {
-  return Error::failed(
-      "the sandbox failed: " + what, {},
-      "install bubblewrap and allow namespaces, or give --unsafe for programs that you trust");
+Error sandbox_error(const std::string& what, const std::string& remedy) {
+  return Error::failed("the sandbox failed: " + what, {}, remedy);
 }
 
 std::vector<std::string> first_process() {
@@ -200,7 +201,8 @@ void Process::wait_until_ready(const Descriptor& ready, const Descriptor& info) 
   if (changed != 1 || ::read(ready.get(), &byte, 1) != 1) {
     end();
     drain();
-    throw sandbox_error(streams_[1].kept().empty() ? "it does not start" : streams_[1].kept());
+    throw sandbox_error(streams_[1].kept().empty() ? "it does not start" : streams_[1].kept(),
+                        "allow this user to make namespaces, or give --unsafe for programs that you trust");
   }
   if (sandbox_.unsafe) return;
   std::array<char, 4096> text{};

@@ -12,7 +12,7 @@
 namespace texel::grade {
 
 /// What every fault of the sandbox says: it is the machine's, not the program's.
-Error sandbox_error(const std::string& what);
+Error sandbox_error(const std::string& what, const std::string& remedy = "");
 
 /// How a sandbox is started.
 struct Launch {

@@ -136,11 +136,12 @@ const Workshop::Recipe& Workshop::recipe(const std::string& program) {
     if (const auto c = std::find(words.begin(), words.end(), "-c");
         c != words.end() && c + 1 != words.end()) {
       const std::string path = fs::path(*(c + 1)).lexically_relative(tree_.source).generic_string();
-      // A student's warnings are no errors, and nobody reads the list of headers.
+      // A student's warnings are no errors, and nobody reads the lists of what was read.
       drop(words, "-Werror", 1), drop(words, "-MD", 1), drop(words, "-MT", 2), drop(words, "-MF", 2);
       recipe.compile[path] = words;
     } else if (const auto o = std::find(words.begin(), words.end(), "-o");
                o != words.end() && o + 1 != words.end() && *(o + 1) == "bin/" + program) {
+      std::erase_if(words, [](const std::string& w) { return w.starts_with("-Wl,--dependency-file"); });
       recipe.link = words;
     }
   }

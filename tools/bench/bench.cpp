@@ -40,9 +40,8 @@ BenchReport measured(const course::Lab& lab, const fs::path& folder, bool errors
   const fs::path cases = folder / (lab.folder + "-cases.json"),
                  output = folder / (lab.folder + "-times.json");
   write_file(cases, case_list(lab, errors_only));
-  const std::string program = fs::read_symlink("/proc/self/exe").parent_path() / lab.program();
   int status = 0;
-  run_all({{program, "--bench", cases.string(), "--report", output.string()}}, 1,
+  run_all({{program_of(lab), "--bench", cases.string(), "--report", output.string()}}, 1,
           [&](std::size_t, int s) { status = s; });
   if (status != 0) throw Error::failed("could not measure " + lab.program(), {}, "see its message above");
   return read_lab_output(output, lab);
@@ -78,6 +77,11 @@ void write_markdown(const std::vector<LabResults>& labs, const std::string& rend
 Exit bench(const BenchOptions& options) {
   std::vector<course::Lab> labs = chosen_labs(options.labs);
   std::erase_if(labs, [](const course::Lab& lab) { return lab.bench.empty(); });
+  if (options.from.empty() && !std::all_of(labs.begin(), labs.end(), knows_truth)) {
+    fmt::print(
+        "Nothing is measured: methods are compared with the right answers, which this tree does not hold.\n");
+    return Exit::holds;
+  }
   const BenchReport report = options.from.empty() ? measure(labs, options) : read_report_json(options.from);
   const std::vector<LabResults> results = by_lab(labs, report);
   if (!options.json.empty()) write_file(options.json, to_json(report));

@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/assets.hpp"
 #include "app/camera.hpp"
@@ -46,6 +47,9 @@ namespace texel::app {
 enum class View { color, normal, tangent, texcoord, direction, lod, depth, mask, error };
 inline constexpr const char* kViewNames[] = {"color", "normal", "tangent", "texcoord", "direction",
                                              "lod",   "depth",  "mask",    "error"};
+inline const char* name_of(View view) {
+  return kViewNames[static_cast<std::size_t>(view)];
+}
 
 /// What a lab says of itself.
 struct Info {
@@ -103,6 +107,8 @@ class AnyLab {
  public:
   virtual ~AnyLab() = default;
   [[nodiscard]] virtual const Info& info() const = 0;
+  /// The pictures that it draws in this tree: without `error` where no right answers are, as in a student's.
+  [[nodiscard]] virtual std::span<const View> views() const = 0;
   [[nodiscard]] virtual params::Set& parameters() = 0;
   /// Makes the lab anew at the next draw, so that its files are read again.
   virtual void forget() = 0;
@@ -124,6 +130,14 @@ class LabOf final : public AnyLab {
  public:
   LabOf() { parameters_.declare(set_); }
   [[nodiscard]] const Info& info() const override { return Lab::info; }
+  [[nodiscard]] std::span<const View> views() const override {
+    static const std::vector<View> views = [] {
+      std::vector<View> all(Lab::info.views.begin(), Lab::info.views.end());
+      if (!knows_truth()) std::erase(all, View::error);
+      return all;
+    }();
+    return views;
+  }
   [[nodiscard]] params::Set& parameters() override { return set_; }
   void forget() override { lab_.reset(); }
   void draw(Frame& frame) override { lab(frame.assets()).draw(parameters_, frame); }
@@ -162,6 +176,15 @@ class LabOf final : public AnyLab {
   }
 
  private:
+  static bool knows_truth() {
+    typename Lab::Parameters initial;
+    params::Set set;
+    initial.declare(set);
+    if constexpr (requires { Lab::truth(initial, glm::ivec2(1)); })
+      return static_cast<bool>(Lab::truth(initial, glm::ivec2(1)));
+    else
+      return false;
+  }
   Lab& lab(const Assets& assets) {
     if (!lab_) lab_.emplace(assets);
     return *lab_;
