@@ -83,6 +83,7 @@ Exit mutants(const MutantsOptions& options);
 struct CheckOptions {
   std::vector<int> labs;  ///< numbers; none for all
   bool json = false;
+  bool unless_begun = false;  ///< nothing differs while no step of these labs is begun
   std::string context = "auto";
 };
 

@@ -129,6 +129,8 @@ void add_student(CLI::App& app, StudentCommands& all) {
   check->footer("Exit codes: 0 all steps passed, 1 not all, 2 wrong usage, 3 could not draw or compare.");
   check->add_option("LAB", all.check.labs, "Numbers of labs [all]")->check(CLI::Range(1, 99));
   check->add_flag("--json", all.check.json, "Print JSON: an object for one lab, else a list of them");
+  check->add_flag("--unless-begun", all.check.unless_begun,
+                  "Exit code 0 too while no step of these labs is begun");
   add_context(check, all.check.context);
   CLI::App* watch = app.add_subcommand("watch", "Check a lab after every save; h shows a hint, q ends");
   watch->add_option("LAB", all.watch.lab, "Its number")->required()->check(CLI::Range(1, 99));

@@ -24,18 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The steps of a tree that are as they were at first. Throws Error (exit 3) where markers are spoilt: here
-/// there is somebody who can mend them.
-std::set<std::string> untouched(const fs::path& source) {
-  std::set<std::string> steps;
-  for (const std::string& file : step_files(source)) {
-    const std::string text = read_file(source / file);
-    course::markers_of(text, file);
-    steps.merge(course::untouched_steps(text, course::first_text(source, file), file));
-  }
-  return steps;
-}
-
 /// Where the tree's own pictures of the last check lie: one build may serve several trees (TEXEL_ROOT), and
 /// whoever shows a picture does so when another tree is checked already.
 fs::path checked_folder(const OwnTree& tree, const course::Lab& lab) {
@@ -155,10 +143,20 @@ fs::path expected_folder(const fs::path& source, const course::Lab& lab) {
   return source / "labs" / lab.folder / "expected";
 }
 
+std::set<std::string> untouched_steps(const OwnTree& tree) {
+  std::set<std::string> steps;
+  for (const std::string& file : step_files(tree.source)) {
+    const std::string text = read_file(tree.source / file);
+    course::markers_of(text, file);
+    steps.merge(course::untouched_steps(text, course::first_text(tree.source, file), file));
+  }
+  return steps;
+}
+
 std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>& labs,
                              const std::string& context) {
   const std::vector<LabPlan> plans = plan(with_needed(labs, course::read_labs(tree.source / "labs")), "", {});
-  const std::set<std::string> as_at_first = untouched(tree.source);
+  const std::set<std::string> as_at_first = untouched_steps(tree);
   std::vector<std::vector<CaseResult>> found(plans.size());
   const auto at_once = std::min<std::size_t>(processors(), plans.size());
   in_parallel(processors(), plans.size(), [&](std::size_t i) {

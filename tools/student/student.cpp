@@ -35,6 +35,15 @@ const grade::StepResult* next_of(const std::vector<grade::LabResult>& labs) {
   return nullptr;
 }
 
+/// Whether a step of these labs is no longer as it was at first.
+bool is_begun(const std::vector<grade::LabResult>& labs) {
+  const std::set<std::string> untouched = grade::untouched_steps(own_tree());
+  return std::any_of(labs.begin(), labs.end(), [&](const grade::LabResult& lab) {
+    return std::any_of(lab.steps.begin(), lab.steps.end(),
+                       [&](const grade::StepResult& step) { return !untouched.contains(step.id); });
+  });
+}
+
 const course::Step& step_called(const std::string& id) {
   static const std::vector<course::Lab> labs = course_labs();
   std::vector<std::string> known;
@@ -58,7 +67,8 @@ Exit check(const CheckOptions& options) {
   } else {
     for (const grade::LabResult& lab : labs) fmt::print("{}", report(lab, wants_colours()));
   }
-  return next_of(labs) == nullptr ? Exit::holds : Exit::differs;
+  if (next_of(labs) == nullptr || (options.unless_begun && !is_begun(labs))) return Exit::holds;
+  return Exit::differs;
 }
 
 Exit progress(const std::string& context) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct OwnTree {
 /// Where a lab's expected pictures lie: for each public case `name.png`, `.pfm` or `.ply`, `name.mask.png`,
 /// and `mistakes.json`, what known mistakes look like.
 std::filesystem::path expected_folder(const std::filesystem::path& source, const course::Lab& lab);
+
+/// The steps that are as they were at first. Throws Error (exit 3) where markers are spoilt.
+std::set<std::string> untouched_steps(const OwnTree& tree);
 
 /// Draws the public cases of the labs, and of those whose steps they need, by the programs as they are built,
 /// and judges them as the grader does. Steps that are as they were at first are said to be so. Each case's
