@@ -167,7 +167,7 @@ BenchPlan read_bench(AnyLab& lab, const std::filesystem::path& file) {
 
 std::string run_bench(Canvas& canvas, AnyLab& lab, const BenchPlan& plan) {
   Bench bench(canvas, lab);
-  Json output = {{"renderer", canvas.context().renderer()}, {"results", Json::array()}};
+  Json output = {{"renderer", canvas.context().name()}, {"results", Json::array()}};
   std::size_t number = 0;
   for (const BenchCase& c : plan.cases) {
     fmt::print(stderr, "  case {} of {}: {}, {} methods\n", ++number, plan.cases.size(), c.name,

@@ -26,7 +26,7 @@ Snapshot take_snapshot(const Canvas& canvas, AnyLab& lab, View view, glm::ivec2 
            {"Parameters", lab.parameters().key()},
            {"View", name_of(view)},
            {"Size", fmt::format("{}x{}", size.x, size.y)},
-           {"Renderer", canvas.context().renderer()}}};
+           {"Renderer", canvas.context().name()}}};
 }
 
 void Snapshot::write() const {

@@ -173,6 +173,15 @@ std::string Context::version() const {
   return reinterpret_cast<const char*>(glGetString(GL_VERSION));
 }
 
+std::string Context::name() const {
+  // llvmpipe says how many bits its vectors have, which depends on the processor, and the pictures do not.
+  std::string name = renderer();
+  if (name.ends_with(" bits)")) name.replace(name.rfind(", "), std::string::npos, ")");
+  const std::string driver = version();
+  const std::size_t mesa = driver.find("Mesa ");
+  return name + ", " + (mesa == std::string::npos ? driver : driver.substr(mesa));
+}
+
 std::vector<std::string> Context::take_errors() {
   while (const GLenum code = glGetError())
     if (GLAD_GL_KHR_debug == 0) errors_.push_back(fmt::format("OpenGL error 0x{:04x}", code));

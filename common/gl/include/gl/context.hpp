@@ -36,6 +36,8 @@ class Context {
   /// GL_RENDERER and GL_VERSION.
   [[nodiscard]] std::string renderer() const;
   [[nodiscard]] std::string version() const;
+  /// Both without what changes no pixel: "llvmpipe (LLVM 15.0.6), Mesa 22.3.6".
+  [[nodiscard]] std::string name() const;
   /// What the driver called an error since the last call (KHR_debug, else glGetError). Empty in a right
   /// program.
   [[nodiscard]] std::vector<std::string> take_errors();
