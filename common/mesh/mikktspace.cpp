@@ -166,34 +166,43 @@ std::vector<std::uint32_t> weld_corners(const Mesh& mesh, unsigned threads) {
 std::vector<std::uint32_t> opposite_edges(const std::vector<std::uint32_t>& welded,
                                           const std::vector<Kind>& kinds, unsigned threads) {
   struct Edge {
-    std::uint32_t low, high;    // its vertices
-    std::uint32_t first, last;  // the corners that wait for a partner, all running the same way, or no_index
+    std::uint32_t from, to;     // its vertices, in the direction of the corners that wait
+    std::uint32_t first, last;  // corners without a partner, or no_index
   };
   std::vector<std::uint32_t> opposite(welded.size(), no_index);  // of one that waits: the next that does
   in_parallel(threads, threads, [&](std::size_t part) {
     std::vector<Edge> edges;
     DistinctTable table(welded.size() / 2 / threads);
-    for (std::uint32_t c = 0; c < welded.size(); ++c) {
-      const std::uint32_t from = welded[c], to = welded[next_corner(c)];
+    bool several_wait = false;
+    const auto add = [&](std::uint32_t c, std::uint32_t from, std::uint32_t to) {
       const auto [low, high] = std::minmax(from, to);
       const std::uint64_t hash = mix(std::uint64_t{low} << 32 | high);
-      if (part_of(hash, threads) != part || kinds[c / 3] == Kind::collapsed) continue;
-      const std::uint32_t n =
-          table.number(hash, [&](std::uint32_t k) { return edges[k].low == low && edges[k].high == high; });
-      if (n == edges.size()) edges.push_back({low, high, no_index, no_index});
+      if (part_of(hash, threads) != part) return;
+      const std::uint32_t n = table.number(hash, [&](std::uint32_t k) {
+        return (edges[k].from == from && edges[k].to == to) || (edges[k].from == to && edges[k].to == from);
+      });
+      if (n == edges.size()) edges.push_back({from, to, no_index, no_index});
       Edge& edge = edges[n];
       if (edge.first == no_index) {
-        edge.first = edge.last = c;
-      } else if (welded[edge.first] == from) {
+        edge = {from, to, c, c};
+      } else if (edge.from == from) {
         opposite[edge.last] = c;
         edge.last = c;
+        several_wait = true;
       } else {
         const std::uint32_t partner = edge.first;
         edge.first = opposite[partner];
         opposite[c] = partner;
         opposite[partner] = c;
       }
+    };
+    for (std::uint32_t c = 0; c < welded.size(); c += 3) {
+      if (kinds[c / 3] == Kind::collapsed) continue;
+      add(c, welded[c], welded[c + 1]);
+      add(c + 1, welded[c + 1], welded[c + 2]);
+      add(c + 2, welded[c + 2], welded[c]);
     }
+    if (!several_wait) return;
     for (const Edge& edge : edges)
       for (std::uint32_t alone = edge.first; alone != no_index;)
         alone = std::exchange(opposite[alone], no_index);
@@ -236,16 +245,14 @@ Groups group_corners(const std::vector<std::uint32_t>& opposite, const std::vect
   return groups;
 }
 
-/// A triangle's unit T and B at one of its corners, in the plane of the corner's normal, and the corner's
-/// angle in that plane, by which T counts. All zero where one of them is not finite.
+/// A triangle's T at one of its corners, at unit length in the plane of the corner's normal, and the corner's
+/// angle in that plane, by which it counts. Both zero where one is not finite.
 struct Spoke {
-  glm::vec3 tangent{0.0f}, bitangent{0.0f};
+  glm::vec3 tangent{0.0f};
   float angle = 0.0f;
-
-  [[nodiscard]] glm::vec3 weighted() const { return tangent * angle; }
 };
 
-Spoke spoke_at(const Mesh& mesh, std::size_t corner, const Directions& directions) {
+Spoke spoke_at(const Mesh& mesh, std::size_t corner, const glm::vec3& triangle_tangent) {
   const std::uint32_t vertex = mesh.indices[corner];
   const glm::vec3 &normal = mesh.normals[vertex], &here = mesh.positions[vertex];
   const auto towards = [&](std::size_t other) {
@@ -253,48 +260,42 @@ Spoke spoke_at(const Mesh& mesh, std::size_t corner, const Directions& direction
   };
   const float cosine =
       std::clamp(glm::dot(towards(previous_corner(corner)), towards(next_corner(corner))), -1.0f, 1.0f);
-  const Spoke spoke{unit(into_plane(directions.tangent, normal)),
-                    unit(into_plane(directions.bitangent, normal)),
+  const Spoke spoke{unit(into_plane(triangle_tangent, normal)),
                     static_cast<float>(std::acos(double{cosine}))};
-  return std::isfinite(glm::dot(spoke.tangent, spoke.bitangent) * spoke.angle) ? spoke : Spoke{};
+  return std::isfinite(glm::dot(spoke.tangent, spoke.tangent) * spoke.angle) ? spoke : Spoke{};
 }
 
-/// With an angular threshold of 180 degrees a triangle counts all of its group but those whose T or B is
-/// exactly opposite to its own: whose unit vectors, in the normal's plane, have a float product of -1 or
-/// less.
-bool are_opposite(const glm::vec3& a, const glm::vec3& b) {
-  return glm::dot(a, b) <= -1.0f;
-}
-
-/// Opposite vectors lie at most this far from each other's mirror image: the root of twice the rounding of
-/// their product, 3 * 2^-24 for vectors of unit length within 2^-22, is 8e-4.
-constexpr float opposite_reach = 1e-3f;
-
-/// What a group adds up to.
+/// What a group adds up to, and whether some of its T or B may be opposite: never where all are less than a
+/// right angle from the first, by more than rounding.
 struct Sum {
   glm::vec3 tangent{0.0f};
   glm::vec3 first_tangent{0.0f}, first_bitangent{0.0f};
-  bool divided = false;  // perhaps: not all T, or not all B, are less than a right angle from the first ones
+  std::uint32_t count = 0;
+  bool may_oppose = false;
 
-  void add(const Spoke& spoke) {
-    if (is_zero(first_tangent)) first_tangent = spoke.tangent;
-    if (is_zero(first_bitangent)) first_bitangent = spoke.bitangent;
-    divided = divided || !(glm::dot(first_tangent, spoke.tangent) > opposite_reach &&
-                           glm::dot(first_bitangent, spoke.bitangent) > opposite_reach);
-    tangent += spoke.weighted();
+  void add(const Spoke& spoke, const glm::vec3& bitangent, const glm::vec3& normal) {
+    if (count++ == 0) {
+      first_tangent = spoke.tangent;
+      first_bitangent = into_plane(bitangent, normal);
+    }
+    may_oppose = may_oppose || !(glm::dot(first_tangent, spoke.tangent) > 1e-3f &&
+                                 glm::dot(first_bitangent, bitangent) > 1e-3f);
+    tangent += spoke.tangent * spoke.angle;
   }
 };
 
-/// The sum of each group's spokes, in the order of the corners whatever the number of threads.
+/// The sum of each group, in the order of the corners whatever the number of threads.
 std::vector<Sum> sum_by_group(const Mesh& mesh, const Groups& groups, const Triangles& triangles,
                               unsigned threads) {
   std::vector<Sum> sums(groups.kinds.size());
   in_parallel(threads, threads, [&](std::size_t part) {
     const Share share(sums.size(), part, threads);  // of the groups; no_index is in none
-    for (std::size_t c = 0; c < groups.of_corner.size(); ++c) {
-      const std::uint32_t group = groups.of_corner[c];
-      if (share.holds(group) && has_directions(triangles.kinds[c / 3]))
-        sums[group].add(spoke_at(mesh, c, triangles.directions[c / 3]));
+    for (std::size_t t = 0; t < triangles.kinds.size(); ++t) {
+      if (!has_directions(triangles.kinds[t])) continue;
+      const auto& [tangent, bitangent] = triangles.directions[t];
+      for (std::size_t c = 3 * t; c < 3 * t + 3; ++c)
+        if (const std::uint32_t group = groups.of_corner[c]; share.holds(group))
+          sums[group].add(spoke_at(mesh, c, tangent), bitangent, mesh.normals[mesh.indices[c]]);
     }
   });
   return sums;
@@ -309,102 +310,65 @@ struct Frames {
 /// One corner of a group.
 struct Member {
   std::uint32_t corner;
-  Spoke spoke;
+  glm::vec3 tangent, bitangent;  // unit, in the normal's plane
+  glm::vec3 weighted;            // its part of the sum
 };
 
-/// Finds the members of a group whose T (or B) is exactly opposite to a given one: sorted by the coordinate
-/// along one axis, they lie together.
-class Opposites {
- public:
-  Opposites(const std::vector<Member>& members, glm::vec3 Spoke::*direction, int axis)
-      : members_(members), direction_(direction), axis_(axis), sorted_(members.size()) {
-    for (std::uint32_t i = 0; i < sorted_.size(); ++i) sorted_[i] = i;
-    std::sort(sorted_.begin(), sorted_.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return of(a)[axis_] < of(b)[axis_]; });
-  }
-
-  void add_those_of(std::uint32_t member, std::vector<std::uint32_t>& found) const {
-    const glm::vec3& own = of(member);
-    auto i = std::lower_bound(sorted_.begin(), sorted_.end(), -own[axis_] - opposite_reach,
-                              [&](std::uint32_t m, float place) { return of(m)[axis_] < place; });
-    for (; i != sorted_.end() && of(*i)[axis_] <= -own[axis_] + opposite_reach; ++i)
-      if (are_opposite(own, of(*i))) found.push_back(*i);
-  }
-
- private:
-  [[nodiscard]] const glm::vec3& of(std::uint32_t member) const { return members_[member].spoke.*direction_; }
-
-  const std::vector<Member>& members_;
-  glm::vec3 Spoke::*direction_;
-  int axis_;
-  std::vector<std::uint32_t> sorted_;
-};
-
-/// What the members add up to in their order without the ones `left_out`, which are sorted. Beyond ten
-/// thousand members that would take too long, and the rounding of so many floats is a degree anyway: there
-/// they are taken from the `whole`.
-glm::vec3 sum_without(const std::vector<Member>& members, const std::vector<std::uint32_t>& left_out,
-                      const glm::vec3& whole) {
-  glm::vec3 sum = whole;
-  if (members.size() > 10'000) {
-    for (const std::uint32_t i : left_out) sum -= members[i].spoke.weighted();
-    return sum;
-  }
-  sum = glm::vec3(0.0f);
-  auto next = left_out.begin();
-  for (std::uint32_t i = 0; i < members.size(); ++i) {
-    if (next != left_out.end() && *next == i)
-      ++next;
-    else
-      sum += members[i].spoke.weighted();
-  }
-  return sum;
-}
-
-/// Gives each member of a group that counts fewer than all of them the sum of those; equal sums are one
-/// tangent.
-void divide(const std::vector<Member>& members, const glm::vec3& normal, const glm::vec3& whole,
-            std::uint32_t group, Frames& frames) {
-  const glm::vec3 size =
-      glm::abs(normal);  // the plane has most extent along the axis farthest from the normal
-  const int axis = size.x <= size.y && size.x <= size.z ? 0 : (size.y <= size.z ? 1 : 2);
-  const Opposites tangents(members, &Spoke::tangent, axis), bitangents(members, &Spoke::bitangent, axis);
+/// The reference's angular threshold of 180 degrees: a triangle counts those of its group but the ones whose
+/// T or B is exactly opposite to its own, where the product of the unit vectors is -1 in float. Corners that
+/// count all keep the group's tangent; each other sum is a tangent of its own.
+void divide(const std::vector<Member>& members, std::uint32_t group, Frames& frames) {
   std::map<std::array<float, 3>, std::uint32_t> known;
-  std::vector<std::uint32_t> left_out;
-  for (std::uint32_t i = 0; i < members.size(); ++i) {
-    left_out.clear();
-    tangents.add_those_of(i, left_out);
-    bitangents.add_those_of(i, left_out);
-    if (left_out.empty()) continue;
-    std::sort(left_out.begin(), left_out.end());
-    left_out.erase(std::unique(left_out.begin(), left_out.end()), left_out.end());
-    const glm::vec3 tangent = unit(sum_without(members, left_out, whole));
+  for (const Member& member : members) {
+    glm::vec3 sum(0.0f);
+    bool counts_all = true;
+    for (const Member& other : members) {
+      if (glm::dot(member.tangent, other.tangent) > -1.0f &&
+          glm::dot(member.bitangent, other.bitangent) > -1.0f)
+        sum += other.weighted;
+      else
+        counts_all = false;
+    }
+    if (counts_all) continue;
+    const glm::vec3 tangent = unit(sum);
     const auto [place, is_new] = known.try_emplace({tangent.x, tangent.y, tangent.z},
                                                    static_cast<std::uint32_t>(frames.tangents.size()));
     if (is_new) frames.tangents.emplace_back(tangent, frames.tangents[group].w);
-    frames.of_corner[members[i].corner] = place->second;
+    frames.of_corner[member.corner] = place->second;
   }
 }
 
+/// With more triangles than this around a vertex a group is not divided: it would take the square of their
+/// number, as in the reference, whose result is rounding there.
+constexpr std::uint32_t most_divided = 4096;
+
 /// The groups' tangents; more where T or B of a group's triangles are opposite.
-Frames tangents_of(const Mesh& mesh, Groups groups, const Triangles& triangles, unsigned threads) {
+Frames find_frames(const Mesh& mesh, Groups groups, const Triangles& triangles, unsigned threads) {
   const std::vector<Sum> sums = sum_by_group(mesh, groups, triangles, threads);
   Frames frames;
+  frames.tangents.reserve(sums.size() + 1);
   for (std::size_t g = 0; g < sums.size(); ++g)
     frames.tangents.emplace_back(unit(sums[g].tangent), groups.kinds[g] == Kind::mirrored ? -1.0f : 1.0f);
-  std::vector<std::array<std::uint32_t, 2>> divided;  // groups and their corners
-  for (std::uint32_t c = 0; c < groups.of_corner.size(); ++c)
-    if (const std::uint32_t group = groups.of_corner[c];
-        group != no_index && sums[group].divided && has_directions(triangles.kinds[c / 3]))
-      divided.push_back({group, c});
-  std::sort(divided.begin(), divided.end());
   frames.of_corner = std::move(groups.of_corner);
+
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> divided;  // groups and their corners
+  for (std::uint32_t c = 0; c < frames.of_corner.size(); ++c) {
+    const std::uint32_t group = frames.of_corner[c];
+    if (group != no_index && has_directions(triangles.kinds[c / 3]) && sums[group].may_oppose &&
+        sums[group].count <= most_divided)
+      divided.emplace_back(group, c);
+  }
+  std::sort(divided.begin(), divided.end());
   std::vector<Member> members;
   for (std::size_t i = 0; i < divided.size(); ++i) {
     const auto [group, corner] = divided[i];
-    members.push_back({corner, spoke_at(mesh, corner, triangles.directions[corner / 3])});
-    if (i + 1 < divided.size() && divided[i + 1][0] == group) continue;
-    divide(members, mesh.normals[mesh.indices[corner]], sums[group].tangent, group, frames);
+    const glm::vec3& normal = mesh.normals[mesh.indices[corner]];
+    const auto& [tangent, bitangent] = triangles.directions[corner / 3];
+    const Spoke spoke = spoke_at(mesh, corner, tangent);
+    members.push_back(
+        {corner, spoke.tangent, unit(into_plane(bitangent, normal)), spoke.tangent * spoke.angle});
+    if (i + 1 < divided.size() && divided[i + 1].first == group) continue;
+    divide(members, group, frames);
     members.clear();
   }
   return frames;
@@ -432,7 +396,7 @@ TangentReport mikktspace(Mesh& mesh, unsigned threads) {
   const Triangles triangles = find_triangles(mesh, threads);
   const std::vector<std::uint32_t> welded = weld_corners(mesh, threads);
   Frames frames =
-      tangents_of(mesh, group_corners(opposite_edges(welded, triangles.kinds, threads), triangles.kinds),
+      find_frames(mesh, group_corners(opposite_edges(welded, triangles.kinds, threads), triangles.kinds),
                   triangles, threads);
 
   // What no group reached is (1, 0, 0) with the sign -1, whatever the normal.
