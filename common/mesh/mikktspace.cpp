@@ -31,6 +31,11 @@ bool not_zero(const glm::vec3& v) {
 glm::vec3 unit(const glm::vec3& v) {
   return not_zero(v) ? v * (1.0f / glm::length(v)) : v;
 }
+/// Zero where the reference's result has no direction: it is (0, 0, 0), or far from unit length.
+glm::vec3 direction(const glm::vec3& sum) {
+  const glm::vec3 result = unit(sum);
+  return std::abs(glm::dot(result, result) - 1.0f) < 1e-3f ? result : glm::vec3(0.0f);
+}
 glm::vec3 into_plane(const glm::vec3& v, const glm::vec3& normal) {
   return v - normal * glm::dot(normal, v);
 }
@@ -318,7 +323,8 @@ struct Member {
 /// T or B is exactly opposite to its own, where the product of the unit vectors is -1 in float. Corners that
 /// count all keep the group's tangent; each other sum is a tangent of its own.
 void divide(const std::vector<Member>& members, std::uint32_t group, Frames& frames) {
-  std::map<std::array<float, 3>, std::uint32_t> known;
+  const glm::vec4 whole = frames.tangents[group];
+  std::map<std::array<float, 3>, std::uint32_t> known{{{whole.x, whole.y, whole.z}, group}};
   for (const Member& member : members) {
     glm::vec3 sum(0.0f);
     bool counts_all = true;
@@ -330,10 +336,10 @@ void divide(const std::vector<Member>& members, std::uint32_t group, Frames& fra
         counts_all = false;
     }
     if (counts_all) continue;
-    const glm::vec3 tangent = unit(sum);
+    const glm::vec3 tangent = direction(sum);
     const auto [place, is_new] = known.try_emplace({tangent.x, tangent.y, tangent.z},
                                                    static_cast<std::uint32_t>(frames.tangents.size()));
-    if (is_new) frames.tangents.emplace_back(tangent, frames.tangents[group].w);
+    if (is_new) frames.tangents.emplace_back(tangent, whole.w);
     frames.of_corner[member.corner] = place->second;
   }
 }
@@ -348,7 +354,8 @@ Frames find_frames(const Mesh& mesh, Groups groups, const Triangles& triangles, 
   Frames frames;
   frames.tangents.reserve(sums.size() + 1);
   for (std::size_t g = 0; g < sums.size(); ++g)
-    frames.tangents.emplace_back(unit(sums[g].tangent), groups.kinds[g] == Kind::mirrored ? -1.0f : 1.0f);
+    frames.tangents.emplace_back(direction(sums[g].tangent),
+                                 groups.kinds[g] == Kind::mirrored ? -1.0f : 1.0f);
   frames.of_corner = std::move(groups.of_corner);
 
   std::vector<std::pair<std::uint32_t, std::uint32_t>> divided;  // groups and their corners
@@ -418,10 +425,9 @@ TangentReport mikktspace(Mesh& mesh, unsigned threads) {
     for (std::size_t v = share.begin; v < share.end; ++v) {
       const std::uint32_t frame = of_vertex[v] == no_index ? nothing : of_vertex[v];
       glm::vec4 tangent = frames.tangents[frame];
-      // A sum of zero has no direction in the reference either: it writes (0, 0, 0).
-      const bool is_sum_zero = !not_zero(glm::vec3(tangent));
-      if (is_sum_zero) tangent = {any_orthogonal(mesh.normals[v]), tangent.w};
-      if (is_sum_zero || frame == nothing) ++fallbacks;
+      const bool has_none = is_zero(glm::vec3(tangent));
+      if (has_none) tangent = {any_orthogonal(mesh.normals[v]), tangent.w};
+      if (has_none || frame == nothing) ++fallbacks;
       mesh.tangents[v] = tangent;
     }
   });
