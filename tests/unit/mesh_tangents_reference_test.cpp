@@ -3,6 +3,7 @@
 // out by hand from them, and two models whose tangents were compared with the reference code's.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -61,6 +62,21 @@ TEST(MikktspaceReference, adds_up_tangents_that_are_nearly_opposite) {
     if (p.x > 0 && p.y > 0) p.x *= 1.01F;
   EXPECT_EQ(compute_tangents(mesh, TangentMethod::mikktspace).split_vertices, 2U)
       << "up and down are not opposite now; left and right are";
+}
+
+TEST(MikktspaceReference, does_not_add_up_triangles_whose_bitangents_are_exactly_opposite) {
+  // The roof with its texture turned by a quarter: now B runs along the sides, and T is what B was.
+  Mesh mesh = model("hard/opposite_tangents");
+  for (glm::vec2& st : mesh.texcoords) st = {st.t, -st.s};
+  // Of triangle i, with P(i) - tip = s T + t B before the turn, s = i/4 - 1/2, t = -1 and T = 4 (P(i+1) -
+  // P(i)).
+  const dvec3 rim[] = {{1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}};
+  std::array<dvec3, 4> unit;
+  for (std::size_t i = 0; i < 4; ++i)
+    unit[i] = glm::normalize((static_cast<double>(i) / 4 - 0.5) * 4.0 * (rim[(i + 1) % 4] - rim[i]) - rim[i]);
+  const std::vector<glm::vec4> tangents = corner_tangents(mesh);
+  for (std::size_t i = 0; i < 4; ++i)  // each counts all at the tip but the one that faces it
+    expect_corner(tangents[3 * i], unit[(i + 3) % 4] + unit[i] + unit[(i + 1) % 4], 1, 3 * i);
 }
 
 TEST(MikktspaceReference, pairs_the_first_two_triangles_that_run_opposite_ways_along_an_edge) {
