@@ -2,6 +2,7 @@
 // Small meshes on which importers, tangent frames and triangulations go wrong.
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "models_list.hpp"
 #include "models_shapes.hpp"
@@ -99,6 +100,32 @@ Part small_torus(double scale, dvec3 offset) {
   return part;
 }
 
+std::vector<NamedText> models_for_mikktspace() {
+  return {
+      {"opposite_tangents",
+       head("opposite_tangents.obj: a flat roof of four triangles around its tip; u runs around, v up. Hard "
+            "for "
+            "MikkTSpace: T is\nexactly opposite in each two that face each other, and these must not be "
+            "added up.") +
+           "v 0 0 0.3\nv 0.7 -0.7 0\nv 0.7 0.7 0\nv -0.7 0.7 0\nv -0.7 -0.7 0\n"
+           "vt 0.5 1\nvt 0 0\nvt 0.25 0\nvt 0.5 0\nvt 0.75 0\nvt 1 0\nvn 0 0 1\n"
+           "f 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/3/1 4/4/1\nf 1/1/1 4/4/1 5/5/1\nf 1/1/1 5/5/1 2/6/1\n"},
+      {"three_at_an_edge",
+       head("three_at_an_edge.obj: three sheets that meet in one edge; two run along it one way, the third "
+            "the other way. Hard for\nMikkTSpace: the third is the neighbour of the first alone.") +
+           "v 0 0 0\nv 0 0.7 0\nv -0.7 0.7 0.2\nv -0.7 -0.7 0.4\nv 0.7 0 0\n"
+           "vt 0 0\nvt 0 1\nvt -1 0\nvt 1 0\nvn 0 0 1\n"
+           "f 1/1/1 2/2/1 3/3/1\nf 1/1/1 2/2/1 4/3/1\nf 2/2/1 1/1/1 5/4/1\n"},
+      {"no_texture_area",
+       head("no_texture_area.obj: one good triangle, one without texture area at its long edge, one that "
+            "only touches its corner,\nand one with two corners at the same place. Hard for MikkTSpace: "
+            "which of them take the good one's T?") +
+           "v 0 0 0\nv 0.7 0 0\nv 0 0.7 0\nv 0.7 0.7 0\nv -0.7 0 0\nv 0 -0.7 0\nv 0.7 -0.7 0\n"
+           "v 0.7 -0.7 0\nvt 0 0\nvt 0 -1\nvt 1 0\nvt 0.5 -0.5\nvt 1 1\nvn 0 0 1\n"
+           "f 1/1/1 2/2/1 3/3/1\nf 3/3/1 2/2/1 4/4/1\nf 1/1/1 5/1/1 6/1/1\nf 2/2/1 7/4/1 8/5/1\n"},
+  };
+}
+
 }  // namespace
 
 std::vector<NamedText> hard_models() {
@@ -108,7 +135,7 @@ std::vector<NamedText> hard_models() {
       for (Corner& corner : face) corner.normal = dvec3(0);
     return part;
   };
-  return {
+  std::vector<NamedText> models = {
       {"sheared_quad",
        text_of("sheared_quad.obj: u = x + y, a shear of 45 degrees. Hard for tangent frames: T and B are not "
                "at right\nangles, and Gram-Schmidt must choose which to keep.",
@@ -176,6 +203,8 @@ std::vector<NamedText> hard_models() {
            "o panel\ng left shared\nusemtl oak\ns off\nf 1/1 2/2 3/3 4/4\ng right shared\nusemtl pine\ns "
            "1\nf 2/1 5/2 6/3 3/4\n"},
   };
+  for (NamedText& model : models_for_mikktspace()) models.push_back(std::move(model));
+  return models;
 }
 
 }  // namespace texel::assets

@@ -2,13 +2,12 @@
 #include "mesh/tangents.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 #include "core/error.hpp"
-#include "mesh/distinct.hpp"
 #include "mesh/vectors.hpp"
 #include "mesh/weld.hpp"
+#include "mikktspace.hpp"
 #include "share.hpp"
 
 namespace texel::mesh {
@@ -178,191 +177,6 @@ void store_orthonormal(Mesh& mesh, const std::vector<TriangleFrame>& sums, Tange
   }
 }
 
-// ---- MikkTSpace: corners are numbered 3 * triangle + (0, 1, 2). ----
-
-/// Which of the parts does the things with this hash, by its lower half: DistinctTable takes the upper one.
-unsigned part_of(std::uint64_t hash, unsigned parts) {
-  return static_cast<unsigned>((hash & 0xFFFFFFFFu) * parts >> 32);
-}
-
-/// For each corner the first vertex of its mesh that has the same position, normal and texcoord.
-std::vector<std::uint32_t> weld_corners(const Mesh& mesh, unsigned threads) {
-  const auto same = [&mesh](std::uint32_t a, std::uint32_t b) {
-    return mesh.positions[a] == mesh.positions[b] && mesh.normals[a] == mesh.normals[b] &&
-           mesh.texcoords[a] == mesh.texcoords[b];
-  };
-  const auto hash_of = [&mesh](std::uint32_t v) {
-    std::uint64_t hash = 0;
-    const auto add = [&hash](float x, float y) {
-      hash = mix(hash ^ (std::uint64_t{value_bits(x)} << 32 | value_bits(y)));
-    };
-    for (int k = 0; k < 3; ++k) add(mesh.positions[v][k], mesh.normals[v][k]);
-    add(mesh.texcoords[v].s, mesh.texcoords[v].t);
-    return hash;
-  };
-  std::vector<std::uint64_t> hashes(mesh.vertex_count());
-  in_parallel(threads, threads, [&](std::size_t part) {
-    const Share share(mesh.vertex_count(), part, threads);
-    for (std::size_t v = share.begin; v < share.end; ++v) hashes[v] = hash_of(static_cast<std::uint32_t>(v));
-  });
-  // Equal vertices have equal hashes: each part welds those whose hash is its own.
-  std::vector<std::uint32_t> of_vertex(mesh.vertex_count());
-  in_parallel(threads, threads, [&](std::size_t part) {
-    DistinctTable table(mesh.vertex_count() / threads);
-    std::vector<std::uint32_t> first;  // the first vertex of each number
-    for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-      if (part_of(hashes[v], threads) != part) continue;
-      const std::uint32_t n = table.number(hashes[v], [&](std::uint32_t k) { return same(first[k], v); });
-      if (n == first.size()) first.push_back(v);
-      of_vertex[v] = first[n];
-    }
-  });
-  std::vector<std::uint32_t> of_corner(mesh.indices.size());
-  in_parallel(threads, threads, [&](std::size_t part) {
-    const Share share(of_corner.size(), part, threads);
-    for (std::size_t c = share.begin; c < share.end; ++c) of_corner[c] = of_vertex[mesh.indices[c]];
-  });
-  return of_corner;
-}
-
-std::size_t next_corner(std::size_t corner) {
-  return corner % 3 == 2 ? corner - 2 : corner + 1;
-}
-std::size_t previous_corner(std::size_t corner) {
-  return corner % 3 == 0 ? corner + 2 : corner - 1;
-}
-
-/// For the edge that starts at each corner, the corner at which the same edge starts in the triangle on its
-/// other side, or none. Edges that more than two triangles share are paired in order of appearance, and only
-/// edges that run in opposite directions match.
-std::vector<std::uint32_t> opposite_edges(const std::vector<std::uint32_t>& welded, unsigned threads) {
-  struct Edge {
-    std::uint32_t low, high;  // its vertices
-    std::uint32_t waiting;    // the last corner at which it starts and that has no partner, or no_index
-    bool upwards;             // whether it starts at `low` there
-  };
-  std::vector<std::uint32_t> opposite(welded.size(), no_index);
-  in_parallel(threads, threads, [&](std::size_t part) {
-    std::vector<Edge> edges;
-    DistinctTable table(welded.size() / 2 / threads);
-    for (std::uint32_t c = 0; c < welded.size(); ++c) {
-      const std::uint32_t from = welded[c], to = welded[next_corner(c)];
-      const auto [low, high] = std::minmax(from, to);
-      const std::uint64_t hash = mix(std::uint64_t{low} << 32 | high);
-      if (from == to || part_of(hash, threads) != part) continue;
-      const std::uint32_t n =
-          table.number(hash, [&](std::uint32_t k) { return edges[k].low == low && edges[k].high == high; });
-      if (n == edges.size()) edges.push_back({low, high, no_index, false});
-      Edge& edge = edges[n];
-      const bool upwards = from == low;
-      if (edge.waiting == no_index || edge.upwards == upwards) {
-        edge.waiting = c;
-        edge.upwards = upwards;
-      } else {
-        opposite[c] = edge.waiting;
-        opposite[edge.waiting] = c;
-        edge.waiting = no_index;
-      }
-    }
-  });
-  return opposite;
-}
-
-/// The group of each corner, or no_index; a group lies around one welded vertex and has one turn.
-struct Groups {
-  std::vector<std::uint32_t> of_corner;
-  std::vector<signed char> turn;
-};
-
-Groups group_corners(const std::vector<std::uint32_t>& welded, const std::vector<std::uint32_t>& opposite,
-                     std::vector<signed char> turn) {
-  Groups groups{std::vector<std::uint32_t>(welded.size(), no_index), {}};
-  std::vector<std::size_t> stack;
-  for (std::size_t start = 0; start < welded.size(); ++start) {
-    if (turn[start / 3] == 0 || groups.of_corner[start] != no_index) continue;
-    const auto group = static_cast<std::uint32_t>(groups.turn.size());
-    const signed char mine = turn[start / 3];
-    groups.turn.push_back(mine);
-    stack.push_back(start);
-    while (!stack.empty()) {
-      const std::size_t corner = stack.back();
-      stack.pop_back();
-      if (groups.of_corner[corner] != no_index) continue;
-      // A triangle without texture area takes the turn of the first group that reaches it.
-      if (turn[corner / 3] == 0) turn[corner / 3] = mine;
-      if (turn[corner / 3] != mine) continue;
-      groups.of_corner[corner] = group;
-      // Across the edge that leaves this vertex, and across the one that arrives at it. In the neighbour the
-      // edge runs the other way, so this vertex is at that edge's end and at its start.
-      if (const std::uint32_t left = opposite[corner]; left != no_index) stack.push_back(next_corner(left));
-      if (const std::uint32_t right = opposite[previous_corner(corner)]; right != no_index)
-        stack.push_back(right);
-    }
-  }
-  return groups;
-}
-
-/// A triangle's unit T and the weight of its corner, both in the plane of the corner's normal.
-glm::dvec3 projected_tangent(const Mesh& mesh, std::size_t corner, const glm::vec3& unit_tangent) {
-  const glm::dvec3 normal = mesh.normals[mesh.indices[corner]];
-  const auto into_plane = [&normal](const glm::dvec3& v) {
-    return glm::cross(glm::cross(normal, v), normal);
-  };
-  const glm::dvec3 here = mesh.positions[mesh.indices[corner]];
-  const glm::dvec3 next = mesh.positions[mesh.indices[next_corner(corner)]];
-  const glm::dvec3 previous = mesh.positions[mesh.indices[previous_corner(corner)]];
-  const double angle = angle_between(into_plane(next - here), into_plane(previous - here));
-  return angle * glm::dvec3(unit_or_zero(into_plane(unit_tangent)));
-}
-
-/// The sum of each group's projected tangents, in the order of the corners whatever the number of threads.
-std::vector<glm::dvec3> sum_by_group(const Mesh& mesh, const Groups& groups, const Frames& frames,
-                                     unsigned threads) {
-  std::vector<glm::dvec3> sums(groups.turn.size(), glm::dvec3(0.0));
-  in_parallel(threads, threads, [&](std::size_t part) {
-    const Share share(sums.size(), part, threads);  // of the groups; no_index is in none
-    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-      const std::uint32_t* group = &groups.of_corner[3 * t];
-      if (std::none_of(group, group + 3, [&](std::uint32_t g) { return share.holds(g); })) continue;
-      const glm::vec3 unit = unit_or_zero(frames.of_triangle[t].tangent);
-      for (std::size_t k = 0; k < 3; ++k)
-        if (share.holds(group[k])) sums[group[k]] += projected_tangent(mesh, 3 * t + k, unit);
-    }
-  });
-  return sums;
-}
-
-void mikktspace(Mesh& mesh, const Frames& frames, unsigned threads, TangentReport& report) {
-  const std::vector<std::uint32_t> welded = weld_corners(mesh, threads);
-  Groups groups = group_corners(welded, opposite_edges(welded, threads), frames.turn);
-  const std::vector<glm::dvec3> sums = sum_by_group(mesh, groups, frames, threads);
-
-  // A degenerate triangle that no group reached takes its neighbour's frame.
-  if (report.degenerate_triangles > 0) {
-    std::vector<std::uint32_t> group_at(mesh.vertex_count(), no_index);  // by welded vertex: the first there
-    for (std::size_t c = 0; c < welded.size(); ++c)
-      if (group_at[welded[c]] == no_index) group_at[welded[c]] = groups.of_corner[c];
-    for (std::size_t c = 0; c < welded.size(); ++c)
-      if (groups.of_corner[c] == no_index) groups.of_corner[c] = group_at[welded[c]];
-  }
-  const std::vector<std::uint32_t> group_of_vertex = split(mesh, groups.of_corner, report);
-
-  std::atomic<std::uint32_t> fallbacks = 0;
-  in_parallel(threads, threads, [&](std::size_t part) {
-    const Share share(mesh.vertex_count(), part, threads);
-    for (std::size_t v = share.begin; v < share.end; ++v) {
-      const std::uint32_t group = group_of_vertex[v];
-      glm::vec3 tangent = group == no_index ? glm::vec3(0.0f) : unit_or_zero(sums[group]);
-      if (is_zero(tangent)) {
-        ++fallbacks;
-        tangent = any_orthogonal(mesh.normals[v]);
-      }
-      mesh.tangents[v] = {tangent, group != no_index && groups.turn[group] < 0 ? -1.0f : 1.0f};
-    }
-  });
-  report.fallback_vertices = fallbacks;
-}
-
 }  // namespace
 
 TangentReport compute_tangents(Mesh& mesh, TangentMethod method, unsigned threads) {
@@ -373,10 +187,11 @@ TangentReport compute_tangents(Mesh& mesh, TangentMethod method, unsigned thread
     throw Error::failed("tangents need normals, and the mesh has none", {},
                         "generate flat or smooth normals");
   if (threads == 0) threads = parts_for(mesh.triangle_count(), 10'000);
-  TangentReport report;
-  const Frames frames = triangle_frames(mesh, threads, report);
   mesh.bitangents.clear();
   mesh.tangents.assign(mesh.vertex_count(), glm::vec4(0.0f));
+  if (method == TangentMethod::mikktspace) return mikktspace(mesh, threads);
+  TangentReport report;
+  const Frames frames = triangle_frames(mesh, threads, report);
   switch (method) {
     case TangentMethod::averaged:
       store_averages(mesh, sum_by_vertex(mesh, frames), report);
@@ -390,7 +205,6 @@ TangentReport compute_tangents(Mesh& mesh, TangentMethod method, unsigned thread
       store_orthonormal(mesh, sum_by_angle(mesh, frames), report);
       break;
     case TangentMethod::mikktspace:
-      mikktspace(mesh, frames, threads, report);
       break;
   }
   return report;
