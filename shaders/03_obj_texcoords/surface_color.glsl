@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The picture's colour at this pixel, and the coordinate at which it is read.
+#include "lib/bounded_texcoord.glsl"
+
 #if METHOD == METHOD_PER_VERTEX
 in vec3 vertex_color;
 in vec2 fragment_texcoord;
@@ -51,5 +53,5 @@ in vec2 fragment_texcoord;
 
 vec2 surface_texcoord() { return fragment_texcoord; }
 
-vec3 surface_color() { return texture(color_map, fragment_texcoord).rgb; }
+vec3 surface_color() { return texture(color_map, bounded_texcoord(fragment_texcoord)).rgb; }
 #endif
