@@ -6,8 +6,11 @@
 
 #include <cstdio>
 #include <memory>
+#include <string_view>
+#include <unordered_map>
 
 #include "app/assets.hpp"
+#include "app/models.hpp"
 #include "core/stopwatch.hpp"
 #include "mesh/bounds.hpp"
 #include "mesh/normals.hpp"
@@ -20,9 +23,11 @@
 namespace texel {
 
 struct Imported {
-  std::shared_ptr<const mesh::Mesh> mesh;  ///< centred, its farthest vertex at distance 1
-  std::vector<mesh::Group> parts;          ///< at least one
-  std::vector<mesh::Material> materials;   ///< color_map: a path, or "" where there is no such file
+  std::shared_ptr<const mesh::Mesh> mesh;     ///< centred, its farthest vertex at distance 1
+  std::vector<mesh::Group> parts;             ///< at least one
+  std::vector<mesh::Material> materials;      ///< color_map: a path, or "" where there is no such file
+  std::vector<std::size_t> material_of_part;  ///< the first of that name; beyond the list: none
+  bool names_pictures = false;                ///< whether some material has a color_map
   app::Notes notes;
 };
 
@@ -62,6 +67,19 @@ inline void resolve_pictures(Imported& imported, const std::filesystem::path& fi
   }
 }
 
+/// Finds each part's material by its name. A file may have as many of both as it has triangles.
+inline void find_materials(Imported& imported) {
+  std::unordered_map<std::string_view, std::size_t> place;
+  for (std::size_t i = 0; i < imported.materials.size(); ++i) {
+    place.try_emplace(imported.materials[i].name, i);
+    imported.names_pictures = imported.names_pictures || !imported.materials[i].color_map.empty();
+  }
+  for (const mesh::Group& part : imported.parts) {
+    const auto found = place.find(part.material);
+    imported.material_of_part.push_back(found == place.end() ? imported.materials.size() : found->second);
+  }
+}
+
 inline mesh::Projection mesh_projection(Projection projection) {
   switch (projection) {
     case Projection::planar:
@@ -97,6 +115,7 @@ inline Imported import_obj(const std::filesystem::path& file, Projection project
 
   progress.say("vertices");
   mesh::Mesh mesh = mesh::weld(std::move(data));
+  app::warn_of_lost_shape(mesh, file.string(), imported.notes);
   mesh::normalize_to_unit(mesh);
   if (normals == Normals::flat) mesh::flat_normals(mesh);
   progress.say("texture coordinates");
@@ -111,6 +130,7 @@ inline Imported import_obj(const std::filesystem::path& file, Projection project
   imported.parts = mesh.groups;
   if (imported.parts.empty())
     imported.parts.push_back({"", 0, static_cast<std::uint32_t>(mesh.indices.size())});
+  find_materials(imported);
   imported.mesh = std::make_shared<const mesh::Mesh>(std::move(mesh));
   return imported;
 }
