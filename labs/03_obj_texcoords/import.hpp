@@ -4,14 +4,13 @@
 #pragma once
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 #include <string_view>
 #include <unordered_map>
 
 #include "app/assets.hpp"
 #include "app/models.hpp"
-#include "core/stopwatch.hpp"
+#include "core/progress.hpp"
 #include "mesh/bounds.hpp"
 #include "mesh/normals.hpp"
 #include "mesh/obj.hpp"
@@ -29,28 +28,6 @@ struct Imported {
   std::vector<std::size_t> material_of_part;  ///< the first of that name; beyond the list: none
   bool names_pictures = false;                ///< whether some material has a color_map
   app::Notes notes;
-};
-
-/// Says on stderr what the import is doing, once it has taken half a second.
-class ImportProgress {
- public:
-  explicit ImportProgress(std::string file) : file_(std::move(file)) {}
-  ~ImportProgress() {
-    if (!said_.empty()) std::fputc('\n', stderr);
-  }
-  ImportProgress(const ImportProgress&) = delete;
-  ImportProgress& operator=(const ImportProgress&) = delete;
-  void say(const std::string& what) {
-    if (what == said_ || stopwatch_.milliseconds() < 500) return;
-    said_ = what;
-    fmt::print(stderr, "\r{}: {:<20}", file_, what);  // padded, so that it covers what stood there
-    std::fflush(stderr);
-  }
-
- private:
-  std::string file_;
-  Stopwatch stopwatch_;
-  std::string said_;
 };
 
 /// The file's materials with their pictures' paths, which are relative to the file. A picture that is not
@@ -96,7 +73,7 @@ inline mesh::Projection mesh_projection(Projection projection) {
 /// Reads the file, makes what it lacks, and builds the vertex stream. Errors as mesh::load_obj.
 inline Imported import_obj(const std::filesystem::path& file, Projection projection, Normals normals,
                            Tint tint) {
-  ImportProgress progress(file.filename().string());
+  Progress progress(file.filename().string());
   const auto say_part = [&](double part) { progress.say(fmt::format("reading, {:.0f} %", 100 * part)); };
   mesh::ObjData data = mesh::load_obj(file, {.progress = say_part});
   Imported imported;
