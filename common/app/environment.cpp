@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "app/environment.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <vector>
 
+#include "core/parallel.hpp"
+#include "core/progress.hpp"
+#include "core/stages.hpp"
 #include "gl/make_cube_map.hpp"
 #include "gl/upload.hpp"
 #include "image/colour.hpp"
+#include "image/mipmaps.hpp"
 #include "mesh/primitives.hpp"
 #include "procedural/cube.hpp"
 
@@ -39,6 +47,9 @@ void Environment::draw_background(Frame& frame, const OrbitCamera& camera, int u
 
 namespace {
 
+/// The picture is 4 times as wide: 8192 texels are read by nearly every OpenGL 3.3, and need 0.2 GB.
+constexpr int kLargestSide = 2048;
+
 /// Linear-light RGB of a cube map in a direction: bilinear within one face.
 glm::vec3 look_up(const std::array<image::Image8, 6>& faces, const glm::dvec3& direction) {
   const procedural::FaceCoordinate at = procedural::face_coordinate(direction);
@@ -56,34 +67,62 @@ glm::vec3 look_up(const std::array<image::Image8, 6>& faces, const glm::dvec3& d
   return glm::mix(glm::mix(texel(x0, y0), texel(x1, y0), fx), glm::mix(texel(x0, y1), texel(x1, y1), fx), fy);
 }
 
-/// A picture whose texel at (u, v), both 0..1 with v = 0 in row 0, shows what lies in direction_of(u, v).
+/// The faces, halved as mipmaps are until no side is longer than kLargestSide.
+std::array<image::Image8, 6> bounded(std::array<image::Image8, 6> faces) {
+  for (image::Image8& face : faces)
+    while (face.width > kLargestSide) face = std::move(image::mip_chain(face, image::Encoding::srgb)[1]);
+  return faces;
+}
+
+/// A picture whose texel at column x and row y shows what lies in direction_of(x, y).
 template <class DirectionOf>
 image::Image8 resampled(const std::array<image::Image8, 6>& faces, int width, int height,
                         DirectionOf direction_of) {
+  const Stage stage("resample");
   image::Image8 result(width, height, 3);
-  for (int y = 0; y < height; ++y)
+  Progress progress("cube map as one picture");
+  std::atomic<int> done = 0;
+  in_parallel(processors(), static_cast<std::size_t>(height), [&](std::size_t row) {
+    const int y = static_cast<int>(row);
     for (int x = 0; x < width; ++x) {
-      const glm::vec3 colour = look_up(faces, direction_of((x + 0.5) / width, (y + 0.5) / height));
+      const glm::vec3 colour = look_up(faces, direction_of(x, y));
       for (int c = 0; c < 3; ++c) result.at(x, y, c) = image::to_encoding8(colour[c]);
     }
+    if (width > kLargestSide && ++done % 64 == 0)
+      progress.say(fmt::format("{} of {} rows", done.load(), height));
+  });
   return result;
+}
+
+/// Sine and cosine of the angles in the middles of `count` equal parts of `whole`.
+std::vector<glm::dvec2> sines_and_cosines(int count, double whole) {
+  std::vector<glm::dvec2> list;
+  for (int i = 0; i < count; ++i) {
+    const double angle = whole * ((i + 0.5) / count);
+    list.emplace_back(std::sin(angle), std::cos(angle));
+  }
+  return list;
 }
 
 }  // namespace
 
-image::Image8 equirectangular_map(const std::array<image::Image8, 6>& faces) {
-  const int side = faces[0].width;
-  return resampled(faces, 4 * side, 2 * side, [](double u, double v) {
-    const double longitude = -2 * glm::pi<double>() * u, from_pole = glm::pi<double>() * v;
-    return glm::dvec3(std::sin(from_pole) * std::sin(longitude), std::cos(from_pole),
-                      std::sin(from_pole) * std::cos(longitude));
+image::Image8 equirectangular_map(std::array<image::Image8, 6> faces) {
+  faces = bounded(std::move(faces));
+  const int width = 4 * faces[0].width, height = 2 * faces[0].width;
+  const std::vector<glm::dvec2> longitude = sines_and_cosines(width, -2 * glm::pi<double>());
+  const std::vector<glm::dvec2> from_pole = sines_and_cosines(height, glm::pi<double>());
+  return resampled(faces, width, height, [&](int x, int y) {
+    const glm::dvec2 &along = longitude[static_cast<std::size_t>(x)],
+                     &down = from_pole[static_cast<std::size_t>(y)];
+    return glm::dvec3(down.x * along.x, down.y, down.x * along.y);
   });
 }
 
-image::Image8 sphere_map(const std::array<image::Image8, 6>& faces) {
+image::Image8 sphere_map(std::array<image::Image8, 6> faces) {
+  faces = bounded(std::move(faces));
   const int side = 2 * faces[0].width;
-  return resampled(faces, side, side, [](double u, double v) {
-    glm::dvec2 on_ball(2 * u - 1, 2 * v - 1);
+  return resampled(faces, side, side, [side](int x, int y) {
+    glm::dvec2 on_ball(2 * ((x + 0.5) / side) - 1, 2 * ((y + 0.5) / side) - 1);
     const double radius = glm::length(on_ball);
     if (radius > 1) on_ball /= radius;
     const glm::dvec3 normal(on_ball, std::sqrt(std::max(1 - glm::dot(on_ball, on_ball), 0.0)));

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/models.hpp"
 
+#include <fmt/format.h>
+
+#include <cstdio>
+
 #include "mesh/bounds.hpp"
 #include "mesh/normals.hpp"
 #include "mesh/obj.hpp"
@@ -9,6 +13,13 @@
 #include "mesh/weld.hpp"
 
 namespace texel::app {
+
+void warn_of_lost_shape(const mesh::Mesh& mesh, const std::string& file, Notes& notes) {
+  const std::string why = mesh::lost_shape(mesh);
+  if (why.empty()) return;
+  notes.warnings.push_back(why);
+  fmt::print(stderr, "{}: warning: {}\n", file, why);
+}
 
 Model load_model(const Assets& assets, const std::string& name, Tessellation tessellation) {
   const auto segments_or = [&](int own) { return tessellation.segments > 0 ? tessellation.segments : own; };
@@ -31,6 +42,7 @@ Model load_model(const Assets& assets, const std::string& name, Tessellation tes
   if (tessellation.segments > 0 || tessellation.jitter > 0)
     model.notes.facts.emplace_back(
         "segments and jitter are for the built-in shapes: a file's triangles stay");
+  warn_of_lost_shape(model.mesh, name, model.notes);
   mesh::normalize_to_unit(model.mesh);
   if (model.mesh.texcoords.empty()) {
     mesh::generate_texcoords(model.mesh, mesh::Projection::box);

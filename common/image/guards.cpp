@@ -2,7 +2,9 @@
 #include "guards.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace texel::image {
 namespace {
@@ -46,7 +48,41 @@ bool sampling_overruns(const Bytes& jpeg, std::size_t at) {
   return false;
 }
 
+constexpr std::array<std::uint32_t, 256> crc_table = [] {
+  std::array<std::uint32_t, 256> table{};
+  for (std::uint32_t i = 0; i < 256; ++i) {
+    table[i] = i;
+    for (int bit = 0; bit < 8; ++bit) table[i] = table[i] >> 1U ^ ((table[i] & 1U) != 0 ? 0xedb88320U : 0U);
+  }
+  return table;
+}();
+
+std::uint32_t crc32(std::string_view bytes) {
+  std::uint32_t crc = 0xffffffffU;
+  for (const char c : bytes) crc = crc >> 8U ^ crc_table[(crc ^ static_cast<unsigned char>(c)) & 0xffU];
+  return ~crc;
+}
+
 }  // namespace
+
+std::string damaged_png_chunk(std::string_view bytes) {
+  constexpr std::string_view signature("\x89PNG\r\n\x1a\n");
+  if (!bytes.starts_with(signature)) return {};
+  const Bytes png{bytes};
+  const auto big_endian32 = [&](std::size_t at) {
+    return png.big_endian16(at) << 16U | png.big_endian16(at + 2);
+  };
+  for (std::size_t at = signature.size(); at + 12 <= bytes.size();) {
+    const std::size_t length = big_endian32(at);
+    if (length > bytes.size() - at - 12) break;
+    const std::string_view type = bytes.substr(at + 4, 4);
+    const bool read = type == "IHDR" || type == "PLTE" || type == "tRNS" || type == "IDAT";
+    if (read && crc32(bytes.substr(at + 4, length + 4)) != big_endian32(at + 8 + length))
+      return std::string(type);
+    at += length + 12;
+  }
+  return {};
+}
 
 bool jpeg_overruns(std::string_view bytes) {
   if (!is_jpeg(bytes)) return false;

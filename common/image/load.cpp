@@ -57,7 +57,7 @@ constexpr stbi_io_callbacks stream_callbacks = {Stream::read, Stream::skip, Stre
 /// A PNG's own size, from its first chunk; stb_image does not tell it where it thinks it too large.
 void check_png_limits(const std::filesystem::path& path, std::string_view bytes) {
   using namespace std::string_view_literals;
-  if (!bytes.starts_with("\x89PNG\r\n\x1a\n"sv) || bytes.size() < 24) return;
+  if (!bytes.starts_with("\x89PNG\r\n\x1a\n"sv) || bytes.size() < 26) return;
   const auto big_endian = [&](std::size_t at) {
     long long value = 0;
     for (std::size_t i = 0; i < 4; ++i) value = value * 256 + static_cast<unsigned char>(bytes[at + i]);
@@ -65,7 +65,10 @@ void check_png_limits(const std::filesystem::path& path, std::string_view bytes)
   };
   const long long width = big_endian(16);
   const long long height = big_endian(20);
-  check_limits(path, std::min(width, 1LL << 31), std::min(height, 1LL << 31), 1);
+  // By the colour's type: grey, RGB, a palette of RGB, grey and alpha, RGBA.
+  static constexpr int kChannels[] = {1, 1, 3, 3, 2, 1, 4};
+  const auto type = static_cast<unsigned char>(bytes[25]);
+  check_limits(path, std::min(width, 1LL << 31), std::min(height, 1LL << 31), kChannels[type < 7 ? type : 0]);
 }
 
 std::size_t header_pixels(const Info& header) {
@@ -100,6 +103,8 @@ Image<Sample> load(const std::filesystem::path& path, int channels, Decode decod
   const std::string bytes = read_file(path);
   const Info header = read_header(path, bytes);
   check_limits(path, header.width, header.height, std::max(header.channels, channels));
+  if (const std::string chunk = damaged_png_chunk(bytes); !chunk.empty())
+    throw broken(path, fmt::format("is damaged: the checksum of its chunk {} is wrong", chunk));
   if (tga_is_cut_short(bytes, header_pixels(header))) throw broken(path, "is cut short");
 
   Stream stream{bytes};

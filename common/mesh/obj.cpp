@@ -45,6 +45,10 @@ std::int64_t resolve_index([[maybe_unused]] std::int64_t written, [[maybe_unused
   //@end
 }
 
+/// Beyond it float32 has no fractions: a texture coordinate there tells nothing of a place in the picture,
+/// and differences of larger ones could overflow.
+constexpr float greatest_texcoord = 16777216.0f;
+
 /// Reads an integer off the front of [at, end); false when there is none or it has more than 18 digits.
 inline bool take_integer(const char*& at, const char* end, std::int64_t& value) {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
@@ -84,9 +88,12 @@ class Parser {
   }
 
  private:
+  [[nodiscard]] Place place(std::uint64_t line) const {
+    return {data_.name, static_cast<int>(std::min<std::uint64_t>(line, INT32_MAX))};
+  }
+
   [[noreturn]] void fail(const std::string& what, const std::string& remedy) const {
-    const auto line = static_cast<int>(std::min<std::uint64_t>(lines_.line_number(), INT32_MAX));
-    throw Error::failed(what, {data_.name, line}, remedy);
+    throw Error::failed(what, place(lines_.line_number()), remedy);
   }
 
   void parse_line(std::string_view line) {
@@ -113,6 +120,7 @@ class Parser {
     std::size_t count = 0;
     const char* at = line.data();
     const char* const end = at + line.size();
+    not_finite_ = false;
     for (; skip_blanks(at, end); ++count) {
       if (count == most) fail(fmt::format("{} has more than {} numbers", keyword, most), "remove the rest");
       if (take_plain_number(at, end, numbers_[count])) continue;
@@ -123,8 +131,13 @@ class Parser {
           break;
         case NumberStatus::malformed:
           fail(for_message(word) + " is not a number", "write numbers as 1.5 or -2e-3");
-        case NumberStatus::not_finite:
-          fail(for_message(word) + " is not a finite number", "mend the exporter");
+        case NumberStatus::with_rest:
+          if (data_.report.numbers_with_rest++ == 0) first_rest_ = for_message(word);
+          break;
+        case NumberStatus::not_finite:  // an error only where a face uses it
+          numbers_[count] = 0.0f;
+          not_finite_ = true;
+          break;
         case NumberStatus::too_large:
           fail(for_message(word) + " is too large for a 32-bit float", "scale the model to below 1e38");
       }
@@ -148,6 +161,7 @@ class Parser {
     if (n.size() == 5) fail("v has 5 numbers", "write x y z, x y z w or x y z r g b");
     if (data_.positions.size() >= no_index - 1) fail("more than 4294967294 positions", "split the model");
     data_.positions.push_back(position_from(n));
+    if (not_finite_) note_not_finite(not_finite_positions_, data_.positions.size() - 1);
     if ((n.size() == 4 || n.size() == 7) && n[3] != 1.0f) ++data_.report.ignored_weights;
     if (n.size() >= 6) {
       data_.colors.resize(data_.positions.size() - 1, glm::vec3(1.0f));
@@ -157,13 +171,42 @@ class Parser {
 
   void texcoord_line(std::string_view line) {
     reserve_by(data_.texcoords, line.size(), 1);
-    data_.texcoords.push_back(texcoord_from(numbers(line, "vt", 1, 3)));
+    const glm::vec2 texcoord = texcoord_from(numbers(line, "vt", 1, 3));
+    const glm::vec2 kept = glm::clamp(texcoord, -greatest_texcoord, greatest_texcoord);
+    if (kept != texcoord) ++data_.report.great_texcoords;
+    data_.texcoords.push_back(kept);
+    if (not_finite_) note_not_finite(not_finite_texcoords_, data_.texcoords.size() - 1);
   }
 
   void normal_line(std::string_view line) {
     reserve_by(data_.normals, line.size(), 1);
     const std::span<const float> n = numbers(line, "vn", 3, 3);
     data_.normals.emplace_back(n[0], n[1], n[2]);
+    if (!not_finite_) return;
+    data_.normals.back() = glm::vec3(0.0f);  // as one without a direction: a generated one takes its place
+    ++data_.report.not_finite_normals;
+  }
+
+  /// A line with NaN or infinity, which counts as 0.
+  struct NotFinite {
+    std::size_t index;  // in its list
+    std::uint64_t line;
+  };
+
+  void note_not_finite(std::vector<NotFinite>& list, std::size_t index) const {
+    list.push_back({index, lines_.line_number()});
+  }
+
+  /// Refuses a file of which a face uses such a line.
+  void check_unused(const std::vector<NotFinite>& list, std::uint32_t Corner::*index_of) const {
+    if (list.empty()) return;
+    for (const Corner& corner : data_.corners) {
+      const auto found = std::partition_point(
+          list.begin(), list.end(), [&](const NotFinite& one) { return one.index < corner.*index_of; });
+      if (found != list.end() && found->index == corner.*index_of)
+        throw Error::failed("a number that a face uses is not a finite number", place(found->line),
+                            "mend the exporter");
+    }
   }
 
   [[noreturn]] void fail_no_index(const char* at, const char* end, const char* list) const {
@@ -179,25 +222,44 @@ class Parser {
          "a face may only use lines above it");
   }
 
-  /// One index of a corner; `at` stands on its first character.
-  std::uint32_t take_index(const char*& at, const char* end, std::size_t count, const char* list) const {
-    std::int64_t written = 0;
-    if (!take_integer(at, end, written)) fail_no_index(at, end, list);
+  /// One index of a corner as it is meant in a list of `count` entries, inside of it or not; `at` stands on
+  /// its first character.
+  std::int64_t take_index(const char*& at, const char* end, std::size_t count, const char* list,
+                          std::int64_t& written) const {
+    const char* const begin = at;
+    if (!take_integer(at, end, written)) fail_no_index(begin, end, list);
     if (written == 0) fail_index(written, count, list);
-    const std::int64_t index = resolve_index(written, static_cast<std::int64_t>(count));
+    return resolve_index(written, static_cast<std::int64_t>(count));
+  }
+
+  /// An index of v or vt, which must be there.
+  std::uint32_t take_entry(const char*& at, const char* end, std::size_t count, const char* list) const {
+    std::int64_t written = 0;
+    const std::int64_t index = take_index(at, end, count, list, written);
     if (index < 0 || index >= static_cast<std::int64_t>(count)) fail_index(written, count, list);
     return static_cast<std::uint32_t>(index);
   }
 
+  /// An index of vn. Some programs write it without the list, or with one that is too short, since a normal
+  /// can be made: no_index then.
+  std::uint32_t take_normal(const char*& at, const char* end) {
+    std::int64_t written = 0;
+    const auto count = static_cast<std::int64_t>(data_.normals.size());
+    const std::int64_t index = take_index(at, end, data_.normals.size(), "vn", written);
+    if (index >= 0 && index < count) return static_cast<std::uint32_t>(index);
+    ++data_.report.lost_normals;
+    return no_index;
+  }
+
   /// v, v/vt, v//vn or v/vt/vn; empty parts at the end are taken as not there.
-  Corner take_corner(const char*& at, const char* end) const {
+  Corner take_corner(const char*& at, const char* end) {
     Corner corner;
     const auto at_index = [&] { return at != end && *at != '/' && !is_blank(*at); };
-    corner.position = take_index(at, end, data_.positions.size(), "v");
+    corner.position = take_entry(at, end, data_.positions.size(), "v");
     if (at != end && *at == '/') {
-      if (++at; at_index()) corner.texcoord = take_index(at, end, data_.texcoords.size(), "vt");
+      if (++at; at_index()) corner.texcoord = take_entry(at, end, data_.texcoords.size(), "vt");
       if (at != end && *at == '/')
-        if (++at; at_index()) corner.normal = take_index(at, end, data_.normals.size(), "vn");
+        if (++at; at_index()) corner.normal = take_normal(at, end);
     }
     if (at != end && !is_blank(*at))
       fail("a corner has more than three indices or a stray sign", "write corners as v/vt/vn");
@@ -215,6 +277,9 @@ class Parser {
         ++data_.report.dropped_corners;
       else
         face_.push_back(corner);
+      if (face_.size() > max_face_corners)
+        fail(fmt::format("a face of more than {} corners", max_face_corners),
+             "export the model as triangles");
     }
     while (face_.size() > 1 && face_.back().position == face_.front().position) {
       face_.pop_back();
@@ -285,6 +350,9 @@ class Parser {
                       "not understood)",
                       report.lines, data_.positions.size(), report.faces, report.unknown_lines),
           {data_.name}, "is this an OBJ file, and was it exported with its faces?");
+    check_unused(not_finite_positions_, &Corner::position);
+    check_unused(not_finite_texcoords_, &Corner::texcoord);
+    report.not_finite_unused = not_finite_positions_.size() + not_finite_texcoords_.size();
     if (!data_.colors.empty()) data_.colors.resize(data_.positions.size(), glm::vec3(1.0f));
     for (const Corner& corner : data_.corners) {
       if (corner.texcoord == no_index) ++report.missing_texcoords;
@@ -304,6 +372,12 @@ class Parser {
     warn(report.points_and_lines, "points and lines ignored");
     warn(report.ignored_weights, "weights (the fourth number of v) ignored");
     warn(report.missing_texcoords, "corners without vt, drawn with texture coordinate 0 0");
+    warn(report.lost_normals, "corners whose vn is not above them in the file, whose normals are generated");
+    warn(report.not_finite_normals, "vn with NaN or infinity, whose corners get generated normals");
+    warn(report.not_finite_unused, "lines of v and vt with NaN or infinity, which no face uses");
+    warn(report.great_texcoords,
+         fmt::format("vt beyond {}, where a 32-bit float has no fractions, moved there", greatest_texcoord));
+    warn(report.numbers_with_rest, "numbers read as far as they are numbers, the first is " + first_rest_);
     warn(report.missing_normals, "corners without vn, whose normals are generated");
     warn(report.unknown_lines, "lines ignored whose keyword is not known, the first is " + first_unknown_);
   }
@@ -312,7 +386,9 @@ class Parser {
   const ObjOptions& options_;
   LineReader lines_;
   ObjData data_;
-  std::string first_unknown_;
+  std::string first_unknown_, first_rest_;
+  bool not_finite_ = false;  // of the last line's numbers, some
+  std::vector<NotFinite> not_finite_positions_, not_finite_texcoords_;
   std::array<float, 7> numbers_{};
   std::vector<Corner> face_;  // this and the next two are here to be allocated once
   std::vector<glm::vec3> outline_;

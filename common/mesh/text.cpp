@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 
 namespace texel::mesh {
 
@@ -52,19 +53,49 @@ std::string_view rest_of_line(std::string_view line) {
   return line;
 }
 
+namespace {
+
+/// Whether the number that is all of `word` lies below 1, told from the place of its first digit that is not
+/// 0.
+bool is_below_one(std::string_view word) {
+  const std::size_t exponent_at = std::min(word.find_first_of("eE"), word.size());
+  const std::string_view digits = word.substr(0, exponent_at);
+  const auto point = static_cast<std::int64_t>(std::min(digits.find('.'), digits.size()));
+  const std::size_t found = digits.find_first_of("123456789");
+  if (found == std::string_view::npos) return true;
+  const auto first = static_cast<std::int64_t>(found);
+  const std::int64_t power = first < point ? point - first - 1 : point - first;  // of ten, of that digit
+  std::string_view text = word.substr(std::min(exponent_at + 1, word.size()));
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  std::int64_t exponent = 0;
+  if (!text.empty() && std::from_chars(text.data(), text.data() + text.size(), exponent).ec != std::errc{})
+    return negative;  // larger than any file is long
+  return negative ? power < exponent : power < -exponent;
+}
+
+}  // namespace
+
 NumberStatus parse_float(std::string_view word, float& value) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   const char* end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, value);
-  if (error == std::errc::invalid_argument || stop != end) return NumberStatus::malformed;
+  const bool with_rest =
+      end - stop > 1 && (*stop == '+' || *stop == '-') && (stop[1] == 'e' || stop[1] == 'E');
+  if (error == std::errc::invalid_argument || (stop != end && !with_rest)) return NumberStatus::malformed;
   if (error == std::errc::result_out_of_range) {
     // Too large or too small: the wider type tells which, and rounds to 0 or a denormal.
     long double wide = 0.0L;
-    if (std::from_chars(word.data(), end, wide).ec != std::errc{}) return NumberStatus::too_large;
+    if (std::from_chars(word.data(), stop, wide).ec != std::errc{}) {
+      if (!is_below_one(word.substr(0, static_cast<std::size_t>(stop - word.data()))))
+        return NumberStatus::too_large;
+      wide = word[0] == '-' ? -0.0L : 0.0L;
+    }
     value = static_cast<float>(wide);
-    return std::isfinite(value) ? NumberStatus::ok : NumberStatus::too_large;
+    if (!std::isfinite(value)) return NumberStatus::too_large;
   }
-  return std::isfinite(value) ? NumberStatus::ok : NumberStatus::not_finite;
+  if (!std::isfinite(value)) return NumberStatus::not_finite;
+  return with_rest ? NumberStatus::with_rest : NumberStatus::ok;
 }
 
 std::string for_message(std::string_view word) {

@@ -59,10 +59,11 @@ inline std::string_view take_word(std::string_view& line) {
 /// The rest of a line without blanks around it and without a comment.
 std::string_view rest_of_line(std::string_view line);
 
-enum class NumberStatus { ok, malformed, not_finite, too_large };
+enum class NumberStatus { ok, with_rest, malformed, not_finite, too_large };
 
 /// The float32 nearest to the number that is the whole of `word`; a leading '+' is fine. Numbers too small
-/// for float32 become 0 or denormal.
+/// for float32 become 0 or denormal. `with_rest`: the sign of an exponent stands before its e (3.1+e2); the
+/// number in front of it (3.1), as programs have it that read as far as they understand.
 NumberStatus parse_float(std::string_view word, float& value);
 
 /// Takes a number of digits with or without a point, such as -12.345, off the front of [at, end); false, and

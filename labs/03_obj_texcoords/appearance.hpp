@@ -10,19 +10,17 @@
 
 namespace texel {
 
-inline const mesh::Material* material_of(const Imported& imported, const mesh::Group& part) {
-  const auto& materials = imported.materials;
-  const auto found = std::find_if(materials.begin(), materials.end(),
-                                  [&](const mesh::Material& m) { return m.name == part.material; });
-  return found == materials.end() ? nullptr : &*found;
+/// The material of part `i`; null for none.
+inline const mesh::Material* material_of(const Imported& imported, std::size_t i) {
+  const std::size_t index = imported.material_of_part[i];
+  return index < imported.materials.size() ? &imported.materials[index] : nullptr;
 }
 
-/// The name or path of a part's picture; "" for none.
-inline std::string picture_of(const std::string& texture, const Imported& imported, const mesh::Group& part) {
+/// The name or path of the picture of part `i`; "" for none.
+inline std::string picture_of(const std::string& texture, const Imported& imported, std::size_t i) {
   if (texture != "material") return texture;
-  const auto has_picture = [](const mesh::Material& m) { return !m.color_map.empty(); };
-  if (std::none_of(imported.materials.begin(), imported.materials.end(), has_picture)) return "label_grid";
-  const mesh::Material* material = material_of(imported, part);
+  if (!imported.names_pictures) return "label_grid";
+  const mesh::Material* material = material_of(imported, i);
   return material != nullptr ? material->color_map : "";
 }
 
@@ -37,7 +35,7 @@ inline glm::vec3 part_color(std::size_t i) {
 /// The sRGB colour by which the picture of part `i` is multiplied.
 inline glm::vec3 tint_of(Tint tint, const std::string& texture, const Imported& imported, std::size_t i) {
   if (tint != Tint::none) return part_color(i);
-  const mesh::Material* material = texture == "material" ? material_of(imported, imported.parts[i]) : nullptr;
+  const mesh::Material* material = texture == "material" ? material_of(imported, i) : nullptr;
   return material != nullptr ? material->diffuse : glm::vec3(1);
 }
 

@@ -4,11 +4,13 @@
 #pragma once
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
+#include <string_view>
+#include <unordered_map>
 
 #include "app/assets.hpp"
-#include "core/stopwatch.hpp"
+#include "app/models.hpp"
+#include "core/progress.hpp"
 #include "mesh/bounds.hpp"
 #include "mesh/normals.hpp"
 #include "mesh/obj.hpp"
@@ -20,32 +22,12 @@
 namespace texel {
 
 struct Imported {
-  std::shared_ptr<const mesh::Mesh> mesh;  ///< centred, its farthest vertex at distance 1
-  std::vector<mesh::Group> parts;          ///< at least one
-  std::vector<mesh::Material> materials;   ///< color_map: a path, or "" where there is no such file
+  std::shared_ptr<const mesh::Mesh> mesh;     ///< centred, its farthest vertex at distance 1
+  std::vector<mesh::Group> parts;             ///< at least one
+  std::vector<mesh::Material> materials;      ///< color_map: a path, or "" where there is no such file
+  std::vector<std::size_t> material_of_part;  ///< the first of that name; beyond the list: none
+  bool names_pictures = false;                ///< whether some material has a color_map
   app::Notes notes;
-};
-
-/// Says on stderr what the import is doing, once it has taken half a second.
-class ImportProgress {
- public:
-  explicit ImportProgress(std::string file) : file_(std::move(file)) {}
-  ~ImportProgress() {
-    if (!said_.empty()) std::fputc('\n', stderr);
-  }
-  ImportProgress(const ImportProgress&) = delete;
-  ImportProgress& operator=(const ImportProgress&) = delete;
-  void say(const std::string& what) {
-    if (what == said_ || stopwatch_.milliseconds() < 500) return;
-    said_ = what;
-    fmt::print(stderr, "\r{}: {:<20}", file_, what);  // padded, so that it covers what stood there
-    std::fflush(stderr);
-  }
-
- private:
-  std::string file_;
-  Stopwatch stopwatch_;
-  std::string said_;
 };
 
 /// The file's materials with their pictures' paths, which are relative to the file. A picture that is not
@@ -59,6 +41,19 @@ inline void resolve_pictures(Imported& imported, const std::filesystem::path& fi
       imported.notes.warnings.push_back(fmt::format("material '{}' names a picture that is not there: {}",
                                                     material.name, picture.string()));
     material.color_map = exists ? picture.string() : "";
+  }
+}
+
+/// Finds each part's material by its name. A file may have as many of both as it has triangles.
+inline void find_materials(Imported& imported) {
+  std::unordered_map<std::string_view, std::size_t> place;
+  for (std::size_t i = 0; i < imported.materials.size(); ++i) {
+    place.try_emplace(imported.materials[i].name, i);
+    imported.names_pictures = imported.names_pictures || !imported.materials[i].color_map.empty();
+  }
+  for (const mesh::Group& part : imported.parts) {
+    const auto found = place.find(part.material);
+    imported.material_of_part.push_back(found == place.end() ? imported.materials.size() : found->second);
   }
 }
 
@@ -78,7 +73,7 @@ inline mesh::Projection mesh_projection(Projection projection) {
 /// Reads the file, makes what it lacks, and builds the vertex stream. Errors as mesh::load_obj.
 inline Imported import_obj(const std::filesystem::path& file, Projection projection, Normals normals,
                            Tint tint) {
-  ImportProgress progress(file.filename().string());
+  Progress progress(file.filename().string());
   const auto say_part = [&](double part) { progress.say(fmt::format("reading, {:.0f} %", 100 * part)); };
   mesh::ObjData data = mesh::load_obj(file, {.progress = say_part});
   Imported imported;
@@ -97,6 +92,7 @@ inline Imported import_obj(const std::filesystem::path& file, Projection project
 
   progress.say("vertices");
   mesh::Mesh mesh = mesh::weld(std::move(data));
+  app::warn_of_lost_shape(mesh, file.string(), imported.notes);
   mesh::normalize_to_unit(mesh);
   if (normals == Normals::flat) mesh::flat_normals(mesh);
   progress.say("texture coordinates");
@@ -111,6 +107,7 @@ inline Imported import_obj(const std::filesystem::path& file, Projection project
   imported.parts = mesh.groups;
   if (imported.parts.empty())
     imported.parts.push_back({"", 0, static_cast<std::uint32_t>(mesh.indices.size())});
+  find_materials(imported);
   imported.mesh = std::make_shared<const mesh::Mesh>(std::move(mesh));
   return imported;
 }

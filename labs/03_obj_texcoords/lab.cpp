@@ -40,7 +40,7 @@ struct ObjTexcoords {
     const std::vector<mesh::Group>& parts = model.imported.parts;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       if (p.method == Method::per_fragment)
-        gl::bind(0, GL_TEXTURE_2D, texture(p, picture_of(p.texture, model.imported, parts[i])));
+        gl::bind(0, GL_TEXTURE_2D, texture(p, picture_of(p.texture, model.imported, i)));
       glm::vec3 tint = tint_of(p.tint, p.texture, model.imported, i);
       for (int c = 0; c < 3 && p.linear_light; ++c) tint[c] = image::linear_from_srgb(tint[c]);
       program.set("tint", tint);
@@ -112,8 +112,7 @@ struct ObjTexcoords {
         std::fill_n(part_of_corner.begin() + parts[i].first_index, parts[i].index_count, i);
       std::map<std::string, image::Image8> pictures;
       for (const std::uint32_t part : mesh::split_by_label(mesh, part_of_corner)) {
-        const std::string name =
-            part == mesh::no_index ? "" : picture_of(p.texture, model.imported, parts[part]);
+        const std::string name = part == mesh::no_index ? "" : picture_of(p.texture, model.imported, part);
         auto known = pictures.find(name);
         if (known == pictures.end()) known = pictures.emplace(name, picture(name, p.flip_v)).first;
         mesh.colors.push_back(

@@ -65,11 +65,11 @@ struct Reflection {
  private:
   /// The cube map's six pictures as one, which is looked up by angles or as a mirror ball shows it.
   gl::Texture picture(const Parameters& p) const {
-    const std::array<image::Image8, 6> faces = assets_.cube_map(p.cube_map);
+    std::array<image::Image8, 6> faces = assets_.cube_map(p.cube_map);
     if (p.lookup == Lookup::sphere_map)
-      return gl::make_texture_2d(app::sphere_map(faces), image::Encoding::srgb,
+      return gl::make_texture_2d(app::sphere_map(std::move(faces)), image::Encoding::srgb,
                                  {.wrap_s = GL_CLAMP_TO_EDGE, .wrap_t = GL_CLAMP_TO_EDGE});
-    return gl::make_texture_2d(app::equirectangular_map(faces), image::Encoding::srgb,
+    return gl::make_texture_2d(app::equirectangular_map(std::move(faces)), image::Encoding::srgb,
                                {.wrap_s = GL_REPEAT, .wrap_t = GL_CLAMP_TO_EDGE});
   }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The picture's colour at this pixel, and the coordinate at which it is read.
+#include "lib/bounded_texcoord.glsl"
+
 #if METHOD == METHOD_PER_VERTEX
 in vec3 vertex_color;
 in vec2 fragment_texcoord;
@@ -40,10 +42,11 @@ vec2 surface_texcoord() {
   return weights.x >= weights.y ? along_x() : along_y();
 }
 
+vec3 read(vec2 texcoord) { return texture(color_map, bounded_texcoord(texcoord)).rgb; }
+
 vec3 surface_color() {
   vec3 weights = axis_weights();
-  return weights.x * texture(color_map, along_x()).rgb + weights.y * texture(color_map, along_y()).rgb +
-         weights.z * texture(color_map, along_z()).rgb;
+  return weights.x * read(along_x()) + weights.y * read(along_y()) + weights.z * read(along_z());
 }
 
 #else
@@ -51,5 +54,5 @@ in vec2 fragment_texcoord;
 
 vec2 surface_texcoord() { return fragment_texcoord; }
 
-vec3 surface_color() { return texture(color_map, fragment_texcoord).rgb; }
+vec3 surface_color() { return texture(color_map, bounded_texcoord(fragment_texcoord)).rgb; }
 #endif

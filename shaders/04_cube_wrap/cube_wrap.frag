@@ -10,6 +10,7 @@ uniform vec3 light;  // world space, unit vector towards the light
 uniform float ambient;
 uniform float specular;
 
+#include "lib/bounded_texcoord.glsl"
 #include "lib/level_of_detail.glsl"
 #include "lib/light.glsl"
 #include "lib/picture.glsl"
@@ -22,7 +23,7 @@ void main() {
 #elif VIEW == VIEW_LOD
   picture = vec4(vec3(level_of_detail(fragment_texcoord, vec2(textureSize(color_map, 0)))), 1.0);
 #else
-  vec3 albedo = texture(color_map, fragment_texcoord).rgb;
+  vec3 albedo = texture(color_map, bounded_texcoord(fragment_texcoord)).rgb;
   show(vec4(lit(albedo, normalize(world_normal), normalize(eye - world_position)), 1.0));
 #endif
 }

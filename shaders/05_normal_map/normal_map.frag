@@ -16,6 +16,7 @@ uniform float specular;
 
 #include "decode_normal.glsl"
 #include "tangent_frame.glsl"
+#include "lib/bounded_texcoord.glsl"
 #include "lib/light.glsl"
 #include "lib/picture.glsl"
 
@@ -24,7 +25,7 @@ vec3 shading_normal() {
 #if !NORMAL_MAPPING || METHOD == METHOD_PER_VERTEX
   return normalize(world_normal);  // per vertex: the map's normals are already in the buffer
 #else
-  vec3 n = decode_normal(texture(normal_map, fragment_texcoord).rgb);
+  vec3 n = decode_normal(texture(normal_map, bounded_texcoord(fragment_texcoord)).rgb);
   n.xy *= bump_strength;
 #if METHOD == METHOD_RAW
   return normalize(n);
@@ -38,11 +39,12 @@ void main() {
 #if VIEW == VIEW_NORMAL
   picture = vec4(shading_normal(), 1.0);
 #elif VIEW == VIEW_TANGENT
-  picture = vec4(normalize(tangent_frame()[0]), 1.0);
+  vec3 tangent = tangent_frame()[0];
+  picture = vec4(tangent == vec3(0.0) ? tangent : normalize(tangent), 1.0);  // zero: no texture area, no direction
 #elif VIEW == VIEW_TEXCOORD
   picture = vec4(fragment_texcoord, 0.0, 1.0);
 #else
-  vec3 albedo = texture(color_map, fragment_texcoord).rgb;
+  vec3 albedo = texture(color_map, bounded_texcoord(fragment_texcoord)).rgb;
   vec3 normal = shading_normal();
 #if NORMAL_MAPPING && METHOD == METHOD_SCREEN_AXES
   show(vec4(albedo * dot(light, normal), 1.0));  // as the report has it: negative light is not cut off

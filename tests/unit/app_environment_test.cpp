@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace texel::app {
 namespace {
 
@@ -59,6 +61,17 @@ TEST(EquirectangularMap, keeps_a_plain_colour_exactly) {
   for (image::Image8& face : faces) std::fill(face.samples.begin(), face.samples.end(), std::uint8_t{93});
   const image::Image8 map = equirectangular_map(faces);
   for (const std::uint8_t sample : map.samples) ASSERT_EQ(sample, 93);
+}
+
+TEST(EquirectangularMap, halves_faces_that_are_too_large) {
+  std::array<image::Image8, 6> faces;
+  faces.fill(image::Image8(2050, 2050, 3));
+  for (image::Image8& face : faces) std::fill(face.samples.begin(), face.samples.end(), std::uint8_t{93});
+  const image::Image8 map = equirectangular_map(faces);
+  EXPECT_EQ(map.width, 4 * 1025);
+  EXPECT_EQ(map.height, 2 * 1025);
+  EXPECT_EQ(std::count(map.samples.begin(), map.samples.end(), 93), std::ssize(map.samples));
+  EXPECT_EQ(sphere_map(std::move(faces)).width, 2 * 1025);
 }
 
 }  // namespace

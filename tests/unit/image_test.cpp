@@ -258,9 +258,25 @@ TEST(Load, refuses_a_picture_that_is_too_large_by_its_header) {
     const std::string message =
         load_error(folder, "large.png", test::png(width, height, 8, 2, bytes({0, 1, 2, 3})));
     EXPECT_TRUE(has(message, "large.png")) << message;
-    EXPECT_TRUE(has(message, "too large")) << message;
+    EXPECT_TRUE(has(message, "of 3 channels are too large")) << message;
     EXPECT_TRUE(has(message, "16384")) << message;
   }
+}
+
+TEST(Load, refuses_a_png_with_a_wrong_checksum_and_names_the_chunk) {
+  const TemporaryFolder folder("checksum");
+  const std::vector<Text> texts = {{"lab", "a text"}};
+  save_png(folder / "a.png", Image8(9, 7, 3), texts);
+  const std::string sound = read_file(folder / "a.png");
+  for (const auto& [chunk, place] : {std::pair{"IHDR", 17U}, {"IDAT", 6U}}) {  // in the checksum, in the data
+    std::string spoilt = sound;
+    spoilt[sound.find(chunk) + place] ^= 1;
+    const std::string message = load_error(folder, "a.png", spoilt);
+    EXPECT_TRUE(has(message, std::string("checksum of its chunk ") + chunk + " is wrong")) << message;
+  }
+  std::string text = sound;
+  text[sound.find("a text")] = 'b';
+  EXPECT_EQ(load_error(folder, "a.png", text), "") << "no part of the picture";
 }
 
 TEST(Load, refuses_a_tiny_file_with_a_huge_header) {

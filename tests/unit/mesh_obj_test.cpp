@@ -177,6 +177,79 @@ TEST(Obj, tells_of_corners_without_vt_or_vn_among_others) {
   EXPECT_TRUE(parse(obj_triangle + "vt 0 0\nvn 0 0 1\nf 1 2 3\n").texcoords.empty()) << "no face uses them";
 }
 
+TEST(Obj, takes_an_index_of_a_vn_that_is_not_there_as_none) {
+  // As the Catmull-Clark models that come with a well-known viewer have it: all vn, and no list.
+  const ObjData without = parse(obj_triangle + "f 1//1 2//2 3//3\n");
+  EXPECT_EQ(without.report.lost_normals, 3u);
+  EXPECT_TRUE(without.normals.empty());
+  ASSERT_EQ(without.report.warnings.size(), 1u);
+  EXPECT_NE(without.report.warnings[0].find("3 corners whose vn is not"), std::string::npos);
+  const ObjData shorter = parse(obj_triangle + "vn 0 0 1\nf 1//1 2//2 3//-2\n");
+  EXPECT_EQ(shorter.report.lost_normals, 2u);
+  EXPECT_EQ(shorter.report.missing_normals, 2u);
+  EXPECT_EQ(shorter.corners[0].normal, 0u);
+  const Mesh mesh = weld(shorter);
+  for (const glm::vec3& normal : mesh.normals) EXPECT_EQ(normal, glm::vec3(0.0f, 0.0f, 1.0f));
+}
+
+TEST(Obj, takes_nan_and_infinity_where_no_face_uses_them) {
+  const ObjData data = parse("v nan 9 9\n" + obj_triangle + "vt inf 0\nvt 0 0\nvn 0 0 -nan\nvn 0 1 0\n" +
+                             "f 2/2/1 3/2/2 4/2/2\n");
+  EXPECT_EQ(data.report.not_finite_unused, 2u);
+  EXPECT_EQ(data.report.not_finite_normals, 1u);
+  EXPECT_EQ(data.report.warnings.size(), 2u);
+  EXPECT_EQ(data.positions[0], glm::vec3(0.0f, 9.0f, 9.0f));
+  const Mesh mesh = weld(data);
+  EXPECT_EQ(mesh.normals[0], glm::vec3(0.0f, 0.0f, 1.0f)) << "generated";
+  EXPECT_EQ(mesh.normals[1], glm::vec3(0.0f, 1.0f, 0.0f));
+  EXPECT_EQ(parse(obj_triangle + "v 0 nan 0\nf 1 2 3\nf 1 4 4\n").report.not_finite_unused, 1u)
+      << "a face that is dropped uses nothing";
+}
+
+TEST(Obj, reads_a_number_whose_exponent_is_wrong_as_others_do) {
+  const ObjData data = parse("v 3.1+e2 -1.5-E3 +2+e\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(data.positions[0], glm::vec3(3.1f, -1.5f, 2.0f));
+  EXPECT_EQ(data.report.numbers_with_rest, 3u);
+  ASSERT_EQ(data.report.warnings.size(), 1u);
+  EXPECT_NE(data.report.warnings[0].find("'3.1+e2'"), std::string::npos);
+}
+
+TEST(Obj, reads_a_number_of_many_zeros_as_what_it_is) {
+  const std::string zeros(6000, '0');  // more than the exponent of any type
+  for (const char* sign : {"", "-"})
+    for (const std::string& text :
+         {"0." + zeros + "1", "." + zeros + "1e+999", "0." + zeros + "1e-99999999999999999999", zeros + "e7",
+          std::string("1e-99999999999999999999"), "0." + zeros + "e99999999999999999999"}) {
+      const float value = parse(obj_triangle + "v 0 0 " + sign + text + "\nf 1 2 4\n").positions[3].z;
+      EXPECT_EQ(value, 0.0f) << text;
+      EXPECT_EQ(std::signbit(value), *sign == '-') << text;
+    }
+  EXPECT_EQ(parse(obj_triangle + "v 0 0 0." + zeros + "1e6001\nf 1 2 4\n").positions[3].z, 1.0f);
+}
+
+TEST(Obj, keeps_texture_coordinates_where_floats_have_fractions) {
+  const ObjData data = parse(obj_triangle + "vt 1e30 -3.4e38\nvt 16777216 -16777216\nf 1/1 2/2 3/2\n");
+  EXPECT_EQ(data.texcoords[0], glm::vec2(16777216.0f, -16777216.0f));
+  EXPECT_EQ(data.texcoords[1], data.texcoords[0]);
+  EXPECT_EQ(data.report.great_texcoords, 1u);
+  ASSERT_EQ(data.report.warnings.size(), 1u);
+  EXPECT_NE(data.report.warnings[0].find("1 vt beyond 16777216"), std::string::npos)
+      << data.report.warnings[0];
+}
+
+TEST(Obj, refuses_a_face_of_more_corners_than_can_be_drawn) {
+  std::string face = "f";
+  for (std::size_t i = 0; i < max_face_corners; ++i) face += i % 2 == 0 ? " 1" : " 2";
+  EXPECT_EQ(parse(obj_triangle + face + "\n").triangle_count(), max_face_corners - 2);
+  try {
+    parse(obj_triangle + face + " 3\n");
+    ADD_FAILURE() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("more than 65536 corners"), std::string::npos) << error.what();
+    EXPECT_EQ(error.place().line, 4);
+  }
+}
+
 TEST(Obj, refuses_bad_input_with_the_line_and_a_remedy) {
   struct Row {
     std::string text;
@@ -192,7 +265,8 @@ TEST(Obj, refuses_bad_input_with_the_line_and_a_remedy) {
       {obj_triangle + "f 1 2 4\n", 4, "index 4 of v is out of range: 3 so far"},
       {obj_triangle + "f 1 2 -4\n", 4, "index -4 of v is out of range"},
       {obj_triangle + "f 1/1 2/1 3/1\n", 4, "index 1 of vt is out of range: 0 so far"},
-      {obj_triangle + "f 1//1 2//1 3//1\n", 4, "index 1 of vn"},
+      {obj_triangle + "f 1//0 2//0 3//0\n", 4, "index 0 of vn"},
+      {obj_triangle + "f 1 2 18446744073709551617\n", 4, "'18446744073709551617' is not an index of v"},
       {obj_triangle + "f 1/0 2/0 3/0\n", 4, "index 0 of vt"},
       {obj_triangle + "f 1 2 4\nv 1 1 1\n", 4, "so far"},  // a face uses a line below it
       {obj_triangle + "f 1 2 99999999999999999999\n", 4, "not an index"},
@@ -205,8 +279,9 @@ TEST(Obj, refuses_bad_input_with_the_line_and_a_remedy) {
       {obj_triangle + "vt 0\nvn 0 0 1\nf 1/1/1/1 2 3\n", 6, "more than three"},
       {obj_triangle + "f 1 2 3.5\n", 4, "stray"},
       {obj_triangle + "f 1 2 -\n", 4, "not an index"},
-      {"v 0 nan 0\n", 1, "not a finite"},
-      {"v 0 0 -inf\n", 1, "not a finite"},
+      {obj_triangle + "v 0 nan 0\nf 1 2 3\nf 1 2 4\n", 4, "not a finite"},
+      {obj_triangle + "v 0 0 -inf\nf 1 2 -1\n", 4, "not a finite"},
+      {obj_triangle + "vt 0 0\nvt nan 0\nf 1/1 2/1 3/2\n", 5, "not a finite"},
       {"v 0 0 0\n\nv 1e308 0 0\n", 3, "too large"},
       {"v 1e39 0 0\n", 1, "too large"},
       {"v 1e999999999 0 0\n", 1, "too large"},
@@ -222,7 +297,10 @@ TEST(Obj, refuses_bad_input_with_the_line_and_a_remedy) {
       {"vt\n", 1, "needs 1"},
       {"vt 0 0 0 0\n", 1, "more than 3"},
       {"vn 0 0\n", 1, "needs 3"},
-      {"vn nan nan nan\n", 1, "not a finite"},
+      {"v 0 0 3.1e+\n", 1, "not a number"},
+      {"v 0 0 3.1+2\n", 1, "not a number"},
+      {"v 0 0 " + std::string(6000, '1') + "\n", 1, "too large"},
+      {"v 0 0 0." + std::string(40, '0') + "1e99\n", 1, "too large"},
       {"s x\n", 1, "smoothing"},
       {"s -1\n", 1, "smoothing"},
       {"v 0 0 0\nv 1 \\\n 0 \\\n x\n", 2, "not a number"},  // the first of the joined lines

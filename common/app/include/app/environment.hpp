@@ -36,12 +36,12 @@ void set_view_ray(gl::Program& program, const OrbitCamera& camera, const Frame& 
 
 /// What a cube map (faces as Assets::cube_map gives them) shows, as one picture with 4 x 2 times the side of
 /// a face: u and v as shaders/lib/sphere_coordinates.glsl has them, row 0 at v = 0. Bilinear, in linear
-/// light.
-image::Image8 equirectangular_map(const std::array<image::Image8, 6>& faces);
+/// light. Faces of more than 2048 texels a side are halved first, so that time and memory are bounded.
+image::Image8 equirectangular_map(std::array<image::Image8, 6> faces);
 
 /// The same as a mirror ball shows it that is seen from far away on the +z axis: a square of twice the side
 /// of a face, row 0 at the bottom. Its corners outside of the ball repeat the rim, which shows -z all around.
 /// Source: OpenGL 2.1 specification, section 2.11.4, GL_SPHERE_MAP, in world space.
-image::Image8 sphere_map(const std::array<image::Image8, 6>& faces);
+image::Image8 sphere_map(std::array<image::Image8, 6> faces);
 
 }  // namespace texel::app

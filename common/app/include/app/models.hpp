@@ -35,6 +35,10 @@ struct Tessellation {
   bool operator==(const Tessellation&) const = default;
 };
 
+/// Where float32 has lost the mesh's shape (mesh::lost_shape), says why in the notes and on standard error:
+/// the picture is blank, and a program that asks for it sees no panel.
+void warn_of_lost_shape(const mesh::Mesh& mesh, const std::string& file, Notes& notes);
+
 /// A built-in model or an OBJ file, centred, its farthest vertex at distance 1. Normals (smooth, by angle)
 /// and texture coordinates (box projection) are generated where the file has none; its triangles stay as they
 /// are. Errors as mesh::load_obj.

@@ -23,7 +23,8 @@ Info info(const std::filesystem::path& path);
 /// `channels` is 1 to 4, or 0 to keep the file's own; grey becomes RGB by repetition, RGB grey by luma
 /// weights, and a missing alpha is opaque. 16-bit samples keep their upper byte. The limits are checked
 /// before anything is allocated. Throws Error (exit 3) that names the file when it is missing, broken, cut
-/// short, too large or of another format, as a run-length-encoded BMP is.
+/// short, too large, damaged (a PNG's checksum is wrong) or of another format, as a run-length-encoded BMP
+/// is.
 Image8 load8(const std::filesystem::path& path, int channels = 0);
 
 /// The same with 16 bits a sample: 8-bit values v become 257 v, so that 255 becomes 65535.

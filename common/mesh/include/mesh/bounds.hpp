@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <glm/glm.hpp>
+#include <string>
 
 #include "mesh/mesh.hpp"
 
@@ -16,6 +17,12 @@ struct Bounds {
 };
 
 Bounds bounds(const Mesh& mesh);
+
+/// Why hardly anything is seen of a model, or its shape is lost, since float32 has 7 digits: "" where all is
+/// well. That is where all vertices lie at one point, where the triangles have no area beside the model's
+/// size, and so far from the origin that there are fewer than 1024 floats along it, which is coarser than
+/// pixels.
+std::string lost_shape(const Mesh& mesh);
 
 /// Moves the box's centre to the origin and scales evenly so that the farthest vertex lies at distance 1; a
 /// mesh without extent is only moved. In double, so that models of any size and place keep their shape.

@@ -55,6 +55,11 @@ struct ObjReport {
   std::uint64_t ignored_weights = 0;       ///< a fourth number of `v` other than 1: of curves, ignored
   std::uint64_t missing_texcoords = 0;     ///< corners without vt in a file that has vt: drawn at (0, 0)
   std::uint64_t missing_normals = 0;       ///< corners without a (usable) vn in a file that has vn: generated
+  std::uint64_t lost_normals = 0;          ///< repair: corners whose vn is out of range, taken as without
+  std::uint64_t not_finite_normals = 0;    ///< repair: `vn` with NaN or infinity, taken as zero
+  std::uint64_t not_finite_unused = 0;     ///< repair: `v` and `vt` with NaN or infinity that no face uses
+  std::uint64_t great_texcoords = 0;       ///< repair: `vt` beyond 2^24, where float32 has no fractions
+  std::uint64_t numbers_with_rest = 0;     ///< repair: numbers such as 3.1+e2, read as 3.1
   std::vector<std::string> warnings;       ///< one readable line for each kind of trouble
 };
 
@@ -77,6 +82,9 @@ struct ObjData {
   [[nodiscard]] std::size_t triangle_count() const { return corners.size() / 3; }
 };
 
+/// Each triangle of a polygon may cover all of it: the pictures of larger ones would take minutes.
+inline constexpr std::size_t max_face_corners = 65536;
+
 struct ObjOptions {
   /// Called now and then with the part of the file that is done, 0..1; may be empty.
   std::function<void(double)> progress;
@@ -86,8 +94,9 @@ struct ObjOptions {
 /// fo) with v, v/vt, v//vn, v/vt/vn and negative indices, p, l, g, o, s, usemtl, mtllib, comments, lines
 /// continued by '\', LF, CRLF and CR, tabs, a byte order mark. Numbers are rounded correctly to float32. A
 /// face may only use lines above it. Faces are cut into triangles in their own plane (polygon.hpp). Throws
-/// Error (exit 3) with `name` and the line: index 0 or out of range, a number that is malformed, NaN,
-/// infinite or too large for float32, binary data, an empty text, a text without a face of three corners.
+/// Error (exit 3) with `name` and the line: index 0 or (of v and vt) out of range, a number that is malformed
+/// or too large for float32, a NaN or infinity that a face uses in a v or vt, a face of more than
+/// max_face_corners, binary data, an empty text, a text without a face of three corners. Linear time.
 /// Repairs are counted in ObjData::report and told in its warnings.
 ObjData parse_obj(std::string_view text, const std::string& name, const ObjOptions& options = {});
 
