@@ -18,19 +18,23 @@ enum class TangentMethod {
   /// As gram_schmidt, but each triangle's unit T and B count by the angle of its corner, so that how a face
   /// is cut into triangles does not matter (Thuermer and Wuethrich 1998, there for normals).
   angle_weighted,
-  /// The rules of M. S. Mikkelsen, "Simulation of Wrinkled Surfaces Revisited" (2008), which bakers agree on:
-  /// corners of equal position, normal and texcoord are one; triangles around it that are joined by edges and
-  /// turn the texture the same way form a group; a group's tangent is the sum of its triangles' unit T, each
-  /// projected into the normal's plane, by the corner's angle in that plane; each group has a vertex of its
-  /// own; triangles without a texture area join any group and add nothing. Angular threshold 180 degrees.
+  /// The rules of M. S. Mikkelsen, "Simulation of Wrinkled Surfaces Revisited" (2008), and of the MikkTSpace
+  /// reference code, to the last bit: corners of equal position, normal and texcoord are one; triangles
+  /// around
+  /// it that are joined by edges and turn the texture the same way form a group; a group's tangent is the sum
+  /// of its triangles' unit T, each projected into the normal's plane, by the corner's angle in that plane;
+  /// triangles whose T or B are exactly opposite there do not count in each other's sum (angular threshold
+  /// 180 degrees; up to 4096 triangles around a vertex); each tangent has a vertex of its own; triangles
+  /// without a texture area join any group and add nothing; what no group reaches is (1, 0, 0) with sign -1.
   mikktspace,
 };
 
 /// What compute_tangents met.
 struct TangentReport {
   std::uint32_t degenerate_triangles = 0;  ///< no area in texture or space: they add nothing
-  std::uint32_t fallback_vertices = 0;  ///< had no triangle with a direction: any unit vector orthogonal to n
-  std::uint32_t split_vertices = 0;     ///< added where the texture is mirrored or groups meet
+  /// Had no triangle with a direction: any unit vector orthogonal to n, with mikktspace mostly (1, 0, 0).
+  std::uint32_t fallback_vertices = 0;
+  std::uint32_t split_vertices = 0;  ///< added where the texture is mirrored or groups meet
 };
 
 /// T: what one step in s moves on the triangle, B: one step in t; as long as the texture's width and height.
