@@ -87,7 +87,11 @@ std::string draw_all(const std::string& lab, const std::vector<Shot>& shots, con
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   if (result.exit_code != 0) return result.errors;
   for (const Shot& shot : shots) {
-    if (!shot.name.ends_with(".pfm")) continue;
+    // Without an area of the texture the frame by derivatives has no tangent, and says NaN, so that it is
+    // seen.
+    const bool no_tangent =
+        shot.view == "tangent" && (has(shot.name, "same_vt") || has(shot.name, "tiny_vt"));
+    if (!shot.name.ends_with(".pfm") || (no_tangent && has(shot.name, "cotangent"))) continue;
     EXPECT_EQ(count_non_finite(image::load_pfm(folder / shot.name)), 0) << shot.name << flags(shot.values);
   }
   return result.errors;
