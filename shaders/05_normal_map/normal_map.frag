@@ -39,8 +39,7 @@ void main() {
 #if VIEW == VIEW_NORMAL
   picture = vec4(shading_normal(), 1.0);
 #elif VIEW == VIEW_TANGENT
-  vec3 tangent = tangent_frame()[0];
-  picture = vec4(tangent == vec3(0.0) ? tangent : normalize(tangent), 1.0);  // zero: no texture area, no direction
+  picture = vec4(normalize(tangent_frame()[0]), 1.0);
 #elif VIEW == VIEW_TEXCOORD
   picture = vec4(fragment_texcoord, 0.0, 1.0);
 #else

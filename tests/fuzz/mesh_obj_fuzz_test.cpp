@@ -58,7 +58,13 @@ class Mutator {
                                          "map_Kd -s ",
                                          "\xFF",
                                          "1e-400",
-                                         "f 1 2\\\n"};
+                                         "f 1 2\\\n",
+                                         "3.1+e2",
+                                         "1e30",
+                                         "v inf 0 0\n",
+                                         "vn nan 0 0\n",
+                                         "f 1//9 2//9 3//9\n",
+                                         "0." + std::string(400, '0') + "1"};
     for (std::size_t changes = 1 + below(6); changes > 0; --changes) {
       const std::size_t at = below(text.size() + 1);
       const std::size_t length = std::min(below(12), text.size() - at);

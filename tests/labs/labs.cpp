@@ -41,8 +41,8 @@ Result run_lab(const std::string& lab, const std::string& arguments, const std::
   return shell(fmt::format("{} {}/{} {}", before, kBin, lab, arguments));
 }
 
-void draw(const std::string& lab, const std::vector<Shot>& shots, const TemporaryFolder& folder,
-          const std::string& arguments, const std::string& before) {
+Result run_batch(const std::string& lab, const std::vector<Shot>& shots, const TemporaryFolder& folder,
+                 const std::string& arguments, const std::string& before) {
   Json list = Json::array();
   for (const Shot& shot : shots) {
     Json values = Json::object();
@@ -51,10 +51,15 @@ void draw(const std::string& lab, const std::vector<Shot>& shots, const Temporar
   }
   const std::string file = (folder / "batch.json").string();
   write_file(file, list.dump());
-  const Result result = run_lab(
+  return run_lab(
       lab,
       fmt::format("--batch {} --out {} {}", shell_word(file), shell_word((folder / "").string()), arguments),
       before);
+}
+
+void draw(const std::string& lab, const std::vector<Shot>& shots, const TemporaryFolder& folder,
+          const std::string& arguments, const std::string& before) {
+  const Result result = run_batch(lab, shots, folder, arguments, before);
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_EQ(result.output + result.errors, "");
 }

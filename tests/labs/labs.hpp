@@ -54,7 +54,11 @@ struct Shot {
   std::string size = "128x128";
 };
 
-/// Draws the pictures from one process into `folder`. A failure fails the running test.
+/// Draws the pictures from one process into `folder`.
+Result run_batch(const std::string& lab, const std::vector<Shot>& shots, const TemporaryFolder& folder,
+                 const std::string& arguments = {}, const std::string& before = {});
+
+/// The same; a failure, or anything that is said, fails the running test.
 void draw(const std::string& lab, const std::vector<Shot>& shots, const TemporaryFolder& folder,
           const std::string& arguments = {}, const std::string& before = {});
 
