@@ -176,7 +176,7 @@ std::string Context::version() const {
 std::string Context::name() const {
   // llvmpipe says how many bits its vectors have, which depends on the processor, and the pictures do not.
   std::string name = renderer();
-  if (name.ends_with(" bits)")) name.replace(name.rfind(", "), std::string::npos, ")");
+  if (name.ends_with(" bits)")) name.resize(name.rfind(", ")), name.push_back(')');
   const std::string driver = version();
   const std::size_t mesa = driver.find("Mesa ");
   return name + ", " + (mesa == std::string::npos ? driver : driver.substr(mesa));

@@ -17,6 +17,9 @@ namespace {
 using glm::dvec3;
 
 constexpr int kPixels = 64;
+/// 8 bits are rounded by 0.5. With 1/sqrt off by as much as RSQRTPS may be (./run renderers has it) 0.65 was
+/// measured, with an exact one 0.59; softpipe 0.54. Beyond the rounding that is three times as much and more.
+constexpr double kMostSteps = 1;
 constexpr double kDistance = 2.5, kFieldOfView = 30;  // the square fills the picture from the front
 
 /// Degrees; (0, 0) is +z.
@@ -89,6 +92,7 @@ TEST_P(Lighting, of_a_square_is_blinn_s) {
     const image::Image8 picture = image::load8(folder_ / (shots[i].name + ".png"));
     const dvec3 eye = kDistance * direction(cases[i].eye_yaw, 0);
     int seen = 0;
+    double worst = 0;
     for (int y = 0; y < kPixels; ++y)
       for (int x = 0; x < kPixels; ++x) {
         const dvec3 point = on_square(x + 0.5, y + 0.5, cases[i]);
@@ -96,9 +100,10 @@ TEST_P(Lighting, of_a_square_is_blinn_s) {
         ++seen;
         const double expected = 255 * image::srgb_from_linear(blinn(cases[i], albedo, point, eye));
         for (int channel = 0; channel < 3; ++channel)
-          ASSERT_NEAR(picture.at(x, y, channel), expected, 0.6) << x << " " << y;
+          worst = std::max(worst, std::abs(picture.at(x, y, channel) - expected));
       }
     EXPECT_GT(seen, kPixels * kPixels / 4);
+    EXPECT_LT(worst, kMostSteps);
   }
 }
 
