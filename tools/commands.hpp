@@ -120,6 +120,17 @@ struct ExpectedCommand {
 /// `texel expected`: draws what `check` compares with.
 Exit expected(const ExpectedCommand& command);
 
+struct RenderersCommand {
+  std::filesystem::path out = "out/renderers";  ///< folder of the pictures, one for each renderer
+  std::filesystem::path cache;                  ///< empty: build/grade of the course
+  std::vector<std::string> only;                ///< names of renderers; none for all
+  bool judge_only = false, mutants = false;
+};
+
+/// `texel renderers`: how far the renderers of this machine, and of others whose folders lie in `out`, are from
+/// what is expected.
+Exit renderers(const RenderersCommand& command);
+
 struct StarterOptions {
   std::filesystem::path out, root;  ///< root empty: the course's own
   std::vector<std::string> solve;   ///< steps that are solved already

@@ -150,6 +150,19 @@ void add_expected(CLI::App& app, ExpectedCommand& command) {
   expected->add_option("--cache", command.cache, "Folder for starter, references and programs [build/grade]");
 }
 
+void add_renderers(CLI::App& app, RenderersCommand& command) {
+  CLI::App* renderers =
+      app.add_subcommand("renderers", "How far renderers are from each other, beside each case's limit");
+  renderers->add_option("--out", command.out,
+                        "Folder of the pictures, one for each renderer [out/renderers]");
+  renderers->add_option("--only", command.only, "Names of renderers with commas between them [all]")
+      ->delimiter(',');
+  renderers->add_flag("--judge-only", command.judge_only, "Draw nothing: judge what is there");
+  renderers->add_flag("--mutants", command.mutants, "See that mutants and starters fail on each renderer");
+  renderers->add_option("--cache", command.cache,
+                        "Folder for starter, references and programs [build/grade]");
+}
+
 /// What the four commands of grading take.
 struct GradeCommands {
   GradeCommand grade;
@@ -246,6 +259,7 @@ Exit run(int argc, char** argv) {
   GradeCommands grade_commands;
   StudentCommands student;
   ExpectedCommand expected_command;
+  RenderersCommand renderers_command;
   bool list_only = false;
   app.add_subcommand("list", "The labs at a glance");
   add_gallery(app, gallery_options, list_only);
@@ -256,6 +270,7 @@ Exit run(int argc, char** argv) {
   add_grade(app, grade_commands);
   add_student(app, student);
   add_expected(app, expected_command);
+  add_renderers(app, renderers_command);
   reject_unknown_command(app, argc, argv);
   try {
     app.parse(argc, argv);
@@ -276,6 +291,7 @@ Exit run(int argc, char** argv) {
   if (app.got_subcommand("hint")) return hint(student.hint);
   if (app.got_subcommand("reset")) return reset(student.reset);
   if (app.got_subcommand("progress")) return progress(student.progress_context);
+  if (app.got_subcommand("renderers")) return renderers(renderers_command);
   if (app.got_subcommand("expected")) return expected(expected_command);
   return list_only ? list_sources() : gallery(gallery_options);
 }

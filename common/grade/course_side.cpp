@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "core/error.hpp"
@@ -38,20 +37,6 @@ std::string said_instead_of(const fs::path& picture) {
   return fs::exists(file) ? read_file(file) : "";
 }
 
-/// What draws, as a lab's program says it.
-std::string ask_renderer(const fs::path& program, const std::string& context, const fs::path& root) {
-  Sandbox plain;
-  plain.unsafe = true;
-  plain.environment = {{"TEXEL_ROOT", root.string()}, {"MESA_SHADER_CACHE_DISABLE", "true"}};
-  plain.limits.wall_seconds = plain.limits.cpu_seconds = 60;
-  const Outcome outcome =
-      run(plain, {program.string(), "--context", context, "--size", "16x16", "--stats", "-"});
-  const auto json = nlohmann::json::parse(outcome.output, nullptr, false);
-  if (!outcome.succeeded() || !json.is_object())
-    throw Error::failed("the course's own program does not draw", {program.string()}, outcome.errors);
-  return json.value("renderer", std::string()) + ", " + json.value("version", std::string());
-}
-
 }  // namespace
 
 std::map<std::string, Place> step_places(const fs::path& tree) {
@@ -71,10 +56,12 @@ CourseSide::CourseSide(BuiltTree solution, BuiltTree starter, fs::path cache, st
       mutants_(course::read_catalogue(solution_.source / "tests/mutants")),
       places_(step_places(starter_.source)) {
   const std::vector<course::Lab> labs = course::read_labs(solution_.source / "labs");
-  renderer_ = ask_renderer(solution_.build / "bin" / labs.front().program(), context_, solution_.source);
+  renderer_ = renderer_of(studio(solution_, {labs.front(), {}}));
+  std::string variables;
+  for (const auto& [name, value] : driver_variables()) variables += name + "=" + value + "\n";
   surroundings_ = fingerprint({fingerprint_of_folder(solution_.source / "shaders"),
                                fingerprint_of_folder(solution_.source / "assets"), starter_.fingerprint,
-                               renderer_, processor(), context_});
+                               renderer_, variables, processor(), context_});
 }
 
 Studio CourseSide::studio(const BuiltTree& tree, const LabPlan& plan) const {

@@ -25,6 +25,10 @@ class CourseSide {
 
   /// Draws what the lab's shots are judged by, unless it is there. Throws Error (exit 3).
   void prepare(const LabPlan& plan);
+  /// The folder of what the starter draws.
+  [[nodiscard]] std::filesystem::path starter_folder(const LabPlan& plan) const {
+    return folder_of(plan) / "starter";
+  }
   [[nodiscard]] Expected expected(const LabPlan& plan, const Shot& shot) const;
   /// What grade::score takes: the wrongness of what the starter draws, or the solution without the shot's own
   /// step, whichever is less wrong. Drawn and judged for the first that asks. Throws Error (exit 3).

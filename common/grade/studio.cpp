@@ -4,12 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "text.hpp"
+
+extern char** environ;
 
 namespace texel::grade {
 namespace {
@@ -44,6 +48,8 @@ Outcome run(const Studio& studio, const std::string& list, const fs::path& work,
     sandbox.environment.emplace_back("MESA_SHADER_CACHE_DISABLE", "true");
   else
     sandbox.environment.emplace_back("MESA_SHADER_CACHE_DIR", studio.shader_cache.string());
+  const auto variables = driver_variables();
+  sandbox.environment.insert(sandbox.environment.end(), variables.begin(), variables.end());
   return grade::run(sandbox, {studio.program.string(), "--context", studio.context, "--batch",
                               (cases / "cases.json").string(), "--out", out.string()});
 }
@@ -89,6 +95,21 @@ std::string without_folders(const std::string& reason) {
 
 }  // namespace
 
+std::vector<std::pair<std::string, std::string>> driver_variables() {
+  constexpr std::array kSteer = {"GALLIUM_",    "GALLIVM_", "LIBGL_", "LP_NATIVE",
+                                 "MESA_LOADER", "VK_",      "__EGL_", "LD_PRELOAD"};
+  // Of several makers' drivers EGL takes the first that fits; Mesa's is the one that draws in software.
+  constexpr const char* kMesa = "/usr/share/glvnd/egl_vendor.d/50_mesa.json";
+  std::map<std::string, std::string> all = {{"LIBGL_ALWAYS_SOFTWARE", "1"}};
+  if (fs::exists(kMesa)) all["__EGL_VENDOR_LIBRARY_FILENAMES"] = kMesa;
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    const std::string text = *variable;
+    if (std::any_of(kSteer.begin(), kSteer.end(), [&](const char* head) { return text.starts_with(head); }))
+      all[text.substr(0, text.find('='))] = text.substr(text.find('=') + 1);
+  }
+  return {all.begin(), all.end()};
+}
+
 Drawn draw(const Studio& studio, const LabPlan& plan, const std::vector<std::string>& only,
            const fs::path& out) {
   Drawn drawn;
@@ -133,6 +154,21 @@ Drawn draw(const Studio& studio, const LabPlan& plan, const std::vector<std::str
         "Not drawn: the program was ended or died several times before this one's turn came";
   fs::remove_all(work);
   return drawn;
+}
+
+std::string renderer_of(const Studio& studio) {
+  Sandbox plain;
+  plain.unsafe = true;
+  plain.environment = driver_variables();
+  plain.environment.emplace_back("TEXEL_ROOT", studio.root.string());
+  plain.environment.emplace_back("MESA_SHADER_CACHE_DISABLE", "true");
+  plain.limits.wall_seconds = plain.limits.cpu_seconds = 60;
+  const Outcome outcome = grade::run(
+      plain, {studio.program.string(), "--context", studio.context, "--size", "16x16", "--stats", "-"});
+  const auto json = nlohmann::json::parse(outcome.output, nullptr, false);
+  if (!outcome.succeeded() || !json.is_object())
+    throw Error::failed("the course's own program does not draw", {studio.program.string()}, outcome.errors);
+  return json.value("renderer", std::string()) + ", " + json.value("version", std::string());
 }
 
 void draw_list(const Studio& studio, const std::string& list, const fs::path& out) {

@@ -4,12 +4,18 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "grade/plan.hpp"
 #include "grade/sandbox.hpp"
 
 namespace texel::grade {
+
+/// The variables of this process that choose and steer the driver, as LIBGL_ALWAYS_SOFTWARE or
+/// GALLIUM_DRIVER, by name. Unless they say otherwise, they ask for a renderer in software: expected pictures
+/// are its, and a sandbox has no other.
+std::vector<std::pair<std::string, std::string>> driver_variables();
 
 /// What draws.
 struct Studio {
@@ -36,6 +42,10 @@ struct Drawn {
 /// machine.
 Drawn draw(const Studio& studio, const LabPlan& plan, const std::vector<std::string>& only,
            const std::filesystem::path& out);
+
+/// The driver that draws there, as the program says it: "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile)
+/// Mesa 22.3.6". Throws Error (exit 3) when it does not draw.
+std::string renderer_of(const Studio& studio);
 
 /// Draws a list for --batch by a trusted program. Throws Error (exit 3) when that fails.
 void draw_list(const Studio& studio, const std::string& list, const std::filesystem::path& out);

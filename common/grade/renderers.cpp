@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "grade/renderers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "core/parallel.hpp"
+#include "course_side.hpp"
+#include "grade/judge.hpp"
+#include "grade/plan.hpp"
+
+namespace texel::grade {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Those of the hidden cases: any will do.
+constexpr std::array kSeeds = {"one", "two", "three"};
+
+/// The variables of a renderer, for as long as this lives.
+class Surroundings {
+ public:
+  explicit Surroundings(const Renderer& renderer) : renderer_(renderer) {
+    for (const auto& [name, value] : renderer_.environment) ::setenv(name.c_str(), value.c_str(), 1);
+  }
+  ~Surroundings() {
+    for (const auto& variable : renderer_.environment) ::unsetenv(variable.first.c_str());
+  }
+  Surroundings(const Surroundings&) = delete;
+  Surroundings& operator=(const Surroundings&) = delete;
+
+ private:
+  const Renderer& renderer_;
+};
+
+Studio studio(const CourseTree& tree, const course::Lab& lab, const std::string& context) {
+  return {tree.build / "bin" / lab.program(), tree.course, context, true, {}, {}};
+}
+
+/// What draws, or "" where the machine has no such renderer.
+std::string found(const Renderer& renderer, const CourseTree& tree) {
+  for (const auto& [name, value] : renderer.environment)
+    if (name == "LD_PRELOAD" && !fs::exists(value)) return {};
+  try {
+    std::string says = renderer_of(studio(tree, tree.labs.front(), renderer.context));
+    return says.starts_with(renderer.says) ? says : "";
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+/// The cases of a seed; of others than the first the hidden ones alone, as the public ones are the same.
+std::vector<LabPlan> plans_of(const CourseTree& tree, const std::string& seed, const fs::path& models) {
+  std::vector<LabPlan> plans = plan(tree.labs, seed, models);
+  if (seed != kSeeds.front())
+    for (LabPlan& one : plans) std::erase_if(one.shots, [](const Shot& shot) { return !shot.hidden; });
+  return plans;
+}
+
+/// "mesa22" of "… Mesa 22.3.6", or "gpu".
+std::string version_of(const std::string& says) {
+  const std::size_t mesa = says.find("Mesa ");
+  return mesa == std::string::npos ? "gpu" : "mesa" + says.substr(mesa + 5, 2);
+}
+
+/// 0 where both are the same bytes; NaN where nothing can be compared.
+double distance(const Shot& shot, const Expected& expected, const fs::path& picture) {
+  return judge(shot, expected, picture).error;
+}
+
+}  // namespace
+
+std::vector<Renderer> known_renderers(const fs::path& rsqrt_library) {
+  const auto rsqrt = [&](const char* how) {
+    return std::vector<std::pair<std::string, std::string>>{{"LD_PRELOAD", rsqrt_library.string()},
+                                                            {"TEXEL_RSQRT", how}};
+  };
+  return {
+      {"llvmpipe_osmesa", "osmesa", "llvmpipe", {}},
+      {"llvmpipe_egl", "egl", "llvmpipe", {}},
+      {"llvmpipe_128", "egl", "llvmpipe", {{"LP_NATIVE_VECTOR_WIDTH", "128"}}},
+      {"llvmpipe_256", "egl", "llvmpipe", {{"LP_NATIVE_VECTOR_WIDTH", "256"}}},
+      {"llvmpipe_sse2", "egl", "llvmpipe", {{"GALLIUM_OVERRIDE_CPU_CAPS", "sse2"}}},
+      {"llvmpipe_sse41", "egl", "llvmpipe", {{"GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1"}}},
+      {"llvmpipe_avx", "egl", "llvmpipe", {{"GALLIUM_OVERRIDE_CPU_CAPS", "avx"}}},
+      {"llvmpipe_rsqrt_exact", "egl", "llvmpipe", rsqrt("exact")},
+      {"llvmpipe_rsqrt_high", "egl", "llvmpipe", rsqrt("high")},
+      {"llvmpipe_rsqrt_low", "egl", "llvmpipe", rsqrt("low")},
+      {"softpipe_osmesa", "osmesa", "softpipe", {{"GALLIUM_DRIVER", "softpipe"}}},
+      {"softpipe_egl", "egl", "softpipe", {{"GALLIUM_DRIVER", "softpipe"}}},
+      {"zink_egl", "egl", "zink", {{"MESA_LOADER_DRIVER_OVERRIDE", "zink"}}},
+      {"hardware_egl", "egl", "", {{"LIBGL_ALWAYS_SOFTWARE", "0"}, {"__EGL_VENDOR_LIBRARY_FILENAMES", ""}}}};
+}
+
+bool draw_by(const Renderer& renderer, const CourseTree& tree, const fs::path& out) {
+  const Surroundings surroundings(renderer);
+  const std::string says = found(renderer, tree);
+  if (says.empty() ||
+      (renderer.says.empty() && (says.starts_with("llvmpipe") || says.starts_with("softpipe"))))
+    return false;
+  const fs::path folder = out / (version_of(says) + "_" + renderer.name);
+  fs::remove_all(folder);
+  for (const char* seed : kSeeds) {
+    const std::vector<LabPlan> plans = plans_of(tree, seed, out / "models");
+    in_parallel(processors(), plans.size(), [&](std::size_t i) {
+      const Studio own = studio(tree, plans[i].lab, renderer.context);
+      const fs::path to = folder / seed / plans[i].lab.folder;
+      fs::create_directories(to);
+      if (plans[i].shots.empty()) return;
+      const Drawn drawn = draw(own, plans[i], {}, to);
+      for (const auto& [file, why] : drawn.faults) throw Error::failed(why, {(to / file).string()});
+      draw_list(own, plans[i].mask_batch(), to / "mask");
+    });
+  }
+  write_file(folder / "renderer.txt", says + "\n");
+  return true;
+}
+
+std::vector<std::string> passed_by(const Renderer& renderer, const CourseTree& tree,
+                                   const std::function<void(const std::string&)>& say) {
+  const Surroundings surroundings(renderer);
+  std::vector<std::string> faults;
+  if (found(renderer, tree).empty()) return faults;
+  const BuiltTree starter = starter_tree(tree.course, tree.cache);
+  CourseSide course(solution_tree(tree.course, tree.build, starter), starter, tree.cache, renderer.context);
+  const auto is_passed = [&](const LabPlan& lab, const std::string& step, const fs::path& folder) {
+    return std::all_of(lab.shots.begin(), lab.shots.end(), [&](const Shot& shot) {
+      return shot.graded.step != step || judge(shot, course.expected(lab, shot), folder / shot.file()).passed;
+    });
+  };
+  for (const LabPlan& lab : plan(tree.labs, kSeeds.front(), tree.cache / "models")) {
+    course.prepare(lab);
+    for (const course::Step& step : lab.lab.steps)
+      if (is_passed(lab, step.id, course.starter_folder(lab)))
+        faults.push_back(fmt::format("{}: the starter passes step {}", renderer.name, step.id));
+    std::vector<const course::Mutant*> mutants;
+    for (const course::Mutant& mutant : course.mutants())
+      if (!mutant.step.empty() && std::stoi(mutant.step) == lab.lab.number) mutants.push_back(&mutant);
+    std::vector<char> passed(mutants.size());
+    in_parallel(processors(), mutants.size(), [&](std::size_t i) {
+      passed[i] = is_passed(lab, mutants[i]->step, course.drawn_by(lab, *mutants[i]));
+    });
+    for (std::size_t i = 0; i < mutants.size(); ++i)
+      if (passed[i] != 0)
+        faults.push_back(
+            fmt::format("{}: mutant {} passes step {}", renderer.name, mutants[i]->name, mutants[i]->step));
+    say(fmt::format("{}: lab {}, {} mutants", renderer.name, lab.lab.number, mutants.size()));
+  }
+  return faults;
+}
+
+double Spread::most() const {
+  double most = 0;
+  for (const auto& [renderer, error] : by)
+    most = std::isnan(error) ? std::numeric_limits<double>::infinity() : std::max(most, error);
+  return most;
+}
+
+std::vector<Spread> spreads(const CourseTree& tree, const fs::path& drawn, const std::string& reference) {
+  std::vector<std::string> renderers;
+  for (const fs::directory_entry& entry : fs::directory_iterator(drawn))
+    if (fs::exists(entry.path() / "renderer.txt")) renderers.push_back(entry.path().filename().string());
+  std::sort(renderers.begin(), renderers.end());
+  std::map<std::pair<std::string, std::string>, Spread> known;
+  std::vector<Spread> all;
+  for (const course::Lab& lab : tree.labs)
+    for (const course::GradedCase& one : lab.cases)
+      all.push_back({lab.number, one.name, unit_of(one.view), one.limit, {}});
+  for (const char* seed : kSeeds)
+    for (const LabPlan& lab : plans_of(tree, seed, drawn / "models"))
+      in_parallel(processors(), lab.shots.size(), [&](std::size_t i) {
+        const Shot& shot = lab.shots[i];
+        const fs::path folder = fs::path(seed) / lab.lab.folder, mask = shot.graded.name + ".mask.png";
+        Expected expected{drawn / reference / folder / shot.file(),
+                          drawn / reference / folder / "mask" / (shot.graded.name + ".png")};
+        if (!shot.hidden) {
+          const fs::path kept = expected_folder(tree.course, lab.lab);
+          expected = {kept / shot.file(), kept / mask};
+        }
+        const auto place = std::find_if(all.begin(), all.end(), [&](const Spread& spread) {
+          return spread.lab == lab.lab.number && spread.name == shot.graded.name;
+        });
+        for (const std::string& renderer : renderers) {
+          const double error = distance(shot, expected, drawn / renderer / folder / shot.file());
+          double& most = place->by[renderer];
+          most = std::isnan(error) || std::isnan(most) ? std::nan("") : std::max(most, error);
+        }
+      });
+  return all;
+}
+
+}  // namespace texel::grade
