@@ -129,7 +129,7 @@ std::string command(const LabPlan& plan, const Shot& shot) {
     text += course::flag({setting.parameter, file.is_absolute() ? file.filename().string() : setting.value});
   }
   if (shot.is_mesh()) return text + fmt::format(" --mesh {}", shot.file());
-  if (shot.graded.view != "color") text += fmt::format(" --view {}", shot.graded.view);
+  text += shot.graded.view == "color" ? " --samples 1" : fmt::format(" --view {}", shot.graded.view);
   return text + fmt::format(" --size {} --snapshot {}", shot.graded.size, shot.file());
 }
 

@@ -50,8 +50,9 @@ Outcome run(const Studio& studio, const std::string& list, const fs::path& work,
     sandbox.environment.emplace_back("MESA_SHADER_CACHE_DIR", studio.shader_cache.string());
   const auto variables = driver_variables();
   sandbox.environment.insert(sandbox.environment.end(), variables.begin(), variables.end());
-  return grade::run(sandbox, {studio.program.string(), "--context", studio.context, "--batch",
-                              (cases / "cases.json").string(), "--out", out.string()});
+  // Where several samples of a pixel lie, and whether there are several, is the driver's choice.
+  return grade::run(sandbox, {studio.program.string(), "--context", studio.context, "--samples", "1",
+                              "--batch", (cases / "cases.json").string(), "--out", out.string()});
 }
 
 /// "crashed (segmentation fault)": how a program ended that did not draw what it should.

@@ -24,8 +24,10 @@ struct NormalMap {
 
   void draw(const Parameters& p, app::Frame& frame) {
     gl::MeshBuffers& buffers = buffers_for(p);
-    const gl::Texture& color_map = textures_.get("color " + p.texture, [&] {
-      return gl::make_texture_2d(assets_.texture(p.texture), image::Encoding::srgb, {.anisotropy = 8});
+    const bool bilinear = p.filter == Filter::bilinear;
+    const gl::Sampling sampling = bilinear ? gl::Sampling{.minify = GL_LINEAR} : gl::Sampling{.anisotropy = 8};
+    const gl::Texture& color_map = textures_.get({"color " + p.texture, p.filter}, [&] {
+      return gl::make_texture_2d(assets_.texture(p.texture), image::Encoding::srgb, sampling);
     });
     const glm::mat4 world_from_object = glm::scale(app::turn_about_y(p.turn), glm::vec3(1, p.stretch, 1));
     //@step 5.7 begin
@@ -45,9 +47,8 @@ struct NormalMap {
     program.set("color_map", 0);
     if (p.normal_mapping && p.method != Method::per_vertex) {
       // Numbers, not colours: stored linear, so that 128 means 128/255 and nothing is decoded.
-      gl::bind(1, GL_TEXTURE_2D, textures_.get("normal " + normal_map_name(p), [&] {
-        return gl::make_texture_2d(assets_.normal_map(normal_map_name(p)), image::Encoding::linear,
-                                   {.anisotropy = 8});
+      gl::bind(1, GL_TEXTURE_2D, textures_.get({"normal " + normal_map_name(p), p.filter}, [&] {
+        return gl::make_texture_2d(assets_.normal_map(normal_map_name(p)), image::Encoding::linear, sampling);
       }));
       program.set("normal_map", 1);
     }
@@ -130,7 +131,7 @@ struct NormalMap {
   };
   const app::Assets& assets_;
   app::Cache<MeshKey, Drawn> meshes_;
-  app::Cache<std::string, gl::Texture> textures_;
+  app::Cache<std::pair<std::string, Filter>, gl::Texture> textures_;
   app::Notes notes_;
 };
 

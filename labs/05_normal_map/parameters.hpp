@@ -37,6 +37,11 @@ inline constexpr params::Item kDecodes[] = {
     {"standard", "0 becomes -1 and 1 becomes 1: a flat 128, 128, 255 tilts by 0.32 degrees"},
     {"exact-flat", "The byte 128 becomes exactly 0: flat is exactly (0, 0, 1)"}};
 
+enum class Filter { anisotropic, bilinear };
+inline constexpr params::Item kFilters[] = {
+    {"anisotropic", "Up to 8 samples along a long footprint, in two mipmap levels: how, the driver decides"},
+    {"bilinear", "Four texels of the full picture, as OpenGL says exactly: what steps are checked with"}};
+
 inline constexpr params::Item kTextures[] = {{"brick", "A brick wall"},
                                              {"wood", "Wooden planks"},
                                              {"scales", "A reptile's scales"},
@@ -57,6 +62,7 @@ struct NormalMapParameters {
   bool normal_mapping{};
   Method method{};
   Decode decode{};
+  Filter filter{};
   float bump_strength{}, texture_scale{};
   mesh::TextureLayout layout;
   app::ReliefTruth truth{};
@@ -79,6 +85,7 @@ struct NormalMapParameters {
     set.section("Textures");
     set.add(texture, {"texture", "brick", kTextures, "Colour of the surface (keys K and L)"});
     set.add(normal_map, {"normal_map", "matching", kNormalMaps, "Relief of the surface"});
+    set.add(filter, {"filter", Filter::anisotropic, kFilters, "How both pictures are read"});
     set.add(texture_scale,
             {"texture_scale", 1, 0.1, 20, "", "Repeats of the texture", params::Scale::logarithmic});
     set.add(layout.shear, {"texture_shear", 0, -2, 2, "",

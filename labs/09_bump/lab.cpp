@@ -36,8 +36,10 @@ struct Bump {
     program.set("cube_map", 0);
     if (p.normal_mapping) {
       // Numbers, not colours: stored linear, so that nothing is decoded. Unit 0 has the cube map.
-      gl::bind(1, GL_TEXTURE_2D, normal_maps_.get(p.normal_map, [&] {
-        return gl::make_texture_2d(assets_.normal_map(p.normal_map), image::Encoding::linear);
+      gl::bind(1, GL_TEXTURE_2D, normal_maps_.get({p.normal_map, p.mip_filter == MipFilter::none}, [&] {
+        return gl::make_texture_2d(
+            assets_.normal_map(p.normal_map), image::Encoding::linear,
+            {.minify = p.mip_filter == MipFilter::none ? GLenum{GL_LINEAR} : GLenum{GL_LINEAR_MIPMAP_LINEAR}});
       }));
       program.set("normal_map", 1);
     }
@@ -55,7 +57,7 @@ struct Bump {
   const app::Assets& assets_;
   app::Environment environment_;
   app::Cache<std::pair<int, int>, gl::MeshBuffers> balls_;
-  app::Cache<std::string, gl::Texture> normal_maps_;
+  app::Cache<std::pair<std::string, bool>, gl::Texture> normal_maps_;
 };
 
 int main(int argc, char** argv) {

@@ -23,10 +23,11 @@ inline constexpr params::Item kIncidents[] = {
     {"constant-eye", "Minus the eye's position, for every pixel (worksheet)"},
     {"per-fragment", "From the eye to the point that is seen"}};
 
-enum class MipFilter { plain, toksvig };
+enum class MipFilter { plain, toksvig, none };
 inline constexpr params::Item kMipFilters[] = {
     {"plain", "Averaged normals as they come: from afar the relief is gone, and the mirror smooth"},
-    {"toksvig", "The shorter the average, the rougher the mirror: it reads a smaller level of the cube map"}};
+    {"toksvig", "The shorter the average, the rougher the mirror: it reads a smaller level of the cube map"},
+    {"none", "There are no averages: four texels of the full map, and noise from afar"}};
 
 inline constexpr params::Item kNormalMaps[] = {{"bump", "Smooth bumps"},
                                                {"brick", "Bricks and mortar"},
