@@ -36,6 +36,7 @@ constexpr Picture pictures[] = {
     {"label_npot", Texture::label_grid, 100, 75, 3, 16},
     {"checker", Texture::checker, 512, 512, 3, 1},
     {"sine_sweep", Texture::sine_sweep, 512, 512, 3, 8},
+    {"stripes", Texture::stripes, 64, 64, 3, 8},
     {"noise", Texture::noise, 512, 512, 3, 2},
     {"decal", Texture::decal, 512, 512, 4, 8},
     {"light_map", Texture::light_map, 512, 512, 3, 2},

@@ -169,6 +169,10 @@ double sine_sweep(double u, double v) {
   return 0.5 + 0.5 * std::cos(0.5 * k * (x * x + y * y));
 }
 
+double stripes(double u) {
+  return 0.5 - 0.5 * std::cos(8 * tau * u);
+}
+
 double clouds(double u, double v) {
   const double warp = fbm(u, v, 4, 4, 5, 161);
   const double cloud = fbm(u + 0.10 * warp, v + 0.10 * fbm(u, v, 4, 4, 5, 171), 4, 4, 7, 181);
@@ -219,6 +223,8 @@ const char* name(Texture texture) {
       return "checker";
     case Texture::sine_sweep:
       return "sine_sweep";
+    case Texture::stripes:
+      return "stripes";
     case Texture::noise:
       return "noise";
     case Texture::decal:
@@ -246,6 +252,8 @@ glm::dvec4 colour(Texture texture, double u, double v) {
       return opaque(dvec3(checker(u, v)));
     case Texture::sine_sweep:
       return opaque(dvec3(sine_sweep(u, v)));
+    case Texture::stripes:
+      return opaque(dvec3(stripes(u)));
     case Texture::noise:
       return opaque(dvec3(clouds(u, v)));
     case Texture::decal:

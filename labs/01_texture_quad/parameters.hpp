@@ -47,6 +47,7 @@ inline constexpr params::Item kTextures[] = {
     {"label_grid", "Cells with letters: shows every flip and swap"},
     {"checker", "Black and white squares, the hardest case of filtering"},
     {"sine_sweep", "Waves that get finer towards the limit of the texels"},
+    {"stripes", "Stripes along t: a filter that is narrow where the footprint is keeps them sharp"},
     {"wood", "Wooden planks"},
     {"scales", "A reptile's scales"},
     {"smile", "A face"},

@@ -14,13 +14,15 @@ enum class Texture {
   label_grid,  ///< 8 x 8 named cells; A red, B green, C blue, D yellow in the corners; arrows along +s and +t
   checker,     ///< 8 x 8 fields, black in the lower left corner, white beside it
   sine_sweep,  ///< rings whose frequency grows from the middle to 256 a texture width at the corners
+  stripes,     ///< 8 waves along s, the same all along t
   noise,       ///< grey clouds
   decal,       ///< a badge with soft edges; alpha 0 around it
   light_map    ///< the grey pool of a spotlight
 };
-inline constexpr std::array<Texture, 10> textures{
-    Texture::brick,   Texture::wood,       Texture::scales, Texture::smile, Texture::label_grid,
-    Texture::checker, Texture::sine_sweep, Texture::noise,  Texture::decal, Texture::light_map};
+inline constexpr std::array<Texture, 11> textures{Texture::brick,      Texture::wood,       Texture::scales,
+                                                  Texture::smile,      Texture::label_grid, Texture::checker,
+                                                  Texture::sine_sweep, Texture::stripes,    Texture::noise,
+                                                  Texture::decal,      Texture::light_map};
 
 /// The enumerator's name, which is the file's name in assets/textures too.
 const char* name(Texture texture);
