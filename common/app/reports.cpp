@@ -58,6 +58,7 @@ std::string to_json(const Statistics& statistics) {
   for (const std::string& warning : record.warnings) json["warnings"].push_back(warning);
   json["renderer"] = statistics.renderer;
   json["version"] = statistics.version;
+  json["drawn_by"] = statistics.drawn_by;
   return dump(json);
 }
 

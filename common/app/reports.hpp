@@ -12,7 +12,8 @@ namespace texel::app {
 /// What --stats prints: a contract with scripts, see docs/architecture.md.
 struct Statistics {
   std::string lab, renderer, version;
-  Notes notes;  ///< of the lab: repairs, missing files
+  std::string drawn_by;  ///< both, without what changes no pixel
+  Notes notes;           ///< of the lab: repairs, missing files
   gl::Record record;
   std::vector<std::pair<std::string, double>> milliseconds;  ///< by stage
   long long peak_bytes = 0;                                  ///< of resident memory

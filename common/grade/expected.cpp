@@ -62,6 +62,7 @@ void write_expected(const CourseTree& options, const std::function<void(const st
       fs::copy_file(expected.reference, fresh / shot.file());
       if (!expected.mask.empty()) fs::copy_file(expected.mask, fresh / (shot.graded.name + ".mask.png"));
     }
+    write_file(fresh / kRendererFile, course.renderer() + "\n");
     write_file(fresh / "mistakes.json", to_json(mistakes));
     fs::remove_all(folder);
     fs::rename(fresh, folder);

@@ -94,8 +94,8 @@ struct Part {
   image::Difference difference;  ///< of the picture from the reference there
 };
 
-/// Whether the mask is the same in the 3x3 pixels around one. Where the object's edge passes between others is the
-/// rasteriser's choice: OpenGL leaves it how finely it rounds a vertex's place in the window.
+/// Whether the mask is the same in the 3x3 pixels around one. Where the object's edge passes between others
+/// is the rasteriser's choice: OpenGL leaves it how finely it rounds a vertex's place in the window.
 bool is_inside(const Image8& mask, int x, int y) {
   for (int near_y = std::max(y - 1, 0); near_y <= std::min(y + 1, mask.height - 1); ++near_y)
     for (int near_x = std::max(x - 1, 0); near_x <= std::min(x + 1, mask.width - 1); ++near_x)

@@ -25,6 +25,13 @@ constexpr double kProcessorSeconds = 30, kWallSeconds = 120;
 /// How often a program is started: again after it died, but for those that use up their time only once.
 constexpr int kMostStarts = 4, kMostTimeouts = 2;
 
+void set_shader_cache(const Studio& studio, Sandbox& sandbox) {
+  if (studio.shader_cache.empty())
+    sandbox.environment.emplace_back("MESA_SHADER_CACHE_DISABLE", "true");
+  else
+    sandbox.environment.emplace_back("MESA_SHADER_CACHE_DIR", studio.shader_cache.string());
+}
+
 Outcome run(const Studio& studio, const std::string& list, const fs::path& work, const fs::path& out) {
   const fs::path cases = work / "cases";
   fs::create_directories(cases);
@@ -44,12 +51,9 @@ Outcome run(const Studio& studio, const std::string& list, const fs::path& work,
                          // the next is begun: the first that is missing is what a dying program was at.
                          {"LP_NUM_THREADS", "0"},
                          {"TEXEL_THREADS", "1"}};
-  if (studio.shader_cache.empty())
-    sandbox.environment.emplace_back("MESA_SHADER_CACHE_DISABLE", "true");
-  else
-    sandbox.environment.emplace_back("MESA_SHADER_CACHE_DIR", studio.shader_cache.string());
-  const auto variables = driver_variables();
-  sandbox.environment.insert(sandbox.environment.end(), variables.begin(), variables.end());
+  set_shader_cache(studio, sandbox);
+  for (const auto& variable : driver_variables())
+    if (studio.trusted || variable.first != "LD_PRELOAD") sandbox.environment.push_back(variable);
   // Where several samples of a pixel lie, and whether there are several, is the driver's choice.
   return grade::run(sandbox, {studio.program.string(), "--context", studio.context, "--samples", "1",
                               "--batch", (cases / "cases.json").string(), "--out", out.string()});
@@ -162,14 +166,14 @@ std::string renderer_of(const Studio& studio) {
   plain.unsafe = true;
   plain.environment = driver_variables();
   plain.environment.emplace_back("TEXEL_ROOT", studio.root.string());
-  plain.environment.emplace_back("MESA_SHADER_CACHE_DISABLE", "true");
+  set_shader_cache(studio, plain);
   plain.limits.wall_seconds = plain.limits.cpu_seconds = 60;
   const Outcome outcome = grade::run(
       plain, {studio.program.string(), "--context", studio.context, "--size", "16x16", "--stats", "-"});
   const auto json = nlohmann::json::parse(outcome.output, nullptr, false);
   if (!outcome.succeeded() || !json.is_object())
     throw Error::failed("the course's own program does not draw", {studio.program.string()}, outcome.errors);
-  return json.value("renderer", std::string()) + ", " + json.value("version", std::string());
+  return json.value("drawn_by", std::string());
 }
 
 void draw_list(const Studio& studio, const std::string& list, const fs::path& out) {

@@ -43,8 +43,8 @@ struct Drawn {
 Drawn draw(const Studio& studio, const LabPlan& plan, const std::vector<std::string>& only,
            const std::filesystem::path& out);
 
-/// The driver that draws there, as the program says it: "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile)
-/// Mesa 22.3.6". Throws Error (exit 3) when it does not draw.
+/// The driver that draws there, as the program says it: "llvmpipe (LLVM 15.0.6), Mesa 22.3.6". Throws Error
+/// (exit 3) when it does not draw.
 std::string renderer_of(const Studio& studio);
 
 /// Draws a list for --batch by a trusted program. Throws Error (exit 3) when that fails.

@@ -25,7 +25,8 @@ struct NormalMap {
   void draw(const Parameters& p, app::Frame& frame) {
     gl::MeshBuffers& buffers = buffers_for(p);
     const bool bilinear = p.filter == Filter::bilinear;
-    const gl::Sampling sampling = bilinear ? gl::Sampling{.minify = GL_LINEAR} : gl::Sampling{.anisotropy = 8};
+    const gl::Sampling sampling =
+        bilinear ? gl::Sampling{.minify = GL_LINEAR} : gl::Sampling{.anisotropy = 8};
     const gl::Texture& color_map = textures_.get({"color " + p.texture, p.filter}, [&] {
       return gl::make_texture_2d(assets_.texture(p.texture), image::Encoding::srgb, sampling);
     });

@@ -39,7 +39,8 @@ struct Bump {
       gl::bind(1, GL_TEXTURE_2D, normal_maps_.get({p.normal_map, p.mip_filter == MipFilter::none}, [&] {
         return gl::make_texture_2d(
             assets_.normal_map(p.normal_map), image::Encoding::linear,
-            {.minify = p.mip_filter == MipFilter::none ? GLenum{GL_LINEAR} : GLenum{GL_LINEAR_MIPMAP_LINEAR}});
+            {.minify =
+                 p.mip_filter == MipFilter::none ? GLenum{GL_LINEAR} : GLenum{GL_LINEAR_MIPMAP_LINEAR}});
       }));
       program.set("normal_map", 1);
     }

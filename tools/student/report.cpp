@@ -125,6 +125,7 @@ std::string report(const LabResult& lab, bool colours) {
     text += paint(kGreen, "All done.") + "\n";
   else
     text += fmt::format("A hint: ./run hint {}\n", next->id);
+  for (const std::string& note : lab.notes) text += paint(kDim, note) + "\n";
   return text;
 }
 

@@ -18,16 +18,20 @@ struct OwnTree {
 };
 
 /// Where a lab's expected pictures lie: for each public case `name.png`, `.pfm` or `.ply`, `name.mask.png`,
-/// and `mistakes.json`, what known mistakes look like.
+/// `mistakes.json`, what known mistakes look like, and kRendererFile.
 std::filesystem::path expected_folder(const std::filesystem::path& source, const course::Lab& lab);
+/// Beside the expected pictures: what drew them.
+inline constexpr const char* kRendererFile = "renderer.txt";
 
 /// The steps that are as they were at first. Throws Error (exit 3) where markers are spoilt.
 std::set<std::string> untouched_steps(const OwnTree& tree);
 
 /// Draws the public cases of the labs, and of those whose steps they need, by the programs as they are built,
-/// and judges them as the grader does. Steps that are as they were at first are said to be so. Each case's
-/// `picture` and `reference` are paths of files; there are no partial scores, only 0 and 1. Throws Error
-/// (exit 3) when a program was not built, expected pictures are missing, or markers are spoilt.
+/// and judges them as the grader does. A note of each lab says what drew, a renderer in software unless the
+/// environment asks for another; where a step failed, also what drew the expected pictures, if that is
+/// another one. Steps that are as they were at first are said to be so. Each case's `picture` and `reference`
+/// are paths of files; there are no partial scores, only 0 and 1. Throws Error (exit 3) when a program was
+/// not built, expected pictures are missing, or markers are spoilt.
 std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>& labs,
                              const std::string& context);
 
