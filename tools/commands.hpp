@@ -124,11 +124,14 @@ struct RenderersCommand {
   std::filesystem::path out = "out/renderers";  ///< folder of the pictures, one for each renderer
   std::filesystem::path cache;                  ///< empty: build/grade of the course
   std::vector<std::string> only;                ///< names of renderers; none for all
+  std::filesystem::path json, markdown;         ///< files to write: docs/renderers.json and docs/accuracy.md
+  std::string reference = "mesa22_llvmpipe_osmesa";  ///< the folder by which hidden cases are judged
   bool judge_only = false, mutants = false;
 };
 
-/// `texel renderers`: how far the renderers of this machine, and of others whose folders lie in `out`, are from
-/// what is expected.
+/// `texel renderers`: how far the renderers of this machine, and of others whose folders lie in `out`, are
+/// from what is expected. Differs when a limit is below three times that; with `mutants`, when a mutant or
+/// the starter passes a step by one.
 Exit renderers(const RenderersCommand& command);
 
 struct StarterOptions {

@@ -157,6 +157,14 @@ void add_renderers(CLI::App& app, RenderersCommand& command) {
                         "Folder of the pictures, one for each renderer [out/renderers]");
   renderers->add_option("--only", command.only, "Names of renderers with commas between them [all]")
       ->delimiter(',');
+  renderers->add_option("--json", command.json, "Write the figures, as docs/renderers.json has them");
+  renderers->add_option("--markdown", command.markdown,
+                        "Renew the table at the end of this file, as docs/accuracy.md");
+  renderers->add_option("--reference", command.reference,
+                        "Which folder hidden cases are compared with [mesa22_llvmpipe_osmesa]");
+  renderers->footer(
+      "Exit codes: 0 every limit is three times the spread, 1 one is not (or a mutant passes), 2 wrong "
+      "usage,\n3 could not draw.");
   renderers->add_flag("--judge-only", command.judge_only, "Draw nothing: judge what is there");
   renderers->add_flag("--mutants", command.mutants, "See that mutants and starters fail on each renderer");
   renderers->add_option("--cache", command.cache,

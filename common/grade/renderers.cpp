@@ -99,13 +99,14 @@ std::vector<Renderer> known_renderers(const fs::path& rsqrt_library) {
       {"hardware_egl", "egl", "", {{"LIBGL_ALWAYS_SOFTWARE", "0"}, {"__EGL_VENDOR_LIBRARY_FILENAMES", ""}}}};
 }
 
-bool draw_by(const Renderer& renderer, const CourseTree& tree, const fs::path& out) {
+std::string draw_by(const Renderer& renderer, const CourseTree& tree, const fs::path& out) {
   const Surroundings surroundings(renderer);
   const std::string says = found(renderer, tree);
   if (says.empty() ||
       (renderer.says.empty() && (says.starts_with("llvmpipe") || says.starts_with("softpipe"))))
-    return false;
-  const fs::path folder = out / (version_of(says) + "_" + renderer.name);
+    return {};
+  const std::string name = version_of(says) + "_" + renderer.name;
+  const fs::path folder = out / name;
   fs::remove_all(folder);
   for (const char* seed : kSeeds) {
     const std::vector<LabPlan> plans = plans_of(tree, seed, out / "models");
@@ -119,8 +120,8 @@ bool draw_by(const Renderer& renderer, const CourseTree& tree, const fs::path& o
       draw_list(own, plans[i].mask_batch(), to / "mask");
     });
   }
-  write_file(folder / "renderer.txt", says + "\n");
-  return true;
+  write_file(folder / kRendererFile, says + "\n");
+  return name;
 }
 
 std::vector<std::string> passed_by(const Renderer& renderer, const CourseTree& tree,
@@ -166,7 +167,7 @@ double Spread::most() const {
 std::vector<Spread> spreads(const CourseTree& tree, const fs::path& drawn, const std::string& reference) {
   std::vector<std::string> renderers;
   for (const fs::directory_entry& entry : fs::directory_iterator(drawn))
-    if (fs::exists(entry.path() / "renderer.txt")) renderers.push_back(entry.path().filename().string());
+    if (fs::exists(entry.path() / kRendererFile)) renderers.push_back(entry.path().filename().string());
   std::sort(renderers.begin(), renderers.end());
   std::map<std::pair<std::string, std::string>, Spread> known;
   std::vector<Spread> all;

@@ -8,6 +8,7 @@
 #include "core/files.hpp"
 #include "core/stopwatch.hpp"
 #include "processes.hpp"
+#include "renderers/table.hpp"
 #include "report.hpp"
 
 namespace texel::tools {
@@ -69,7 +70,9 @@ void write_markdown(const std::vector<LabResults>& labs, const std::string& rend
     const std::vector<Plot> drawn = plots(lab);
     for (std::size_t i = 0; i < drawn.size(); ++i) write_file(folder / plot_file(lab.lab, i), svg(drawn[i]));
   }
-  write_file(file, bench_markdown(labs, renderer, file.stem().string()));
+  write_file(file,
+             bench_markdown(labs, renderer, file.stem().string()) +
+                 renderers_markdown(read_renderers(course_root() / "docs/renderers.json"), course_labs()));
 }
 
 }  // namespace

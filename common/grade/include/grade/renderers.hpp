@@ -26,9 +26,9 @@ struct Renderer {
 std::vector<Renderer> known_renderers(const std::filesystem::path& rsqrt_library);
 
 /// Draws all cases by the solutions into `out`/<Mesa's version>_<name>/, hidden ones for each of kSeeds, with
-/// `renderer.txt`; false where the machine has no such renderer. Sets and unsets the process' variables.
-/// Throws Error (exit 3) when something does not draw.
-bool draw_by(const Renderer& renderer, const CourseTree& tree, const std::filesystem::path& out);
+/// kRendererFile, and returns that folder's name; "" where the machine has no such renderer. Sets and unsets
+/// the process' variables. Throws Error (exit 3) when something does not draw.
+std::string draw_by(const Renderer& renderer, const CourseTree& tree, const std::filesystem::path& out);
 
 /// Mutants and starters that a renderer lets pass, with the first seed, a line each. `say` gets progress.
 std::vector<std::string> passed_by(const Renderer& renderer, const CourseTree& tree,

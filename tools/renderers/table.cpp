@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "renderers/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+
+namespace texel::tools {
+namespace {
+
+nlohmann::ordered_json list_of(const std::vector<RendererReport::Row>& rows) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const RendererReport::Row& row : rows) {
+    nlohmann::ordered_json one{
+        {"lab", row.lab}, {"case", row.name}, {"unit", row.unit}, {"by", nlohmann::ordered_json::object()}};
+    for (const auto& [group, value] : row.by) one["by"][group] = value;  // infinity becomes null
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+std::vector<RendererReport::Row> rows_of(const nlohmann::ordered_json& list) {
+  std::vector<RendererReport::Row> rows;
+  for (const nlohmann::ordered_json& one : list) {
+    RendererReport::Row row{one.at("lab"), one.at("case"), one.at("unit"), {}};
+    for (const auto& [group, value] : one.at("by").items())
+      row.by[group] = value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// A table with a column for each group; `first` and `last` are the cells around them.
+template <class First, class Last>
+std::string group_table(const std::vector<RendererReport::Row>& rows, const std::string& head,
+                        const std::string& tail, First first, Last last) {
+  std::set<std::string> groups;
+  for (const RendererReport::Row& row : rows)
+    for (const auto& [group, value] : row.by) groups.insert(group);
+  std::string top = head, rule;
+  for (const std::string& group : groups) top += fmt::format(" {} |", group);
+  top += tail;
+  for (const char c : top)
+    if (c == '|') rule += rule.empty() ? "|" : " --- |";
+  std::string out = top + "\n" + rule + "\n";
+  for (const RendererReport::Row& row : rows) {
+    out += first(row);
+    for (const std::string& group : groups)
+      out += row.by.contains(group) ? fmt::format(" {:.2g} |", row.by.at(group)) : " |";
+    out += last(row) + "\n";
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string group_of(const std::string& renderer) {
+  const std::size_t first = renderer.find('_'), second = renderer.find('_', first + 1);
+  return renderer.substr(first + 1, second - first - 1) + ", " + renderer.substr(0, first);
+}
+
+std::string to_json(const RendererReport& report) {
+  nlohmann::ordered_json json{
+      {"drawn_by", report.drawn_by}, {"cases", list_of(report.cases)}, {"filters", list_of(report.filters)}};
+  std::string text = "{\n";
+  for (const auto& [key, value] : json.items()) {
+    text += fmt::format(" \"{}\": {}\n", key, value.is_array() ? "[" : value.dump() + ",");
+    if (!value.is_array()) continue;
+    for (std::size_t i = 0; i < value.size(); ++i)
+      text += "  " + value[i].dump() + (i + 1 < value.size() ? ",\n" : "\n");
+    text += key == "filters" ? " ]\n" : " ],\n";
+  }
+  return text + "}\n";
+}
+
+RendererReport read_renderers(const std::filesystem::path& file) {
+  try {
+    const nlohmann::ordered_json json = nlohmann::ordered_json::parse(read_file(file));
+    return {json.at("drawn_by"), rows_of(json.at("cases")), rows_of(json.at("filters"))};
+  } catch (const nlohmann::json::exception& error) {
+    throw Error::failed(fmt::format("is no report on renderers: {}", error.what()), {file.string()});
+  }
+}
+
+std::string renderers_markdown(const RendererReport& report, const std::vector<course::Lab>& labs) {
+  std::string out = fmt::format(
+      "\n{}\n\nNo two drivers draw the same. Of each graded case: the largest distance (but for one pixel of "
+      "a "
+      "thousand) of any\nrenderer from the expected picture, as `./run renderers` measured it, and the "
+      "limit, which is "
+      "at least three times that.\nHidden cases are drawn with three seeds and are compared with one "
+      "renderer's. "
+      "llvmpipe counts with vectors of 128 and 256 bits,\nwith the instructions of older processors, and "
+      "with 1/sqrt "
+      "exact and displaced by what RSQRTPS may be off.\n\n",
+      kRenderersTitle);
+  std::map<std::string, std::string> names;
+  for (const auto& [renderer, says] : report.drawn_by) {
+    std::string& all = names[says];
+    all += (all.empty() ? "" : ", ") + renderer;
+  }
+  for (const auto& [says, all] : names) out += fmt::format("- {}: {}\n", says, all);
+  const auto limit_of = [&](const RendererReport::Row& row) {
+    for (const course::Lab& lab : labs)
+      for (const course::GradedCase& one : lab.cases)
+        if (lab.number == row.lab && one.name == row.name) return one.limit;
+    return 0.0;
+  };
+  out += "\n" + group_table(
+                    report.cases, "| lab | case | unit |", " limit | limit / spread |",
+                    [](const RendererReport::Row& row) {
+                      return fmt::format("| {} | {} | {} |", row.lab, row.name, row.unit);
+                    },
+                    [&](const RendererReport::Row& row) {
+                      double most = 0;
+                      for (const auto& [group, value] : row.by) most = std::max(most, value);
+                      return fmt::format(" {:g} | {} |", limit_of(row),
+                                         most > 0 ? fmt::format("{:.2g}", limit_of(row) / most) : "");
+                    });
+  out +=
+      "\n### Lab 1's filters by Mesa's versions, rms error in 8-bit steps\n\nMesa changed its anisotropic "
+      "filter "
+      "between 22 and 25. Of the others the errors stayed.\n\n" +
+      group_table(
+          report.filters, "| case |", "",
+          [](const RendererReport::Row& row) { return fmt::format("| {} |", row.name); },
+          [](const RendererReport::Row&) { return std::string(); });
+  return out;
+}
+
+}  // namespace texel::tools
