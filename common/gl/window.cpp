@@ -3,6 +3,8 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
+#include <cstdlib>
+
 #include "core/error.hpp"
 #include "gl/context.hpp"
 
@@ -12,6 +14,10 @@ WindowContext::WindowContext(int width, int height, const std::string& title)
     : Context(Shaders::quick_to_draw) {
   static std::string reason;
   glfwSetErrorCallback([](int, const char* text) { reason = text; });
+#if defined(GLFW_PLATFORM_X11) && defined(__linux__)
+  // GLFW 3.4 tries Wayland also where there is none, and Wayland's library complains on standard error.
+  if (std::getenv("WAYLAND_DISPLAY") == nullptr) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
   if (glfwInit() == GLFW_FALSE)
     throw Error::failed(fmt::format("cannot open a window: {}", reason), {},
                         "without a display use --snapshot FILE, or run under xvfb-run");
