@@ -108,7 +108,8 @@ TEST_F(Plan, lists_what_the_programs_batch_option_takes) {
 
 TEST_F(Plan, shows_the_command_that_repeats_a_picture) {
   const LabPlan plan = plan_of(lab_, "s").front();
-  EXPECT_EQ(command(plan, plan.shots[0]), "./run lab 1 --turn 10 --size 128x128 --snapshot open.png");
+  EXPECT_EQ(command(plan, plan.shots[0]),
+            "./run lab 1 --turn 10 --samples 1 --size 128x128 --snapshot open.png");
 }
 
 TEST(WithNeeded, adds_the_labs_whose_steps_are_needed_through_others_too) {
