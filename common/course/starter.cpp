@@ -18,9 +18,9 @@ constexpr const char* kStudentsGuide = "docs/student.md";
 
 /// What belongs to the course.
 constexpr const char* kGiven[] = {
-    "CMakeLists.txt", "CMakePresets.json", "LICENSE", "assets", "cmake",   "common",
-    "docs/pictures",  kStudentsGuide,      "labs",    "run",    "shaders", "tools",
-    "vcpkg.json"};
+    ".devcontainer", "CMakeLists.txt", "CMakePresets.json", "LICENSE", "assets", "cmake",
+    "common",        "docs/pictures",  kStudentsGuide,      "labs",    "run",    "shaders",
+    "tools",         "vcpkg.json"};
 
 /// What of it the student does not get: the right answers, and what makes or proves the course.
 constexpr const char* kWithheld[] = {"assets/make/", "common/app/include/app/colour_truth.hpp",

@@ -147,7 +147,7 @@ bool check_student(const grade::StudentResult& student, const json& expected) {
       if (expected.value("fails", "") != step.id) continue;
       EXPECT_LT(step.score, 1) << told;
       EXPECT_NE(step.status, grade::Status::passed) << told;
-      is_named = step.mistake == expected.at("mistake");
+      is_named = expected.at("mistake").get<std::string>() == step.mistake;
       if (!is_named)
         fmt::print("{} was called '{}'\n", expected.at("mistake").get<std::string>(), step.mistake);
     }
