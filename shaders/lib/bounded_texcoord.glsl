@@ -9,5 +9,10 @@ vec2 bounded_texcoord(vec2 texcoord) {
   // The four pixels whose differences the filter takes must agree: first the neighbours hear of it, then theirs.
   lost += fwidth(lost);
   lost += fwidth(lost);
-  return lost > 0.0 ? mod(floor(gl_FragCoord.xy), 2.0) : texcoord;
+  vec2 one_apart = mod(floor(gl_FragCoord.xy), 2.0);  // from pixel to pixel
+  if (lost > 0.0) return one_apart;
+  // Where all corners have one coordinate, as models with a palette have it, the filter of Mesa 25 and 26 divides
+  // 0 by 0. A millionth, and two of the last places of a large coordinate, give it a footprint far below a texel.
+  bool same_along_a_line = change.xy == vec2(0.0) || change.zw == vec2(0.0);
+  return same_along_a_line ? texcoord + one_apart * (1e-6 + abs(texcoord) * exp2(-22.0)) : texcoord;
 }
