@@ -261,6 +261,7 @@ Lab read_lab(const fs::path& file) {
   lab.bench = read_bench(reader, file.string());
   lab.claims = read_claims(reader, file.string());
   lab.choice = reader.text("choice", "");
+  lab.driver_methods = read_texts(reader, "driver_methods");
   lab.steps = read_steps(reader, file.string(), lab.number);
   lab.cases = read_cases(reader, file.string(), lab.steps);
   reader.reject_unknown();

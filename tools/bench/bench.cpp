@@ -90,7 +90,13 @@ Exit bench(const BenchOptions& options) {
   if (!options.json.empty()) write_file(options.json, to_json(report));
   if (!options.markdown.empty()) write_markdown(results, report.renderer, options.markdown);
   if (!options.against.empty()) {
-    const std::vector<std::string> lines = differences(read_report_json(options.against), report);
+    const BenchReport then = read_report_json(options.against);
+    if (then.renderer != report.renderer)
+      for (const course::Lab& lab : labs)
+        for (const std::string& method : lab.driver_methods)
+          fmt::print("lab {}, {}: the driver's, which was {}; not compared\n", lab.number, method,
+                     then.renderer);
+    const std::vector<std::string> lines = differences(then, report, labs);
     for (const std::string& line : lines) fmt::print("{}\n", line);
     fmt::print("{} of {} errors differ from {}\n", lines.size(), report.results.size(),
                options.against.string());

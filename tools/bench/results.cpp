@@ -317,10 +317,18 @@ BenchReport read_report_json(const std::filesystem::path& file) {
   }
 }
 
-std::vector<std::string> differences(const BenchReport& then, const BenchReport& now) {
+std::vector<std::string> differences(const BenchReport& then, const BenchReport& now,
+                                     const std::vector<course::Lab>& labs) {
   constexpr double kPart = 0.05, kUnits = 1e-5;  // float32 rounds directions to a few 1e-6 degrees
   std::vector<std::string> lines;
+  const auto is_drivers = [&](const BenchResult& result) {
+    return std::any_of(labs.begin(), labs.end(), [&](const course::Lab& lab) {
+      return lab.folder == result.lab &&
+             std::count(lab.driver_methods.begin(), lab.driver_methods.end(), result.method) > 0;
+    });
+  };
   for (const BenchResult& result : now.results) {
+    if (now.renderer != then.renderer && is_drivers(result)) continue;
     const std::string name = fmt::format("lab {}, {}, {}", result.lab, result.case_name, result.method);
     const auto old = std::find_if(then.results.begin(), then.results.end(), [&](const BenchResult& r) {
       return r.lab == result.lab && r.case_name == result.case_name && r.method == result.method;

@@ -74,7 +74,9 @@ std::string to_json(const BenchReport& report);
 BenchReport read_report_json(const std::filesystem::path& file);
 
 /// Why `now` is not what `then` says, one line for each error that differs by more than 5 % and by
-/// more than 1e-5 of its unit, and each count that is not the same; empty when they agree.
-std::vector<std::string> differences(const BenchReport& then, const BenchReport& now);
+/// more than 1e-5 of its unit, and each count that is not the same; empty when they agree. What a lab of
+/// `labs` says is the driver's is compared only when both reports are of the same renderer.
+std::vector<std::string> differences(const BenchReport& then, const BenchReport& now,
+                                     const std::vector<course::Lab>& labs);
 
 }  // namespace texel::tools
