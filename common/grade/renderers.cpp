@@ -108,9 +108,7 @@ std::vector<Renderer> known_renderers(const fs::path& rsqrt_library) {
 std::string draw_by(const Renderer& renderer, const CourseTree& tree, const fs::path& out) {
   const Surroundings surroundings(renderer);
   const std::string says = found(renderer, tree);
-  if (says.empty() ||
-      (renderer.says.empty() && (says.starts_with("llvmpipe") || says.starts_with("softpipe"))))
-    return {};
+  if (says.empty() || (renderer.says.empty() && is_software(says))) return {};
   const std::string name = version_of(says) + "_" + renderer.name;
   const fs::path folder = out / name;
   fs::remove_all(folder);
@@ -134,7 +132,10 @@ std::vector<std::string> passed_by(const Renderer& renderer, const CourseTree& t
                                    const std::function<void(const std::string&)>& say) {
   const Surroundings surroundings(renderer);
   std::vector<std::string> faults;
-  if (found(renderer, tree).empty()) return faults;
+  if (found(renderer, tree).empty()) {
+    say(renderer.name + ": not here");
+    return faults;
+  }
   const BuiltTree starter = starter_tree(tree.course, tree.cache);
   CourseSide course(solution_tree(tree.course, tree.build, starter), starter, tree.cache, renderer.context);
   // By what this renderer draws, as grade has it, or by what is kept, as check has it: one of them is enough.
