@@ -152,9 +152,9 @@ std::string renderers_markdown(const RendererReport& report, const std::vector<c
                                          most > 0 ? fmt::format("{:.2g}", limit_of(row) / most) : "");
                     });
   out += kFiltersHead + group_table(
-                        report.filters, "| case |", "",
-                        [](const RendererReport::Row& row) { return fmt::format("| {} |", row.name); },
-                        [](const RendererReport::Row&) { return std::string(); });
+                            report.filters, "| case |", "",
+                            [](const RendererReport::Row& row) { return fmt::format("| {} |", row.name); },
+                            [](const RendererReport::Row&) { return std::string(); });
   return out;
 }
 
