@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "core/error.hpp"
@@ -132,16 +133,11 @@ class LabCheck {
   std::map<std::string, std::string> said_;    ///< as Drawn has it
 };
 
-/// What a student should know of the renderers: `own` drew here.
-std::string renderer_note(const fs::path& source, const LabResult& lab, const std::string& own) {
-  const fs::path file = expected_folder(source, lab.lab) / kRendererFile;
-  std::string other = fs::exists(file) ? read_file(file) : "";
-  other = other.substr(0, other.find('\n'));
-  const bool failed = std::any_of(lab.steps.begin(), lab.steps.end(),
-                                  [](const StepResult& step) { return step.status == Status::failed; });
-  if (!failed || other.empty() || other == own) return fmt::format("Drawn by {}.", own);
-  return fmt::format("Drawn by {} here, expected by {}. The limits have room for both: docs/accuracy.md.",
-                     own, other);
+/// What drew the expected pictures, or "".
+std::string expected_by(const fs::path& source, const course::Lab& lab) {
+  const fs::path file = expected_folder(source, lab) / kRendererFile;
+  const std::string text = fs::exists(file) ? read_file(file) : "";
+  return text.substr(0, text.find('\n'));
 }
 
 bool is_text_of_programs(const fs::path& file) {
@@ -153,6 +149,23 @@ bool is_text_of_programs(const fs::path& file) {
 
 fs::path expected_folder(const fs::path& source, const course::Lab& lab) {
   return source / "labs" / lab.folder / "expected";
+}
+
+bool is_software(const std::string& renderer) {
+  constexpr std::array kNames = {"llvmpipe", "softpipe", "lavapipe", "swrast", "Software Rasterizer"};
+  return std::any_of(kNames.begin(), kNames.end(),
+                     [&](const char* name) { return renderer.find(name) != renderer.npos; });
+}
+
+std::string renderer_note(const std::string& own, const std::string& expected) {
+  if (!is_software(own))
+    return fmt::format(
+        "Drawn by {}, which seems to be a GPU. The limits are measured for renderers in software: install "
+        "libgl1-mesa-dri, and type LIBGL_ALWAYS_SOFTWARE=1 before the command.",
+        own);
+  if (expected.empty() || expected == own) return fmt::format("Drawn by {}.", own);
+  return fmt::format("Drawn by {} here, expected by {}. The limits have room for both: docs/accuracy.md.",
+                     own, expected);
 }
 
 std::set<std::string> untouched_steps(const OwnTree& tree) {
@@ -200,7 +213,8 @@ std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>
                         [&](const course::Lab& lab) { return lab.number == result.lab.number; });
   });
   if (!renderer.empty())
-    for (LabResult& lab : results) lab.notes.push_back(renderer_note(tree.source, lab, renderer));
+    for (LabResult& lab : results)
+      lab.notes.push_back(renderer_note(renderer, expected_by(tree.source, lab.lab)));
   const std::map<std::string, Place> places = step_places(tree.source);
   for (LabResult& lab : results)
     for (StepResult& step : lab.steps)

@@ -45,7 +45,7 @@ Outcome run(const Studio& studio, const std::string& list, const fs::path& work,
   // So that a case can name a file as one does in the project's root: assets/models/….
   sandbox.working_folder = studio.root;
   sandbox.limits.cpu_seconds = kProcessorSeconds, sandbox.limits.wall_seconds = kWallSeconds;
-  sandbox.limits.disk = 64U << 20U, sandbox.limits.files = 1024;
+  sandbox.limits.files = 1024;
   sandbox.environment = {{"TEXEL_ROOT", studio.root.string()},
                          // All processors are busy with other students. And so each picture is written before
                          // the next is begun: the first that is missing is what a dying program was at.

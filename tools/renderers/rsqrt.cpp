@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// LD_PRELOAD=librsqrt.so TEXEL_RSQRT=exact|high|low: llvmpipe's approximate 1/sqrt as other processors round
-// it.
+// LD_PRELOAD=librsqrt.so TEXEL_RSQRT=exact|high|low: llvmpipe's approximate 1/sqrt as other processors
+// round it.
 //
 // Of RSQRTPS only a relative error below 1.5 * 2^-12 is specified, and processors differ within that (Intel,
-// Software Developer's Manual, volume 2, RSQRTPS). llvmpipe asks LLVM for the instruction by its C interface:
-// it gets a function
-// that makes the result exact by two of Newton's steps, times 1 +- 1.5 * 2^-12.
+// Software Developer's Manual, volume 2, RSQRTPS). llvmpipe asks LLVM for the instruction by its C interface.
+// It gets a function that makes the result exact by two of Newton's steps, times 1 +- 1.5 * 2^-12.
 #include <dlfcn.h>
 #include <link.h>
 

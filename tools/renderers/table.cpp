@@ -58,6 +58,43 @@ std::string group_table(const std::vector<RendererReport::Row>& rows, const std:
   return out;
 }
 
+constexpr const char* kIntroduction = R"(
+No two drivers draw the same. The table has each graded case's limit and its spread: the largest distance of each renderer's
+picture from the expected one, after one pixel of a thousand is left out. A limit is at least three times the spread.
+Hidden cases are drawn with three seeds and compared with those of llvmpipe in Mesa 22.
+`check` and `grade` use these limits: the solution has all points by every renderer of the table.
+
+`./run renderers` draws and measures. A machine has one version of Mesa only. To join several machines, copy the folders in
+their `out/renderers` into one, and let `./run renderers --judge-only` measure there.
+llvmpipe draws with vectors of 128 and 256 bits and with the instructions of older processors (SSE2, SSE4.1, AVX). Its 1/sqrt is the
+processor's approximation: it is also drawn with an exact one, and with one that is off by as much as Intel specifies.
+)";
+
+const std::string kFiltersHead = R"(
+### Lab 1's filters by Mesa's versions, rms error in 8-bit steps
+
+The anisotropic filter is the driver's, and Mesa changed it between 22 and 25 and again before 26.
+`supersampled` is the lab's own and stays the same.
+
+)";
+
+/// "SSE4.1" of "mesa22_llvmpipe_sse41".
+std::string way_of(const std::string& renderer) {
+  static const std::map<std::string, std::string> kWays = {{"egl", "EGL"},
+                                                           {"osmesa", "OSMesa"},
+                                                           {"128", "128 bits"},
+                                                           {"256", "256 bits"},
+                                                           {"sse2", "SSE2"},
+                                                           {"sse41", "SSE4.1"},
+                                                           {"avx", "AVX"},
+                                                           {"rsqrt_exact", "exact 1/sqrt"},
+                                                           {"rsqrt_high", "1/sqrt too large"},
+                                                           {"rsqrt_low", "1/sqrt too small"}};
+  const std::string way = renderer.substr(renderer.find('_', renderer.find('_') + 1) + 1);
+  const auto known = kWays.find(way);
+  return known == kWays.end() ? way : known->second;
+}
+
 }  // namespace
 
 std::string group_of(const std::string& renderer) {
@@ -89,23 +126,14 @@ RendererReport read_renderers(const std::filesystem::path& file) {
 }
 
 std::string renderers_markdown(const RendererReport& report, const std::vector<course::Lab>& labs) {
-  std::string out = fmt::format(
-      "\n{}\n\nNo two drivers draw the same. Of each graded case: the largest distance (but for one pixel of "
-      "a "
-      "thousand) of any\nrenderer from the expected picture, as `./run renderers` measured it, and the "
-      "limit, which is "
-      "at least three times that.\nHidden cases are drawn with three seeds and are compared with one "
-      "renderer's. "
-      "llvmpipe counts with vectors of 128 and 256 bits,\nwith the instructions of older processors, and "
-      "with 1/sqrt "
-      "exact and displaced by what RSQRTPS may be off.\n\n",
-      kRenderersTitle);
-  std::map<std::string, std::string> names;
+  std::string out =
+      fmt::format("\n{}\n{}\n| renderer | with |\n| --- | --- |\n", kRenderersTitle, kIntroduction);
+  std::map<std::string, std::string> ways;
   for (const auto& [renderer, says] : report.drawn_by) {
-    std::string& all = names[says];
-    all += (all.empty() ? "" : ", ") + renderer;
+    std::string& all = ways[says];
+    all += (all.empty() ? "" : ", ") + way_of(renderer);
   }
-  for (const auto& [says, all] : names) out += fmt::format("- {}: {}\n", says, all);
+  for (const auto& [says, all] : ways) out += fmt::format("| {} | {} |\n", says, all);
   const auto limit_of = [&](const RendererReport::Row& row) {
     for (const course::Lab& lab : labs)
       for (const course::GradedCase& one : lab.cases)
@@ -123,14 +151,10 @@ std::string renderers_markdown(const RendererReport& report, const std::vector<c
                       return fmt::format(" {:g} | {} |", limit_of(row),
                                          most > 0 ? fmt::format("{:.2g}", limit_of(row) / most) : "");
                     });
-  out +=
-      "\n### Lab 1's filters by Mesa's versions, rms error in 8-bit steps\n\nMesa changed its anisotropic "
-      "filter "
-      "between 22 and 25. Of the others the errors stayed.\n\n" +
-      group_table(
-          report.filters, "| case |", "",
-          [](const RendererReport::Row& row) { return fmt::format("| {} |", row.name); },
-          [](const RendererReport::Row&) { return std::string(); });
+  out += kFiltersHead + group_table(
+                            report.filters, "| case |", "",
+                            [](const RendererReport::Row& row) { return fmt::format("| {} |", row.name); },
+                            [](const RendererReport::Row&) { return std::string(); });
   return out;
 }
 

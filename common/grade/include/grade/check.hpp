@@ -23,15 +23,22 @@ std::filesystem::path expected_folder(const std::filesystem::path& source, const
 /// Beside the expected pictures: what drew them.
 inline constexpr const char* kRendererFile = "renderer.txt";
 
+/// Whether a renderer of this name (GL_RENDERER) draws by the processor: llvmpipe, softpipe, or zink on
+/// Vulkan's llvmpipe.
+bool is_software(const std::string& renderer);
+/// What a student should know: `own` drew here, and `expected`, or "" if that is not known, what is compared
+/// with.
+std::string renderer_note(const std::string& own, const std::string& expected);
+
 /// The steps that are as they were at first. Throws Error (exit 3) where markers are spoilt.
 std::set<std::string> untouched_steps(const OwnTree& tree);
 
 /// Draws the public cases of the labs, and of those whose steps they need, by the programs as they are built,
-/// and judges them as the grader does. A note of each lab says what drew, a renderer in software unless the
-/// environment asks for another; where a step failed, also what drew the expected pictures, if that is
-/// another one. Steps that are as they were at first are said to be so. Each case's `picture` and `reference`
-/// are paths of files; there are no partial scores, only 0 and 1. Throws Error (exit 3) when a program was
-/// not built, expected pictures are missing, or markers are spoilt.
+/// and judges them as the grader does. A renderer in software draws, unless the environment asks for another
+/// or the machine has none; a note of each lab is its renderer_note. Steps that are as they were at first are
+/// said to be so. Each case's `picture` and `reference` are paths of files; there are no partial scores, only
+/// 0 and 1. Throws Error (exit 3) when a program was not built, expected pictures are missing, or markers are
+/// spoilt.
 std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>& labs,
                              const std::string& context);
 

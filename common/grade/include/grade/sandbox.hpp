@@ -20,7 +20,8 @@ namespace texel::grade {
 
 /// What a program may use up. Sizes are in bytes. Measured on two processors: a lab's 1024x1024 snapshot on
 /// llvmpipe needs 600 MB of address space (500 fail), of which 155 MB are resident; compiling lab 5's lab.cpp
-/// less than 1000 MB and 325 MB. More processors need more, for threads.
+/// less than 1000 MB and 325 MB. More processors need more, for threads. Mesa 25's software Vulkan keeps its
+/// memory in a file of 128 MiB.
 struct SandboxLimits {
   double wall_seconds = 60;
   double cpu_seconds = 60;                    ///< of all processes together
