@@ -122,13 +122,27 @@ TEST_F(LabOutput, survives_our_own_json) {
 
 TEST_F(LabOutput, is_compared_with_an_earlier_report) {
   const BenchReport then = read({entry("flat", "quick", 4, "[10]"), entry("flat", "slow", 1, "[20]")});
-  EXPECT_TRUE(differences(then, then).empty());
+  EXPECT_TRUE(differences(then, then, {}).empty());
   const BenchReport now = read({entry("flat", "quick", 4.1, "[99]"), entry("flat", "slow", 1.2, "[20]"),
                                 entry("round", "slow", 1, "[20]")});
-  const std::vector<std::string> lines = differences(then, now);  // 2.5 % are borne, times are not compared
+  const std::vector<std::string> lines =
+      differences(then, now, {});  // 2.5 % are borne, times are not compared
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0], "lab 05_normal_map, flat, slow: mean error 1.2 and not 1 degrees");
   EXPECT_EQ(lines[1], "lab 05_normal_map, round, slow: is not in the report");
+}
+
+TEST_F(LabOutput, is_compared_where_the_driver_decides_with_the_same_renderer_only) {
+  course::Lab lab;
+  lab.folder = "05_normal_map";
+  lab.driver_methods = {"slow"};
+  const BenchReport then = read({entry("flat", "quick", 4, "[10]"), entry("flat", "slow", 1, "[20]")});
+  BenchReport now = read({entry("flat", "quick", 5, "[10]"), entry("flat", "slow", 2, "[20]")});
+  EXPECT_EQ(differences(then, now, {lab}).size(), 2U);
+  now.renderer = "another";
+  const std::vector<std::string> lines = differences(then, now, {lab});
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_TRUE(has(lines[0], "quick"));
 }
 
 TEST_F(LabOutput, that_is_none_is_an_error_of_its_file) {

@@ -56,7 +56,7 @@ TEST(Renderers, are_those_of_three_versions_of_mesa) {
 
 TEST(Renderers, have_their_section_in_the_document) {
   const std::string text = read_file(kRoot / "docs/accuracy.md");
-  const std::size_t begin = text.find(std::string("\n") + kRenderersTitle);
+  const std::size_t begin = text.find(fmt::format("\n{}", kRenderersTitle));
   ASSERT_NE(begin, text.npos);
   EXPECT_EQ(text.substr(begin), renderers_markdown(kept(), course::read_labs(kRoot / "labs")))
       << "./run renderers --judge-only renews it";

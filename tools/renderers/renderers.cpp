@@ -95,7 +95,7 @@ Exit renderers(const RenderersCommand& command) {
   if (!command.json.empty()) write_file(command.json, to_json(report));
   if (!command.markdown.empty()) {
     const std::string text = read_file(command.markdown);
-    write_file(command.markdown, text.substr(0, text.find(std::string("\n") + kRenderersTitle)) + section);
+    write_file(command.markdown, text.substr(0, text.find(fmt::format("\n{}", kRenderersTitle))) + section);
   }
   if (command.json.empty() && command.markdown.empty()) print_now(section);
   bool holds = true;
