@@ -315,7 +315,7 @@ std::string bench_markdown(const std::vector<LabResults>& labs, const std::strin
       "A filled dot, ● in the tables, is on the Pareto front: no other method of the case is cheaper and as "
       "close, or closer and as cheap.\nColours are ranked by the rms of their error, all else by the mean.\n"
       "`frame` is the median of interleaved rounds, `ratio` that to the cheapest of the case with half the "
-      "distance of its quartiles;\ncosts within that (3 % at least) and errors within 1 % count as equal. "
+      "distance of its quartiles;\ncosts within that (3 % at least) and errors within 2 % count as equal. "
       "`memory` holds vertices, indices and textures.\n",
       renderer);
   out += claims(labs);

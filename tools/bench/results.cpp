@@ -51,9 +51,9 @@ BenchResult read_errors(const Json& json) {
 }
 
 /// Marks those that no other one beats. Costs count as equal within what they differ from round to round, at
-/// least 3 %, errors within 1 %: so close to each other, neither is the better one.
+/// least 3 %, errors within 2 %: so close to each other, neither is the better one.
 void mark_front(std::vector<BenchResult*> results) {
-  constexpr double kLeastSpread = 0.03, kSameError = 0.01;
+  constexpr double kLeastSpread = 0.03, kSameError = 0.02;
   const auto beats = [](const BenchResult& a, const BenchResult& b) {
     if (a.truth != b.truth || a.non_finite > 0) return false;
     const double same_cost = std::max({kLeastSpread, a.cost->spread, b.cost->spread});
