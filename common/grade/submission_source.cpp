@@ -261,6 +261,8 @@ Listing list_archive(const Entry& entry, std::string_view bytes, const UnpackLim
     listing.items.push_back(std::move(item));
   }
   listing.fault = archive.fault();
+  // libarchive before 3.8 calls such a file broken.
+  if (listing.fault.empty() && position == 0) listing.fault = "is an archive without a file";
   return listing;
 }
 

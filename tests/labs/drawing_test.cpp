@@ -54,8 +54,9 @@ TEST_P(Drawing, shows_something_for_every_value_of_every_choice) {
     const Image8 picture = image::load8(folder_ / (shot.name + ".png"));
     // The least is the alligator of lab 5, long and flat: 6 %.
     EXPECT_GT(covered(picture), 0.05);
-    // A 1x1 texture on a square leaves three: the square, the ground and the mean of both at an edge.
-    EXPECT_GE(distinct_colours(picture), 3U);
+    // A 1x1 texture on a square leaves two, the square and the ground, where the driver has one sample a
+    // pixel.
+    EXPECT_GE(distinct_colours(picture), shot.name.find("1x1") == std::string::npos ? 3U : 2U);
   }
   // 128x128 pixels of texture or light: measured 1200 and more in the first nine labs.
   EXPECT_GT(distinct_colours(image::load8(folder_ / "default.png")), 500U);

@@ -153,17 +153,18 @@ TEST(HardCaseOfLab5, under_shear_every_method_is_wrong_by_one_of_the_truths) {
   };
   // Measured. A frame at right angles reads the map as it was baked; the texture's own axes (averaged) fit
   // neither truth; the derivative frame has the height field's slope, on the quad 1 / sqrt(2) of it.
-  const Row rows[] = {{"quad", "cotangent", 8.4, 5.0},         {"quad", "averaged", 7.5, 13.0},
-                      {"quad", "gram-schmidt", 0.25, 9.6},     {"quad", "mikktspace", 0.25, 9.6},
-                      {"torus", "cotangent", 13.2, 1.3},       {"torus", "averaged", 12.0, 19.9},
-                      {"torus", "angle-weighted", 0.27, 13.6}, {"torus", "mikktspace", 0.26, 13.6}};
+  const Row rows[] = {{"quad", "cotangent", 8.4, 4.86},        {"quad", "averaged", 7.5, 13.0},
+                      {"quad", "gram-schmidt", 0.11, 9.6},     {"quad", "mikktspace", 0.11, 9.6},
+                      {"torus", "cotangent", 13.3, 1.2},       {"torus", "averaged", 12.0, 20.0},
+                      {"torus", "angle-weighted", 0.25, 13.6}, {"torus", "mikktspace", 0.25, 13.6}};
   for (const Row& row : rows) {
     const auto mean = [&](const char* truth) {
-      return measured(
-                 kLab5,
-                 Settings{
-                     {"model", row.model}, {"method", row.method}, {"truth", truth}, {"normal_map", "bump"}} +
-                     kLeaning.settings)
+      return measured(kLab5, Settings{{"model", row.model},
+                                      {"method", row.method},
+                                      {"truth", truth},
+                                      {"normal_map", "bump"},
+                                      {"filter", "bilinear"}} +
+                                 kLeaning.settings)
           .mean;
     };
     EXPECT_NEAR(mean("baked-map"), row.baked, 0.1 + 0.1 * row.baked) << row.model << " " << row.method;
@@ -213,10 +214,11 @@ TEST(HardCaseOfLab5, truth_follows_every_layout_and_placement) {
     EXPECT_LT(error.mean, 0.6) << flags(look);
     EXPECT_EQ(error.non_finite, 0) << flags(look);
   }
-  // On flat faces triangles of any size and shape show the same: measured equal to 1e-5 degrees.
+  // On flat faces triangles of any size and shape show the same: measured equal to 1e-5 degrees by llvmpipe,
+  // to 0.0037 by softpipe.
   const Settings cube = {{"normal_map", "bump"}, {"texture_shear", "0.5"}};
   EXPECT_NEAR(measured(kLab5, cube).mean,
-              measured(kLab5, cube + Settings{{"segments", "24"}, {"jitter", "1"}}).mean, 0.002);
+              measured(kLab5, cube + Settings{{"segments", "24"}, {"jitter", "1"}}).mean, 0.012);
 }
 
 TEST(HardCaseOfLab5, normals_in_a_pixel_fall_with_the_square_of_the_triangles_size) {

@@ -245,8 +245,10 @@ TEST(List, names_each_lab_as_its_program_does) {
   for (const course::Lab& lab : labs) {
     EXPECT_TRUE(has(list.output, lab.title)) << lab.folder;
     const Result help = shell(fmt::format("{}/{} --help", test::kBin, lab.program()));
-    const std::string head = fmt::format("Lab {}: {}. {}\n", lab.number, lab.title, lab.lesson);
-    EXPECT_TRUE(help.output.starts_with(head)) << "lab.toml: " << head << help.output.substr(0, 200);
+    const std::string head = fmt::format("Lab {}: {}. {}", lab.number, lab.title, lab.lesson);
+    // CLI11 breaks long lines since 2.5.
+    const std::string said = std::regex_replace(help.output, std::regex("\\s+"), " ");
+    EXPECT_TRUE(said.starts_with(head)) << "lab.toml: " << head << help.output.substr(0, 200);
   }
 }
 

@@ -82,7 +82,7 @@ TEST(LabFile, refuses_an_unknown_key_with_its_line) {
             "7:9: there is no key 'heros'; did you mean 'hero'?");
   EXPECT_EQ(refusal(kHead + "colour = 1\n"),
             "4:10: there is no key 'colour'; the keys are lab, title, lesson, look, bench, claim, choice, "
-            "step, case");
+            "driver_methods, step, case");
 }
 
 TEST(LabFile, refuses_a_wrong_type_with_its_line) {
