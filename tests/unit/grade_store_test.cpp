@@ -73,10 +73,10 @@ CaseResult case_of(const std::string& step, const std::string& name, double scor
   return result;
 }
 
-const StudentResult& student_in(const ClassResult& result, const std::string& id) {
+const StudentResult& student_in(const ClassResult& result, std::string_view id) {
   for (const StudentResult& student : result.students)
     if (student.id == id) return student;
-  throw std::out_of_range("there is no student " + id);
+  throw std::out_of_range(fmt::format("there is no student {}", id));
 }
 
 const StepResult& step_in(const StudentResult& student, const std::string& id) {
