@@ -76,7 +76,7 @@ struct Lab {
   int number = 0;
   std::string folder;  ///< "05_normal_map"
   std::string title, lesson;
-  std::string choice;  ///< which method is the default, and why; or ""
+  std::string choice;                       ///< which method is the default, and why; or ""
   std::vector<std::string> driver_methods;  ///< methods whose result OpenGL leaves to the driver
   std::vector<Look> looks;
   std::vector<BenchCase> bench;
