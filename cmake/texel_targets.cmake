@@ -129,13 +129,23 @@ function(texel_test_program name)
 endfunction()
 
 # texel_test(name SOURCES … DEPENDS …): the same with one ctest entry for each test case
-# (WHOLE: one entry for the program, for tests that share a costly context).
+# (WHOLE: one entry for the program, for tests that share a costly context). Those of a source that holds what a renderer
+# draws to a limit have the label "limits", by which `./run renderers` finds them.
 function(texel_test name)
   cmake_parse_arguments(ARG "WHOLE" "" "" ${ARGN})
+  cmake_parse_arguments(OF "" "" "SOURCES;DEPENDS" ${ARG_UNPARSED_ARGUMENTS})
   texel_test_program(${name} ${ARG_UNPARSED_ARGUMENTS})
+  set(labels)
+  foreach(source IN LISTS OF_SOURCES)
+    file(STRINGS ${source} limits REGEX "support/tolerance.hpp")
+    if(limits)
+      set(labels limits)
+    endif()
+  endforeach()
   if(ARG_WHOLE)
     add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+    set_tests_properties(${name} PROPERTIES LABELS "${labels}")
   else()
-    gtest_discover_tests(${name} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} DISCOVERY_TIMEOUT 60)
+    gtest_discover_tests(${name} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${labels}")
   endif()
 endfunction()

@@ -112,7 +112,9 @@ std::optional<CommandLine> read_command_line(AnyLab& lab, int argc, char** argv)
       ->check(CLI::Range(1, 1000000));
   app.add_option("--config", config, "Read all parameters from a TOML file");
   app.add_option("--save-config", line.save_config, "Write all parameters to a TOML file");
-  app.add_option("--context", line.context, "Where OpenGL comes from: auto, window, osmesa or egl [auto]")
+  app.add_option("--context", line.context,
+                 "Where OpenGL comes from: window, osmesa, egl, or auto: as TEXEL_CONTEXT says, else\n"
+                 "osmesa where it is installed, else egl [auto]")
       ->check(CLI::IsMember({"auto", "window", "osmesa", "egl"}));
   app.add_option("--assets", line.assets,
                  "Folder that holds assets/ and shaders/ [TEXEL_ROOT, else beside the program]");

@@ -194,6 +194,11 @@ std::unique_ptr<Context> create_headless(ContextKind kind, Shaders shaders) {
 }
 
 std::unique_ptr<Context> create_headless(Shaders shaders) {
+  if (const char* wanted = std::getenv("TEXEL_CONTEXT"); wanted != nullptr && *wanted != '\0') {
+    if (wanted == std::string("osmesa")) return create_headless(ContextKind::osmesa, shaders);
+    if (wanted == std::string("egl")) return create_headless(ContextKind::egl, shaders);
+    throw Error::usage(fmt::format("TEXEL_CONTEXT is '{}'", wanted), "egl or osmesa");
+  }
   try {
     return create_headless(ContextKind::osmesa, shaders);
   } catch (const Error& no_osmesa) {

@@ -29,9 +29,11 @@ class Surroundings {
  public:
   explicit Surroundings(const Renderer& renderer) : renderer_(renderer) {
     for (const auto& [name, value] : renderer_.environment) ::setenv(name.c_str(), value.c_str(), 1);
+    ::setenv("TEXEL_CONTEXT", renderer_.context.c_str(), 1);
   }
   ~Surroundings() {
     for (const auto& variable : renderer_.environment) ::unsetenv(variable.first.c_str());
+    ::unsetenv("TEXEL_CONTEXT");
   }
   Surroundings(const Surroundings&) = delete;
   Surroundings& operator=(const Surroundings&) = delete;
@@ -103,6 +105,11 @@ std::vector<Renderer> known_renderers(const fs::path& rsqrt_library) {
       {"softpipe_egl", "egl", "softpipe", {{"GALLIUM_DRIVER", "softpipe"}}},
       {"zink_egl", "egl", "zink", {{"MESA_LOADER_DRIVER_OVERRIDE", "zink"}}},
       {"hardware_egl", "egl", "", {{"LIBGL_ALWAYS_SOFTWARE", "0"}, {"__EGL_VENDOR_LIBRARY_FILENAMES", ""}}}};
+}
+
+void with(const Renderer& renderer, const std::function<void()>& action) {
+  const Surroundings surroundings(renderer);
+  action();
 }
 
 std::string draw_by(const Renderer& renderer, const CourseTree& tree, const fs::path& out) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "../support/directions.hpp"
+#include "../support/tolerance.hpp"
 #include "gl/context.hpp"
 #include "gl/probe.hpp"
 #include "math/basis.hpp"
@@ -107,7 +108,7 @@ TEST_F(HardCaseOfFrames, are_their_twins_in_common_math) {
       const glm::mat3 expected = twin(n);
       for (int c = 0; c < 3; ++c)
         // Measured 0 on llvmpipe; a division or root may be a rounding or two off elsewhere.
-        ASSERT_LE(glm::distance(shader[i][c], expected[c]), 5e-7F)
+        ASSERT_BELOW(glm::distance(shader[i][c], expected[c]), 5e-7F)
             << name << " " << n.x << " " << n.y << " " << n.z;
     }
   });
@@ -120,7 +121,7 @@ TEST_F(HardCaseOfFrames, are_orthonormal_to_1e_6_everywhere_but_for_frisvad_s_an
     for (std::size_t i = 0; i < directions.size(); ++i) {
       const vec3 n = directions[i];
       // Measured 4.4e-7 at most. A NaN is not below either.
-      ASSERT_LT(truth::orthonormality(glm::dmat3(shader[i])), 1e-6)
+      ASSERT_BELOW(truth::orthonormality(glm::dmat3(shader[i])), 1e-6)
           << name << " " << n.x << " " << n.y << " " << n.z;
     }
   }
@@ -130,10 +131,10 @@ TEST_F(HardCaseOfFrames, of_frisvad_and_cross_up_fail_at_minus_z_and_at_the_pole
   const std::vector<vec3> places = {{0, 0, -1}, {0.000545734656F, 0, -0.999999881F}, {0, 1, 0}, {0, -1, 0}};
   const std::vector<glm::mat3> frisvad = frames("rotate-to-normal", places);
   EXPECT_EQ(frisvad[0], glm::mat3(0, -1, 0, -1, 0, 0, 0, 0, -1));
-  EXPECT_GT(truth::orthonormality(glm::dmat3(frisvad[1])), 1.0) << "its twin's test says why";
-  EXPECT_LT(truth::orthonormality(glm::dmat3(frisvad[2])), 1e-6);
+  EXPECT_ABOVE(truth::orthonormality(glm::dmat3(frisvad[1])), 1.0) << "its twin's test says why";
+  EXPECT_BELOW(truth::orthonormality(glm::dmat3(frisvad[2])), 1e-6);
   const std::vector<glm::mat3> cross_up = frames("cross-up", places);
-  EXPECT_LT(truth::orthonormality(glm::dmat3(cross_up[0])), 1e-6);
+  EXPECT_BELOW(truth::orthonormality(glm::dmat3(cross_up[0])), 1e-6);
   for (const std::size_t pole : {2U, 3U}) EXPECT_TRUE(std::isnan(cross_up[pole][0].x));
 }
 
@@ -151,7 +152,7 @@ TEST_F(HardCaseOfFrames, bend_the_normal_to_a_finite_one_at_every_strength) {
   for (const char* name : {"uv-aligned", "blinn", "duff", "sign-corrected", "hughes-moller"}) {
     const Table bent = values_of("09_bump/frame.glsl", "vec4(bent_normal(a.xyz, b.xyz), 1.0)", method(name),
                                  {normals, bends});
-    for (const vec4& n : bent) ASSERT_NEAR(glm::length(vec3(n)), 1, 4e-7) << name;
+    for (const vec4& n : bent) ASSERT_WITHIN(glm::length(vec3(n)), 1, 4e-7) << name;
   }
   // The worksheet's is left as long as the map's normal is: finite, and not of unit length.
   const Table bent = values_of("09_bump/frame.glsl", "vec4(bent_normal(a.xyz, b.xyz), 1.0)",
@@ -175,10 +176,10 @@ TEST_F(HardCaseOfCoordinates, two_angles_are_exact_up_to_the_poles_and_on_both_s
     ASSERT_LE(std::abs(got.x), 0.5 + 1e-7) << n.x << " " << n.y << " " << n.z;
     // llvmpipe's arc tangent is a polynomial: measured 1.2e-6 and 6e-7, a thousandth of a texel of the
     // pictures.
-    ASSERT_NEAR(got.y, expected.y, 2e-6) << n.x << " " << n.y << " " << n.z;
+    ASSERT_WITHIN(got.y, expected.y, 2e-6) << n.x << " " << n.y << " " << n.z;
     // At the poles any u will do; beside the seam, -1/2 and 1/2 are the same place.
     if (std::hypot(double{n.x}, double{n.z}) < 1e-18) continue;
-    ASSERT_NEAR(std::remainder(got.x - expected.x, 1), 0, 1e-6) << n.x << " " << n.y << " " << n.z;
+    ASSERT_WITHIN(std::remainder(got.x - expected.x, 1), 0, 1e-6) << n.x << " " << n.y << " " << n.z;
   }
 }
 
@@ -200,8 +201,8 @@ TEST_F(HardCaseOfCoordinates, their_derivative_has_no_seam_and_is_finite_at_the_
     const dvec2 expected = truth::worksheet_gradient(n, {dvec3(steps[i]), dvec3(0)}).dx;
     // du is a difference of two products of up to |n_xz| |step|, divided by |n_xz|^2: a few roundings of
     // that.
-    ASSERT_NEAR(gradients[i].x, expected.x, 3e-7 * 0.004 / from_pole) << n.x << " " << n.y << " " << n.z;
-    ASSERT_NEAR(gradients[i].y, expected.y, 3e-7 * 0.004) << n.x << " " << n.y << " " << n.z;
+    ASSERT_WITHIN(gradients[i].x, expected.x, 3e-7 * 0.004 / from_pole) << n.x << " " << n.y << " " << n.z;
+    ASSERT_WITHIN(gradients[i].y, expected.y, 3e-7 * 0.004) << n.x << " " << n.y << " " << n.z;
   }
 }
 
@@ -224,8 +225,8 @@ TEST_F(HardCaseOfCoordinates, a_direction_on_an_edge_or_corner_of_the_cube_has_o
     ASSERT_EQ(dvec3(majors[i]), procedural::direction(expected.face, 0.5, 0.5))
         << n.x << " " << n.y << " " << n.z;
     // Two roundings. Measured 4.5e-8.
-    ASSERT_NEAR(values[i].x, expected.s, 1.2e-7) << n.x << " " << n.y << " " << n.z;
-    ASSERT_NEAR(values[i].y, expected.t, 1.2e-7) << n.x << " " << n.y << " " << n.z;
+    ASSERT_WITHIN(values[i].x, expected.s, 1.2e-7) << n.x << " " << n.y << " " << n.z;
+    ASSERT_WITHIN(values[i].y, expected.t, 1.2e-7) << n.x << " " << n.y << " " << n.z;
     ASSERT_LE(std::max(std::abs(values[i].x - 0.5F), std::abs(values[i].y - 0.5F)), 0.5F);
   }
 }
@@ -289,10 +290,10 @@ TEST_F(HardCaseOfRays, refraction_follows_snell_s_law_to_the_critical_angle_and_
       continue;
     }
     EXPECT_GT(cos_t_squared, -rounding);
-    EXPECT_NEAR(refracted[i].x, along, 3e-7);
+    EXPECT_WITHIN(refracted[i].x, along, 3e-7);
     const double cos_t = std::sqrt(std::max(cos_t_squared, 0.0));
-    EXPECT_NEAR(refracted[i].z, -cos_t,
-                std::min(rounding / std::max(cos_t, 1e-9), std::sqrt(rounding)) + 1e-7);
+    EXPECT_WITHIN(refracted[i].z, -cos_t,
+                  std::min(rounding / std::max(cos_t, 1e-9), std::sqrt(rounding)) + 1e-7);
     EXPECT_EQ(refracted[i].y, 0.0F);
   }
   EXPECT_GT(total_reflections, 30);
@@ -308,9 +309,9 @@ TEST_F(HardCaseOfRays, fresnel_is_right_straight_on_at_brewster_s_angle_at_the_c
     // Where total reflection begins the value rises to 1 like a square root: a rounding of 1e-7 counts 0.002.
     const double cos_t_squared = 1 - eta * eta * (1 - cosine * cosine);
     const double tolerance = 1e-6 + 1e-6 * eta * eta / std::sqrt(std::max(cos_t_squared, 2e-7));
-    ASSERT_NEAR(reflected[i].x, truth::fresnel(cosine, eta, 1), tolerance);
+    ASSERT_WITHIN(reflected[i].x, truth::fresnel(cosine, eta, 1), tolerance);
     if (cosine == 1) {
-      EXPECT_NEAR(reflected[i].x, std::pow((eta - 1) / (eta + 1), 2), 1e-7);
+      EXPECT_WITHIN(reflected[i].x, std::pow((eta - 1) / (eta + 1), 2), 1e-7);
     }
     if (cosine == 0) {
       EXPECT_EQ(reflected[i].x, 1.0F);
@@ -320,7 +321,7 @@ TEST_F(HardCaseOfRays, fresnel_is_right_straight_on_at_brewster_s_angle_at_the_c
   const double eta = 1 / 1.5, brewster = std::atan(1 / eta), across = std::cos(2 * brewster);
   const Table value = values_of("08_reflection/fresnel.glsl", "vec4(fresnel(a.w, b.x))", surface("FRESNEL"),
                                 {{vec4(0, 0, 0, std::cos(brewster))}, {vec4(static_cast<float>(eta))}});
-  EXPECT_NEAR(value[0].x, 0.5 * across * across, 1e-7);
+  EXPECT_WITHIN(value[0].x, 0.5 * across * across, 1e-7);
 }
 
 TEST_F(HardCaseOfRays, schlick_s_reflectance_is_finite_and_at_most_so_far_from_fresnel_s) {
@@ -340,8 +341,8 @@ TEST_F(HardCaseOfRays, schlick_s_reflectance_is_finite_and_at_most_so_far_from_f
   }
   // Glass from outside: 0.023 at most here, at 80 degrees. Between equal media it reflects near grazing,
   // (1 - cos)^5, where nothing should be.
-  EXPECT_GT(worst, 0.015);
-  EXPECT_LT(worst, 0.03);
+  EXPECT_ABOVE(worst, 0.015);
+  EXPECT_BELOW(worst, 0.03);
 }
 
 TEST_F(HardCaseOfRays, reflection_keeps_the_angle_and_the_length_at_any_incidence) {

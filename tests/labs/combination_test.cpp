@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "../support/tolerance.hpp"
 #include "image/colour.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
@@ -69,7 +70,7 @@ TEST(CombinationOfLab2, gives_the_number_that_its_formula_does) {
       // once more.
       const double tolerance = method == "premultiplied" ? 1.2 : 0.8;
       for (int channel = 0; channel < 3; ++channel)
-        EXPECT_NEAR(picture.at(64, 64, channel), combined(combine, channel, method != "encoded"), tolerance)
+        EXPECT_WITHIN(picture.at(64, 64, channel), combined(combine, channel, method != "encoded"), tolerance)
             << combine << " " << method << " " << channel;
     }
 }
@@ -101,7 +102,7 @@ TEST(MipmapsOfLab2, made_by_us_are_means_of_all_texels_of_odd_sizes_too) {
                         {"texture_scale", "100"},
                         {"distance", "30"}};
   draw("lab02_multi_texture", {{"own", far + Settings{{"mipmaps", "own"}}}}, folder);
-  EXPECT_NEAR(image::load8(folder / "own.png").at(64, 64, 0), 255 * image::srgb_from_linear(1 / 9.0), 1);
+  EXPECT_WITHIN(image::load8(folder / "own.png").at(64, 64, 0), 255 * image::srgb_from_linear(1 / 9.0), 1);
 }
 
 }  // namespace

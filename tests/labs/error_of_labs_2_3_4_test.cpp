@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "../support/tolerance.hpp"
 #include "core/files.hpp"
 #include "image/difference.hpp"
 #include "image/load.hpp"
@@ -28,10 +29,10 @@ const Settings kDecal = {{"texture1", "decal"}, {"combine", "decal"}};
 TEST(ErrorOfLab2, of_encoded_values_is_59_steps_on_a_far_checker) {
   // The mean of black and white is 127.5 of the numbers and 187.5 of the light. The truth's own 128 samples
   // of such a pixel are 9 steps off, to both sides: measured 59.1 against 8.8.
-  EXPECT_NEAR(of_lab_2(kFarChecker + Settings{{"method", "encoded"}}).mean, 59.5, 1);
+  EXPECT_WITHIN(of_lab_2(kFarChecker + Settings{{"method", "encoded"}}).mean, 59.5, 1);
   for (const char* method : {"linear", "premultiplied"})
     for (const char* mipmaps : {"own", "driver"})
-      EXPECT_LT(of_lab_2(kFarChecker + Settings{{"method", method}, {"mipmaps", mipmaps}}).mean, 12)
+      EXPECT_BELOW(of_lab_2(kFarChecker + Settings{{"method", method}, {"mipmaps", mipmaps}}).mean, 12)
           << method << " " << mipmaps;
 }
 
@@ -40,10 +41,10 @@ TEST(ErrorOfLab2, of_a_product_of_means_is_50_steps_whatever_the_method) {
   // product of 1/4, which is 137 encoded: 50.5 steps. Measured 50.1, and 49.1 where a renderer rounds sRGB
   // otherwise (softpipe, or llvmpipe with another 1/sqrt). Encoded, 1/4 is 64: 123.5; measured 123.1.
   const Settings same = kFar + Settings{{"texture0", "checker"}, {"texture1", "checker"}};
-  EXPECT_NEAR(of_lab_2(same).mean, 50.5, 4.5);
-  EXPECT_NEAR(of_lab_2(same + Settings{{"method", "encoded"}}).mean, 123.5, 1);
+  EXPECT_WITHIN(of_lab_2(same).mean, 50.5, 4.5);
+  EXPECT_WITHIN(of_lab_2(same + Settings{{"method", "encoded"}}).mean, 123.5, 1);
   // A mixture's mean is that of the means: what is left is the truth's own 9 steps.
-  EXPECT_LT(of_lab_2(same + Settings{{"combine", "mix"}}).mean, 12);
+  EXPECT_BELOW(of_lab_2(same + Settings{{"combine", "mix"}}).mean, 12);
 }
 
 TEST(ErrorOfLab2, of_encoded_arithmetic_is_several_times_that_of_light) {
@@ -51,14 +52,15 @@ TEST(ErrorOfLab2, of_encoded_arithmetic_is_several_times_that_of_light) {
   // smile's edges are left, which the filter softens.
   for (const auto& [combine, times] : {std::pair("multiply", 2), {"mix", 5}, {"add", 10}}) {
     const Settings look = {{"texture0", "smile"}, {"combine", combine}};
-    EXPECT_GT(of_lab_2(look + Settings{{"method", "encoded"}}).mean, times * of_lab_2(look).mean) << combine;
+    EXPECT_ABOVE(of_lab_2(look + Settings{{"method", "encoded"}}).mean, times * of_lab_2(look).mean)
+        << combine;
   }
 }
 
 TEST(ErrorOfLab2, clips_light_beyond_white_after_the_mean) {
   // White and white are 2, and 1 in the picture: inside the fields there is no error, so it is that of their
   // edges alone. Measured 5.8 steps; 2 is 346 encoded, so that half of the square would be 91 off.
-  EXPECT_LT(of_lab_2({{"texture0", "checker"}, {"texture1", "checker"}, {"combine", "add"}}).mean, 10);
+  EXPECT_BELOW(of_lab_2({{"texture0", "checker"}, {"texture1", "checker"}, {"combine", "add"}}).mean, 10);
 }
 
 TEST(ErrorOfLab2, is_the_same_from_any_unit) {
@@ -69,7 +71,7 @@ TEST(ErrorOfLab2, is_the_same_from_any_unit) {
     EXPECT_EQ(other.mean, first.mean) << unit;
     EXPECT_EQ(other.most, first.most) << unit;
   }
-  EXPECT_LT(first.mean, 5);  // measured 3.1
+  EXPECT_BELOW(first.mean, 5);  // measured 3.1
 }
 
 TEST(ErrorOfLab2, tells_the_units_from_each_other) {
@@ -81,8 +83,8 @@ TEST(ErrorOfLab2, tells_the_units_from_each_other) {
       image::compare(image::load8(folder / "right.png"), image::load8(folder / "swapped.png")).mean;
   // The picture of swapped units is 21 steps from the right one in the mean over the whole frame, of which
   // the square is half; the right one is 11 steps from the truth, so the swapped one is 30 from it or more.
-  EXPECT_GT(apart, 15);
-  EXPECT_LT(of_lab_2(right).mean, 15);
+  EXPECT_ABOVE(apart, 15);
+  EXPECT_BELOW(of_lab_2(right).mean, 15);
 }
 
 TEST(ErrorOfLab2, of_two_sizes_is_that_of_the_coarser_picture) {
@@ -91,20 +93,20 @@ TEST(ErrorOfLab2, of_two_sizes_is_that_of_the_coarser_picture) {
   const double coarse = of_lab_2({{"texture0", "brick_32"}, {"unit1_on", "off"}}).mean;
   const double both = of_lab_2({{"texture0", "label_grid"}, {"texture1", "brick_32"}}).mean;
   const double fine = of_lab_2({{"texture0", "label_grid"}, {"texture1", "brick"}}).mean;
-  EXPECT_LT(both, coarse);
-  EXPECT_LT(2 * fine, both);
+  EXPECT_BELOW(both, coarse);
+  EXPECT_BELOW(2 * fine, both);
 }
 
 TEST(ErrorOfLab2, of_straight_alpha_is_what_is_not_seen_and_yet_darkens) {
   // From so far that a decal is less than a pixel: measured 20.9 steps straight, 7.0 premultiplied.
   for (const char* below : {"wood", "brick"}) {
     const Settings decals = kFar + kDecal + Settings{{"texture0", below}};
-    EXPECT_GT(of_lab_2(decals + Settings{{"method", "linear"}}).mean, 2 * of_lab_2(decals).mean) << below;
+    EXPECT_ABOVE(of_lab_2(decals + Settings{{"method", "linear"}}).mean, 2 * of_lab_2(decals).mean) << below;
   }
   // Magnified there is nothing between a texel that is seen and one that is not but the soft edge: measured
   // the same to 0.01.
   const Settings near = kDecal + Settings{{"texture0", "wood"}, {"distance", "0.9"}, {"field_of_view", "70"}};
-  EXPECT_NEAR(of_lab_2(near + Settings{{"method", "linear"}}).mean, of_lab_2(near).mean, 0.05);
+  EXPECT_WITHIN(of_lab_2(near + Settings{{"method", "linear"}}).mean, of_lab_2(near).mean, 0.05);
 }
 
 TEST(ErrorOfLab2, of_one_small_decal_on_black_is_smaller_with_straight_alpha_by_chance) {
@@ -115,8 +117,8 @@ TEST(ErrorOfLab2, of_one_small_decal_on_black_is_smaller_with_straight_alpha_by_
       kDecal + Settings{{"unit0_on", "off"}, {"red", "0"}, {"green", "0"}, {"blue", "0"}, {"distance", "5"}};
   const double straight = of_lab_2(one + Settings{{"method", "linear"}}).mean,
                premultiplied = of_lab_2(one).mean;
-  EXPECT_GT(premultiplied, straight);
-  EXPECT_LT(premultiplied, 1.2 * straight);
+  EXPECT_ABOVE(premultiplied, straight);
+  EXPECT_BELOW(premultiplied, 1.2 * straight);
 }
 
 TEST(ErrorOfLab2, knows_no_truth_for_a_picture_from_a_file) {
@@ -137,8 +139,8 @@ TEST(ErrorOfLab3, of_a_texcoord_is_float32_s_on_flat_faces) {
   // 512 texels in 24 bits are 3e-5 of a texel, and the interpolation's products some of that: measured 4e-5
   // and 9e-5.
   for (const char* projection : {"from-file", "planar", "box"}) {
-    EXPECT_LT(of_lab_3("quad", "texcoord", {{"projection", projection}}).mean, 2e-4) << projection;
-    EXPECT_LT(of_lab_3("cube_split", "texcoord", {{"projection", projection}}).mean, 4e-4) << projection;
+    EXPECT_BELOW(of_lab_3("quad", "texcoord", {{"projection", projection}}).mean, 2e-4) << projection;
+    EXPECT_BELOW(of_lab_3("cube_split", "texcoord", {{"projection", projection}}).mean, 4e-4) << projection;
   }
 }
 
@@ -149,8 +151,8 @@ TEST(ErrorOfLab3, of_a_texcoord_is_below_a_texel_on_round_models_and_their_seams
   for (const char* projection : {"from-file", "planar", "cylindrical", "spherical"})
     for (const char* yaw : {"28", "180", "0"}) {
       const Settings look = {{"projection", projection}, {"yaw", yaw}};
-      EXPECT_LT(of_lab_3("sphere", "texcoord", look).mean, 0.6) << flags(look);
-      EXPECT_LT(of_lab_3("torus", "texcoord", look).mean, 1.5) << flags(look);
+      EXPECT_BELOW(of_lab_3("sphere", "texcoord", look).mean, 0.6) << flags(look);
+      EXPECT_BELOW(of_lab_3("torus", "texcoord", look).mean, 1.5) << flags(look);
     }
 }
 
@@ -159,18 +161,18 @@ TEST(ErrorOfLab3, of_a_box_projection_lies_where_a_triangle_chose_another_axis) 
   // hundreds of texels off. Measured 6.1 and 7.7 in the mean, 339 and 272 for the 99th percentile.
   for (const char* model : {"sphere", "torus"}) {
     const Figures error = of_lab_3(model, "texcoord", {{"projection", "box"}});
-    EXPECT_GT(error.mean, 3) << model;
-    EXPECT_LT(error.mean, 15) << model;
-    EXPECT_GT(error.p99, 100) << model;
+    EXPECT_ABOVE(error.mean, 3) << model;
+    EXPECT_BELOW(error.mean, 15) << model;
+    EXPECT_ABOVE(error.p99, 100) << model;
   }
 }
 
 TEST(ErrorOfLab3, of_a_round_projection_is_that_of_too_few_vertices_on_a_cube) {
   // Two triangles a face cannot bend. Measured 11 around and 24 to the poles; on the quad, whose plane holds
   // the axis, longitude has two values only, and 63 and 91.
-  EXPECT_GT(of_lab_3("cube_split", "texcoord", {{"projection", "cylindrical"}}).mean, 5);
-  EXPECT_GT(of_lab_3("cube_split", "texcoord", {{"projection", "spherical"}}).mean, 15);
-  EXPECT_GT(of_lab_3("quad", "texcoord", {{"projection", "spherical"}}).mean, 50);
+  EXPECT_ABOVE(of_lab_3("cube_split", "texcoord", {{"projection", "cylindrical"}}).mean, 5);
+  EXPECT_ABOVE(of_lab_3("cube_split", "texcoord", {{"projection", "spherical"}}).mean, 15);
+  EXPECT_ABOVE(of_lab_3("quad", "texcoord", {{"projection", "spherical"}}).mean, 50);
 }
 
 TEST(ErrorOfLab3, of_the_report_s_cube_is_the_distance_from_a_point_to_its_opposite) {
@@ -179,8 +181,8 @@ TEST(ErrorOfLab3, of_the_report_s_cube_is_the_distance_from_a_point_to_its_oppos
   // cube_before is right. 168 pixels a side: measured 391.5 and 5e-5.
   const Settings front = {{"yaw", "0"}, {"pitch", "0"}};
   const double exact = 512 * (std::sqrt(2.0) + std::asinh(1.0)) / 3;
-  EXPECT_NEAR(of_lab_3("cube", "texcoord", front).mean, exact, 1);
-  EXPECT_LT(of_lab_3("cube_before", "texcoord", front).mean, 2e-4);
+  EXPECT_WITHIN(of_lab_3("cube", "texcoord", front).mean, exact, 1);
+  EXPECT_BELOW(of_lab_3("cube_before", "texcoord", front).mean, 2e-4);
 }
 
 TEST(ErrorOfLab3, of_generated_normals_falls_from_flat_to_smooth) {
@@ -189,15 +191,15 @@ TEST(ErrorOfLab3, of_generated_normals_falls_from_flat_to_smooth) {
   };
   // Flat, the mean distance to the middle of a quad: 0.383 of its side, which is 5.6 degrees on the sphere's
   // equator and 11 around the torus's tube, less along the other way. Measured 2.02 and 3.16.
-  EXPECT_NEAR(mean("sphere", "flat"), 2.02, 0.1);
-  EXPECT_NEAR(mean("torus", "flat"), 3.16, 0.1);
+  EXPECT_WITHIN(mean("sphere", "flat"), 2.02, 0.1);
+  EXPECT_WITHIN(mean("torus", "flat"), 3.16, 0.1);
   // Smooth, what the interpolation between exact normals leaves: measured 0.129 and 0.286 from the file,
   // 0.143 and 0.338 by area, 0.123 and 0.317 by angle.
   for (const char* model : {"sphere", "torus"}) {
     const double area = mean(model, "smooth-area"), angle = mean(model, "smooth-angle");
-    EXPECT_LT(angle, area) << model;
-    EXPECT_LT(area, 1.3 * mean(model, "from-file")) << model;
-    EXPECT_LT(area, 0.15 * mean(model, "flat")) << model;
+    EXPECT_BELOW(angle, area) << model;
+    EXPECT_BELOW(area, 1.3 * mean(model, "from-file")) << model;
+    EXPECT_BELOW(area, 0.15 * mean(model, "flat")) << model;
   }
 }
 
@@ -206,9 +208,9 @@ TEST(ErrorOfLab3, of_smooth_normals_on_a_cube_is_tens_of_degrees_and_depends_on_
   // meet the corner: measured 36.4 and 33.8 degrees, 54.6 and 70.1 at most. Flat, and from the file, 0.
   const Figures angle = of_lab_3("cube_split", "normal", {{"normals", "smooth-angle"}});
   const Figures area = of_lab_3("cube_split", "normal", {{"normals", "smooth-area"}});
-  EXPECT_GT(angle.mean, 30);
-  EXPECT_LT(angle.most, 54.74);  // arccos(1 / sqrt 3)
-  EXPECT_GT(area.most, 65);
+  EXPECT_ABOVE(angle.mean, 30);
+  EXPECT_BELOW(angle.most, 54.74);  // arccos(1 / sqrt 3)
+  EXPECT_ABOVE(area.most, 65);
   EXPECT_EQ(of_lab_3("cube_split", "normal", {{"normals", "flat"}}).most, 0);
   EXPECT_EQ(of_lab_3("cube_split", "normal").most, 0);
 }
@@ -227,9 +229,9 @@ TEST(ErrorOfLab3, of_light_is_below_a_step_and_a_half) {
                                {{"specular", "1"}, {"ambient", "0"}},
                                {{"turn", "77"}, {"pitch", "-30"}, {"light_yaw", "-100"}}})
     for (const char* model : {"sphere", "torus"})
-      EXPECT_LT(colours_of_lab_3(model, plain + look).mean, 1.5) << model << flags(look);
+      EXPECT_BELOW(colours_of_lab_3(model, plain + look).mean, 1.5) << model << flags(look);
   const Settings flat = {{"normals", "flat"}};
-  EXPECT_GT(colours_of_lab_3("sphere", plain + flat).mean, 1.5 * colours_of_lab_3("sphere", plain).mean);
+  EXPECT_ABOVE(colours_of_lab_3("sphere", plain + flat).mean, 1.5 * colours_of_lab_3("sphere", plain).mean);
 }
 
 TEST(ErrorOfLab3, of_a_picture_is_at_its_edges_whatever_is_chosen) {
@@ -243,7 +245,7 @@ TEST(ErrorOfLab3, of_a_picture_is_at_its_edges_whatever_is_chosen) {
                                {{"projection", "triplanar"}, {"texture_scale", "2"}}})
     for (const char* model : {"sphere", "torus"}) {
       const Figures error = colours_of_lab_3(model, look);
-      EXPECT_LT(error.mean, 20) << model << flags(look);
+      EXPECT_BELOW(error.mean, 20) << model << flags(look);
       EXPECT_EQ(error.non_finite, 0) << model << flags(look);
     }
 }
@@ -252,13 +254,15 @@ TEST(ErrorOfLab3, of_one_texel_a_vertex_is_several_times_that_of_one_a_pixel) {
   // Measured 43 against 10 on the sphere, 40 against 15 on the torus, 135 against 12 on the cube, whose
   // corners all fall on the same texel: 0 and 1 are one place of a picture that repeats.
   for (const auto& [model, times] : {std::pair("sphere", 3), {"torus", 2}, {"cube_split", 8}})
-    EXPECT_GT(colours_of_lab_3(model, {{"method", "per-vertex"}}).mean, times * colours_of_lab_3(model).mean)
+    EXPECT_ABOVE(colours_of_lab_3(model, {{"method", "per-vertex"}}).mean,
+                 times * colours_of_lab_3(model).mean)
         << model;
 }
 
 TEST(ErrorOfLab3, of_encoded_light_is_twice_that_of_light) {
   // Measured 25.7 against 10.3, of which most are the writing's edges.
-  EXPECT_GT(colours_of_lab_3("sphere", {{"linear_light", "off"}}).mean, 2 * colours_of_lab_3("sphere").mean);
+  EXPECT_ABOVE(colours_of_lab_3("sphere", {{"linear_light", "off"}}).mean,
+               2 * colours_of_lab_3("sphere").mean);
 }
 
 TEST(ErrorOfLab3, is_not_known_for_files_without_a_formula_and_three_coordinates_at_once) {
@@ -314,14 +318,14 @@ TEST(ErrorOfLab4, of_eight_vertices_is_what_each_side_s_map_says) {
   const double turned = 512 * (std::sqrt(2.0) + std::asinh(1.0)) / 3, half = 256, third = 512.0 / 3;
   const Settings before = {{"method", "before"}}, stretched = {{"method", "stretched"}};
   // Pixel middles are a grid of 168 x 168 over the side: measured within 0.05.
-  EXPECT_LT(of_side("0", before).mean, 2e-4);
-  EXPECT_NEAR(of_side("180", before).mean, half, 0.5);
-  EXPECT_NEAR(of_side("90", before).mean, half, 0.5);
-  EXPECT_NEAR(of_side("-90", before).mean, half, 0.5);
-  EXPECT_NEAR(of_side("0", stretched).mean, turned, 0.5);
-  EXPECT_NEAR(of_side("180", stretched).mean, half, 0.5);
-  EXPECT_NEAR(of_side("90", stretched).mean, third, 0.5);
-  EXPECT_NEAR(of_side("-90", stretched).mean, third, 0.5);
+  EXPECT_BELOW(of_side("0", before).mean, 2e-4);
+  EXPECT_WITHIN(of_side("180", before).mean, half, 0.5);
+  EXPECT_WITHIN(of_side("90", before).mean, half, 0.5);
+  EXPECT_WITHIN(of_side("-90", before).mean, half, 0.5);
+  EXPECT_WITHIN(of_side("0", stretched).mean, turned, 0.5);
+  EXPECT_WITHIN(of_side("180", stretched).mean, half, 0.5);
+  EXPECT_WITHIN(of_side("90", stretched).mean, third, 0.5);
+  EXPECT_WITHIN(of_side("-90", stretched).mean, third, 0.5);
 }
 
 TEST(ErrorOfLab4, of_split_and_weld_is_float32_s) {
@@ -329,9 +333,9 @@ TEST(ErrorOfLab4, of_split_and_weld_is_float32_s) {
     for (const char* turn : {"0", "90", "180", "-90"}) {
       const Settings values = {{"method", method}};
       const Figures texels = of_side(turn, values);
-      EXPECT_LT(texels.most, 5e-4) << method << turn;  // measured 1.2e-4
+      EXPECT_BELOW(texels.most, 5e-4) << method << turn;  // measured 1.2e-4
       EXPECT_GT(texels.pixels, 25000) << method << turn;
-      EXPECT_LT(of_side(turn, values + Settings{{"truth", "normal"}}).most, 1e-5) << method << turn;
+      EXPECT_BELOW(of_side(turn, values + Settings{{"truth", "normal"}}).most, 1e-5) << method << turn;
     }
 }
 
@@ -345,12 +349,12 @@ TEST(ErrorOfLab4, of_shared_normals_is_36_degrees_in_the_mean) {
       sum += std::atan(std::hypot((2 * i + 1.0) / n - 1, (2 * j + 1.0) / n - 1)) * 180 / std::acos(-1.0);
   const double exact = sum / (n * n);  // 36.05
   for (const char* method : {"before", "stretched"})
-    EXPECT_NEAR(of_side("0", {{"method", method}, {"truth", "normal"}}).mean, exact, 0.05) << method;
+    EXPECT_WITHIN(of_side("0", {{"method", method}, {"truth", "normal"}}).mean, exact, 0.05) << method;
   const Figures shared = of_side("90", {{"normals", "shared"}, {"truth", "normal"}});
-  EXPECT_NEAR(shared.mean, exact, 0.05);
-  EXPECT_LT(shared.most, 54.74);  // arccos(1 / sqrt 3), at the corner itself
-  EXPECT_GT(shared.most, 54);
-  EXPECT_LT(of_side("90", {{"method", "stretched"}, {"normals", "face"}, {"truth", "normal"}}).most, 1e-5);
+  EXPECT_WITHIN(shared.mean, exact, 0.05);
+  EXPECT_BELOW(shared.most, 54.74);  // arccos(1 / sqrt 3), at the corner itself
+  EXPECT_ABOVE(shared.most, 54);
+  EXPECT_BELOW(of_side("90", {{"method", "stretched"}, {"normals", "face"}, {"truth", "normal"}}).most, 1e-5);
 }
 
 TEST(ErrorOfLab4, of_one_vertex_a_point_lies_at_the_seam_of_a_round_model) {
@@ -359,9 +363,9 @@ TEST(ErrorOfLab4, of_one_vertex_a_point_lies_at_the_seam_of_a_round_model) {
   for (const char* model : {"sphere", "torus"}) {
     const Figures shared = measured("lab04_cube_wrap", {{"model", model}, {"method", "before"}});
     const Figures welded = measured("lab04_cube_wrap", {{"model", model}});
-    EXPECT_GT(shared.mean, 10 * welded.mean) << model;
-    EXPECT_GT(shared.p99, 100) << model;
-    EXPECT_LT(welded.mean, 0.5) << model;
+    EXPECT_ABOVE(shared.mean, 10 * welded.mean) << model;
+    EXPECT_ABOVE(shared.p99, 100) << model;
+    EXPECT_BELOW(welded.mean, 0.5) << model;
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The view `error`: each method against the exact answer, in figures that an independent reasoning gives as
 // well.
+#include "../support/tolerance.hpp"
 #include "labs.hpp"
 
 namespace texel::test {
@@ -17,10 +18,10 @@ TEST(ErrorOfLab1, falls_from_nearest_to_supersampled_on_a_fine_checker) {
   // 255 in linear light). Measured 118, 117, 11.7 and 6.2.
   const double nearest = mean("nearest"), bilinear = mean("bilinear"), trilinear = mean("trilinear"),
                supersampled = mean("supersampled");
-  EXPECT_GT(nearest, bilinear);
-  EXPECT_GT(bilinear, 5 * trilinear);
-  EXPECT_GT(trilinear, 1.5 * supersampled);
-  EXPECT_LT(supersampled, 8);
+  EXPECT_ABOVE(nearest, bilinear);
+  EXPECT_ABOVE(bilinear, 5 * trilinear);
+  EXPECT_ABOVE(trilinear, 1.5 * supersampled);
+  EXPECT_BELOW(supersampled, 8);
 }
 
 TEST(ErrorOfLab1, is_that_of_the_wrap_mode_and_place_that_are_asked_for) {
@@ -29,20 +30,21 @@ TEST(ErrorOfLab1, is_that_of_the_wrap_mode_and_place_that_are_asked_for) {
   // the coordinates begin in.
   for (const char* wrap : {"repeat", "mirrored", "clamp"})
     for (const char* offset : {"0", "1", "3"})
-      EXPECT_LT(measured("lab01_texture_quad", {{"texture", "checker"},
-                                                {"method", "trilinear"},
-                                                {"texture_scale", "2"},
-                                                {"wrap", wrap},
-                                                {"texture_offset", offset}})
-                    .mean,
-                12)
+      EXPECT_BELOW(measured("lab01_texture_quad", {{"texture", "checker"},
+                                                   {"method", "trilinear"},
+                                                   {"texture_scale", "2"},
+                                                   {"wrap", wrap},
+                                                   {"texture_offset", offset}})
+                       .mean,
+                   12)
           << wrap << " " << offset;
 }
 
 TEST(ErrorOfLab1, shows_that_a_large_coordinate_has_lost_its_fraction) {
   // A float32 of 1e6 counts in steps of 1/16 of the texture: half a cell of the label grid. Measured 73
   // steps.
-  EXPECT_GT(measured("lab01_texture_quad", {{"texture", "label_grid"}, {"texture_offset", "1e6"}}).mean, 40);
+  EXPECT_ABOVE(measured("lab01_texture_quad", {{"texture", "label_grid"}, {"texture_offset", "1e6"}}).mean,
+               40);
 }
 
 // ---- Lab 5: degrees between the lit normal and the exact relief's.
@@ -54,8 +56,8 @@ TEST(ErrorOfLab5, of_a_flat_map_is_what_8_bits_cannot_hold) {
   // the cube's edge a pixel or two belong to the other face by rounding, so the 99th percentile stands for
   // all.
   const Settings flat = {{"normal_map", "flat"}};
-  EXPECT_NEAR(measured("lab05_normal_map", flat).p99, 0.3178, 0.0005);
-  EXPECT_LT(measured("lab05_normal_map", flat + Settings{{"decode", "exact-flat"}}).p99, 5e-5);
+  EXPECT_WITHIN(measured("lab05_normal_map", flat).p99, 0.3178, 0.0005);
+  EXPECT_BELOW(measured("lab05_normal_map", flat + Settings{{"decode", "exact-flat"}}).p99, 5e-5);
 }
 
 TEST(ErrorOfLab5, of_every_tangent_frame_is_small_where_the_texture_keeps_right_angles) {
@@ -65,17 +67,17 @@ TEST(ErrorOfLab5, of_every_tangent_frame_is_small_where_the_texture_keeps_right_
     for (const char* method :
          {"cotangent", "averaged", "gram-schmidt", "angle-weighted", "mikktspace", "analytic"})
       for (const char* truth : {"baked-map", "height-field"})
-        EXPECT_LT(measured("lab05_normal_map",
-                           kBumps + Settings{{"model", model}, {"method", method}, {"truth", truth}})
-                      .mean,
-                  0.4)
+        EXPECT_BELOW(measured("lab05_normal_map",
+                              kBumps + Settings{{"model", model}, {"method", method}, {"truth", truth}})
+                         .mean,
+                     0.4)
             << model << " " << method << " " << truth;
 }
 
 TEST(ErrorOfLab5, of_screen_axes_is_tens_of_degrees) {
   // Measured 41 on the turned cube: the model's turn is applied twice, and the frame follows the screen.
-  EXPECT_GT(measured("lab05_normal_map", kBumps + Settings{{"method", "screen-axes"}, {"turn", "50"}}).mean,
-            20);
+  EXPECT_ABOVE(
+      measured("lab05_normal_map", kBumps + Settings{{"method", "screen-axes"}, {"turn", "50"}}).mean, 20);
 }
 
 TEST(ErrorOfLab5, tells_the_height_field_from_the_baked_map_where_the_texture_is_stretched) {
@@ -87,10 +89,10 @@ TEST(ErrorOfLab5, tells_the_height_field_from_the_baked_map_where_the_texture_is
                     kBumps + Settings{{"model", "torus"}, {"method", method}, {"truth", truth}})
         .mean;
   };
-  EXPECT_LT(mean("mikktspace", "baked-map"), 0.4);
-  EXPECT_GT(mean("mikktspace", "height-field"), 4);
-  EXPECT_LT(mean("cotangent", "height-field"), 0.4);
-  EXPECT_GT(mean("cotangent", "baked-map"), 4);
+  EXPECT_BELOW(mean("mikktspace", "baked-map"), 0.4);
+  EXPECT_ABOVE(mean("mikktspace", "height-field"), 4);
+  EXPECT_BELOW(mean("cotangent", "height-field"), 0.4);
+  EXPECT_ABOVE(mean("cotangent", "baked-map"), 4);
 }
 
 TEST(ErrorOfLab5, knows_no_truth_for_a_model_from_a_file) {
@@ -104,10 +106,10 @@ TEST(ErrorOfLab6, of_the_right_faces_is_small_and_of_the_worksheet_s_order_is_no
   const Settings smooth = {{"cube_map", "smooth"}};
   // Rounding to 8 bits in the file and again in the picture: 0.25 steps each for one channel, more for the
   // largest of three. Measured 0.60; the worksheet's order and flip 89.
-  EXPECT_LT(measured("lab06_cube_map", smooth).mean, 1);
-  EXPECT_LT(
+  EXPECT_BELOW(measured("lab06_cube_map", smooth).mean, 1);
+  EXPECT_BELOW(
       measured("lab06_cube_map", smooth + Settings{{"tilt", "30"}, {"turn", "50"}, {"pitch", "20"}}).mean, 1);
-  EXPECT_GT(measured("lab06_cube_map", smooth + Settings{{"method", "worksheet"}}).mean, 40);
+  EXPECT_ABOVE(measured("lab06_cube_map", smooth + Settings{{"method", "worksheet"}}).mean, 40);
 }
 
 TEST(ErrorOfLab6, of_one_picture_by_two_angles_is_larger_with_the_naive_seam) {
@@ -115,8 +117,8 @@ TEST(ErrorOfLab6, of_one_picture_by_two_angles_is_larger_with_the_naive_seam) {
       {"mapping", "sphere-2d"}, {"picture", "brick"}, {"turn", "180"}, {"tilt", "50"}, {"yaw", "10"}};
   // A line of pixels a few wide through 256: measured 4.20 against 4.45 in the mean.
   const double analytic = measured("lab06_cube_map", seam).mean;
-  EXPECT_LT(analytic, 6);
-  EXPECT_GT(measured("lab06_cube_map", seam + Settings{{"seam_method", "naive"}}).mean, analytic + 0.1);
+  EXPECT_BELOW(analytic, 6);
+  EXPECT_ABOVE(measured("lab06_cube_map", seam + Settings{{"seam_method", "naive"}}).mean, analytic + 0.1);
 }
 
 // ---- Lab 7: degrees between each pixel's direction and the camera's ray.
@@ -127,7 +129,7 @@ TEST(ErrorOfLab7, of_the_analytic_ray_is_2e_5_degrees_at_most_at_every_near_and_
     const Figures error =
         measured("lab07_environment", {{"near", near}, {"far", far}, {"yaw", "30"}, {"pitch", "20"}});
     // A unit vector in float32 is good to about 3e-8, or 2e-6 degrees, a component. Measured 8.1e-6 at most.
-    EXPECT_LE(error.most, 2e-5) << near << " " << far;
+    EXPECT_BELOW(error.most, 2e-5) << near << " " << far;
     EXPECT_GT(error.mean, 0);
     EXPECT_EQ(error.non_finite, 0);
     EXPECT_GT(error.pixels, 256 * 256 / 2);
@@ -143,9 +145,9 @@ TEST(ErrorOfLab7, of_unproject_grows_as_near_gets_smaller) {
   // The point lies `near` in front of an eye at 2.5, whose float32 has steps of 2e-7: about 1e-7 / near
   // radians, ten times as much each time. Measured 4.8e-5, 4.1e-4, 0.069 and 0.69 for 0.1, 0.01, 1e-4 and
   // 1e-5.
-  EXPECT_LT(mean("0.1"), 2e-4);
-  EXPECT_GT(mean("0.01"), 2e-4);
-  EXPECT_GT(mean("0.00001"), 0.1);
+  EXPECT_BELOW(mean("0.1"), 2e-4);
+  EXPECT_ABOVE(mean("0.01"), 2e-4);
+  EXPECT_ABOVE(mean("0.00001"), 0.1);
 }
 
 // ---- Lab 8: degrees between the reflected ray and that of the exact ball.
@@ -159,8 +161,8 @@ TEST(ErrorOfLab8, of_rays_per_fragment_with_the_analytic_normal_is_float32_s) {
                                {{"stretch", "4"}, {"tilt", "30"}},
                                {{"distance", "0.5"}, {"surface", "refraction"}}}) {
     const Figures error = measured("lab08_reflection", look);
-    EXPECT_LT(error.mean, 2e-4) << flags(look);
-    EXPECT_LT(error.most, 0.5) << flags(look);
+    EXPECT_BELOW(error.mean, 2e-4) << flags(look);
+    EXPECT_BELOW(error.most, 0.5) << flags(look);
     EXPECT_EQ(error.non_finite, 0) << flags(look);
   }
 }
@@ -170,21 +172,21 @@ TEST(ErrorOfLab8, of_one_ray_for_the_whole_ball_is_9_7_degrees) {
   // rim. Its mean over the ball's disc: with r = 4 sin(angle) even over the disc's area, about 2/3 of the
   // rim's. Measured 9.722.
   const Figures error = measured("lab08_reflection", {{"method", "constant-eye"}, {"distance", "4"}});
-  EXPECT_NEAR(error.mean, 9.72, 0.02);
-  EXPECT_NEAR(error.most, 14.47, 0.05);
+  EXPECT_WITHIN(error.mean, 9.72, 0.02);
+  EXPECT_WITHIN(error.most, 14.47, 0.05);
 }
 
 TEST(ErrorOfLab8, of_interpolated_normals_is_that_of_the_triangles) {
   // 64 segments are 5.6 degrees wide. Measured 0.27 made unit again, 0.40 not.
   const double unit = measured("lab08_reflection", {{"normal_method", "renormalised"}}).mean;
-  EXPECT_GT(unit, 0.1);
-  EXPECT_GT(measured("lab08_reflection", {{"normal_method", "interpolated"}}).mean, 1.2 * unit);
+  EXPECT_ABOVE(unit, 0.1);
+  EXPECT_ABOVE(measured("lab08_reflection", {{"normal_method", "interpolated"}}).mean, 1.2 * unit);
 }
 
 TEST(ErrorOfLab8, of_the_model_matrix_for_normals_is_tens_of_degrees_on_a_stretched_ball) {
   // Measured 48.
-  EXPECT_GT(measured("lab08_reflection", {{"stretch", "4"}, {"tilt", "30"}, {"normal_matrix", "model"}}).mean,
-            30);
+  EXPECT_ABOVE(
+      measured("lab08_reflection", {{"stretch", "4"}, {"tilt", "30"}, {"normal_matrix", "model"}}).mean, 30);
 }
 
 // ---- Lab 9: degrees between the reflected ray and that at the exact relief.
@@ -205,13 +207,13 @@ TEST(ErrorOfLab9, of_the_frame_along_u_and_v_is_small_for_a_map_and_blinn_s_for_
   // 8 bits, 0.3 degrees at most and doubled by reflection, less by the strength of 0.4; and the ball's
   // triangles, 0.07. Measured 0.14 and 0.12; across, 3.4: around the equator a map is twice as long in u as
   // in v.
-  EXPECT_LT(mean("uv-aligned", "baked-map"), 0.25);
-  EXPECT_LT(mean("blinn", "height-field"), 0.25);
-  EXPECT_GT(mean("uv-aligned", "height-field"), 2);
-  EXPECT_GT(mean("blinn", "baked-map"), 2);
+  EXPECT_BELOW(mean("uv-aligned", "baked-map"), 0.25);
+  EXPECT_BELOW(mean("blinn", "height-field"), 0.25);
+  EXPECT_ABOVE(mean("uv-aligned", "height-field"), 2);
+  EXPECT_ABOVE(mean("blinn", "baked-map"), 2);
   // A frame from the normal alone turns the bumps by any angle. Measured 22.
-  EXPECT_GT(mean("duff", "baked-map"), 10);
-  EXPECT_GT(mean("rotate-to-normal", "baked-map"), 10);
+  EXPECT_ABOVE(mean("duff", "baked-map"), 10);
+  EXPECT_ABOVE(mean("rotate-to-normal", "baked-map"), 10);
 }
 
 }  // namespace

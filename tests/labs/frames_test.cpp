@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "../support/tolerance.hpp"
 #include "core/files.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
@@ -57,7 +58,7 @@ TEST_F(Frames, of_lab_5_are_orthogonal_in_each_pixel_of_a_coarse_model) {
         ++seen;
         double along = 0;
         for (int k = 0; k < 3; ++k) along += double{tangent.at(x, y, k)} * normal.at(x, y, k);
-        ASSERT_NEAR(along, 0, 1e-6) << method << " " << x << " " << y;
+        ASSERT_WITHIN(along, 0, 1e-6) << method << " " << x << " " << y;
       }
     EXPECT_GT(seen, normal.width * normal.height / 8);
   }
@@ -135,7 +136,7 @@ TEST_F(Frames, of_lab_5_bend_a_coarse_model_s_normals_as_each_method_interpolate
         ++seen;
         const glm::dvec3 expected = bent_normal(drawn, hit, n, method == "mikktspace");
         for (int k = 0; k < 3; ++k)  // in float32: measured 4.5e-7
-          ASSERT_NEAR(normal.at(x, y, k), expected[k], 2e-6) << method << " " << x << " " << y;
+          ASSERT_WITHIN(normal.at(x, y, k), expected[k], 2e-6) << method << " " << x << " " << y;
       }
     EXPECT_GT(seen, normal.width * normal.height / 9 / 8);
   }

@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 
+#include "../support/tolerance.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
 #include "labs.hpp"
@@ -132,7 +133,7 @@ TEST(HardCaseOfLab1, a_coordinate_with_an_offset_keeps_the_digits_that_a_float_h
     shots.push_back({text(offset), settings_of(kStraight) + Settings{{"texture_offset", text(offset)}},
                      "texcoord", "128x128"});
   const Pictures pictures = float_pictures(kLab1, shots);
-  EXPECT_LT(texcoord_error(pictures.at("0"), 0, 0), 1e-6);
+  EXPECT_BELOW(texcoord_error(pictures.at("0"), 0, 0), 1e-6);
   for (const double offset : offsets) {
     if (offset == 0) continue;
     // The spacing of floats there: 2^-14 at 1e3, which is a thirtieth of a texel of 512, up to 1 at 1e7,
@@ -140,8 +141,8 @@ TEST(HardCaseOfLab1, a_coordinate_with_an_offset_keeps_the_digits_that_a_float_h
     // each pixel: measured 2.0 on softpipe, less on llvmpipe.
     const double spacing = std::ldexp(1.0, std::ilogb(offset) - 23);
     const double most = texcoord_error(pictures.at(text(offset)), 0, offset);
-    EXPECT_GT(most, 0.4 * spacing) << offset;
-    EXPECT_LT(most, 6 * spacing) << offset;
+    EXPECT_ABOVE(most, 0.4 * spacing) << offset;
+    EXPECT_BELOW(most, 6 * spacing) << offset;
   }
 }
 
@@ -157,7 +158,7 @@ TEST(HardCaseOfLab1, coordinates_and_level_of_detail_are_exact_at_grazing_tilts)
   camera.width = camera.height = 256;
   for (const double tilt : tilts) {
     // A pixel's step divided by the foreshortening, 1 / cos(tilt): 57 at 89 degrees. Measured 2.4e-6 there.
-    EXPECT_LT(texcoord_error(pictures.at(fmt::format("texcoord_{}", tilt)), tilt, 0), 1e-5) << tilt;
+    EXPECT_BELOW(texcoord_error(pictures.at(fmt::format("texcoord_{}", tilt)), tilt, 0), 1e-5) << tilt;
     const ImageF& levels = pictures.at(fmt::format("lod_{}", tilt));
     double most = 0;
     int pixels = 0;
@@ -174,7 +175,7 @@ TEST(HardCaseOfLab1, coordinates_and_level_of_detail_are_exact_at_grazing_tilts)
     // Differences within a quad of pixels against the derivative in the middle of each: the perspective's
     // change from pixel to pixel grows with 1 / cos(tilt). Measured 0.006 at 45, 0.022 at 75, 0.065 at 85,
     // 0.33 at 89.
-    EXPECT_LT(most, 0.01 / std::cos(glm::radians(tilt))) << tilt;
+    EXPECT_BELOW(most, 0.01 / std::cos(glm::radians(tilt))) << tilt;
   }
 }
 
@@ -201,7 +202,7 @@ TEST(HardCaseOfLab1, every_texel_of_an_odd_picture_of_any_format_is_at_its_place
           const auto at = [](int i, int n) { return static_cast<int>(512 * (0.15 + 0.7 * (i + 0.5) / n)); };
           for (int c = 0; c < 3; ++c)
             // Decoded to linear light and encoded again: a rounding.
-            ASSERT_NEAR(picture.at(at(s, texels.width), at(t, texels.height), c), texels.at(s, t, c), 1)
+            ASSERT_WITHIN(picture.at(at(s, texels.width), at(t, texels.height), c), texels.at(s, t, c), 1)
                 << name << " linear_light " << light << " texel " << s << " " << t;
         }
     }
@@ -291,13 +292,13 @@ TEST(HardCaseOfLab6, level_of_detail_is_right_at_seam_poles_and_edges_but_for_na
   // round.
   EXPECT_EQ(all["cube"].wrong, 0);
   EXPECT_EQ(all["analytic"].wrong, 0);
-  EXPECT_LT(all["analytic"].most, 2);
+  EXPECT_BELOW(all["analytic"].most, 2);
   EXPECT_LE(all["wrapped"].wrong, 3);  // 1 by softpipe, 0 by llvmpipe
   // Known to fail: along the whole seam, by 8.9 levels, where neighbours seem to be a whole picture apart;
   // and in a few pixels still when each pixel of a quad makes its own choice.
   // Measured 1013 of 408012, and 78 with select; softpipe, where a quad has one choice, has 1.
-  EXPECT_GT(all["naive"].wrong, 500);
-  EXPECT_GT(all["naive"].most, 8);
+  EXPECT_ABOVE(all["naive"].wrong, 500);
+  EXPECT_ABOVE(all["naive"].most, 8);
   EXPECT_GT(all["select"].wrong, 0);
   EXPECT_LT(all["select"].wrong, all["naive"].wrong / 8);
 }
@@ -336,7 +337,7 @@ TEST(HardCaseOfLab6, faces_of_1_2_and_16_texels_show_their_own_colour_on_every_s
     for (int c = 0; c < 3; ++c)
       // The middle of the ball is one degree or less from the middle of the face, which for a single texel
       // with seamless filtering is 1 % of the way to the next face: 0.01 of light is 25 steps of sRGB.
-      EXPECT_NEAR(picture.at(32, 32, c), kColours[side][c], 30) << shot.name;
+      EXPECT_WITHIN(picture.at(32, 32, c), kColours[side][c], 30) << shot.name;
   }
 }
 
@@ -403,7 +404,7 @@ TEST(HardCaseOfLab7, direction_is_2e_5_degrees_off_at_most_at_every_ratio_of_nea
       if (!unproject) {
         // Three components in float32, 3e-8 each, are 2e-6 degrees, and the interpolation as much again.
         // Measured 8.3e-6; with the inverse of the product, which is of a worse matrix, 1.3e-5.
-        EXPECT_LE(most, 2e-5);
+        EXPECT_BELOW(most, 2e-5);
         EXPECT_EQ(non_finite, 0);
         continue;
       }
@@ -419,8 +420,8 @@ TEST(HardCaseOfLab7, direction_is_2e_5_degrees_off_at_most_at_every_ratio_of_nea
       // near radians. Measured with near 0.1, 0.01, 1e-3, 1e-4 and 1e-5: 1e-4, 1e-3, 0.006, 0.05 and 0.8
       // to 1.4 degrees.
       const double expected = glm::degrees(1e-7 / near);
-      EXPECT_LT(most, 5 * expected + 2e-5);
-      EXPECT_GT(most, expected / 30);
+      EXPECT_BELOW(most, 5 * expected + 2e-5);
+      EXPECT_ABOVE(most, expected / 30);
     }
 }
 
@@ -440,7 +441,7 @@ TEST(HardCaseOfLab7, the_plane_at_0_999_hides_exactly_what_lies_beyond_its_dista
     // z_ndc = 0.999, solved for the distance. 0.2 at near 1e-4 and far 100: before all of the spheres.
     const double distance = truth::distance_at_depth(0.5 * (0.999 + 1), near, far);
     if (near == 1e-4) {
-      EXPECT_NEAR(distance, 0.1996, 1e-4);
+      EXPECT_WITHIN(distance, 0.1996, 1e-4);
     }
     const ImageF& mask = pictures.at(fmt::format("mask_plane-0999_{}", i));
     const ImageF& depth = pictures.at(fmt::format("depth_plane-0999_{}", i));
@@ -457,7 +458,7 @@ TEST(HardCaseOfLab7, the_plane_at_0_999_hides_exactly_what_lies_beyond_its_dista
       // The background says how far an object of its depth would be: 0.999 in float32 is good to a part in
       // 2e4.
       if (!visible) {
-        ASSERT_NEAR(depth.at(x, y, 0), distance, 1e-4 * distance);
+        ASSERT_WITHIN(depth.at(x, y, 0), distance, 1e-4 * distance);
       }
       if (sphere) ++(visible ? seen : hidden);
     });
@@ -477,9 +478,9 @@ TEST(HardCaseOfLab7, the_smallest_step_of_depth_grows_with_the_square_of_the_dis
   // 24 bits over far 100: d^2 / (near 2^24), as the handout has it.
   for (const auto& [near, at_1, at_10, at_100] :
        {std::array{1e-4, 6e-4, 6e-2, 6.0}, std::array{0.05, 1.2e-6, 1.2e-4, 1.2e-2}}) {
-    EXPECT_NEAR(truth::depth_step(1, near, 200) / at_1, 1, 0.1);
-    EXPECT_NEAR(truth::depth_step(10, near, 200) / at_10, 1, 0.1);
-    EXPECT_NEAR(truth::depth_step(100, near, 200) / at_100, 1, 0.1);
+    EXPECT_WITHIN(truth::depth_step(1, near, 200) / at_1, 1, 0.1);
+    EXPECT_WITHIN(truth::depth_step(10, near, 200) / at_10, 1, 0.1);
+    EXPECT_WITHIN(truth::depth_step(100, near, 200) / at_100, 1, 0.1);
   }
 }
 
@@ -531,7 +532,7 @@ TEST(HardCaseOfLab8, default_is_exact_where_the_others_are_degrees_off) {
       SCOPED_TRACE(look.name + flags(surface));
       const Figures error = measured(kLab8, look.values + surface);
       // The ball itself, whatever its triangles are: even six of them. Measured 1.1e-5 to 1.7e-4 in the mean.
-      EXPECT_LT(error.mean, 1e-3);
+      EXPECT_BELOW(error.mean, 1e-3);
       EXPECT_EQ(error.non_finite, 0);
       EXPECT_GT(error.pixels, 5000);
     }
@@ -540,10 +541,10 @@ TEST(HardCaseOfLab8, default_is_exact_where_the_others_are_degrees_off) {
   };
   // Known to fail: the normals and rays of six triangles (77 and 116 degrees), the model's matrix for the
   // normals of a flat ball (98), and one ray for all from inside (23).
-  EXPECT_GT(mean(0, {{"normal_method", "renormalised"}}), 40);
-  EXPECT_GT(mean(0, {{"evaluate", "vertex"}}), 60);
-  EXPECT_GT(mean(2, {{"normal_matrix", "model"}}), 60);
-  EXPECT_GT(mean(3, {{"method", "constant-eye"}}), 15);
+  EXPECT_ABOVE(mean(0, {{"normal_method", "renormalised"}}), 40);
+  EXPECT_ABOVE(mean(0, {{"evaluate", "vertex"}}), 60);
+  EXPECT_ABOVE(mean(2, {{"normal_matrix", "model"}}), 60);
+  EXPECT_ABOVE(mean(3, {{"method", "constant-eye"}}), 15);
 }
 
 TEST(HardCaseOfLab8, one_ray_for_all_is_9_7_degrees_off_over_pixels_and_11_8_over_the_visible_surface) {
@@ -561,8 +562,8 @@ TEST(HardCaseOfLab8, one_ray_for_all_is_9_7_degrees_off_over_pixels_and_11_8_ove
     // The picture's plane is even in the square of the angle's tangent, up to that of asin(1/4) at the rim.
     over_pixels += std::atan(std::sqrt(share / (distance * distance - 1))) / kSteps;
   }
-  EXPECT_NEAR(glm::degrees(over_surface), 11.797, 1e-3);
-  EXPECT_NEAR(glm::degrees(over_pixels), 9.735, 1e-3);
+  EXPECT_WITHIN(glm::degrees(over_surface), 11.797, 1e-3);
+  EXPECT_WITHIN(glm::degrees(over_pixels), 9.735, 1e-3);
 
   // The lab's picture, each pixel counted once, and as much as the surface that it shows.
   const truth::Camera camera{.distance = distance, .field_of_view = 30, .width = 512, .height = 512};
@@ -584,8 +585,8 @@ TEST(HardCaseOfLab8, one_ray_for_all_is_9_7_degrees_off_over_pixels_and_11_8_ove
     area_sum += shown * error;
   });
   // Measured 9.734 and 11.794: the pixels' middles are a sum instead of the integral, coarse at the rim.
-  EXPECT_NEAR(pixel_sum / pixels, glm::degrees(over_pixels), 0.02);
-  EXPECT_NEAR(area_sum / area, glm::degrees(over_surface), 0.05);
+  EXPECT_WITHIN(pixel_sum / pixels, glm::degrees(over_pixels), 0.02);
+  EXPECT_WITHIN(area_sum / area, glm::degrees(over_surface), 0.05);
 }
 
 // ---- Lab 9.
@@ -622,7 +623,7 @@ TEST(HardCaseOfLab9, every_method_draws_finite_unit_vectors_at_poles_and_seam_at
       const double length = glm::length(value_at(picture, x, y));
       if (length != 0) most = std::max(most, std::abs(length - 1));
     });
-    EXPECT_LT(most, 1e-6) << shot.view << flags(shot.values);
+    EXPECT_BELOW(most, 1e-6) << shot.view << flags(shot.values);
   }
 }
 
@@ -643,10 +644,10 @@ TEST(HardCaseOfLab9, tangents_of_frisvad_s_frame_are_too_long_or_short_close_to_
     // tests/unit/math_basis_test.cpp says why it is 0.2 there for a normal as good as floats can be. One that
     // was made unit in floats has a z a few times as far off. Measured 1.4; the others' is rounding.
     if (method == std::string("rotate-to-normal")) {
-      EXPECT_GT(most, 0.2);
-      EXPECT_LT(most, 5);
+      EXPECT_ABOVE(most, 0.2);
+      EXPECT_BELOW(most, 5);
     } else {
-      EXPECT_LT(most, 1e-6);
+      EXPECT_BELOW(most, 1e-6);
     }
   }
 }
@@ -656,10 +657,10 @@ TEST(HardCaseOfLab9, without_strength_the_ball_is_a_plain_mirror_but_for_the_wor
     return measured(kLab9, {{"method", method}, {"bump_strength", "0"}}).mean;
   };
   // The map's x and y count nothing, and any frame has N. Measured 0.068: the ball's triangles.
-  for (const char* method : {"duff", "uv-aligned", "blinn"}) EXPECT_LT(mean(method), 0.1) << method;
+  for (const char* method : {"duff", "uv-aligned", "blinn"}) EXPECT_BELOW(mean(method), 0.1) << method;
   // Known to fail: what is left of the map's normal is shorter than 1 on its slopes, and nobody makes it
   // unit, so the ray is reflected at no plane. Measured 4.7.
-  EXPECT_GT(mean("rotate-to-normal"), 3);
+  EXPECT_ABOVE(mean("rotate-to-normal"), 3);
 }
 
 TEST(HardCaseOfLab9, a_hundredfold_strength_needs_the_frame_along_u_and_v) {
@@ -669,10 +670,10 @@ TEST(HardCaseOfLab9, a_hundredfold_strength_needs_the_frame_along_u_and_v) {
   for (const Settings& look : {Settings{}, {{"tilt", "90"}}}) {
     // 8 bits' 0.3 degrees count a hundredfold wherever the relief is flat. Measured 1.2 from the front
     // and 1.4 at the pole.
-    EXPECT_LT(mean("uv-aligned", look), 3) << flags(look);
+    EXPECT_BELOW(mean("uv-aligned", look), 3) << flags(look);
     // Known to fail: a frame from the normal alone, 13 and 35, and the unnormalised one, 62 and 88.
-    EXPECT_GT(mean("duff", look), 8) << flags(look);
-    EXPECT_GT(mean("rotate-to-normal", look), 40) << flags(look);
+    EXPECT_ABOVE(mean("duff", look), 8) << flags(look);
+    EXPECT_ABOVE(mean("rotate-to-normal", look), 40) << flags(look);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "../support/tolerance.hpp"
 #include "image/colour.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
@@ -103,7 +104,7 @@ TEST_P(Lighting, of_a_square_is_blinn_s) {
           worst = std::max(worst, std::abs(picture.at(x, y, channel) - expected));
       }
     EXPECT_GT(seen, kPixels * kPixels / 4);
-    EXPECT_LT(worst, kMostSteps);
+    EXPECT_BELOW(worst, kMostSteps);
   }
 }
 

@@ -10,6 +10,7 @@
 #include <glm/gtc/constants.hpp>
 #include <limits>
 
+#include "../support/tolerance.hpp"
 #include "image/colour.hpp"
 #include "image/load.hpp"
 #include "labs.hpp"
@@ -227,9 +228,9 @@ void expect_six_sides(const std::string& lab, const Settings& common, double dis
     const Camera camera{double(yaw), double(pitch), distance, fov};
     const double right = difference(picture, left_out, expected, camera, false);
     const double mirrored = difference(picture, left_out, expected, camera, true);
-    EXPECT_LT(right, part == Part::background ? 5 : 14)
-        << lab << flags(common) << " --yaw " << yaw << " --pitch " << pitch;
-    EXPECT_GT(mirrored, 3 * right) << lab << flags(common) << " --yaw " << yaw << " --pitch " << pitch;
+    const double limit = part == Part::background ? 5 : 14;
+    EXPECT_BELOW(right, limit) << lab << flags(common) << " --yaw " << yaw << " --pitch " << pitch;
+    EXPECT_ABOVE(mirrored, 3 * right) << lab << flags(common) << " --yaw " << yaw << " --pitch " << pitch;
   }
 }
 
@@ -263,7 +264,7 @@ TEST(LabelledCube, has_left_and_right_swapped_by_the_worksheet_in_lab_6) {
        folder);
   const Image8 left = image::load8(folder / "left.png"), right = image::load8(folder / "right.png");
   // Right of the middle of both letters and lines: the face's own colour.
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(left.at(64, 60, c), right.at(64, 60, c), 8) << c;
+  for (int c = 0; c < 3; ++c) EXPECT_WITHIN(left.at(64, 60, c), right.at(64, 60, c), 8) << c;
 }
 
 TEST(LabelGrid, is_turned_by_180_degrees_on_the_sphere_of_lab_6) {
@@ -305,8 +306,8 @@ TEST(ColourPerVertexOfLab3, is_read_where_the_scaled_coordinate_points) {
                fragment = image::load8(folder / "fragment.png", 3);
   // A pixel from the upper right corner, in a white cell at (0.4, 0.4); the picture's own corner is red.
   // Measured: 1.
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(vertex.at(106, 106, c), fragment.at(106, 106, c), 3);
-  EXPECT_GT(vertex.at(106, 106, 2), 200);
+  for (int c = 0; c < 3; ++c) EXPECT_WITHIN(vertex.at(106, 106, c), fragment.at(106, 106, c), 3);
+  EXPECT_ABOVE(vertex.at(106, 106, 2), 200);
 }
 
 }  // namespace

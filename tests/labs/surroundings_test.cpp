@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <glm/glm.hpp>
 
+#include "../support/tolerance.hpp"
 #include "image/colour.hpp"
 #include "image/difference.hpp"
 #include "image/load.hpp"
@@ -55,8 +56,8 @@ TEST(EdgeOfLab6, is_filtered_across_by_the_seamless_methods_alone) {
   EXPECT_EQ(step("nearest"), 255);
   EXPECT_EQ(step("linear"), 255);
   // From black to white over half of each face.
-  EXPECT_LT(step("linear-seamless"), 60);
-  EXPECT_LT(step("mipmapped"), 60);
+  EXPECT_BELOW(step("linear-seamless"), 60);
+  EXPECT_BELOW(step("mipmapped"), 60);
 }
 
 TEST(LookupOfLab8, shows_the_same_surroundings_in_one_picture_as_in_six) {
@@ -71,14 +72,15 @@ TEST(LookupOfLab8, shows_the_same_surroundings_in_one_picture_as_in_six) {
   const auto mean = [&](const char* name) { return image::compare(load("cube"), load(name)).mean; };
   // In 8-bit steps over a picture of 256x256: measured 0.4, with its middle or its axis elsewhere 31 and
   // more.
-  EXPECT_LT(mean("sphere-map"), 1);
+  EXPECT_BELOW(mean("sphere-map"), 1);
   // 0.11, with a coarse level along the seam 0.25.
-  EXPECT_LT(mean("equirectangular"), 0.18);
+  EXPECT_BELOW(mean("equirectangular"), 0.18);
 }
 
 TEST(RoughMirrorOfLab9, is_rough_where_a_pixel_covers_many_bumps_and_smooth_where_there_are_none) {
   const TemporaryFolder folder("rough");
-  const Settings flat = {{"normal_map", "flat"}},
+  // So near that a pixel is less than a texel of the cube map: drivers agree on its level.
+  const Settings flat = {{"normal_map", "flat"}, {"field_of_view", "5"}},
                  far = {{"repeats", "32"}, {"distance", "5"}, {"field_of_view", "20"}};
   std::vector<Shot> shots;
   for (const char* filter : {"plain", "toksvig"}) {
@@ -95,10 +97,10 @@ TEST(RoughMirrorOfLab9, is_rough_where_a_pixel_covers_many_bumps_and_smooth_wher
     };
     return image::compare(load("plain"), load("toksvig")).mean;
   };
-  // Measured 0.06; where rounding counts as roughness 1.7.
-  EXPECT_LT(made("flat"), 0.3);
+  // Measured 0; where rounding counts as roughness 19.
+  EXPECT_BELOW(made("flat"), 3);
   // Measured 1.3; without the roughness 0.24.
-  EXPECT_GT(made("far"), 0.7);
+  EXPECT_ABOVE(made("far"), 0.7);
 }
 
 TEST(GlassOfLab8, reflects_four_percent_where_one_looks_straight_at_it) {
@@ -122,7 +124,7 @@ TEST(GlassOfLab8, reflects_four_percent_where_one_looks_straight_at_it) {
           square += (reflected - refracted) * (reflected - refracted);
         }
     // ((1.5 - 1) / (1.5 + 1))^2 = 0.04; 8 bits leave it uncertain by 0.01.
-    EXPECT_NEAR(product / square, 0.04, 0.02) << surface;
+    EXPECT_WITHIN(product / square, 0.04, 0.02) << surface;
   }
 }
 
@@ -191,7 +193,7 @@ TEST(SpheresOfLab7, show_the_normal_of_the_nearest_one_by_every_depth_method) {
           ++seen;
           // Between the vertices of 64 x 32 quads, which cut corners: measured 0.005.
           for (int k = 0; k < 3; ++k)
-            ASSERT_NEAR(direction.at(x, y, k), normal[k], 0.01)
+            ASSERT_WITHIN(direction.at(x, y, k), normal[k], 0.01)
                 << method << " yaw " << yaw << ": " << x << " " << y;
         }
       EXPECT_GT(seen, direction.width * direction.height / 20);

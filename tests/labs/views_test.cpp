@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "../support/tolerance.hpp"
 #include "image/load.hpp"
 #include "labs.hpp"
 
@@ -45,7 +46,8 @@ TEST_P(Views, depth_is_the_distance_along_the_view_axis_in_wide_pictures_too) {
       ++seen;
       // Triangles of 64 x 32 quads lie up to 1 - cos(pi / 32) / 2 = 0.0024 below the sphere, and a ray that
       // meets them aslant goes twice as far to them. Measured 0.0040.
-      ASSERT_NEAR(depth.at(x, y), expected, is_square ? 1e-6 : 0.005) << x << " " << y;
+      const double tolerance = is_square ? 1e-6 : 0.005;
+      ASSERT_WITHIN(depth.at(x, y), expected, tolerance) << x << " " << y;
     }
   EXPECT_GT(seen, depth.height * depth.height / 8);
 }
@@ -66,7 +68,7 @@ TEST(TexcoordView, of_lab_1_is_scaled_first_and_then_moved) {
     for (int x = 32; x < 96; x += 16)
       for (int i = 0; i < 2; ++i) {
         const double place = ((i == 0 ? x : y) + 0.5 - 64) / 64 / 0.7;  // -1 to 1 on the square
-        EXPECT_NEAR(texcoord.at(x, y, i), 2 * (0.5 + 0.5 * place) + 5.25, 1e-5) << x << " " << y;
+        EXPECT_WITHIN(texcoord.at(x, y, i), 2 * (0.5 + 0.5 * place) + 5.25, 1e-5) << x << " " << y;
       }
 }
 
@@ -112,7 +114,7 @@ TEST_P(LevelView, is_the_logarithm_of_how_many_texels_a_pixel_covers) {
       ++seen;
       // float32 differences of coordinates up to 3 that are 0.02 apart: 2e-5 of them, 3e-5 of a level.
       // softpipe is off by 0.0018.
-      ASSERT_NEAR(level.at(x, y), level_between(texcoord, x, y, 512), 6e-3) << x << " " << y;
+      ASSERT_WITHIN(level.at(x, y), level_between(texcoord, x, y, 512), 6e-3) << x << " " << y;
     }
   EXPECT_GT(seen, 64 * 64 / 8);
 }
@@ -127,7 +129,7 @@ TEST(LevelView, of_lab_2_is_that_of_the_second_picture_when_it_is_alone_and_0_wi
        folder);
   const auto middle = [&](const char* file) { return image::load_pfm(folder / file).at(64, 64); };
   // 512 and 32 texels: 4 levels apart.
-  EXPECT_NEAR(middle("both.pfm") - middle("second.pfm"), 4, 1e-4);
+  EXPECT_WITHIN(middle("both.pfm") - middle("second.pfm"), 4, 1e-4);
   EXPECT_EQ(middle("none.pfm"), 0);
 }
 

@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <regex>
+#include <set>
 
 #include "../support/picture_files.hpp"
 #include "../support/places.hpp"
@@ -38,6 +41,46 @@ TEST(Renderers, have_a_row_for_each_case_and_no_limit_is_below_three_times_the_s
   EXPECT_EQ(report.cases.size(), cases) << "a row without a case";
 }
 
+/// "measured(lab).mean < 0.4" of each EXPECT_BELOW(measured(lab).mean, 0.4) in the source and of its like.
+std::vector<std::string> assertions(const std::string& source) {
+  static const std::regex kMacro("(EXPECT|ASSERT)_(BELOW|ABOVE|WITHIN)\\("), kSpace("\\s+");
+  std::vector<std::string> all;
+  for (std::sregex_iterator macro(source.begin(), source.end(), kMacro), end; macro != end; ++macro) {
+    std::vector<std::string> arguments(1);
+    int depth = 1;
+    for (const char* c = source.data() + macro->position() + macro->length(); depth > 0; ++c) {
+      if (std::string_view("({[").find(*c) != std::string_view::npos) ++depth;
+      if (std::string_view(")}]").find(*c) != std::string_view::npos) --depth;
+      if (*c == ',' && depth == 1)
+        arguments.emplace_back();
+      else if (depth > 0)
+        arguments.back() += *c;
+    }
+    for (std::string& argument : arguments)
+      argument = std::regex_replace(std::regex_replace(argument, kSpace, " "), std::regex("^ | $"), "");
+    if ((*macro)[2] == "WITHIN")
+      all.push_back(fmt::format("{} within {} of {}", arguments.at(0), arguments.at(2), arguments.at(1)));
+    else
+      all.push_back(
+          fmt::format("{} {} {}", arguments.at(0), (*macro)[2] == "BELOW" ? "<" : ">", arguments.at(1)));
+  }
+  return all;
+}
+
+TEST(Renderers, have_a_row_for_each_limit_of_a_test_and_room_below_it) {
+  const RendererReport report = kept();
+  std::set<std::string> written, measured;
+  for (const char* folder : {"tests/labs", "tests/gl"})
+    for (const std::filesystem::directory_entry& file : std::filesystem::directory_iterator(kRoot / folder))
+      for (const std::string& assertion : assertions(read_file(file.path()))) written.insert(assertion);
+  for (const RendererReport::Row& row : report.tests) {
+    measured.insert(row.unit);
+    EXPECT_GE(row.room(1), 3) << row.name << ": " << row.unit;
+  }
+  EXPECT_GT(written.size(), 100U);
+  EXPECT_EQ(measured, written) << "after a change of a test's limit type ./run renderers";
+}
+
 TEST(Renderers, are_those_of_three_versions_of_mesa) {
   const RendererReport report = kept();
   for (const char* mesa : {"mesa22", "mesa25", "mesa26"})
@@ -65,14 +108,18 @@ TEST(Renderers, have_their_section_in_the_document) {
 TEST(Renderers, are_kept_with_what_was_infinitely_far) {
   RendererReport report;
   report.drawn_by["mesa22_softpipe_egl"] = "softpipe, Mesa 22.3.6";
-  report.cases.push_back({1, "a", "steps", {{"softpipe, mesa22", 2.5}, {"zink, mesa22", INFINITY}}});
-  report.filters.push_back({1, "wall", "rms", {{"anisotropic, mesa22", 9.0}}});
+  report.cases.push_back({1, "a", "steps", {{"softpipe, mesa22", 2.5}, {"zink, mesa22", INFINITY}}, 0});
+  report.tests.push_back({0, "Views.depth", "most < 2", {{"zink, mesa22", 0.5}}, 0.25});
+  report.filters.push_back({1, "wall", "rms", {{"anisotropic, mesa22", 9.0}}, 0});
   const test::TemporaryFolder folder("renderers");
   write_file(folder / "renderers.json", to_json(report));
   const RendererReport read = read_renderers(folder / "renderers.json");
   EXPECT_EQ(read.drawn_by, report.drawn_by);
   ASSERT_EQ(read.cases.size(), 1U);
   EXPECT_EQ(read.cases[0].by, report.cases[0].by);
+  ASSERT_EQ(read.tests.size(), 1U);
+  EXPECT_EQ(read.tests[0].unit, "most < 2");
+  EXPECT_EQ(read.tests[0].room(1), 3);
   EXPECT_EQ(read.filters.at(0).by, report.filters[0].by);
 }
 

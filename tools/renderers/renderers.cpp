@@ -5,10 +5,15 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+#include <sstream>
 
 #include "bench/results.hpp"
 #include "commands.hpp"
+#include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/parallel.hpp"
+#include "core/process.hpp"
 #include "renderers/table.hpp"
 
 namespace texel::tools {
@@ -17,6 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kFilters = "filters.json";
+/// Of the files in which tests say what share of their limits they used, as tests/support/tolerance.hpp has
+/// it.
+constexpr const char* kTolerances = "tolerances";
 
 void print_now(const std::string& line) {
   fmt::print("{}\n", line);
@@ -34,11 +42,54 @@ void errors_of_lab_1(const fs::path& work, const fs::path& file) {
   bench(options);
 }
 
+/// Runs the tests that draw, and has them write into `folder`. Returns what failed.
+std::vector<std::string> run_tests(const grade::Renderer& renderer, const fs::path& folder) {
+  fs::remove_all(folder);
+  make_folder(folder);
+  Ran ran;
+  grade::with(renderer, [&] {
+    ::setenv("TEXEL_TOLERANCES", folder.c_str(), 1);
+    ran = run_program({"ctest", "--test-dir", course_build().string(), "--label-regex", "limits",
+                       "--parallel", std::to_string(processors()), "--no-tests=error"},
+                      true);
+    ::unsetenv("TEXEL_TOLERANCES");
+  });
+  std::vector<std::string> failed;
+  std::istringstream lines(ran.output);
+  for (std::string line; std::getline(lines, line);)
+    if (line.find("***") != std::string::npos) failed.push_back(fmt::format("{}: {}", renderer.name, line));
+  if (failed.empty() && ran.exit_code != 0) throw Error::failed("the tests did not run: " + ran.output);
+  return failed;
+}
+
+/// Adds what a folder of `run_tests` says. `tests` has a row for each test and assertion.
+void add_tests(const fs::path& folder, const std::string& group,
+               std::map<std::pair<std::string, std::string>, RendererReport::Row>& tests) {
+  if (!fs::exists(folder)) return;
+  std::map<std::pair<std::string, std::string>, double> own;
+  for (const fs::directory_entry& file : fs::directory_iterator(folder)) {
+    std::istringstream lines(read_file(file.path()));
+    std::string test, assertion, share;
+    while (std::getline(lines, test, '\t') && std::getline(lines, assertion, '\t') &&
+           std::getline(lines, share)) {
+      double& most = own[{test, assertion}];
+      most = std::max(most, std::stod(share));
+    }
+  }
+  for (const auto& [name, share] : own) {
+    const auto [place, is_new] = tests.try_emplace(name);
+    RendererReport::Row& row = place->second;
+    row.name = name.first, row.unit = name.second;
+    row.least = is_new ? share : std::min(row.least, share);
+    row.by[group] = std::max(row.by[group], share);
+  }
+}
+
 /// What the folders of `drawn` show. Throws Error (exit 3).
 RendererReport report_on(const grade::CourseTree& tree, const fs::path& drawn, const std::string& reference) {
   RendererReport report;
   for (const grade::Spread& spread : grade::spreads(tree, drawn, reference)) {
-    RendererReport::Row row{spread.lab, spread.name, spread.unit, {}};
+    RendererReport::Row row{spread.lab, spread.name, spread.unit, {}, 0};
     for (const auto& [renderer, error] : spread.by) {
       double& most = row.by[group_of(renderer)];
       // NaN, where nothing could be compared, is further than anything.
@@ -47,12 +98,14 @@ RendererReport report_on(const grade::CourseTree& tree, const fs::path& drawn, c
     report.cases.push_back(std::move(row));
   }
   std::map<std::string, RendererReport::Row> filters;
+  std::map<std::pair<std::string, std::string>, RendererReport::Row> tests;
   for (const fs::directory_entry& entry : fs::directory_iterator(drawn)) {
     const std::string name = entry.path().filename().string();
     if (fs::exists(entry.path() / grade::kRendererFile)) {
       const std::string says = read_file(entry.path() / grade::kRendererFile);
       report.drawn_by[name] = says.substr(0, says.find('\n'));
     }
+    add_tests(entry.path() / kTolerances, group_of(name), tests);
     if (!fs::exists(entry.path() / kFilters)) continue;
     for (const BenchResult& result : read_report_json(entry.path() / kFilters).results)
       if ((result.method == "anisotropic" || result.method == "supersampled") &&
@@ -62,6 +115,7 @@ RendererReport report_on(const grade::CourseTree& tree, const fs::path& drawn, c
         row.by[fmt::format("{}, {}", result.method, version_of(name))] = result.rms;
       }
   }
+  for (auto& [name, row] : tests) report.tests.push_back(std::move(row));
   for (auto& [name, row] : filters) report.filters.push_back(std::move(row));
   return report;
 }
@@ -84,8 +138,11 @@ Exit renderers(const RenderersCommand& command) {
     } else if (!command.judge_only) {
       const std::string drawn = grade::draw_by(renderer, tree, out);
       print_now(fmt::format("{}: {}", renderer.name, drawn.empty() ? "not here" : "drawn"));
-      if (!drawn.empty() && renderer.name == "llvmpipe_egl")
-        errors_of_lab_1(out / "bench", out / drawn / kFilters);
+      if (drawn.empty()) continue;
+      const std::vector<std::string> failed = run_tests(renderer, out / drawn / kTolerances);
+      print_now(fmt::format("{}: tested, {} failed", renderer.name, failed.size()));
+      faults.insert(faults.end(), failed.begin(), failed.end());
+      if (renderer.name == "llvmpipe_egl") errors_of_lab_1(out / "bench", out / drawn / kFilters);
     }
   }
   for (const std::string& fault : faults) print_now(fault);
@@ -98,7 +155,7 @@ Exit renderers(const RenderersCommand& command) {
     write_file(command.markdown, text.substr(0, text.find(fmt::format("\n{}", kRenderersTitle))) + section);
   }
   if (command.json.empty() && command.markdown.empty()) print_now(section);
-  bool holds = true;
+  bool holds = faults.empty();
   for (const RendererReport::Row& row : report.cases)
     for (const course::Lab& lab : tree.labs)
       for (const course::GradedCase& one : lab.cases)
@@ -108,6 +165,12 @@ Exit renderers(const RenderersCommand& command) {
                                   row.name, one.limit, error, group));
             holds = false;
           }
+  for (const RendererReport::Row& row : report.tests)
+    if (row.room(1) < 3) {
+      print_now(fmt::format("{}: {} leaves room for {:.2g} times what renderers differ by", row.name,
+                            row.unit, row.room(1)));
+      holds = false;
+    }
   return holds ? Exit::holds : Exit::differs;
 }
 

@@ -20,6 +20,7 @@ nlohmann::ordered_json list_of(const std::vector<RendererReport::Row>& rows) {
     nlohmann::ordered_json one{
         {"lab", row.lab}, {"case", row.name}, {"unit", row.unit}, {"by", nlohmann::ordered_json::object()}};
     for (const auto& [group, value] : row.by) one["by"][group] = value;  // infinity becomes null
+    if (row.least > 0) one["least"] = row.least;
     all.push_back(std::move(one));
   }
   return all;
@@ -28,7 +29,7 @@ nlohmann::ordered_json list_of(const std::vector<RendererReport::Row>& rows) {
 std::vector<RendererReport::Row> rows_of(const nlohmann::ordered_json& list) {
   std::vector<RendererReport::Row> rows;
   for (const nlohmann::ordered_json& one : list) {
-    RendererReport::Row row{one.at("lab"), one.at("case"), one.at("unit"), {}};
+    RendererReport::Row row{one.at("lab"), one.at("case"), one.at("unit"), {}, one.value("least", 0.0)};
     for (const auto& [group, value] : one.at("by").items())
       row.by[group] = value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
     rows.push_back(std::move(row));
@@ -78,6 +79,25 @@ The anisotropic filter is the driver's, and Mesa changed it between 22 and 25 an
 
 )";
 
+const std::string kTestsHead = R"(
+### Tests that hold a limit, by the share of it that is used
+
+Each row is an assertion of a test that draws: 0.2 says that the value came to a fifth of its limit, at most.
+The room is the way from the least share to 1, by the distance from the least to the largest. It is at least 3.
+
+)";
+
+std::string room_of(const RendererReport::Row& row, double limit) {
+  return row.most() > row.least ? fmt::format("{:.2g}", row.room(limit)) : "";
+}
+
+/// In a cell of a table.
+std::string as_code(const std::string& text) {
+  std::string code;
+  for (const char c : text) code += c == '|' ? "\\|" : std::string(1, c);
+  return "`" + code + "`";
+}
+
 /// "SSE4.1" of "mesa22_llvmpipe_sse41".
 std::string way_of(const std::string& renderer) {
   static const std::map<std::string, std::string> kWays = {{"egl", "EGL"},
@@ -102,9 +122,21 @@ std::string group_of(const std::string& renderer) {
   return renderer.substr(first + 1, second - first - 1) + ", " + renderer.substr(0, first);
 }
 
+double RendererReport::Row::most() const {
+  double most = 0;
+  for (const auto& [group, value] : by) most = std::max(most, value);
+  return most;
+}
+
+double RendererReport::Row::room(double limit) const {
+  return (limit - least) / (most() - least);
+}
+
 std::string to_json(const RendererReport& report) {
-  nlohmann::ordered_json json{
-      {"drawn_by", report.drawn_by}, {"cases", list_of(report.cases)}, {"filters", list_of(report.filters)}};
+  nlohmann::ordered_json json{{"drawn_by", report.drawn_by},
+                              {"cases", list_of(report.cases)},
+                              {"tests", list_of(report.tests)},
+                              {"filters", list_of(report.filters)}};
   std::string text = "{\n";
   for (const auto& [key, value] : json.items()) {
     text += fmt::format(" \"{}\": {}\n", key, value.is_array() ? "[" : value.dump() + ",");
@@ -119,7 +151,8 @@ std::string to_json(const RendererReport& report) {
 RendererReport read_renderers(const std::filesystem::path& file) {
   try {
     const nlohmann::ordered_json json = nlohmann::ordered_json::parse(read_file(file));
-    return {json.at("drawn_by"), rows_of(json.at("cases")), rows_of(json.at("filters"))};
+    return {json.at("drawn_by"), rows_of(json.at("cases")), rows_of(json.at("tests")),
+            rows_of(json.at("filters"))};
   } catch (const nlohmann::json::exception& error) {
     throw Error::failed(fmt::format("is no report on renderers: {}", error.what()), {file.string()});
   }
@@ -146,11 +179,15 @@ std::string renderers_markdown(const RendererReport& report, const std::vector<c
                       return fmt::format("| {} | {} | {} |", row.lab, row.name, row.unit);
                     },
                     [&](const RendererReport::Row& row) {
-                      double most = 0;
-                      for (const auto& [group, value] : row.by) most = std::max(most, value);
-                      return fmt::format(" {:g} | {} |", limit_of(row),
-                                         most > 0 ? fmt::format("{:.2g}", limit_of(row) / most) : "");
+                      return fmt::format(" {:g} | {} |", limit_of(row), room_of(row, limit_of(row)));
                     });
+  out +=
+      kTestsHead + group_table(
+                       report.tests, "| test | holds |", " room |",
+                       [](const RendererReport::Row& row) {
+                         return fmt::format("| {} | {} |", row.name, as_code(row.unit));
+                       },
+                       [](const RendererReport::Row& row) { return fmt::format(" {} |", room_of(row, 1)); });
   out += kFiltersHead + group_table(
                             report.filters, "| case |", "",
                             [](const RendererReport::Row& row) { return fmt::format("| {} |", row.name); },

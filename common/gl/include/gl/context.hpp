@@ -54,7 +54,7 @@ class Context {
 /// Without a window. Throws Error (exit 3) that names the missing library. A process has one kind of shaders,
 /// that of its first context.
 std::unique_ptr<Context> create_headless(ContextKind kind, Shaders shaders = Shaders::quick_to_compile);
-/// OSMesa, else EGL.
+/// What the variable TEXEL_CONTEXT names (osmesa or egl); without it OSMesa, else EGL.
 std::unique_ptr<Context> create_headless(Shaders shaders = Shaders::quick_to_compile);
 
 /// A GLFW window. Only gl and app know GLFW.

@@ -25,9 +25,12 @@ struct Renderer {
 /// processors and their 1/sqrt (`rsqrt_library` displaces it), softpipe, zink, and the machine's GPU.
 std::vector<Renderer> known_renderers(const std::filesystem::path& rsqrt_library);
 
+/// Acts with the renderer's variables set; they are unset again afterwards.
+void with(const Renderer& renderer, const std::function<void()>& action);
+
 /// Draws all cases by the solutions into `out`/<Mesa's version>_<name>/, hidden ones for each of kSeeds, with
-/// kRendererFile, and returns that folder's name; "" where the machine has no such renderer. Sets and unsets
-/// the process' variables. Throws Error (exit 3) when something does not draw.
+/// kRendererFile, and returns that folder's name; "" where the machine has no such renderer. Throws Error
+/// (exit 3) when something does not draw.
 std::string draw_by(const Renderer& renderer, const CourseTree& tree, const std::filesystem::path& out);
 
 /// Mutants and starters that a renderer lets pass, with the first seed, a line each. `say` gets progress.
