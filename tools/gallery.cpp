@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
+#include "course/batch.hpp"
 #include "image/load.hpp"
 #include "image/mipmaps.hpp"
 #include "image/save.hpp"
@@ -38,16 +39,20 @@ Work work_for(const course::Lab& lab, const fs::path& out) {
   return {&lab, folder, folder / "batch.json", program_of(lab)};
 }
 
+std::string batch_of(const course::Lab& lab) {
+  return course::to_batch(std::vector<course::Case>(lab.looks.begin(), lab.looks.end()));
+}
+
 /// Whether every picture was drawn from the same list, and after all that it is made from was last changed.
 bool is_current(const Work& work, const fs::path& root) {
-  if (!fs::exists(work.list) || read_file(work.list) != batch_list(*work.lab)) return false;
+  if (!fs::exists(work.list) || read_file(work.list) != batch_of(*work.lab)) return false;
   if (!fs::exists(work.program)) return false;
   fs::file_time_type newest = std::max(fs::last_write_time(work.list), fs::last_write_time(work.program));
   for (const char* part : {"shaders/app", "shaders/lib", "assets"})
     newest = std::max(newest, newest_below(root / part));
   newest = std::max(newest, newest_below(root / "shaders" / work.lab->folder));
   return std::all_of(work.lab->looks.begin(), work.lab->looks.end(), [&](const course::Look& look) {
-    const fs::path file = work.folder / (look.name + ".png");
+    const fs::path file = work.folder / look.file;
     return fs::exists(file) && fs::last_write_time(file) >= newest;
   });
 }
@@ -56,7 +61,7 @@ bool is_current(const Work& work, const fs::path& root) {
 void leave_out_errors(std::vector<course::Lab>& labs) {
   std::size_t left_out = 0;
   for (course::Lab& lab : labs) {
-    const auto is_error = [](const course::Look& look) { return look.view == "error"; };
+    const auto is_error = [](const course::Look& look) { return look.view == course::View::error; };
     if (std::any_of(lab.looks.begin(), lab.looks.end(), is_error) && !knows_truth(lab))
       left_out += std::erase_if(lab.looks, is_error);
   }
@@ -82,7 +87,7 @@ void draw(const std::vector<Work>& all, const fs::path& root) {
   std::vector<Command> commands;
   for (const Work& work : works) {
     make_folder(work.folder);
-    write_file(work.list, batch_list(*work.lab));
+    write_file(work.list, batch_of(*work.lab));
     commands.push_back(
         {work.program, "--assets", root, "--batch", work.list.string(), "--out", work.folder.string()});
   }
@@ -138,7 +143,7 @@ void save_hero(const fs::path& from, const fs::path& to) {
 }
 
 std::string picture(const course::Lab& lab, const course::Look& look) {
-  return lab.folder + "/" + look.name + ".png";
+  return lab.folder + "/" + look.file;
 }
 
 Exit gallery(const GalleryOptions& options) {

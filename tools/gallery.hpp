@@ -18,9 +18,6 @@ const course::Look* hero_of(const course::Lab& lab);
 /// light.
 void save_hero(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// The list of snapshots that the lab's program draws with --batch.
-std::string batch_list(const course::Lab& lab);
-
 /// The whole page as HTML. It names the pictures by their place below its own folder, and nothing else
 /// outside of itself. `renderer` says what drew them.
 std::string gallery_page(const std::vector<course::Lab>& labs, const std::string& renderer);

@@ -9,9 +9,7 @@ namespace texel::tools {
 namespace {
 
 std::string size_attributes(const course::Look& look) {
-  const std::size_t x = look.size.find('x');
-  return fmt::format("width=\"{}\" height=\"{}\"", html_escaped(look.size.substr(0, x)),
-                     html_escaped(look.size.substr(x + 1)));
+  return fmt::format("width=\"{}\" height=\"{}\"", look.size.width, look.size.height);
 }
 
 /// A line is broken between flags, not within them.
@@ -42,8 +40,9 @@ std::string hero(const course::Lab& lab, const course::Look& look) {
 std::string figure(const course::Lab& lab, const course::Look& look) {
   const std::string source =
       look.source.empty() ? "" : fmt::format("<p class=\"source\">{}</p>", html_escaped(look.source));
-  const std::string view =
-      look.view == "color" ? "" : fmt::format("<span class=\"view\">{} view</span>", html_escaped(look.view));
+  const std::string view = look.view == course::View::color
+                               ? ""
+                               : fmt::format("<span class=\"view\">{} view</span>", name_of(look.view));
   return fmt::format(
       "<figure id=\"{}\">\n"
       "<a class=\"open\" href=\"{}\"><img src=\"{}\" alt=\"{}\" {} loading=\"lazy\">{}</a>\n"

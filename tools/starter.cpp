@@ -5,7 +5,7 @@
 
 #include "commands.hpp"
 #include "course/starter.hpp"
-#include "grade/check.hpp"
+#include "grade/course_tree.hpp"
 
 namespace texel::tools {
 

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <future>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
@@ -15,66 +14,72 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
+#include "core/stopwatch.hpp"
+#include "course/batch.hpp"
 #include "mesh/ply.hpp"
 #include "snapshot.hpp"
 
 namespace texel::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-BatchEntry parse_entry(const Json& json, AnyLab& lab) {
-  if (!json.is_object()) throw Error::usage("an entry is an object {name, view, size, set}");
-  for (const auto& [key, value] : json.items())
-    if (key != "name" && key != "view" && key != "size" && key != "set")
-      throw Error::usage(fmt::format("there is no key '{}'", key), "the keys are name, view, size and set");
-  const std::string name = json.value("name", std::string());
-  // The name is a file in the folder and nowhere else.
-  if (name.empty() || name.find('/') != std::string::npos || name.starts_with('.'))
-    throw Error::usage(fmt::format("'{}' is no file name", name), "give each entry a name without folders");
-  BatchEntry entry{name,
-                   find_view(lab, json.value("view", std::string("color"))),
-                   parse_size(json.value("size", std::string("512x512"))),
-                   {}};
-  const std::string ending = entry.file.extension().string();
-  if (ending != ".png" && ending != ".pfm" && ending != ".ply") entry.file += ".png";
-  if (ending != ".ply") check_ending(entry.file, entry.view);
-  entry.values = read_settings(json, "set", lab.parameters());
-  return entry;
+void check(AnyLab& lab, const course::Case& one) {
+  if (!one.is_mesh()) {
+    find_view(lab, name_of(one.view));
+    check_ending(one.file, one.view);
+  }
+  check_settings(lab.parameters(), one.settings);
 }
+
+/// What became of the cases so far, also in the folder's file.
+class Drawings {
+ public:
+  explicit Drawings(const std::filesystem::path& folder) : file_(folder / course::kDrawingsFile) { save(); }
+
+  void add(const course::Case& one, double milliseconds) { add({one.file, true, {}, milliseconds}); }
+  void add(const course::Case& one, const Error& fault) {
+    ++faults_;
+    std::fprintf(stderr, "%s: %s\n", one.file.c_str(), fault.what());
+    add({one.file, false, fault.what(), 0});
+  }
+  [[nodiscard]] std::size_t faults() const { return faults_; }
+
+ private:
+  void add(course::Drawing drawing) {
+    all_.push_back(std::move(drawing));
+    save();
+  }
+  void save() const { write_file(file_, course::to_json(all_)); }
+
+  std::filesystem::path file_;
+  std::vector<course::Drawing> all_;
+  std::size_t faults_ = 0;
+};
 
 }  // namespace
 
 Batch read_batch(AnyLab& lab, const std::filesystem::path& list) {
-  Batch entries;
-  std::set<std::filesystem::path> names;
-  std::size_t index = 0;
+  const std::string text = read_file(list);
   try {
-    const Json json = Json::parse(read_file(list));
-    if (!json.is_array()) throw Error::usage("the file is a list of entries");
-    for (const Json& item : json) {
-      ++index;
-      entries.push_back(parse_entry(item, lab));
-      if (!names.insert(entries.back().file).second)
-        throw Error::usage(fmt::format("two entries are called '{}'", entries.back().file.string()));
-    }
-  } catch (const Json::exception& error) {
-    throw Error::usage(fmt::format("{}: {}", list.string(), error.what()));
+    Batch batch = course::parse_batch(text);
+    for (std::size_t i = 0; i < batch.size(); ++i) try {
+        check(lab, batch[i]);
+      } catch (const Error& error) {
+        throw Error::usage(fmt::format("entry {}: {}", i + 1, error.what()));
+      }
+    return batch;
   } catch (const Error& error) {
-    if (error.exit_code() == Exit::failed) throw;
-    throw Error::usage(fmt::format("{}: entry {}: {}", list.string(), index, error.what()));
+    throw Error::usage(fmt::format("{}: {}", list.string(), error.what()));
   }
-  return entries;
 }
 
 double pixels_per_program(const Batch& batch, const params::Set& parameters) {
   double pixels = 0;
   std::set<std::string> programs;
-  for (const BatchEntry& entry : batch) {
-    if (entry.file.extension() == ".ply") continue;
-    pixels += static_cast<double>(entry.size.x) * entry.size.y;
-    std::set<std::string> constants = {name_of(entry.view)};
-    for (const auto& [name, value] : entry.values) {
+  for (const course::Case& one : batch) {
+    if (one.is_mesh()) continue;
+    pixels += static_cast<double>(one.size.width) * one.size.height;
+    std::set<std::string> constants = {name_of(one.view)};
+    for (const auto& [name, value] : one.settings) {
       const params::Parameter::Type type = parameters.find(name)->type;
       if (type == params::Parameter::Type::choice || type == params::Parameter::Type::toggle)
         constants.insert(name + "=" + value);
@@ -98,38 +103,48 @@ void draw_batch(Canvas& canvas, AnyLab& lab, const Assets& assets, const Batch& 
   if (error)
     throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {folder.string()});
   const StartValues start(lab.parameters());
-  std::size_t faults = 0;
-  const auto attempt = [&](const BatchEntry& entry, const std::function<void()>& act) {
-    try {
-      act();
-    } catch (const Error& fault) {
-      ++faults;
-      std::fprintf(stderr, "%s: %s\n", entry.file.c_str(), fault.what());
-    }
-  };
-  const BatchEntry* before = nullptr;
+  Drawings drawings(folder);
+  const course::Case* before = nullptr;  // the one that is being written
+  double milliseconds = 0;               // that drawing it took
   std::future<void> written;
   const auto finish_writing = [&] {
-    if (written.valid()) attempt(*before, [&] { written.get(); });
+    if (written.valid()) try {
+        written.get();
+        drawings.add(*before, milliseconds);
+      } catch (const Error& fault) {
+        drawings.add(*before, fault);
+      }
   };
-  for (const BatchEntry& entry : batch) {
+  for (const course::Case& one : batch) {
     std::optional<Snapshot> snapshot;
-    attempt(entry, [&] {
-      start.set(entry.values);
-      const std::filesystem::path file = folder / entry.file;
-      if (file.extension() == ".ply") return write_mesh(lab, assets, file);
-      canvas.draw(entry.view, entry.size, samples);
-      snapshot = take_snapshot(canvas, lab, entry.view, entry.size, file);
-    });
+    std::optional<Error> fault;
+    const Stopwatch stopwatch;
+    try {
+      start.set(one.settings);
+      const std::filesystem::path file = folder / one.file;
+      if (one.is_mesh()) {
+        write_mesh(lab, assets, file);
+      } else {
+        canvas.draw(one.view, pixels(one.size), samples);
+        snapshot = take_snapshot(canvas, lab, one.view, pixels(one.size), file);
+      }
+    } catch (const Error& error) {
+      fault = error;
+    }
+    const double own_milliseconds = stopwatch.milliseconds();
     finish_writing();
+    if (fault)
+      drawings.add(one, *fault);
+    else if (!snapshot)
+      drawings.add(one, own_milliseconds);
     if (!snapshot) continue;
-    before = &entry;
+    before = &one, milliseconds = own_milliseconds;
     written = std::async([taken = std::move(*snapshot)] { taken.write(); });
     if (!at_once) finish_writing();
   }
   finish_writing();
-  if (faults > 0)
-    throw Error::failed(fmt::format("{} of {} entries could not be drawn", faults, batch.size()));
+  if (drawings.faults() > 0)
+    throw Error::failed(fmt::format("{} of {} entries could not be drawn", drawings.faults(), batch.size()));
 }
 
 }  // namespace texel::app

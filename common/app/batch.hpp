@@ -12,27 +12,22 @@ namespace texel::app {
 /// has none.
 void write_mesh(AnyLab& lab, const Assets& assets, const std::filesystem::path& file);
 
-/// A snapshot of a list; a vertex stream where the file ends in .ply.
-struct BatchEntry {
-  std::filesystem::path file;
-  View view;
-  glm::ivec2 size;
-  Settings values;
-};
-using Batch = std::vector<BatchEntry>;
+/// Snapshots; a vertex stream where the case is a mesh.
+using Batch = std::vector<course::Case>;
 
-/// Reads a JSON list `[{"name", "view", "size", "set": {parameter: value}}]`. `name` becomes name.png, unless
-/// it ends in .png or .pfm itself, or in .ply. Throws Error (exit 2) that names the entry that is wrong.
+/// Reads a list for --batch, as course::parse_batch does. Throws Error (exit 2) that names the entry that is
+/// wrong, also where the lab has no such view or parameter.
 Batch read_batch(AnyLab& lab, const std::filesystem::path& list);
 
 /// How many pixels each of its shader programs draws, in the mean: views, choices and toggles are constants
 /// in a program.
 double pixels_per_program(const Batch& batch, const params::Set& parameters);
 
-/// Draws all from one process into `folder`, which is made when it is missing. Each starts from the lab's
-/// present parameters. One that cannot be drawn is a line `file: why` on standard error and does not keep the
-/// others from being drawn; in the end Error (exit 3) says how many there were. With one thread
-/// (TEXEL_THREADS=1) each is written before the next is begun.
+/// Draws all from one process into `folder`, which is made when it is missing, and says what became of each
+/// in its results.json (course/batch.hpp), anew after each. Each starts from the lab's present parameters.
+/// One that cannot be drawn is a line `file: why` on standard error too, and does not keep the others from
+/// being drawn; in the end Error (exit 3) says how many there were. With one thread (TEXEL_THREADS=1) each is
+/// written before the next is begun.
 void draw_batch(Canvas& canvas, AnyLab& lab, const Assets& assets, const Batch& batch,
                 const std::filesystem::path& folder, int samples);
 

@@ -10,58 +10,31 @@
 #include "core/files.hpp"
 #include "core/stopwatch.hpp"
 #include "gl/frame_timer.hpp"
+#include "settings.hpp"
 
 namespace texel::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The values of one parameter that varies: those of the list, or all of a choice.
-std::vector<std::string> values_of(const Json& list, const std::string& name, params::Set& parameters) {
-  if (!list.is_array()) throw Error::usage(fmt::format("what '{}' varies over is a list", name));
-  std::vector<std::string> values;
-  for (const Json& value : list) {
-    values.push_back(as_text(value));
-    check_setting(parameters, name, values.back());
-  }
-  if (values.empty())
-    for (const params::Item& item : parameters.at(name).items) values.emplace_back(item.name);
-  if (values.empty()) throw Error::usage(fmt::format("'{}' is no choice: list its values", name));
-  return values;
-}
-
-/// Every combination; the first parameter changes slowest.
-std::vector<Settings> combinations(const Json& vary, params::Set& parameters) {
-  if (!vary.is_object() || vary.empty()) throw Error::usage("'vary' is an object {parameter: [values]}");
+/// Each combination of the values that vary; of a choice without values, all that it has. The first parameter
+/// changes slowest.
+std::vector<Settings> combinations(const course::BenchCase& one, params::Set& parameters) {
   std::vector<Settings> all(1);
-  for (const auto& [name, list] : vary.items()) {
+  for (const auto& [name, listed] : one.variations) {
+    std::vector<std::string> values = listed;
+    if (values.empty())
+      for (const params::Item& item : parameters.at(name).items) values.emplace_back(item.name);
+    if (values.empty()) throw Error::usage(fmt::format("'{}' is no choice: list its values", name));
     std::vector<Settings> longer;
     for (const Settings& variant : all)
-      for (const std::string& value : values_of(list, name, parameters)) {
+      for (const std::string& value : values) {
         longer.push_back(variant);
-        longer.back().emplace_back(name, value);
+        longer.back().push_back({name, value});
       }
     all = std::move(longer);
   }
   return all;
-}
-
-BenchCase parse_case(const Json& json, params::Set& parameters) {
-  for (const auto& [key, value] : json.items())
-    if (key != "case" && key != "size" && key != "set" && key != "vary")
-      throw Error::usage(fmt::format("there is no key '{}'", key), "the keys are case, size, set and vary");
-  return {json.at("case").get<std::string>(), parse_size(json.value("size", std::string("256x256"))),
-          read_settings(json, "set", parameters), combinations(json.at("vary"), parameters)};
-}
-
-std::vector<BenchCase> parse_cases(const Json& json, params::Set& parameters) {
-  std::vector<BenchCase> cases;
-  for (const Json& item : json.at("cases")) try {
-      cases.push_back(parse_case(item, parameters));
-    } catch (const Error& error) {
-      throw Error::usage(fmt::format("case {}: {}", cases.size() + 1, error.what()));
-    }
-  return cases;
 }
 
 std::string joined(const Settings& values, bool names) {
@@ -82,9 +55,10 @@ class Bench {
   Bench(Canvas& canvas, AnyLab& lab)
       : canvas_(canvas), lab_(lab), start_(lab.parameters()), timer_(canvas.context().renderer()) {}
 
-  Json run(const BenchCase& c, double seconds) {
+  Json run(const course::BenchCase& c, double seconds) {
+    const std::vector<Settings> variants = combinations(c, lab_.parameters());
     std::vector<Measured> all;
-    for (const Settings& values : c.variants) measure(c, all.emplace_back(Measured{values, {}, {}, {}}));
+    for (const Settings& values : variants) measure(c, all.emplace_back(Measured{values, {}, {}, {}}));
     const Stopwatch stopwatch;
     constexpr std::size_t kFewest = 5, kMost = 50;
     for (std::size_t round = 0; seconds > 0 && round < kMost; ++round) {
@@ -102,14 +76,14 @@ class Bench {
   }
 
  private:
-  void select(const BenchCase& c, const Settings& values) {
-    start_.set(c.set);
+  void select(const course::BenchCase& c, const Settings& values) {
+    start_.set(c.settings);
     for (const auto& [name, value] : values) lab_.parameters().at(name).set(value);
   }
 
-  void measure(const BenchCase& c, Measured& one) {
+  void measure(const course::BenchCase& c, Measured& one) {
     select(c, one.values);
-    const gl::Record record = canvas_.record(View::error, c.size, 1);
+    const gl::Record record = canvas_.record(View::error, pixels(c.size), 1);
     const ErrorFigures& figures = *canvas_.error_figures();
     const Measure measure = *lab_.measure();
     long long bytes = 0;
@@ -120,7 +94,7 @@ class Bench {
                   {"parameter", joined(one.values, true)},
                   {"method", joined(one.values, false)},
                   {"truth", measure.truth},
-                  {"unit", name_of(measure.unit)},
+                  {"unit", text_of(measure.unit)},
                   {"mean", figures.mean},
                   {"rms", figures.rms},
                   {"p99", figures.p99},
@@ -132,11 +106,11 @@ class Bench {
       one.result["prepare_of"] = preparation->element;
   }
 
-  void time(const BenchCase& c, Measured& one) {
+  void time(const course::BenchCase& c, Measured& one) {
     select(c, one.values);
-    canvas_.draw(View::color, c.size, 1);  // loads what was dropped since the last round
+    canvas_.draw(View::color, pixels(c.size), 1);  // loads what was dropped since the last round
     timer_.start();
-    canvas_.draw(View::color, c.size, 1);
+    canvas_.draw(View::color, pixels(c.size), 1);
     one.frame_ns.push_back(timer_.stop());
     if (const auto preparation = lab_.preparation(canvas_.assets())) {
       const Stopwatch stopwatch;
@@ -153,26 +127,30 @@ class Bench {
 
 }  // namespace
 
-BenchPlan read_bench(AnyLab& lab, const std::filesystem::path& file) {
+course::BenchList read_bench(AnyLab& lab, const std::filesystem::path& file) {
+  const std::string text = read_file(file);
   try {
-    const Json json = Json::parse(read_file(file));
-    return {json.value("seconds", 2.0), parse_cases(json, lab.parameters())};
-  } catch (const Json::exception& error) {
-    throw Error::usage(fmt::format("{}: {}", file.string(), error.what()));
+    course::BenchList list = course::parse_bench(text);
+    for (const course::BenchCase& one : list.cases) try {
+        check_settings(lab.parameters(), one.settings);
+        for (const Settings& values : combinations(one, lab.parameters()))
+          check_settings(lab.parameters(), values);
+      } catch (const Error& error) {
+        throw Error::usage(fmt::format("case '{}': {}", one.name, error.what()));
+      }
+    return list;
   } catch (const Error& error) {
-    if (error.exit_code() == Exit::failed) throw;
     throw Error::usage(fmt::format("{}: {}", file.string(), error.what()));
   }
 }
 
-std::string run_bench(Canvas& canvas, AnyLab& lab, const BenchPlan& plan) {
+std::string run_bench(Canvas& canvas, AnyLab& lab, const course::BenchList& list) {
   Bench bench(canvas, lab);
   Json output = {{"renderer", canvas.context().name()}, {"results", Json::array()}};
   std::size_t number = 0;
-  for (const BenchCase& c : plan.cases) {
-    fmt::print(stderr, "  case {} of {}: {}, {} methods\n", ++number, plan.cases.size(), c.name,
-               c.variants.size());
-    for (Json& result : bench.run(c, plan.seconds)) output["results"].push_back(std::move(result));
+  for (const course::BenchCase& c : list.cases) {
+    fmt::print(stderr, "  case {} of {}: {}\n", ++number, list.cases.size(), c.name);
+    for (Json& result : bench.run(c, list.seconds)) output["results"].push_back(std::move(result));
   }
   return output.dump(2) + "\n";
 }

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <iostream>
 
 #include "config.hpp"
@@ -43,16 +42,11 @@ void reject_unknown(const CLI::App& app) {
 }  // namespace
 
 glm::ivec2 parse_size(const std::string& text) {
-  constexpr int kMost = 16384;
-  glm::ivec2 size(0);
-  const char* end = text.data() + text.size();
-  const auto [middle, error] = std::from_chars(text.data(), end, size.x);
-  const bool has_x = error == std::errc{} && middle != end && *middle == 'x';
-  const bool complete = has_x && std::from_chars(middle + 1, end, size.y).ptr == end;
-  if (!complete || size.x < 1 || size.y < 1 || size.x > kMost || size.y > kMost)
-    throw Error::usage(
-        fmt::format("--size takes WIDTHxHEIGHT in pixels, each from 1 to {}, not '{}'", kMost, text));
-  return size;
+  const std::optional<course::Size> size = course::find_size(text);
+  if (!size)
+    throw Error::usage(fmt::format("--size takes WIDTHxHEIGHT in pixels, each from 1 to {}, not '{}'",
+                                   course::Size::kMostPixels, text));
+  return pixels(*size);
 }
 
 View find_view(const AnyLab& lab, const std::string& name) {

@@ -26,7 +26,10 @@ struct CommandLine {
 /// for what is unknown, with the nearest name. Nothing is returned when the help was asked for and printed.
 std::optional<CommandLine> read_command_line(AnyLab& lab, int argc, char** argv);
 
-/// "640x480" in pixels, each side from 1 to 16384. Throws Error (usage).
+inline glm::ivec2 pixels(course::Size size) {
+  return {size.width, size.height};
+}
+/// "640x480" in pixels. Throws Error (usage).
 glm::ivec2 parse_size(const std::string& text);
 
 /// The view of that name. Throws Error (usage) when the lab does not have it.

@@ -33,8 +33,9 @@ std::vector<gl::Define> constants(const params::Set& parameters, View view) {
       defines.push_back({fmt::format("{}_{}", name, constant(p.items[i].name)), fmt::format("{}", i)});
   }
   defines.push_back({"VIEW", fmt::format("{}", static_cast<int>(view))});
-  for (std::size_t i = 0; i < std::size(kViewNames); ++i)
-    defines.push_back({fmt::format("VIEW_{}", constant(kViewNames[i])), fmt::format("{}", i)});
+  for (int i = 0; i <= static_cast<int>(View::error); ++i)
+    defines.push_back(
+        {fmt::format("VIEW_{}", constant(name_of(static_cast<View>(i)))), fmt::format("{}", i)});
   return defines;
 }
 

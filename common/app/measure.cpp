@@ -49,18 +49,8 @@ void write(image::Image8& picture, const std::string& text, double left, double 
 
 }  // namespace
 
-const char* name_of(Unit unit) {
-  switch (unit) {
-    case Unit::degrees:
-      return "degrees";
-    case Unit::texels:
-      return "texels";
-    case Unit::steps:
-      return "8-bit steps";
-    case Unit::levels:
-      return "levels";
-  }
-  return "";
+const char* text_of(Unit unit) {
+  return unit == Unit::steps ? "8-bit steps" : name_of(unit);
 }
 
 image::ImageF truth_picture(const Truth& truth, glm::ivec2 size) {
@@ -90,9 +80,11 @@ double error_of(const glm::dvec3& value, const glm::dvec3& truth, const Measure&
       return measure.scale * std::max({apart.x, apart.y, apart.z});
     }
     case Unit::levels:
-      return measure.scale * std::abs(value.x - truth.x);
+    case Unit::texture_widths:
+    case Unit::units:
+      break;
   }
-  return 0;
+  return measure.scale * std::abs(value.x - truth.x);
 }
 
 image::ImageF error_picture(const image::ImageF& picture, const image::ImageF& truth,
@@ -168,7 +160,7 @@ image::Image8 error_map(const image::ImageF& error, double scale, Unit unit) {
     for (int y = margin; y < margin + bar_height; ++y)
       put(map, x, y, heat_colour((x + 0.5 - left) / (right - left)));
   const double line = margin + bar_height + margin / 3.0;
-  std::string end = fmt::format("{:g} {}", scale, name_of(unit));  // the font has capitals
+  std::string end = fmt::format("{:g} {}", scale, text_of(unit));  // the font has capitals
   std::transform(end.begin(), end.end(), end.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   write(map, "0", left, line, text_height);

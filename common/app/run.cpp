@@ -84,7 +84,7 @@ void run_headless(AnyLab& lab, const Assets& assets, const CommandLine& line) {
   const glm::ivec2 size = line.size.value_or(kSnapshotSize);
   if (!line.snapshot.empty()) check_ending(line.snapshot, view);
   const Batch batch = line.batch.empty() ? Batch() : read_batch(lab, line.batch);
-  const BenchPlan bench = line.bench.empty() ? BenchPlan() : read_bench(lab, line.bench);
+  const course::BenchList bench = line.bench.empty() ? course::BenchList() : read_bench(lab, line.bench);
   const bool timed = line.frames > 0 || (!bench.cases.empty() && bench.seconds > 0);
   const double pixels =
       batch.empty() ? static_cast<double>(size.x) * size.y : pixels_per_program(batch, lab.parameters());

@@ -3,9 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "core/error.hpp"
@@ -14,6 +12,7 @@
 #include "image/data_view.hpp"
 #include "image/difference.hpp"
 #include "image/load.hpp"
+#include "judge/results_json.hpp"
 
 namespace texel::app {
 namespace {
@@ -21,29 +20,14 @@ namespace {
 namespace fs = std::filesystem;
 using image::Image8;
 using image::ImageF;
-using nlohmann::json;
-
-/// A number; NaN has none in JSON.
-double number(const json& value) {
-  return value.is_null() ? std::nan("") : value.get<double>();
-}
-
-StepCase parse_case(const json& from) {
-  StepCase one;
-  one.name = from.at("name"), one.view = from.at("view"), one.message = from.at("message");
-  one.unit = from.at("unit"), one.passed = from.at("status") == "passed";
-  one.error = number(from.at("error")), one.limit = number(from.at("limit"));
-  one.picture = from.at("picture").get<std::string>(), one.expected = from.at("expected").get<std::string>();
-  for (const auto& [parameter, value] : from.at("set").items())
-    one.settings.emplace_back(parameter, value.get<std::string>());
-  return one;
-}
 
 /// A picture as it is shown: colours as they are, data views in colours.
-Image8 shown(const Image8& picture, const std::string&) {
+Image8 shown(const Image8& picture, View) {
   return picture;
 }
-using image::shown;
+Image8 shown(const ImageF& picture, View view) {
+  return image::shown(picture, name_of(view));
+}
 
 Image8 absolute_difference(const Image8& a, const Image8& b) {
   Image8 result(a.width, a.height, 3);
@@ -62,15 +46,15 @@ gl::Texture upload(const Image8& picture) {
 }
 
 template <class Picture>
-void fill(CasePictures& pictures, const Picture& own, const Picture& expected, const StepCase& one) {
+void fill(CasePictures& pictures, const Picture& own, const Picture& expected, const grade::CaseResult& one) {
   if (own.width != expected.width || own.height != expected.height)
-    throw Error::failed("has another size than the expected one", {one.picture.string()});
+    throw Error::failed("has another size than the expected one", {one.picture});
   pictures.width = own.width, pictures.height = own.height;
   const Image8 own_shown = shown(own, one.view), expected_shown = shown(expected, one.view);
   pictures.own = upload(own_shown), pictures.expected = upload(expected_shown);
   pictures.difference = upload(absolute_difference(own_shown, expected_shown));
   image::Comparing comparing;
-  if (one.unit == "degrees") comparing.unit = image::Unit::degrees;
+  if (one.unit() == Unit::degrees) comparing.unit = image::Unit::degrees;
   pictures.heat_map = upload(image::heatmap(expected, own, 0, comparing));
 }
 
@@ -81,12 +65,12 @@ struct StepsCheck::Shared {
   fs::path root;
   std::mutex mutex;
   bool is_running = false, is_wanted = false, is_new = false;
-  std::vector<LabStep> steps;
+  std::vector<grade::StepResult> steps;
   std::string fault;
 
   void run() {
     for (;;) {
-      std::vector<LabStep> found;
+      std::vector<grade::StepResult> found;
       std::string why;
       try {
         const fs::path texel = fs::read_symlink("/proc/self/exe").parent_path() / "texel";
@@ -94,7 +78,7 @@ struct StepsCheck::Shared {
             {"env", "TEXEL_ROOT=" + root.string(), texel.string(), "check", fmt::format("{}", lab), "--json"},
             true);
         if (ran.exit_code > 1) throw Error::failed(ran.output);
-        found = parse_steps(ran.output);
+        found = grade::parse_steps(ran.output);
       } catch (const std::exception& error) {
         why = error.what();
       }
@@ -136,36 +120,16 @@ bool StepsCheck::is_running() const {
   return shared_->is_running;
 }
 
-std::vector<LabStep> parse_steps(const std::string& text) {
-  std::vector<LabStep> steps;
-  try {
-    const json all = json::parse(text);
-    for (const json& from : all.at("steps")) {
-      LabStep step;
-      step.id = from.at("id"), step.title = from.at("title"), step.status = from.at("status");
-      step.message = from.at("message"), step.looks_like = from.at("looks_like_says");
-      step.place = fmt::format("{}:{}", from.at("file").get<std::string>(), from.at("line").get<int>());
-      step.hints = from.at("hints"), step.unit = from.at("unit");
-      step.error = number(from.at("error")), step.limit = number(from.at("limit"));
-      for (const json& one : from.at("cases")) step.cases.push_back(parse_case(one));
-      steps.push_back(std::move(step));
-    }
-  } catch (const json::exception& error) {
-    throw Error::failed(fmt::format("the check printed something else: {}", error.what()));
-  }
-  return steps;
-}
-
-CasePictures load_case(const std::string& step, const StepCase& one) {
+CasePictures load_case(const std::string& step, const grade::CaseResult& one) {
   CasePictures pictures;
   pictures.step = step, pictures.name = one.name;
   try {
-    if (one.view == "mesh") throw Error::failed("this case compares vertices, not pictures");
+    if (one.is_mesh()) throw Error::failed("this case compares vertices, not pictures");
     if (one.picture.empty()) throw Error::failed("there is no picture of yours: " + one.message);
-    if (one.view == "color")
-      fill(pictures, image::load8(one.picture, 3), image::load8(one.expected, 3), one);
+    if (one.view == View::color)
+      fill(pictures, image::load8(one.picture, 3), image::load8(one.reference, 3), one);
     else
-      fill(pictures, image::load_pfm(one.picture), image::load_pfm(one.expected), one);
+      fill(pictures, image::load_pfm(one.picture), image::load_pfm(one.reference), one);
   } catch (const Error& error) {
     pictures.fault = error.what();
   }

@@ -9,25 +9,9 @@
 #include <vector>
 
 #include "app/lab.hpp"
+#include "judge/results.hpp"
 
 namespace texel::app {
-
-/// A case of a step, as `texel check --json` says it.
-struct StepCase {
-  std::string name, view, message, unit;
-  std::vector<std::pair<std::string, std::string>> settings;
-  bool passed = false;
-  double error = 0, limit = 0;              ///< in `unit`; NaN where nothing can be compared
-  std::filesystem::path picture, expected;  ///< the student's is empty when there is none
-};
-
-struct LabStep {
-  std::string id, title, status, message, looks_like, place;  ///< place: "shaders/….glsl:5"
-  std::string unit;
-  double error = 0, limit = 0;  ///< of the case that is furthest from its limit; NaN as in StepCase
-  std::vector<std::string> hints;
-  std::vector<StepCase> cases;
-};
 
 /// Has the steps of a lab checked, one check after the other, in the background.
 class StepsCheck {
@@ -41,19 +25,16 @@ class StepsCheck {
   bool poll();
 
   [[nodiscard]] bool is_running() const;
-  [[nodiscard]] const std::vector<LabStep>& steps() const { return steps_; }
+  [[nodiscard]] const std::vector<grade::StepResult>& steps() const { return steps_; }
   /// Why there are no steps, or "".
   [[nodiscard]] const std::string& fault() const { return fault_; }
 
  private:
   struct Shared;
   std::shared_ptr<Shared> shared_;
-  std::vector<LabStep> steps_;
+  std::vector<grade::StepResult> steps_;
   std::string fault_;
 };
-
-/// What `texel check --json` printed, as steps. Throws Error (exit 3) for anything else.
-std::vector<LabStep> parse_steps(const std::string& json);
 
 /// A case's pictures side by side: the student's, the expected one, and how they differ.
 struct CasePictures {
@@ -65,6 +46,6 @@ struct CasePictures {
 };
 
 /// Loads a case's pictures. Files that are missing or broken are said so in `fault`.
-CasePictures load_case(const std::string& step, const StepCase& one);
+CasePictures load_case(const std::string& step, const grade::CaseResult& one);
 
 }  // namespace texel::app

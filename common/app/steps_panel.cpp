@@ -11,6 +11,8 @@
 namespace texel::app {
 namespace {
 
+using grade::Status;
+
 const ImVec4 kGreen(0.45F, 0.85F, 0.50F, 1), kYellow(1.0F, 0.78F, 0.35F, 1), kDim(0.62F, 0.66F, 0.72F, 1);
 
 void wrapped(const ImVec4& colour, const std::string& text) {
@@ -21,18 +23,18 @@ void wrapped(const ImVec4& colour, const std::string& text) {
 }
 
 /// "12.3 degrees (limit 0.05)".
-std::string figure(const LabStep& step) {
-  if (std::isnan(step.error)) return "nothing to compare";
-  return fmt::format("{:.3g} {} (limit {:g})", step.error, step.unit, step.limit);
+std::string figure(const grade::StepResult& step) {
+  const grade::CaseResult* telling = grade::telling_case(step);
+  if (telling == nullptr || std::isnan(telling->error)) return "nothing to compare";
+  return fmt::format("{:.3g} {} (limit {:g})", telling->error, name_of(telling->unit()), telling->limit);
 }
 
 /// Sets the case's look and shows its pictures.
-void pick(AnyLab& lab, WindowState& state, const LabStep& step, const StepCase& one) {
+void pick(AnyLab& lab, WindowState& state, const grade::StepResult& step, const grade::CaseResult& one) {
   try {
     lab.parameters().reset();
     for (const auto& [parameter, value] : one.settings) lab.parameters().at(parameter).set(value);
-    for (const View view : lab.views())
-      if (one.view == name_of(view)) state.view = view;
+    if (!one.is_mesh()) state.view = one.view;
     state.split.reset();
     state.paused = true;
     state.message.clear();
@@ -42,20 +44,21 @@ void pick(AnyLab& lab, WindowState& state, const LabStep& step, const StepCase& 
   state.case_pictures = load_case(step.id, one);
 }
 
-void step_details(AnyLab& lab, WindowState& state, const LabStep& step) {
-  wrapped(kDim, step.place);
-  if (step.status != "passed") wrapped(ImVec4(1, 1, 1, 1), step.message);
-  if (!step.looks_like.empty()) wrapped(kYellow, "This looks like: " + step.looks_like);
+void step_details(AnyLab& lab, WindowState& state, const grade::StepResult& step) {
+  wrapped(kDim, fmt::format("{}:{}", step.file, step.line));
+  if (step.status != Status::passed) wrapped(ImVec4(1, 1, 1, 1), step.message);
+  if (!step.mistake_says.empty()) wrapped(kYellow, "This looks like: " + step.mistake_says);
   std::size_t& shown = state.hints[step.id];
   for (std::size_t i = 0; i < std::min(shown, step.hints.size()); ++i)
     wrapped(kDim, fmt::format("{}. {}", i + 1, step.hints[i]));
-  if (shown < step.hints.size() && step.status != "passed" &&
+  if (shown < step.hints.size() && step.status != Status::passed &&
       ImGui::SmallButton(fmt::format("hint {} of {}", shown + 1, step.hints.size()).c_str()))
     ++shown;
-  for (const StepCase& one : step.cases) {
+  for (const grade::CaseResult& one : step.cases) {
     const bool is_picked = state.case_pictures && state.case_pictures->name == one.name;
-    ImGui::PushStyleColor(ImGuiCol_Text, one.passed ? kGreen : kYellow);
-    if (ImGui::Selectable(fmt::format("{} {}", one.passed ? "right" : "wrong", one.name).c_str(), is_picked))
+    ImGui::PushStyleColor(ImGuiCol_Text, one.passed() ? kGreen : kYellow);
+    if (ImGui::Selectable(fmt::format("{} {}", one.passed() ? "right" : "wrong", one.name).c_str(),
+                          is_picked))
       pick(lab, state, step, one);
     ImGui::PopStyleColor();
     if (ImGui::IsItemHovered())
@@ -67,20 +70,20 @@ void step_details(AnyLab& lab, WindowState& state, const LabStep& step) {
 
 void steps_section(AnyLab& lab, WindowState& state) {
   if (!state.steps || !ImGui::CollapsingHeader("Steps", ImGuiTreeNodeFlags_DefaultOpen)) return;
-  const std::vector<LabStep>& steps = state.steps->steps();
+  const std::vector<grade::StepResult>& steps = state.steps->steps();
   if (!state.steps->fault().empty()) wrapped(kYellow, "Not checked: " + state.steps->fault());
   if (steps.empty() && state.steps->fault().empty()) ImGui::TextColored(kDim, "checking");
   bool has_next = false;
-  for (const LabStep& step : steps) {
-    const bool is_done = step.status == "passed", is_open = step.status == "failed";
+  for (const grade::StepResult& step : steps) {
+    const bool is_done = step.status == Status::passed, is_open = step.status == Status::failed;
     const bool is_next = is_open && !has_next;
     has_next = has_next || is_next;
     ImGui::PushStyleColor(ImGuiCol_Text, is_done ? kGreen : is_next ? kYellow : kDim);
     const bool shows = ImGui::TreeNodeEx(step.id.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth, "%s %s %s",
-                                         is_done                    ? "done"
-                                         : step.status == "skipped" ? "waits"
-                                         : is_next                  ? "next"
-                                                                    : "to do",
+                                         is_done                          ? "done"
+                                         : step.status == Status::skipped ? "waits"
+                                         : is_next                        ? "next"
+                                                                          : "to do",
                                          step.id.c_str(), step.title.c_str());
     ImGui::PopStyleColor();
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s\n%s", step.title.c_str(), figure(step).c_str());

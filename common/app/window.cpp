@@ -246,8 +246,8 @@ class Window {
     if (!state_.steps) return;
     if (inspected_once_ && !std::exchange(steps_begun_, true)) state_.steps->request();
     if (!state_.steps->poll() || !state_.case_pictures) return;
-    for (const LabStep& step : state_.steps->steps())
-      for (const StepCase& one : step.cases)
+    for (const grade::StepResult& step : state_.steps->steps())
+      for (const grade::CaseResult& one : step.cases)
         if (one.name == state_.case_pictures->name) {
           CasePictures fresh = load_case(step.id, one);
           fresh.shown = state_.case_pictures->shown, fresh.position = state_.case_pictures->position;

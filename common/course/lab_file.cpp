@@ -64,24 +64,42 @@ bool is_file_name(const std::string& name) {
   });
 }
 
-Look read_look(Reader& reader) {
+View read_view(Reader& reader) {
+  const std::string name = reader.text("view", name_of(View::color));
+  const std::optional<View> view = find_view(name);
+  if (!view) throw reader.error("view", fmt::format("there is no view '{}'", name));
+  return *view;
+}
+
+/// What every case of a lab file has.
+void read_case(Reader& reader, const std::string& lab, Case& one) {
+  one.lab = lab;
+  one.settings = read_settings(reader);
+  const std::string size = reader.text("size", as_text(one.size));
+  if (const auto found = find_size(size))
+    one.size = *found;
+  else
+    throw reader.error("size", fmt::format("'{}' is no size", size), "write WIDTHxHEIGHT in pixels");
+}
+
+Look read_look(Reader& reader, const std::string& lab) {
   Look look;
   look.name = reader.text("name");
+  look.file = look.name + ".png";
   look.caption = reader.text("caption");
-  look.settings = read_settings(reader);
-  look.view = reader.text("view", look.view);
-  look.size = reader.text("size", look.size);
+  read_case(reader, lab, look);
+  look.view = read_view(reader);
   look.source = reader.text("source", look.source);
   look.hero = reader.optional("hero", look.hero, "true or false");
   reader.reject_unknown();
   return look;
 }
 
-std::vector<Look> read_looks(Reader& head, const std::string& file) {
+std::vector<Look> read_looks(Reader& head, const std::string& file, const std::string& lab) {
   std::vector<Look> looks;
   for (const toml::table* table : head.tables("look")) {
     Reader reader(*table, file);
-    Look look = read_look(reader);
+    Look look = read_look(reader, lab);
     if (!is_file_name(look.name))
       throw head.error(*table, fmt::format("'{}' is no picture's name", look.name),
                        "use lower-case letters, digits, '_' and '-'");
@@ -92,7 +110,7 @@ std::vector<Look> read_looks(Reader& head, const std::string& file) {
   return looks;
 }
 
-std::vector<BenchCase> read_bench(Reader& head, const std::string& file) {
+std::vector<BenchCase> read_bench(Reader& head, const std::string& file, const std::string& lab) {
   std::vector<BenchCase> cases;
   for (const toml::table* table : head.tables("bench")) {
     Reader reader(*table, file);
@@ -100,9 +118,9 @@ std::vector<BenchCase> read_bench(Reader& head, const std::string& file) {
     c.name = reader.text("case");
     c.teaches = reader.text("teaches");
     c.hard = reader.optional("hard", c.hard, "true or false");
-    c.settings = read_settings(reader);
+    c.size = {256, 256};
+    read_case(reader, lab, c);
     c.variations = read_variations(reader, *table);
-    c.size = reader.text("size", c.size);
     reader.reject_unknown();
     if (std::any_of(cases.begin(), cases.end(), [&](const BenchCase& other) { return other.name == c.name; }))
       throw head.error(*table, fmt::format("two cases are called '{}'", c.name));
@@ -198,19 +216,24 @@ std::vector<Hidden> read_hidden(Reader& reader) {
   return all;
 }
 
-std::vector<GradedCase> read_cases(Reader& head, const std::string& file, const std::vector<Step>& steps) {
+std::vector<GradedCase> read_cases(Reader& head, const std::string& file, const std::string& lab,
+                                   const std::vector<Step>& steps) {
   std::vector<GradedCase> cases;
   for (const toml::table* table : head.tables("case")) {
     Reader reader(*table, file);
     GradedCase c;
     c.name = reader.text("name");
     c.step = reader.text("step");
-    c.settings = read_settings(reader);
-    c.view = reader.text("view", c.view);
-    c.size = reader.text("size", c.size);
+    c.size = {128, 128};
+    read_case(reader, lab, c);
+    c.view = read_view(reader);
+    c.file = c.name + (c.is_mesh() ? ".ply" : c.view == View::color ? ".png" : ".pfm");
     c.limit = read_number(reader, "limit", *table);
     c.why = reader.text("why");
-    c.hidden = read_hidden(reader);
+    c.hidden_settings = read_hidden(reader);
+    c.hidden = !c.hidden_settings.empty() ||
+               std::any_of(c.settings.begin(), c.settings.end(),
+                           [](const Setting& setting) { return setting.value.starts_with(kUnseen); });
     reader.reject_unknown();
     if (!is_file_name(c.name))
       throw reader.error("name", fmt::format("'{}' is no case's name", c.name),
@@ -257,13 +280,13 @@ Lab read_lab(const fs::path& file) {
     throw reader.error("lab", fmt::format("'{}' is not the name of the file's folder", lab.folder));
   lab.title = reader.text("title");
   lab.lesson = reader.text("lesson");
-  lab.looks = read_looks(reader, file.string());
-  lab.bench = read_bench(reader, file.string());
+  lab.looks = read_looks(reader, file.string(), lab.folder);
+  lab.bench = read_bench(reader, file.string(), lab.folder);
   lab.claims = read_claims(reader, file.string());
   lab.choice = reader.text("choice", "");
   lab.driver_methods = read_texts(reader, "driver_methods");
   lab.steps = read_steps(reader, file.string(), lab.number);
-  lab.cases = read_cases(reader, file.string(), lab.steps);
+  lab.cases = read_cases(reader, file.string(), lab.folder, lab.steps);
   reader.reject_unknown();
   return lab;
 }
@@ -291,9 +314,9 @@ std::string command(const Lab& lab, const Look& look) {
   const Look usual;
   std::string text = fmt::format("./run lab {}", lab.number);
   for (const Setting& setting : look.settings) text += flag(setting);
-  if (look.view != usual.view) text += fmt::format(" --view {}", look.view);
-  if (look.size != usual.size) text += fmt::format(" --size {}", look.size);
-  return text + fmt::format(" --snapshot {}.png", look.name);
+  if (look.view != usual.view) text += fmt::format(" --view {}", name_of(look.view));
+  if (look.size != usual.size) text += fmt::format(" --size {}", as_text(look.size));
+  return text + fmt::format(" --snapshot {}", look.file);
 }
 
 }  // namespace texel::course

@@ -93,6 +93,19 @@ void walk(const std::string& text, const std::string& file, MarkerLine on_marker
   if (part != Kind::end) throw Error::failed("this step has no end", begun, kRemedy);
 }
 
+constexpr std::string_view marker = "//@step";
+
+bool has_marker(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    const std::size_t begin = line.find_first_not_of(" \t");
+    if (begin != std::string_view::npos && line.substr(begin).starts_with(marker)) return true;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<Marker> markers_of(const std::string& text, const std::string& file) {
@@ -201,6 +214,29 @@ std::string first_text(const std::filesystem::path& tree, const std::string& fil
   return text.find("//@starter") == text.npos
              ? text
              : with_steps(text, file, [](const std::string&) { return false; });
+}
+
+std::map<std::string, Place> step_places(const std::filesystem::path& tree) {
+  std::map<std::string, Place> places;
+  for (const std::string& file : step_files(tree))
+    for (const Marker& marker : markers_of(first_text(tree, file), file))
+      if (!marker.step.empty()) places.emplace(marker.step, Place{file, marker.line});
+  return places;
+}
+
+std::vector<std::string> step_files(const std::filesystem::path& tree) {
+  std::vector<std::string> files;
+  std::error_code missing;
+  for (const char* folder : {"common", "labs", "shaders"})
+    for (const std::filesystem::directory_entry& entry :
+         std::filesystem::recursive_directory_iterator(tree / folder, missing))
+      if (entry.is_regular_file() && !entry.is_symlink() && has_marker(read_file(entry.path())))
+        files.push_back(std::filesystem::relative(entry.path(), tree).generic_string());
+  if (files.empty())
+    throw Error::failed("holds no file with steps (//@step)", {tree.string()},
+                        "name the folder that holds labs and shaders");
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 }  // namespace texel::course

@@ -9,9 +9,9 @@
 #include <set>
 
 #include "core/error.hpp"
-#include "descriptor.hpp"
+#include "core/plain_text.hpp"
 #include "grade/submission.hpp"
-#include "text.hpp"
+#include "sandbox/descriptor.hpp"
 
 namespace texel::grade {
 namespace {

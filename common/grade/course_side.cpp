@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "course/batch.hpp"
 #include "course/markers.hpp"
 #include "fingerprint.hpp"
 #include "grade/submission.hpp"
@@ -20,6 +21,7 @@ namespace texel::grade {
 namespace {
 
 namespace fs = std::filesystem;
+using course::Case;
 
 /// The instructions that the processor has: the driver compiles its shaders for them.
 std::string processor() {
@@ -39,22 +41,14 @@ std::string said_instead_of(const fs::path& picture) {
 
 }  // namespace
 
-std::map<std::string, Place> step_places(const fs::path& tree) {
-  std::map<std::string, Place> places;
-  for (const std::string& file : step_files(tree))
-    for (const course::Marker& marker : course::markers_of(course::first_text(tree, file), file))
-      if (!marker.step.empty()) places.emplace(marker.step, Place{file, marker.line});
-  return places;
-}
-
 CourseSide::CourseSide(BuiltTree solution, BuiltTree starter, fs::path cache, std::string context)
     : solution_(std::move(solution)),
       starter_(std::move(starter)),
       cache_(std::move(cache)),
       context_(std::move(context)),
-      workshop_(solution_, cache_ / "solutions", true),
+      workshop_(solution_, cache_ / "solutions", run_plainly),
       mutants_(course::read_catalogue(solution_.source / "tests/mutants")),
-      places_(step_places(starter_.source)) {
+      places_(course::step_places(starter_.source)) {
   const std::vector<course::Lab> labs = course::read_labs(solution_.source / "labs");
   renderer_ = renderer_of(studio(solution_, {labs.front(), {}}));
   std::string variables;
@@ -65,21 +59,22 @@ CourseSide::CourseSide(BuiltTree solution, BuiltTree starter, fs::path cache, st
 }
 
 Studio CourseSide::studio(const BuiltTree& tree, const LabPlan& plan) const {
-  return {tree.build / "bin" / plan.lab.program(), tree.source, context_, true, {}, {}};
+  return {tree.build / "bin" / plan.lab.program(), tree.source, context_};
 }
 
 void CourseSide::prepare(const LabPlan& plan) {
   const fs::path program = solution_.build / "bin" / plan.lab.program();
-  const std::string key = fingerprint({surroundings_, plan.lab.folder, read_file(program), plan.batch()});
+  const std::string key =
+      fingerprint({surroundings_, plan.lab.folder, read_file(program), course::to_batch(plan.cases)});
   const fs::path folder = cache_ / "references" / key.substr(0, 32);
   if (!is_kept(folder)) {
     const fs::path fresh = cache_ / fmt::format("references-{}-{}", ::getpid(), plan.lab.number);
     fs::remove_all(fresh);
     fs::create_directories(fresh);
-    draw_list(studio(solution_, plan), plan.batch(), fresh / "solution");
-    if (std::any_of(plan.shots.begin(), plan.shots.end(), [](const Shot& shot) { return !shot.is_mesh(); }))
-      draw_list(studio(solution_, plan), plan.mask_batch(), fresh / "mask");
-    draw(studio(starter_, plan), plan, {}, fresh / "starter");
+    draw_all(studio(solution_, plan), plan.cases, fresh / "solution");
+    if (const std::vector<Case> masks = plan.masks(); !masks.empty())
+      draw_all(studio(solution_, plan), masks, fresh / "mask");
+    draw(studio(starter_, plan), plan.cases, fresh / "starter");
     fs::create_directories(folder.parent_path());
     std::error_code exists;
     fs::rename(fresh, folder, exists);
@@ -93,10 +88,9 @@ fs::path CourseSide::folder_of(const LabPlan& plan) const {
   return folders_.at(plan.lab.folder);
 }
 
-Expected CourseSide::expected(const LabPlan& plan, const Shot& shot) const {
+ExpectedFiles CourseSide::expected(const LabPlan& plan, const Case& of) const {
   const fs::path folder = folder_of(plan);
-  return {folder / "solution" / shot.file(),
-          shot.is_mesh() ? fs::path() : folder / "mask" / (shot.graded.name + ".png")};
+  return {folder / "solution" / of.file, of.is_mesh() ? fs::path() : folder / "mask" / (of.name + ".png")};
 }
 
 fs::path CourseSide::draw_changed(const LabPlan& plan, const std::string& name, const std::string& step,
@@ -123,10 +117,10 @@ fs::path CourseSide::draw_changed(const LabPlan& plan, const std::string& name, 
     studio.program = workshop_.make(plan.lab.program(), {{file, text}}).file;
   }
   // Only the cases of its step: nobody asks for the others.
-  std::vector<std::string> names;
-  for (const Shot& shot : plan.shots)
-    if (shot.graded.step == step) names.push_back(shot.graded.name);
-  const Drawn drawn = draw(studio, plan, names, fresh / "out");
+  std::vector<Case> cases;
+  std::copy_if(plan.cases.begin(), plan.cases.end(), std::back_inserter(cases),
+               [&](const Case& one) { return one.step == step; });
+  const Drawn drawn = draw(studio, cases, fresh / "out");
   fs::create_directories(fresh / "out");
   for (const auto& [picture, said] : drawn.said) write_file(fresh / "out" / (picture + kSaid), said);
   fs::create_directories(folder.parent_path());
@@ -136,31 +130,31 @@ fs::path CourseSide::draw_changed(const LabPlan& plan, const std::string& name, 
   return folder;
 }
 
-fs::path CourseSide::without_step(const LabPlan& plan, const Shot& shot) {
-  const std::string& step = shot.graded.step;
+fs::path CourseSide::without_step(const LabPlan& plan, const Case& of) {
+  const std::string& step = of.step;
   const std::string& file = places_.at(step).file;
   const std::string text = course::with_steps(read_file(solution_.source / file), file,
                                               [&](const std::string& other) { return other != step; });
-  return draw_changed(plan, "without-" + step, step, file, text) / shot.file();
+  return draw_changed(plan, "without-" + step, step, file, text) / of.file;
 }
 
-double CourseSide::worthless(const LabPlan& plan, const Shot& shot) {
-  const std::string key = plan.lab.folder + "/" + shot.graded.name;
+double CourseSide::worthless(const LabPlan& plan, const Case& of) {
+  const std::string key = plan.lab.folder + "/" + of.name;
   {
     const std::scoped_lock lock(mutex_);
     if (const auto known = worthless_.find(key); known != worthless_.end()) return known->second;
   }
   // Two threads may do this at once, with the same result.
   double least = std::numeric_limits<double>::infinity();
-  for (const fs::path& picture : {folder_of(plan) / "starter" / shot.file(), without_step(plan, shot)})
-    least = std::min(least, judge(shot, expected(plan, shot), picture).wrongness);
+  for (const fs::path& picture : {folder_of(plan) / "starter" / of.file, without_step(plan, of)})
+    least = std::min(least, judge(of, expected(plan, of), picture).wrongness);
   const std::scoped_lock lock(mutex_);
   return worthless_[key] = least;
 }
 
-Failed CourseSide::failed_by(const LabPlan& plan, const course::Mutant& mutant, const Shot& shot) {
-  const fs::path picture = drawn_by(plan, mutant) / shot.file();
-  return {picture, said_instead_of(picture)};
+Failed CourseSide::failed_by(const LabPlan& plan, const course::Mutant& mutant, const Case& of) {
+  const fs::path picture = drawn_by(plan, mutant) / of.file;
+  return {picture_bytes(picture), said_instead_of(picture)};
 }
 
 fs::path CourseSide::drawn_by(const LabPlan& plan, const course::Mutant& mutant) {
@@ -171,12 +165,11 @@ fs::path CourseSide::drawn_by(const LabPlan& plan, const course::Mutant& mutant)
 Mistake CourseSide::mistake_of(const LabPlan& plan, const course::Mutant& mutant) {
   Mistake mistake{mutant.name, mutant.step, mutant.says, {}};
   const fs::path drawn = drawn_by(plan, mutant);
-  for (const Shot& shot : plan.shots) {
-    if (shot.graded.step != mutant.step) continue;
-    Samples samples = sampled(shot, expected(plan, shot).reference, drawn / shot.file());
-    samples.said = said_instead_of(drawn / shot.file());
-    if (!samples.samples.empty() || !samples.said.empty())
-      mistake.cases[shot.graded.name] = std::move(samples);
+  for (const Case& of : plan.cases) {
+    if (of.step != mutant.step) continue;
+    Samples samples = sampled(of, read_file(expected(plan, of).reference), picture_bytes(drawn / of.file));
+    samples.said = said_instead_of(drawn / of.file);
+    if (!samples.samples.empty() || !samples.said.empty()) mistake.cases[of.name] = std::move(samples);
   }
   return mistake;
 }

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "check/files.hpp"
+#include "check/studio.hpp"
 #include "course/mutant_file.hpp"
-#include "grade/judge.hpp"
-#include "grade/plan.hpp"
-#include "mistakes.hpp"
-#include "studio.hpp"
+#include "judge/mistakes.hpp"
+#include "judge/plan.hpp"
 #include "workshop.hpp"
 
 namespace texel::grade {
@@ -23,22 +23,22 @@ class CourseSide {
  public:
   CourseSide(BuiltTree solution, BuiltTree starter, std::filesystem::path cache, std::string context);
 
-  /// Draws what the lab's shots are judged by, unless it is there. Throws Error (exit 3).
+  /// Draws what the lab's cases are judged by, unless it is there. Throws Error (exit 3).
   void prepare(const LabPlan& plan);
   /// The folder of what the starter draws.
   [[nodiscard]] std::filesystem::path starter_folder(const LabPlan& plan) const {
     return folder_of(plan) / "starter";
   }
-  [[nodiscard]] Expected expected(const LabPlan& plan, const Shot& shot) const;
-  /// What grade::score takes: the wrongness of what the starter draws, or the solution without the shot's own
+  [[nodiscard]] ExpectedFiles expected(const LabPlan& plan, const course::Case& of) const;
+  /// What grade::score takes: the wrongness of what the starter draws, or the solution without the case's own
   /// step, whichever is less wrong. Drawn and judged for the first that asks. Throws Error (exit 3).
-  double worthless(const LabPlan& plan, const Shot& shot);
+  double worthless(const LabPlan& plan, const course::Case& of);
 
   /// What a mutant of a step draws in the cases of its step: a folder with the pictures that there are.
   /// Throws Error (exit 3).
   std::filesystem::path drawn_by(const LabPlan& plan, const course::Mutant& mutant);
   /// Of one case. Throws Error (exit 3).
-  Failed failed_by(const LabPlan& plan, const course::Mutant& mutant, const Shot& shot);
+  Failed failed_by(const LabPlan& plan, const course::Mutant& mutant, const course::Case& of);
   [[nodiscard]] const std::vector<course::Mutant>& mutants() const { return mutants_; }
 
   /// What a mutant looks like in the cases of its step. Throws Error (exit 3).
@@ -59,8 +59,8 @@ class CourseSide {
   /// Draws the cases of a step by the solution with another text in one of its files.
   std::filesystem::path draw_changed(const LabPlan& plan, const std::string& name, const std::string& step,
                                      const std::string& file, const std::string& text);
-  /// What the solution without the shot's own step draws.
-  std::filesystem::path without_step(const LabPlan& plan, const Shot& shot);
+  /// What the solution without the case's own step draws.
+  std::filesystem::path without_step(const LabPlan& plan, const course::Case& of);
   [[nodiscard]] Studio studio(const BuiltTree& tree, const LabPlan& plan) const;
 
   BuiltTree solution_;
@@ -78,9 +78,5 @@ class CourseSide {
   std::map<std::string, double> worthless_;                     ///< by lab and case
   std::map<std::string, std::vector<Mistake>> mistakes_;        ///< by step
 };
-
-/// Where each step is written in a student's tree, found in it or in the course's. Throws Error (exit 3) as
-/// course::markers_of.
-std::map<std::string, Place> step_places(const std::filesystem::path& tree);
 
 }  // namespace texel::grade

@@ -3,13 +3,14 @@
 
 #include <algorithm>
 
+#include "check/check.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "course_side.hpp"
-#include "grade/check.hpp"
-#include "grade/plan.hpp"
-#include "mistakes.hpp"
+#include "grade/course_tree.hpp"
+#include "judge/mistakes.hpp"
+#include "judge/plan.hpp"
 
 namespace texel::grade {
 namespace {
@@ -36,9 +37,8 @@ std::size_t told_apart(CourseSide& course, const LabPlan& plan, const std::vecto
                                       [&](const Mistake& one) { return one.name == mutant.name; });
     if (mistake == mistakes.end()) continue;
     std::map<std::string, Failed> failed;
-    for (const Shot& shot : plan.shots)
-      if (mistake->cases.contains(shot.graded.name))
-        failed[shot.graded.name] = course.failed_by(plan, mutant, shot);
+    for (const course::Case& one : plan.cases)
+      if (mistake->cases.contains(one.name)) failed[one.name] = course.failed_by(plan, mutant, one);
     const Mistake* known = recognise(mistakes, plan, mutant.step, failed);
     if (known != nullptr && known->name == mutant.name) ++count;
   }
@@ -50,24 +50,24 @@ std::size_t told_apart(CourseSide& course, const LabPlan& plan, const std::vecto
 void write_expected(const CourseTree& options, const std::function<void(const std::string&)>& say) {
   const BuiltTree starter = starter_tree(options.course, options.cache);
   CourseSide course(solution_tree(options.course, options.build, starter), starter, options.cache, "auto");
-  for (const LabPlan& plan : plan(options.labs, "", {})) {
+  for (const LabPlan& plan : public_plan(options.labs)) {
     course.prepare(plan);
     const std::vector<Mistake> mistakes = mistakes_of(course, plan);
     // Beside its place first, so that what is there stays whole.
     const fs::path folder = expected_folder(options.course, plan.lab), fresh = folder.string() + ".part";
     fs::remove_all(fresh);
     fs::create_directories(fresh);
-    for (const Shot& shot : plan.shots) {
-      const Expected expected = course.expected(plan, shot);
-      fs::copy_file(expected.reference, fresh / shot.file());
-      if (!expected.mask.empty()) fs::copy_file(expected.mask, fresh / (shot.graded.name + ".mask.png"));
+    for (const course::Case& one : plan.cases) {
+      const ExpectedFiles expected = course.expected(plan, one);
+      fs::copy_file(expected.reference, fresh / one.file);
+      if (!expected.mask.empty()) fs::copy_file(expected.mask, fresh / (one.name + ".mask.png"));
     }
     write_file(fresh / kRendererFile, course.renderer() + "\n");
     write_file(fresh / "mistakes.json", to_json(mistakes));
     fs::remove_all(folder);
     fs::rename(fresh, folder);
     say(fmt::format("lab {}: {} pictures, {} mistakes, of which {} are told apart from all others",
-                    plan.lab.number, plan.shots.size(), mistakes.size(), told_apart(course, plan, mistakes)));
+                    plan.lab.number, plan.cases.size(), mistakes.size(), told_apart(course, plan, mistakes)));
   }
 }
 

@@ -9,12 +9,12 @@
 #include <cstdlib>
 #include <limits>
 
+#include "check/check.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "course_side.hpp"
-#include "grade/judge.hpp"
-#include "grade/plan.hpp"
+#include "grade/hidden_cases.hpp"
 
 namespace texel::grade {
 namespace {
@@ -43,7 +43,7 @@ class Surroundings {
 };
 
 Studio studio(const CourseTree& tree, const course::Lab& lab, const std::string& context) {
-  return {tree.build / "bin" / lab.program(), tree.course, context, true, {}, {}};
+  return {tree.build / "bin" / lab.program(), tree.course, context};
 }
 
 /// What draws, or "" where the machine has no such renderer.
@@ -60,16 +60,16 @@ std::string found(const Renderer& renderer, const CourseTree& tree) {
 
 /// The cases of a seed; of others than the first the hidden ones alone, as the public ones are the same.
 std::vector<LabPlan> plans_of(const CourseTree& tree, const std::string& seed, const fs::path& models) {
-  std::vector<LabPlan> plans = plan(tree.labs, seed, models);
+  std::vector<LabPlan> plans = full_plan(tree.labs, seed, models);
   if (seed != kSeeds.front())
-    for (LabPlan& one : plans) std::erase_if(one.shots, [](const Shot& shot) { return !shot.hidden; });
+    for (LabPlan& one : plans) std::erase_if(one.cases, [](const course::Case& of) { return !of.hidden; });
   return plans;
 }
 
 /// What check compares a public case with.
-Expected kept(const CourseTree& tree, const LabPlan& lab, const Shot& shot) {
+ExpectedFiles kept(const CourseTree& tree, const LabPlan& lab, const course::Case& of) {
   const fs::path folder = expected_folder(tree.course, lab.lab);
-  return {folder / shot.file(), shot.is_mesh() ? fs::path() : folder / (shot.graded.name + ".mask.png")};
+  return {folder / of.file, of.is_mesh() ? fs::path() : folder / (of.name + ".mask.png")};
 }
 
 /// "mesa22" of "… Mesa 22.3.6", or "gpu".
@@ -79,8 +79,8 @@ std::string version_of(const std::string& says) {
 }
 
 /// 0 where both are the same bytes; NaN where nothing can be compared.
-double distance(const Shot& shot, const Expected& expected, const fs::path& picture) {
-  return judge(shot, expected, picture).error;
+double distance(const course::Case& of, const ExpectedFiles& expected, const fs::path& picture) {
+  return judge(of, expected, picture).error;
 }
 
 }  // namespace
@@ -125,10 +125,9 @@ std::string draw_by(const Renderer& renderer, const CourseTree& tree, const fs::
       const Studio own = studio(tree, plans[i].lab, renderer.context);
       const fs::path to = folder / seed / plans[i].lab.folder;
       fs::create_directories(to);
-      if (plans[i].shots.empty()) return;
-      const Drawn drawn = draw(own, plans[i], {}, to);
-      for (const auto& [file, why] : drawn.faults) throw Error::failed(why, {(to / file).string()});
-      draw_list(own, plans[i].mask_batch(), to / "mask");
+      if (plans[i].cases.empty()) return;
+      draw_all(own, plans[i].cases, to);
+      draw_all(own, plans[i].masks(), to / "mask");
     });
   }
   write_file(folder / kRendererFile, says + "\n");
@@ -147,13 +146,13 @@ std::vector<std::string> passed_by(const Renderer& renderer, const CourseTree& t
   CourseSide course(solution_tree(tree.course, tree.build, starter), starter, tree.cache, renderer.context);
   // By what this renderer draws, as grade has it, or by what is kept, as check has it: one of them is enough.
   const auto is_passed = [&](const LabPlan& lab, const std::string& step, const fs::path& folder) {
-    return std::all_of(lab.shots.begin(), lab.shots.end(), [&](const Shot& shot) {
-      const fs::path picture = folder / shot.file();
-      return shot.graded.step != step || judge(shot, course.expected(lab, shot), picture).passed ||
-             (!shot.hidden && judge(shot, kept(tree, lab, shot), picture).passed);
+    return std::all_of(lab.cases.begin(), lab.cases.end(), [&](const course::Case& of) {
+      const fs::path picture = folder / of.file;
+      return of.step != step || judge(of, course.expected(lab, of), picture).passed ||
+             (!of.hidden && judge(of, kept(tree, lab, of), picture).passed);
     });
   };
-  for (const LabPlan& lab : plan(tree.labs, kSeeds.front(), tree.cache / "models")) {
+  for (const LabPlan& lab : full_plan(tree.labs, kSeeds.front(), tree.cache / "models")) {
     course.prepare(lab);
     for (const course::Step& step : lab.lab.steps)
       if (is_passed(lab, step.id, course.starter_folder(lab)))
@@ -190,21 +189,21 @@ std::vector<Spread> spreads(const CourseTree& tree, const fs::path& drawn, const
   std::vector<Spread> all;
   for (const course::Lab& lab : tree.labs)
     for (const course::GradedCase& one : lab.cases)
-      all.push_back({lab.number, one.name, unit_of(one.view), one.limit, {}});
+      all.push_back({lab.number, one.name, name_of(unit_of(one.view)), one.limit, {}});
   for (const char* seed : kSeeds)
     for (const LabPlan& lab : plans_of(tree, seed, drawn / "models"))
-      in_parallel(processors(), lab.shots.size(), [&](std::size_t i) {
-        const Shot& shot = lab.shots[i];
+      in_parallel(processors(), lab.cases.size(), [&](std::size_t i) {
+        const course::Case& of = lab.cases[i];
         const fs::path folder = fs::path(seed) / lab.lab.folder;
-        const Expected expected =
-            shot.hidden ? Expected{drawn / reference / folder / shot.file(),
-                                   drawn / reference / folder / "mask" / (shot.graded.name + ".png")}
-                        : kept(tree, lab, shot);
+        const ExpectedFiles expected =
+            of.hidden ? ExpectedFiles{drawn / reference / folder / of.file,
+                                      drawn / reference / folder / "mask" / (of.name + ".png")}
+                      : kept(tree, lab, of);
         const auto place = std::find_if(all.begin(), all.end(), [&](const Spread& spread) {
-          return spread.lab == lab.lab.number && spread.name == shot.graded.name;
+          return spread.lab == lab.lab.number && spread.name == of.name;
         });
         for (const std::string& renderer : renderers) {
-          const double error = distance(shot, expected, drawn / renderer / folder / shot.file());
+          const double error = distance(of, expected, drawn / renderer / folder / of.file);
           double& most = place->by[renderer];
           most = std::isnan(error) || std::isnan(most) ? std::nan("") : std::max(most, error);
         }

@@ -10,26 +10,13 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/plain_text.hpp"
 #include "submission_source.hpp"
-#include "text.hpp"
 
 namespace texel::grade {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view marker = "//@step";
-
-bool has_marker(std::string_view text) {
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
-    const std::size_t begin = line.find_first_not_of(" \t");
-    if (begin != std::string_view::npos && line.substr(begin).starts_with(marker)) return true;
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return false;
-}
 
 /// The parts of a path from the last on: "a/b/c" gives "c", "b/c", "a/b/c".
 std::vector<std::string_view> endings_of(std::string_view path) {
@@ -151,20 +138,6 @@ void make_folder(const fs::path& folder) {
 }
 
 }  // namespace
-
-std::vector<std::string> step_files(const fs::path& trusted_tree) {
-  std::vector<std::string> files;
-  std::error_code missing;
-  for (const char* folder : {"common", "labs", "shaders"})
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(trusted_tree / folder, missing))
-      if (entry.is_regular_file() && !entry.is_symlink() && has_marker(read_file(entry.path())))
-        files.push_back(fs::relative(entry.path(), trusted_tree).generic_string());
-  if (files.empty())
-    throw Error::failed("holds no file with steps (//@step)", {trusted_tree.string()},
-                        "name the folder that holds labs and shaders");
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 Submission unpack(const Entry& entry, const std::vector<std::string>& allowed, const UnpackLimits& limits) {
   Submission submission;

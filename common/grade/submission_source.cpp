@@ -14,8 +14,8 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
-#include "descriptor.hpp"
-#include "text.hpp"
+#include "core/plain_text.hpp"
+#include "sandbox/descriptor.hpp"
 
 namespace texel::grade {
 namespace {

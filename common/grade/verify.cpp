@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "course/markers.hpp"
-#include "grade/check.hpp"
+#include "grade/course_tree.hpp"
 #include "grade/grader.hpp"
 #include "grade/submission.hpp"
 
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 /// Writes what a student would hand in who has solved the steps of `solved` and no others.
 void write_submission(const fs::path& course, const std::set<std::string>& solved, const fs::path& to) {
-  for (const std::string& file : step_files(course)) {
+  for (const std::string& file : course::step_files(course)) {
     fs::create_directories((to / file).parent_path());
     write_file(to / file, course::with_steps(read_file(course / file), file,
                                              [&](const std::string& step) { return solved.contains(step); }));
@@ -53,7 +53,7 @@ std::vector<std::string> verify_starter(const CourseTree& options,
     grading.class_folder = work / "class", grading.out = work / "out";
     grading.course = options.course, grading.build = options.build, grading.cache = options.cache;
     grading.labs = {lab.number};
-    grading.unsafe = true;  // the course's own
+    grading.run = run_plainly;  // the course's own
     grade_class(grading, [&](const std::string& line) { say(fmt::format("lab {}: {}", lab.number, line)); });
     const ClassResult results = read_results(grading.out, options.course);
     for (std::size_t k = 0; k < results.students.size(); ++k) {

@@ -10,12 +10,12 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/file_lock.hpp"
 #include "core/files.hpp"
+#include "core/plain_text.hpp"
 #include "course/starter.hpp"
 #include "fingerprint.hpp"
 #include "kept.hpp"
-#include "lock.hpp"
-#include "text.hpp"
 
 namespace texel::grade {
 namespace {
@@ -61,8 +61,7 @@ std::string end_of(const std::string& log) {
 
 /// Runs a trusted program in a folder and returns what it printed.
 std::string output_of(const Words& command, const fs::path& folder, double seconds) {
-  Sandbox plain;
-  plain.unsafe = true;
+  Confines plain;
   plain.working_folder = folder;
   plain.limits.wall_seconds = plain.limits.cpu_seconds = seconds;
   plain.limits.memory = plain.limits.address_space = 64ULL << 30U;
@@ -71,7 +70,7 @@ std::string output_of(const Words& command, const fs::path& folder, double secon
   plain.limits.kept_output = plain.limits.output = 64U << 20U;
   for (const char* name : {"CCACHE_DIR", "HOME"})
     if (const char* value = std::getenv(name)) plain.environment.emplace_back(name, value);
-  const Outcome outcome = grade::run(plain, command);
+  const Outcome outcome = run_plainly(plain, command);
   if (!outcome.succeeded())
     throw Error::failed(
         fmt::format("'{}' fails with exit code {}", fmt::join(command, " "), outcome.exit_code),
@@ -109,8 +108,8 @@ std::string readable_log(std::string text, const fs::path& sources, const fs::pa
 
 }  // namespace
 
-Workshop::Workshop(BuiltTree tree, fs::path cache, bool trusted)
-    : tree_(std::move(tree)), cache_(std::move(cache)), trusted_(trusted) {
+Workshop::Workshop(BuiltTree tree, fs::path cache, Run run)
+    : tree_(std::move(tree)), cache_(std::move(cache)), run_(run) {
   if (!fs::exists(tree_.build / "build.ninja"))
     throw Error::failed("is not a build of Ninja's", {tree_.build.string()},
                         "build the course first: ./run build");
@@ -161,17 +160,16 @@ fs::path Workshop::new_folder(const char* what) {
 
 Outcome Workshop::run(const Words& command, const std::vector<fs::path>& readable,
                       const fs::path& out) const {
-  Sandbox sandbox;
-  sandbox.unsafe = trusted_;
-  sandbox.read_only = readable;
-  sandbox.read_only.push_back(tree_.source);
+  Confines confines;
+  confines.read_only = readable;
+  confines.read_only.push_back(tree_.source);
   if (tree_.build.lexically_relative(tree_.source).generic_string().starts_with(".."))
-    sandbox.read_only.push_back(tree_.build);
-  sandbox.writable = {out};
-  sandbox.working_folder = tree_.build;
+    confines.read_only.push_back(tree_.build);
+  confines.writable = {out};
+  confines.working_folder = tree_.build;
   // Measured: lab.cpp takes 4 s, 325 MB resident; a machine under load ten times as long.
-  sandbox.limits.cpu_seconds = 60, sandbox.limits.wall_seconds = 240;
-  return grade::run(sandbox, command);
+  confines.limits.cpu_seconds = 60, confines.limits.wall_seconds = 240;
+  return run_(confines, command);
 }
 
 Workshop::Object Workshop::compile(const Recipe& recipe, const std::string& path, const std::string& text) {

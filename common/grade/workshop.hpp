@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "grade/results.hpp"
-#include "grade/sandbox.hpp"
+#include "core/confines.hpp"
+#include "store/class_results.hpp"
 
 namespace texel::grade {
 
@@ -29,9 +29,9 @@ struct Program {
 /// called by several threads and processes at a time.
 class Workshop {
  public:
-  /// Compiles and links in a sandbox that sees the tree, unless `trusted`. Throws Error (exit 3) when the
-  /// build folder is none of Ninja's.
-  Workshop(BuiltTree tree, std::filesystem::path cache, bool trusted);
+  /// `run` compiles and links: in a sandbox that sees the tree, what nobody trusts. Throws Error (exit 3)
+  /// when the build folder is none of Ninja's.
+  Workshop(BuiltTree tree, std::filesystem::path cache, Run run);
 
   /// The lab's program with the changed C++ files, by path in the tree; others are passed over. Throws Error
   /// (exit 3) for faults of the machine.
@@ -61,7 +61,7 @@ class Workshop {
 
   BuiltTree tree_;
   std::filesystem::path cache_;
-  bool trusted_;
+  Run run_;
   std::mutex mutex_;
   std::map<std::string, Recipe> recipes_;
   int count_ = 0;

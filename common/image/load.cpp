@@ -126,7 +126,7 @@ Image<Sample> load(const std::filesystem::path& path, int channels, Decode decod
 /// The header of a portable float map: three words, each ended by one white-space character.
 class PfmHeader {
  public:
-  PfmHeader(const std::filesystem::path& path, std::string_view bytes) : path_(path), rest_(bytes) {
+  PfmHeader(const std::string& name, std::string_view bytes) : name_(name), rest_(bytes) {
     const std::string_view kind = word();
     if (kind != "PF" && kind != "Pf") throw wrong("is not a portable float map");
     channels = kind == "PF" ? 3 : 1;
@@ -136,7 +136,7 @@ class PfmHeader {
     if (width < 1 || height < 1) throw wrong(fmt::format("has a size of {}x{}", width, height));
     if (!std::isfinite(scale) || scale == 0) throw wrong("has a scale that is zero or not finite");
     little_endian = scale < 0;
-    check_limits(path, width, height, channels);
+    check_limits(name, width, height, channels);
   }
 
   int width = 0;
@@ -145,8 +145,7 @@ class PfmHeader {
   bool little_endian = false;
   [[nodiscard]] std::string_view samples() const { return rest_; }
   [[nodiscard]] Error wrong(const std::string& what) const {
-    return Error::failed(what, {path_.string()},
-                         "a portable float map begins with PF or Pf, width, height and scale");
+    return Error::failed(what, {name_}, "a portable float map begins with PF or Pf, width, height and scale");
   }
 
  private:
@@ -167,7 +166,7 @@ class PfmHeader {
     return value;
   }
 
-  const std::filesystem::path& path_;
+  const std::string& name_;
   std::string_view rest_;
 };
 
@@ -186,8 +185,11 @@ Image16 load16(const std::filesystem::path& path, int channels) {
 }
 
 ImageF load_pfm(const std::filesystem::path& path) {
-  const std::string bytes = read_file(path);
-  const PfmHeader header(path, bytes);
+  return parse_pfm(MappedFile(path).bytes(), path.string());
+}
+
+ImageF parse_pfm(std::string_view bytes, const std::string& name) {
+  const PfmHeader header(name, bytes);
   const std::string_view stored = header.samples();
   const std::size_t expected = static_cast<std::size_t>(header.width) *
                                static_cast<std::size_t>(header.height) *

@@ -44,6 +44,12 @@ struct Grey {
   static inline std::vector<std::string> files_there;
 };
 
+course::Case one(const char* file, View view, course::Size size, const Settings& settings) {
+  course::Case result;
+  result.file = file, result.view = view, result.size = size, result.settings = settings;
+  return result;
+}
+
 class BatchOfThreads : public testing::TestWithParam<int> {
  protected:
   BatchOfThreads() : files_("batch_test") {
@@ -64,9 +70,9 @@ class BatchOfThreads : public testing::TestWithParam<int> {
     return image::load8(Grey::folder / file, 3).samples.at(0);
   }
 
-  const Batch batch_ = {{"a.png", View::color, {16, 16}, {{"grey", "0"}}},
-                        {"b.png", View::color, {900, 900}, {{"grey", "1"}}},
-                        {"c.png", View::color, {16, 16}, {{"grey", "0.5"}}}};
+  const Batch batch_ = {one("a.png", View::color, {16, 16}, {{"grey", "0"}}),
+                        one("b.png", View::color, {900, 900}, {{"grey", "1"}}),
+                        one("c.png", View::color, {16, 16}, {{"grey", "0.5"}})};
 
  private:
   test::TemporaryFolder files_;
@@ -75,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(Threads, BatchOfThreads, testing::Values(1, 2), testing
 
 TEST_P(BatchOfThreads, gives_each_picture_its_own_file) {
   draw(batch_);
-  EXPECT_EQ(Grey::names_in(Grey::folder), "a.png b.png c.png");
+  EXPECT_EQ(Grey::names_in(Grey::folder), "a.png b.png c.png results.json");
   EXPECT_EQ(sample("a.png"), 0);
   EXPECT_EQ(sample("b.png"), 255);
   EXPECT_EQ(sample("c.png"), 188);  // IEC 61966-2-1 of one half
@@ -102,7 +108,8 @@ TEST_P(BatchOfThreads, says_which_file_could_not_be_written_and_writes_the_other
 TEST_P(BatchOfThreads, has_written_each_picture_when_it_begins_the_next_if_there_is_one) {
   draw(batch_);
   if (GetParam() == 1)
-    EXPECT_EQ(Grey::files_there, (std::vector<std::string>{"", "a.png", "a.png b.png"}));
+    EXPECT_EQ(Grey::files_there,
+              (std::vector<std::string>{"results.json", "a.png results.json", "a.png b.png results.json"}));
   else
     EXPECT_EQ(Grey::files_there.size(), 3U);
 }
@@ -129,25 +136,25 @@ class PixelsPerProgram : public testing::Test {
 };
 
 TEST_F(PixelsPerProgram, are_all_of_a_turning_model) {
-  expect(3 * 64 * 48, {{"a.png", View::color, {64, 48}, {}},
-                       {"b.png", View::color, {64, 48}, {{"tilt", "10"}}},
-                       {"c.png", View::color, {64, 48}, {{"tilt", "20"}}}});
+  expect(3 * 64 * 48,
+         {one("a.png", View::color, {64, 48}, {}), one("b.png", View::color, {64, 48}, {{"tilt", "10"}}),
+          one("c.png", View::color, {64, 48}, {{"tilt", "20"}})});
 }
 
 TEST_F(PixelsPerProgram, are_shared_among_methods_toggles_and_views) {
-  expect(100 * 100, {{"a.png", View::color, {100, 100}, {}},
-                     {"b.png", View::color, {100, 100}, {{"method", "linear"}}},
-                     {"c.png", View::color, {100, 100}, {{"flip", "on"}}},
-                     {"d.png", View::depth, {100, 100}, {}}});
+  expect(100 * 100, {one("a.png", View::color, {100, 100}, {}),
+                     one("b.png", View::color, {100, 100}, {{"method", "linear"}}),
+                     one("c.png", View::color, {100, 100}, {{"flip", "on"}}),
+                     one("d.png", View::depth, {100, 100}, {})});
   // In whichever order they are named.
-  expect(2 * 100 * 100, {{"a.png", View::color, {100, 100}, {{"flip", "on"}, {"method", "linear"}}},
-                         {"b.png", View::color, {100, 100}, {{"method", "linear"}, {"flip", "on"}}}});
+  expect(2 * 100 * 100, {one("a.png", View::color, {100, 100}, {{"flip", "on"}, {"method", "linear"}}),
+                         one("b.png", View::color, {100, 100}, {{"method", "linear"}, {"flip", "on"}})});
 }
 
 TEST_F(PixelsPerProgram, are_none_of_a_vertex_stream) {
   expect(0, {});
-  expect(0, {{"a.ply", View::color, {512, 512}, {}}});
-  expect(64, {{"a.ply", View::color, {512, 512}, {}}, {"b.pfm", View::depth, {8, 8}, {}}});
+  expect(0, {one("a.ply", View::mesh, {512, 512}, {})});
+  expect(64, {one("a.ply", View::mesh, {512, 512}, {}), one("b.pfm", View::depth, {8, 8}, {})});
 }
 
 }  // namespace

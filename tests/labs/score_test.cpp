@@ -9,8 +9,8 @@
 #include <limits>
 #include <random>
 
+#include "check/files.hpp"
 #include "core/files.hpp"
-#include "grade/judge.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
 #include "labs.hpp"
@@ -18,8 +18,8 @@
 namespace texel::test {
 namespace {
 
-using grade::Expected;
-using grade::Shot;
+using course::Case;
+using grade::ExpectedFiles;
 using grade::Verdict;
 using image::Image8;
 using image::ImageF;
@@ -40,7 +40,7 @@ class ScoreOf : public testing::TestWithParam<int> {
   void SetUp() override {
     const Scene& scene = kScenes[GetParam()];
     draw(scene.lab, {{"reference", scene.look}, {"mask", scene.look, "mask"}}, folder_);
-    shot_.graded.name = "picture", shot_.graded.size = "128x128", shot_.graded.limit = 2;
+    of_.name = "picture", of_.size = {128, 128}, of_.limit = 2;
     expected_ = {file("reference"), file("mask")};
     reference_ = image::load8(file("reference"), 3);
     // As most starters do: the object is there, and grey.
@@ -51,10 +51,10 @@ class ScoreOf : public testing::TestWithParam<int> {
   }
 
   std::filesystem::path file(const std::string& name) { return folder_ / (name + ".png"); }
-  Verdict verdict_of(const std::string& name) { return grade::judge(shot_, expected_, file(name)); }
+  Verdict verdict_of(const std::string& name) { return grade::judge(of_, expected_, file(name)); }
   double score(const std::string& name) {
     const Verdict verdict = verdict_of(name);
-    const double score = grade::score(shot_, verdict, worthless_);
+    const double score = grade::score(of_, verdict, worthless_);
     EXPECT_EQ(verdict.passed, score == 1) << verdict.message;
     return score;
   }
@@ -77,8 +77,8 @@ class ScoreOf : public testing::TestWithParam<int> {
   }
 
   TemporaryFolder folder_{fmt::format("score_{}", ::getpid())};
-  Shot shot_;
-  Expected expected_;
+  Case of_;
+  ExpectedFiles expected_;
   double worthless_ = 0;
   Image8 reference_;
 };
@@ -174,14 +174,14 @@ TEST(ScoreOfDirections, falls_with_the_angle_and_is_zero_for_what_is_not_finite)
       for (int c = 0; c < 3; ++c) mask.at(x, y, c) = std::hypot(x - 31.5, y - 31.5) < 24 ? 255 : 0;
   image::save_png(folder / "mask.png", mask);
   image::save_pfm(folder / "reference.pfm", disc_of_vectors(0));
-  Shot shot;
-  shot.graded.name = "n", shot.graded.view = "normal", shot.graded.size = "64x64", shot.graded.limit = 0.1;
-  const Expected expected{folder / "reference.pfm", folder / "mask.png"};
+  Case one;
+  one.name = "n", one.view = course::View::normal, one.size = {64, 64}, one.limit = 0.1;
+  const ExpectedFiles expected{folder / "reference.pfm", folder / "mask.png"};
   const auto verdict = [&](const ImageF& picture) {
     image::save_pfm(folder / "picture.pfm", picture);
-    return grade::judge(shot, expected, folder / "picture.pfm");
+    return grade::judge(one, expected, folder / "picture.pfm");
   };
-  const auto score = [&](const Verdict& of) { return grade::score(shot, of, kNoneWorthless); };
+  const auto score = [&](const Verdict& of) { return grade::score(one, of, kNoneWorthless); };
   constexpr float degree = 3.14159265F / 180;
   EXPECT_TRUE(verdict(disc_of_vectors(0.09F * degree)).passed);
   const Verdict off = verdict(disc_of_vectors(10 * degree));
@@ -207,15 +207,15 @@ TEST(ScoreOfDirections, is_zero_for_a_float_picture_of_other_channels_or_size) {
   const TemporaryFolder folder(fmt::format("channels_{}", ::getpid()));
   image::save_png(folder / "mask.png", Image8(64, 64, 3));
   image::save_pfm(folder / "reference.pfm", disc_of_vectors(0));
-  Shot shot;
-  shot.graded.name = "n", shot.graded.size = "64x64", shot.graded.limit = 0.1;
-  const Expected expected{folder / "reference.pfm", folder / "mask.png"};
-  for (const char* view : {"normal", "texcoord", "depth"}) {
-    shot.graded.view = view;
+  Case one;
+  one.name = "n", one.size = {64, 64}, one.limit = 0.1;
+  const ExpectedFiles expected{folder / "reference.pfm", folder / "mask.png"};
+  for (const course::View view : {course::View::normal, course::View::texcoord, course::View::depth}) {
+    one.view = view;
     for (const ImageF& picture : {ImageF(64, 64, 1), ImageF(63, 64, 3)}) {
       image::save_pfm(folder / "picture.pfm", picture);
-      const Verdict verdict = grade::judge(shot, expected, folder / "picture.pfm");
-      EXPECT_EQ(grade::score(shot, verdict, kNoneWorthless), 0) << view;
+      const Verdict verdict = grade::judge(one, expected, folder / "picture.pfm");
+      EXPECT_EQ(grade::score(one, verdict, kNoneWorthless), 0) << name_of(view);
       EXPECT_TRUE(verdict.message.starts_with("The picture ")) << verdict.message;
     }
   }

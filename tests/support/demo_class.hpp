@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "grade/results.hpp"
 #include "image/image.hpp"
 #include "image/save.hpp"
+#include "store/class_results.hpp"
 
 namespace texel::test {
 
@@ -90,11 +90,10 @@ inline grade::CaseResult demo_case(const std::string& lab, const std::string& st
   result.lab = lab;
   result.step = step;
   result.name = name;
-  result.view = view;
+  result.view = course::find_view(view).value();
   result.hidden = hidden;
-  result.passed = passed;
+  result.status = passed ? grade::CaseStatus::passed : grade::CaseStatus::failed;
   result.score = passed ? 1 : 0;
-  result.unit = view == "color" ? "steps" : view == "mesh" ? "vertices" : "degrees";
   result.limit = view == "color" ? 2 : view == "mesh" ? 0 : 0.2;
   result.error = passed ? 0 : view == "color" ? 83 : view == "mesh" ? 12 : 106.26;
   result.command = "./run lab 5 --turn 50 --normal-map bump --view " + view + " --size 128x128 --snapshot " +
@@ -127,7 +126,7 @@ inline std::vector<grade::LabResult> demo_results(int solved, const std::string&
           demo_case(lab.folder, step.id, "unseen_" + view, view, true, solved > 0)};
       if (solved == 0) cases[0] = demo_case(lab.folder, step.id, "flat_" + view, view, false, true);
       for (grade::CaseResult& each : cases)
-        if (!each.passed) {
+        if (!each.passed()) {
           each.mistake = mistake;
           each.mistake_says = says;
           each.score = mistake.empty() ? 0 : 0.25;
@@ -179,7 +178,7 @@ inline grade::ClassResult demo_class(const std::filesystem::path& folder) {
   hostile.labs = demo_results(0, "normal-green-flipped", kHostile);
   for (grade::LabResult& lab : hostile.labs)
     for (grade::StepResult& step : lab.steps) {
-      step.message = step.hint = step.title = kHostile;
+      step.message = step.title = kHostile, step.hints = {kHostile};
       step.file = kHostile;
       for (grade::CaseResult& each : step.cases) {
         each.message = each.command = kHostile;

@@ -36,8 +36,8 @@
 #include "course/lab_file.hpp"
 #include "course/markers.hpp"
 #include "course/mutant_file.hpp"
-#include "grade/results.hpp"
 #include "grade/submission.hpp"
+#include "judge/results.hpp"
 
 namespace texel::test {
 namespace {
@@ -77,7 +77,7 @@ class ClassMaker {
     fs::create_directories(options_.out);
     options_.root = fs::canonical(options_.root);
     options_.out = fs::canonical(options_.out);
-    for (const std::string& file : grade::step_files(options_.root))
+    for (const std::string& file : course::step_files(options_.root))
       sources_[file] = read_file(options_.root / file);
     for (const course::Lab& lab : course::read_labs(options_.root / "labs"))
       for (const course::Step& step : lab.steps) {
@@ -235,7 +235,7 @@ class ClassMaker {
       if (!mutant.is_right) outcome = {{"fails", mutant.step}, {"mistake", mutant.name}};
       // What the starter has there already is called that.
       if (!mutant.is_right && is_untouched(mutant.step, mutant.file, files.at(mutant.file)))
-        outcome = {{"zero", {mutant.step}}, {"says", grade::kUntouched}};
+        outcome = {{"zero", {mutant.step}}, {"untouched", mutant.step}};
       put(kind, mutant.name, files, outcome);
     }
   }

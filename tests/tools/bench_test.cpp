@@ -30,9 +30,13 @@ course::Lab a_lab() {
   lab.number = 5;
   lab.folder = "05_normal_map";
   lab.title = "Normal map";
-  lab.bench = {{"flat", "", false, {}, {{"method", {}}}, "256x256"},
-               {"round", "", true, {}, {{"method", {}}}, "256x256"},
-               {"finer", "", false, {}, {{"method", {"slow"}}, {"segments", {"8", "16", "32"}}}, "256x256"}};
+  const auto add = [&](const char* name, bool hard, std::vector<course::Variation> variations) {
+    course::BenchCase& one = lab.bench.emplace_back();
+    one.name = name, one.hard = hard, one.variations = std::move(variations);
+  };
+  add("flat", false, {{"method", {}}});
+  add("round", true, {{"method", {}}});
+  add("finer", false, {{"method", {"slow"}}, {"segments", {"8", "16", "32"}}});
   return lab;
 }
 

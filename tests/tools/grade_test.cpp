@@ -22,10 +22,10 @@
 #include "core/files.hpp"
 #include "course/lab_file.hpp"
 #include "grade/grader.hpp"
-#include "grade/judge.hpp"
-#include "grade/plan.hpp"
-#include "grade/sandbox.hpp"
-#include "grade/store.hpp"
+#include "check/files.hpp"
+#include "judge/plan.hpp"
+#include "sandbox/sandbox.hpp"
+#include "store/store.hpp"
 
 namespace texel {
 namespace {
@@ -141,8 +141,10 @@ bool check_student(const grade::StudentResult& student, const json& expected) {
       if (zero.count(step.id) > 0) {
         EXPECT_EQ(step.score, 0) << told;
       }
-      if (zero.count(step.id) > 0 && expected.contains("says")) {
-        EXPECT_TRUE(has(step.message, expected.at("says"))) << told;
+      if (step.id == expected.value("untouched", "")) {
+        EXPECT_TRUE(std::any_of(step.cases.begin(), step.cases.end(), [](const grade::CaseResult& one) {
+          return one.status == grade::CaseStatus::untouched;
+        })) << told;
       }
       if (expected.value("fails", "") != step.id) continue;
       EXPECT_LT(step.score, 1) << told;
@@ -282,9 +284,9 @@ TEST_F(GradedClass, gives_everybody_what_they_earned) {
 /// What earns nothing is judged once for all students, so each case's must be its own. The solution without
 /// the step may be less wrong than the starter: then a picture earns less than this.
 TEST_F(GradedClass, gives_no_more_than_by_how_much_a_picture_is_less_wrong_than_the_starters) {
-  std::map<std::string, grade::Shot> shots;
-  for (const grade::LabPlan& plan : grade::plan(course::read_labs(kSource / "labs"), "", {}))
-    for (const grade::Shot& shot : plan.shots) shots[plan.lab.folder + "/" + shot.graded.name] = shot;
+  std::map<std::string, course::Case> cases;
+  for (const grade::LabPlan& plan : grade::public_plan(course::read_labs(kSource / "labs")))
+    for (const course::Case& one : plan.cases) cases[one.lab + "/" + one.name] = one;
   const fs::path out = kWork / "two_labs_out";
   std::map<std::string, double> starters;
   int earn = 0;
@@ -295,10 +297,12 @@ TEST_F(GradedClass, gives_no_more_than_by_how_much_a_picture_is_less_wrong_than_
       for (const grade::LabResult& lab : student.labs)
         for (const grade::StepResult& step : lab.steps)
           for (const grade::CaseResult& one : step.cases) {
-            if (one.hidden || one.passed || one.picture.empty()) continue;
+            if (one.hidden || one.passed() || one.picture.empty()) continue;
             const std::string name = one.lab + "/" + one.name;
             const fs::path mask = kSource / "labs" / one.lab / "expected" / (one.name + ".mask.png");
-            act(name, one, grade::judge(shots.at(name), {out / one.reference, mask}, out / one.picture));
+            act(name, one,
+                grade::judge(cases.at(name), grade::ExpectedFiles{out / one.reference, mask},
+                             out / one.picture));
           }
     }
   };
@@ -308,7 +312,7 @@ TEST_F(GradedClass, gives_no_more_than_by_how_much_a_picture_is_less_wrong_than_
   each_wrong(false,
              [&](const std::string& name, const grade::CaseResult& one, const grade::Verdict& verdict) {
                if (!starters.contains(name)) return;
-               EXPECT_LE(one.score, grade::score(shots.at(name), verdict, starters.at(name))) << name;
+               EXPECT_LE(one.score, grade::score(cases.at(name), verdict, starters.at(name))) << name;
                if (one.score > 0) ++earn;
              });
   EXPECT_GE(earn, 3);

@@ -72,7 +72,7 @@ caption = "As it opens"
   EXPECT_EQ(command(lab, lab.looks[0]),
             "./run lab 5 --normal-map off --method mikktspace --turn 30 --bump-strength 0.7 --view normal "
             "--size 640x480 --snapshot bricks.png");
-  EXPECT_EQ(lab.looks[1].view, "color");
+  EXPECT_EQ(lab.looks[1].view, View::color);
   EXPECT_FALSE(lab.looks[1].hero);
   EXPECT_EQ(command(lab, lab.looks[1]), "./run lab 5 --snapshot plain.png");
 }
@@ -112,7 +112,7 @@ vary = { method = [], segments = [16, 32] }
   EXPECT_TRUE(bench.hard);
   EXPECT_EQ(bench.settings, (std::vector<Setting>{{"model", "torus"}, {"jitter", "0.5"}}));
   EXPECT_EQ(bench.variations, (std::vector<Variation>{{"method", {}}, {"segments", {"16", "32"}}}));
-  EXPECT_EQ(bench.size, "256x256");
+  EXPECT_EQ(as_text(bench.size), "256x256");
 }
 
 TEST(LabFile, has_what_the_sources_say) {
@@ -143,13 +143,15 @@ TEST(LabFile, has_steps_and_the_cases_that_judge_them) {
   ASSERT_EQ(lab.cases.size(), 1U);
   const GradedCase& c = lab.cases[0];
   EXPECT_EQ(c.step, "5.1");
-  EXPECT_EQ(c.view, "normal");
+  EXPECT_EQ(c.view, View::normal);
+  EXPECT_EQ(c.file, c.name + ".pfm");
+  EXPECT_TRUE(c.hidden);
   EXPECT_EQ(c.limit, 0.5);
   EXPECT_EQ(c.settings, (std::vector<Setting>{{"turn", "30"}}));
-  ASSERT_EQ(c.hidden.size(), 2U);
-  EXPECT_EQ(c.hidden[0].least, -180);
-  EXPECT_EQ(c.hidden[0].most, 180);
-  EXPECT_EQ(c.hidden[1].values, (std::vector<std::string>{"brick", "wood"}));
+  ASSERT_EQ(c.hidden_settings.size(), 2U);
+  EXPECT_EQ(c.hidden_settings[0].least, -180);
+  EXPECT_EQ(c.hidden_settings[0].most, 180);
+  EXPECT_EQ(c.hidden_settings[1].values, (std::vector<std::string>{"brick", "wood"}));
 }
 
 TEST(LabFile, refuses_steps_and_cases_that_do_not_fit) {

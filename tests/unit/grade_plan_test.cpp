@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grade/plan.hpp"
+#include "grade/hidden_cases.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,6 +8,7 @@
 
 #include "../support/json.hpp"
 #include "core/files.hpp"
+#include "course/batch.hpp"
 #include "mesh/obj.hpp"
 
 namespace texel::grade {
@@ -36,37 +37,41 @@ Step step_of(const std::string& id, std::vector<std::string> needs = {}) {
 }
 
 GradedCase case_of(const std::string& name, std::vector<course::Setting> settings = {},
-                   std::vector<Hidden> hidden = {}, const std::string& view = "color") {
+                   std::vector<Hidden> hidden = {}, course::View view = course::View::color) {
   GradedCase graded;
   graded.name = name, graded.step = "1.1", graded.view = view;
-  graded.settings = std::move(settings), graded.hidden = std::move(hidden);
+  graded.file = name + (view == course::View::mesh ? ".ply" : ".png"), graded.size = {128, 128};
+  graded.hidden = !hidden.empty() || name == "unseen";
+  graded.settings = std::move(settings), graded.hidden_settings = std::move(hidden);
   return graded;
 }
 
 class Plan : public testing::Test {
  protected:
   ~Plan() override { fs::remove_all(models_); }
-  std::vector<LabPlan> plan_of(const Lab& lab, const std::string& seed) { return plan({lab}, seed, models_); }
+  std::vector<LabPlan> plan_of(const Lab& lab, const std::string& seed) {
+    return full_plan({lab}, seed, models_);
+  }
 
   fs::path models_ = fs::temp_directory_path() / ("texel_plan_" + std::to_string(::getpid()));
   const Lab lab_ = lab_of(1, {step_of("1.1")},
                           {case_of("open", {{"turn", "10"}}),
                            case_of("secret", {{"turn", "10"}, {"tilt", "1"}},
                                    {{"turn", -90, 90, {}}, {"wood", 0, 0, {"a", "b", "c"}}}),
-                           case_of("unseen", {{"model", "unseen:polygons"}}, {}, "mesh")});
+                           case_of("unseen", {{"model", "unseen:polygons"}}, {}, course::View::mesh)});
 };
 
-TEST_F(Plan, leaves_hidden_cases_out_without_a_seed) {
-  const LabPlan plan = plan_of(lab_, "").front();
-  ASSERT_EQ(plan.shots.size(), 1U);
-  EXPECT_EQ(plan.shots[0].graded.name, "open");
+TEST_F(Plan, leaves_hidden_cases_out_where_students_check) {
+  const LabPlan plan = public_plan({lab_}).front();
+  ASSERT_EQ(plan.cases.size(), 1U);
+  EXPECT_EQ(plan.cases[0].name, "open");
   EXPECT_FALSE(fs::exists(models_));
 }
 
 TEST_F(Plan, draws_hidden_values_from_the_seed_within_their_range) {
   const LabPlan plan = plan_of(lab_, "a seed").front();
-  ASSERT_EQ(plan.shots.size(), 3U);
-  const Shot& secret = plan.shots[1];
+  ASSERT_EQ(plan.cases.size(), 3U);
+  const course::Case& secret = plan.cases[1];
   EXPECT_TRUE(secret.hidden);
   ASSERT_EQ(secret.settings.size(), 3U);
   EXPECT_EQ(secret.settings[0].parameter, "turn");
@@ -74,41 +79,41 @@ TEST_F(Plan, draws_hidden_values_from_the_seed_within_their_range) {
   EXPECT_NE(secret.settings[0].value, "10");
   EXPECT_EQ(secret.settings[1].value, "1");
   EXPECT_NE(std::string("abc").find(secret.settings[2].value), std::string::npos);
-  EXPECT_EQ(plan_of(lab_, "a seed").front().batch(), plan.batch());
-  EXPECT_NE(plan_of(lab_, "another").front().shots[1].settings[0].value, secret.settings[0].value);
+  EXPECT_EQ(plan_of(lab_, "a seed").front().cases, plan.cases);
+  EXPECT_NE(plan_of(lab_, "another").front().cases[1].settings[0].value, secret.settings[0].value);
 }
 
 TEST_F(Plan, draws_the_same_for_a_case_whatever_others_there_are) {
   Lab fewer = lab_;
   fewer.cases.erase(fewer.cases.begin());
-  EXPECT_EQ(plan_of(fewer, "s").front().shots[0].settings, plan_of(lab_, "s").front().shots[1].settings);
+  EXPECT_EQ(plan_of(fewer, "s").front().cases[0].settings, plan_of(lab_, "s").front().cases[1].settings);
 }
 
 TEST_F(Plan, writes_models_that_nobody_has_seen) {
-  const Shot unseen = plan_of(lab_, "s").front().shots[2];
+  const course::Case unseen = plan_of(lab_, "s").front().cases[2];
   EXPECT_TRUE(unseen.hidden);
   const fs::path file = unseen.settings[0].value;
   EXPECT_EQ(file.parent_path(), models_);
   EXPECT_FALSE(mesh::load_obj(file).corners.empty());
-  EXPECT_NE(read_file(file), read_file(plan_of(lab_, "t").front().shots[2].settings[0].value));
+  EXPECT_NE(read_file(file), read_file(plan_of(lab_, "t").front().cases[2].settings[0].value));
 }
 
 TEST_F(Plan, lists_what_the_programs_batch_option_takes) {
   const LabPlan plan = plan_of(lab_, "s").front();
-  const auto list = test::parse_json(plan.batch());
+  const auto list = test::parse_json(course::to_batch(plan.cases));
   ASSERT_EQ(list.size(), 3U);
   EXPECT_EQ(list[0].dump(), R"({"name":"open.png","set":{"turn":"10"},"size":"128x128","view":"color"})");
   EXPECT_EQ(list[2]["name"], "unseen.ply");
   EXPECT_FALSE(list[2].contains("view"));
-  EXPECT_EQ(test::parse_json(plan.batch({"secret"})).size(), 1U);
-  const auto masks = test::parse_json(plan.mask_batch());
+  EXPECT_EQ(course::parse_batch(course::to_batch({plan.cases[0]})).at(0).settings, plan.cases[0].settings);
+  const auto masks = test::parse_json(course::to_batch(plan.masks()));
   ASSERT_EQ(masks.size(), 2U) << "a vertex stream has no mask";
   EXPECT_EQ(masks[1]["view"], "mask");
 }
 
 TEST_F(Plan, shows_the_command_that_repeats_a_picture) {
   const LabPlan plan = plan_of(lab_, "s").front();
-  EXPECT_EQ(command(plan, plan.shots[0]),
+  EXPECT_EQ(command(plan.lab, plan.cases[0]),
             "./run lab 1 --turn 10 --samples 1 --size 128x128 --snapshot open.png");
 }
 

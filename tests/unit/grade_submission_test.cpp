@@ -14,6 +14,7 @@
 #include "../support/said.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "course/markers.hpp"
 
 namespace texel::grade {
 namespace {
@@ -154,9 +155,9 @@ TEST(StepFiles, are_the_files_of_the_tree_with_a_marker) {
   write_file(tree / "labs/01_a/other.hpp", "// the marker //@step is explained here\n");
   write_file(tree / "shaders/lib/light.glsl", "//@step 5.1 begin\n");
   write_file(tree / "tests/test.cpp", "//@step 5.1 begin\n");
-  EXPECT_EQ(step_files(path_of(tree)),
+  EXPECT_EQ(course::step_files(path_of(tree)),
             (std::vector<std::string>{"labs/01_a/lab.cpp", "shaders/lib/light.glsl"}));
-  EXPECT_THROW(step_files(tree / "tests"), Error);
+  EXPECT_THROW(course::step_files(tree / "tests"), Error);
 }
 
 TEST(Unpack, takes_allowed_files_and_lists_the_others) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Programs that try to do harm, locked in. Where bubblewrap cannot work these tests are skipped, and say why.
-#include "grade/sandbox.hpp"
+#include "sandbox/sandbox.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -31,8 +31,8 @@ using test::has;
 const std::string guest = SANDBOX_GUEST;
 
 /// A sandbox that holds the guest and has limits small enough for a test.
-Sandbox small_sandbox() {
-  Sandbox sandbox;
+Confines small_sandbox() {
+  Confines sandbox;
   sandbox.read_only = {fs::path(guest).parent_path()};
   sandbox.limits.wall_seconds = 20;
   sandbox.limits.disk = 1U << 20U;
@@ -40,8 +40,8 @@ Sandbox small_sandbox() {
 }
 
 Outcome run_guest(const std::string& what, const std::string& where = {},
-                  const Sandbox& sandbox = small_sandbox()) {
-  return run(sandbox, {guest, what, where});
+                  const Confines& sandbox = small_sandbox()) {
+  return run_locked_in(sandbox, {guest, what, where});
 }
 
 /// An argument that no other test's guest has, which may run at the same time.
@@ -98,7 +98,7 @@ TEST_F(SandboxTest, names_the_signal_that_ended_a_program) {
 }
 
 TEST_F(SandboxTest, gives_127_for_a_missing_program) {
-  EXPECT_EQ(run(small_sandbox(), {"/no/such/program"}).exit_code, 127);
+  EXPECT_EQ(run_locked_in(small_sandbox(), {"/no/such/program"}).exit_code, 127);
 }
 
 TEST_F(SandboxTest, hands_arguments_over_as_they_are) {
@@ -107,7 +107,7 @@ TEST_F(SandboxTest, hands_arguments_over_as_they_are) {
 }
 
 TEST_F(SandboxTest, takes_a_static_constructor_that_leaves_for_an_exit_code_only) {
-  Sandbox sandbox = small_sandbox();
+  Confines sandbox = small_sandbox();
   const test::TemporaryFolder folder("sandbox_leaves");
   sandbox.writable = {(folder / "x").parent_path()};
   sandbox.environment = {{"GUEST_LEAVES", "1"}};
@@ -129,7 +129,7 @@ TEST_F(SandboxTest, shows_no_file_that_is_not_named) {
   EXPECT_FALSE(has(run_guest("read", folder / "reference.pfm").output, "possible"));
   EXPECT_FALSE(has(run_guest("read", "/etc/passwd").output, "possible"));
   EXPECT_FALSE(has(run_guest("read", "/proc/1/root/etc/passwd").output, "possible"));
-  Sandbox named = small_sandbox();
+  Confines named = small_sandbox();
   named.read_only.push_back((folder / "x").parent_path());
   EXPECT_TRUE(has(run_guest("read", folder / "reference.pfm", named).output, "possible"));
 }
@@ -137,7 +137,7 @@ TEST_F(SandboxTest, shows_no_file_that_is_not_named) {
 TEST_F(SandboxTest, writes_nowhere_but_into_the_writable_folders_and_tmp) {
   const test::TemporaryFolder folder("sandbox_read_only");
   const fs::path shown = (folder / "x").parent_path();
-  Sandbox sandbox = small_sandbox();
+  Confines sandbox = small_sandbox();
   sandbox.read_only.push_back(shown);
   for (const std::string& place :
        {shown.string(), fs::path(guest).parent_path().string(), std::string("/usr"), std::string("/dev"),
@@ -160,7 +160,7 @@ TEST_F(SandboxTest, gives_away_neither_environment_nor_open_files_nor_input) {
   write_file(folder / "results", "");
   const int open_file = ::open((folder / "results").c_str(), O_RDWR);  // not to be closed on exec
   ::setenv("SECRET", "seed", 1);
-  Sandbox sandbox = small_sandbox();
+  Confines sandbox = small_sandbox();
   sandbox.environment = {{"GIVEN", "this"}, {"HOME", "/nowhere"}};
   const std::string environment = run_guest("environment", "", sandbox).output;
   EXPECT_FALSE(has(environment, "SECRET"));
@@ -185,7 +185,7 @@ TEST_F(SandboxTest, lets_no_signal_out) {
 }
 
 TEST_F(SandboxTest, counts_the_processes_of_each_sandbox_alone) {
-  Sandbox sandbox = small_sandbox();
+  Confines sandbox = small_sandbox();
   sandbox.limits.processes = 20;
   std::vector<Outcome> outcomes(4);
   std::vector<std::thread> threads;
@@ -198,14 +198,14 @@ TEST_F(SandboxTest, counts_the_processes_of_each_sandbox_alone) {
 }
 
 TEST_F(SandboxTest, ends_a_fork_bomb) {
-  Sandbox sandbox = small_sandbox();
+  Confines sandbox = small_sandbox();
   sandbox.limits.wall_seconds = 0.3;
   EXPECT_EQ(run_guest("bomb", own("bomb"), sandbox).limit, Limit::wall);
   EXPECT_FALSE(runs(own("bomb")));
 }
 
 TEST_F(SandboxTest, ends_a_program_that_takes_too_much_memory) {
-  Sandbox sandbox = small_sandbox();
+  Confines sandbox = small_sandbox();
   sandbox.limits.memory = 256U << 20U;
   const Outcome outcome = run_guest("memory", "", sandbox);
   EXPECT_EQ(outcome.limit, Limit::memory);
@@ -214,7 +214,7 @@ TEST_F(SandboxTest, ends_a_program_that_takes_too_much_memory) {
 }
 
 TEST_F(SandboxTest, has_a_limit_on_the_address_space) {
-  Sandbox sandbox = small_sandbox();
+  Confines sandbox = small_sandbox();
   sandbox.limits.address_space = 128U << 20U;
   EXPECT_EQ(run_guest("memory", "", sandbox).signal, SIGABRT);  // std::bad_alloc
   EXPECT_EQ(run_guest("huge").signal, SIGABRT);
@@ -222,21 +222,21 @@ TEST_F(SandboxTest, has_a_limit_on_the_address_space) {
 
 TEST_F(SandboxTest, ends_a_program_that_fills_the_disk) {
   const test::TemporaryFolder folder("sandbox_disk");
-  Sandbox sandbox = small_sandbox();
+  Confines sandbox = small_sandbox();
   sandbox.writable = {(folder / "x").parent_path()};
   EXPECT_EQ(run_guest("fill", sandbox.writable[0].string(), sandbox).limit, Limit::disk);
   EXPECT_EQ(run_guest("fill", "/tmp", sandbox).limit, Limit::disk);
 }
 
 TEST_F(SandboxTest, ends_a_program_that_makes_too_many_files) {
-  Sandbox sandbox = small_sandbox();
+  Confines sandbox = small_sandbox();
   sandbox.limits.files = 10;
   EXPECT_EQ(run_guest("holes", "/tmp", sandbox).limit, Limit::disk);
 }
 
 TEST_F(SandboxTest, does_not_copy_holes_without_end) {
   const test::TemporaryFolder folder("sandbox_holes");
-  Sandbox sandbox = small_sandbox();
+  Confines sandbox = small_sandbox();
   sandbox.writable = {(folder / "x").parent_path()};
   const Outcome outcome = run_guest("holes", sandbox.writable[0].string(), sandbox);  // 20 of 1 MiB
   EXPECT_EQ(outcome.exit_code, 0);
@@ -245,7 +245,7 @@ TEST_F(SandboxTest, does_not_copy_holes_without_end) {
 }
 
 TEST_F(SandboxTest, cuts_a_flood_of_output) {
-  Sandbox sandbox = small_sandbox();
+  Confines sandbox = small_sandbox();
   sandbox.limits.output = 4U << 20U;
   sandbox.limits.kept_output = 1000;
   const Outcome outcome = run_guest("flood", "", sandbox);
@@ -255,7 +255,7 @@ TEST_F(SandboxTest, cuts_a_flood_of_output) {
 }
 
 TEST_F(SandboxTest, ends_an_endless_loop_and_a_sleeper) {
-  Sandbox sandbox = small_sandbox();
+  Confines sandbox = small_sandbox();
   sandbox.limits.wall_seconds = 0.3;
   for (const char* what : {"spin", "sleep"}) {
     const Outcome outcome = run_guest(what, "", sandbox);
@@ -266,7 +266,7 @@ TEST_F(SandboxTest, ends_an_endless_loop_and_a_sleeper) {
 }
 
 TEST_F(SandboxTest, ends_who_takes_too_much_processor_time) {
-  Sandbox sandbox = small_sandbox();
+  Confines sandbox = small_sandbox();
   sandbox.limits.cpu_seconds = 0.2;
   const Outcome outcome = run_guest("ignore", "", sandbox);
   EXPECT_EQ(outcome.limit, Limit::cpu);
@@ -296,7 +296,7 @@ TEST_F(SandboxTest, copies_files_out_and_follows_no_link) {
   const fs::path out = (folder / "x").parent_path();
   write_file(out / "target", "untouched");
   fs::create_symlink("target", out / "picture.png");  // as an earlier run could have left it
-  Sandbox sandbox = small_sandbox();
+  Confines sandbox = small_sandbox();
   sandbox.writable = {out};
   EXPECT_TRUE(run_guest("results", out.string(), sandbox).succeeded());
   EXPECT_EQ(read_file(out / "picture.png"), "a picture");
@@ -307,23 +307,23 @@ TEST_F(SandboxTest, copies_files_out_and_follows_no_link) {
 }
 
 TEST_F(SandboxTest, throws_when_the_machine_is_at_fault) {
-  Sandbox sandbox = small_sandbox();
+  Confines sandbox = small_sandbox();
   sandbox.read_only.emplace_back("/no/such/folder");
-  EXPECT_THROW(run(sandbox, {"true"}), Error);
+  EXPECT_THROW(run_locked_in(sandbox, {"true"}), Error);
   sandbox = small_sandbox();
   sandbox.working_folder = "/no/such/folder";
-  EXPECT_THROW(run(sandbox, {"true"}), Error);
+  EXPECT_THROW(run_locked_in(sandbox, {"true"}), Error);
   sandbox = small_sandbox();
   sandbox.writable.emplace_back("relative");
-  EXPECT_THROW(run(sandbox, {"true"}), Error);
+  EXPECT_THROW(run_locked_in(sandbox, {"true"}), Error);
   const test::TemporaryFolder closed("sandbox_closed");
   sandbox = small_sandbox();
   sandbox.read_only.push_back((closed / "x").parent_path());
   ASSERT_EQ(::chmod(sandbox.read_only.back().c_str(), 0700), 0);
   if (::geteuid() == 0) {
-    EXPECT_THROW(run(sandbox, {"true"}), Error);
+    EXPECT_THROW(run_locked_in(sandbox, {"true"}), Error);
   }
-  EXPECT_THROW(run(small_sandbox(), {}), Error);
+  EXPECT_THROW(run_locked_in(small_sandbox(), {}), Error);
 }
 
 TEST_F(SandboxTest, works_for_a_normal_user_too) {
@@ -336,32 +336,35 @@ TEST_F(SandboxTest, works_for_a_normal_user_too) {
   const std::string self = fs::read_symlink("/proc/self/exe").string();
   if (test::shell(as_user + "test -x " + test::shell_word(self)).exit_code != 0)
     GTEST_SKIP() << "other users cannot run " << self;
-  const test::Result result = test::shell(
-      as_user + test::shell_word(self) + " --gtest_filter='-*normal_user*:*unsafe*:*memory*:*missing*' 2>&1");
+  const test::Result result =
+      test::shell(as_user + test::shell_word(self) +
+                  " --gtest_filter='-*normal_user*:*RunPlainly*:*memory*:*missing*' 2>&1");
   EXPECT_EQ(result.exit_code, 0) << result.output;
   EXPECT_TRUE(has(result.output, "PASSED")) << result.output;
 }
 
-TEST(UnsafeSandbox, limits_time_and_output_and_kills_the_process_group) {
-  Sandbox sandbox = small_sandbox();
-  sandbox.unsafe = true;
-  EXPECT_EQ(run_guest("print", "hello", sandbox).output, "hello\n");
-  EXPECT_EQ(run_guest("exit", "7", sandbox).exit_code, 7);
-  sandbox.limits.wall_seconds = 0.2;
-  EXPECT_EQ(run_guest("sleep", own("unsafe"), sandbox).limit, Limit::wall);
-  EXPECT_TRUE(soon([] { return !runs(own("unsafe")); }));
-  sandbox.limits.wall_seconds = 20;
-  EXPECT_EQ(run_guest("flood", "", sandbox).limit, Limit::output);
-  sandbox.limits.cpu_seconds = 1;
-  EXPECT_EQ(run_guest("spin", "", sandbox).limit, Limit::cpu);
+TEST(RunPlainly, limits_time_and_output_and_kills_the_process_group) {
+  Confines confines = small_sandbox();
+  const auto guest = [&](const char* what, const std::string& where) {
+    return run_plainly(confines, {SANDBOX_GUEST, what, where});
+  };
+  EXPECT_EQ(guest("print", "hello").output, "hello\n");
+  EXPECT_EQ(guest("exit", "7").exit_code, 7);
+  confines.limits.wall_seconds = 0.2;
+  EXPECT_EQ(guest("sleep", own("plain")).limit, Limit::wall);
+  EXPECT_TRUE(soon([] { return !runs(own("plain")); }));
+  confines.limits.wall_seconds = 20;
+  EXPECT_EQ(guest("flood", "").limit, Limit::output);
+  confines.limits.cpu_seconds = 1;
+  EXPECT_EQ(guest("spin", "").limit, Limit::cpu);
 }
 
-TEST(UnsafeSandbox, is_not_what_one_gets_without_bubblewrap) {
+TEST(RunPlainly, is_not_what_one_gets_without_bubblewrap) {
   const char* const path = std::getenv("PATH");
   const std::string before = path == nullptr ? "" : path;
   ::setenv("PATH", "/nowhere", 1);
   try {
-    run({}, {"true"});
+    run_locked_in({}, {"true"});
     ADD_FAILURE() << "it ran";
   } catch (const Error& error) {
     EXPECT_EQ(error.exit_code(), Exit::failed);

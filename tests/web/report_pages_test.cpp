@@ -12,7 +12,7 @@
 #include "../support/browser.hpp"
 #include "../support/demo_class.hpp"
 #include "../support/picture_files.hpp"
-#include "grade/reports.hpp"
+#include "reports/reports.hpp"
 
 namespace texel::grade {
 namespace {

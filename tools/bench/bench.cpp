@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "core/stopwatch.hpp"
+#include "course/batch.hpp"
 #include "processes.hpp"
 #include "renderers/table.hpp"
 #include "report.hpp"
@@ -22,18 +22,9 @@ constexpr double kSecondsALab = 12, kSecondsACase = 2;
 
 /// What the lab's program reads with --bench.
 std::string case_list(const course::Lab& lab, bool errors_only) {
-  using Json = nlohmann::ordered_json;
   const double seconds =
       errors_only ? 0 : std::min(kSecondsACase, kSecondsALab / static_cast<double>(lab.bench.size()));
-  Json json = {{"seconds", seconds}, {"cases", Json::array()}};
-  for (const course::BenchCase& bench : lab.bench) {
-    Json set = Json::object(), vary = Json::object();
-    for (const course::Setting& setting : bench.settings) set[setting.parameter] = setting.value;
-    for (const course::Variation& variation : bench.variations)
-      vary[variation.parameter] = Json(variation.values);
-    json["cases"].push_back({{"case", bench.name}, {"size", bench.size}, {"set", set}, {"vary", vary}});
-  }
-  return json.dump(2) + "\n";
+  return course::to_json(course::BenchList{seconds, lab.bench});
 }
 
 /// Runs the lab's program and reads what it wrote.

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "grade/check.hpp"
+#include "grade/course_tree.hpp"
 
 namespace texel::tools {
 

@@ -8,8 +8,8 @@
 #include <cstdio>
 
 #include "commands.hpp"
-#include "grade/reports.hpp"
-#include "grade/store.hpp"
+#include "reports/reports.hpp"
+#include "store/store.hpp"
 
 namespace texel::tools {
 namespace {
@@ -63,7 +63,7 @@ Exit grade_class(const GradeCommand& command) {
   options.labs = command.labs;
   options.jobs = command.jobs;
   options.resume = command.resume;
-  options.unsafe = command.unsafe;
+  options.run = command.unsafe ? run_plainly : grade::run_locked_in;
   options.context = command.context;
   options.seed_file = command.seed_file;
   read_shard(command.shard, options);

@@ -37,20 +37,6 @@ bool passed(const StepResult& step) {
   return step.status == Status::passed;
 }
 
-/// The case that says most about a step: of those that failed, or of all, the one with the largest share of
-/// its limit; one where nothing can be compared before all others.
-const CaseResult* telling_case(const StepResult& step) {
-  const auto share = [](const CaseResult& one) {
-    return std::isnan(one.error) ? HUGE_VAL : one.error / std::max(one.limit, 1e-12);
-  };
-  const CaseResult* worst = nullptr;
-  for (const CaseResult& one : step.cases)
-    if (worst == nullptr || (worst->passed && !one.passed) ||
-        (worst->passed == one.passed && share(one) > share(*worst)))
-      worst = &one;
-  return worst;
-}
-
 /// Text in lines of at most 100 columns, each after so many blanks.
 std::string wrapped(const std::string& text, std::size_t indent) {
   constexpr std::size_t columns = 100;
@@ -76,14 +62,15 @@ std::string details(const StepResult& step, const Paint& paint) {
   constexpr std::size_t indent = 12;
   std::string text;
   for (const CaseResult& one : step.cases) {
-    if (one.passed) {
+    if (one.passed()) {
       text += wrapped(fmt::format("{}: right", one.name), indent);
       continue;
     }
     text += wrapped(fmt::format("{}: {}", one.name, one.message), indent);
-    if (!one.mistake.empty() && &one == telling_case(step))
+    if (!one.mistake.empty() && &one == grade::telling_case(step))
       text += paint(kYellow, wrapped("This looks like: " + one.mistake_says, indent));
-    if (&one == telling_case(step)) text += paint(kDim, fmt::format("{:12}see it: {}\n", "", one.command));
+    if (&one == grade::telling_case(step))
+      text += paint(kDim, fmt::format("{:12}see it: {}\n", "", one.command));
   }
   return text;
 }
@@ -153,45 +140,6 @@ std::string progress_report(const std::vector<LabResult>& labs, bool colours) {
     text += fmt::format("next: {} {}   ./run watch {}\n", next_step(*next)->id, next_step(*next)->title,
                         next->lab.number);
   return text;
-}
-
-nlohmann::ordered_json to_json(const LabResult& lab) {
-  using Json = nlohmann::ordered_json;
-  const auto settings = [&](const std::string& name) {
-    Json set = Json::object();
-    for (const course::GradedCase& graded : lab.lab.cases)
-      if (graded.name == name)
-        for (const course::Setting& setting : graded.settings) set[setting.parameter] = setting.value;
-    return set;
-  };
-  Json json{{"lab", lab.lab.folder}, {"title", lab.lab.title}, {"steps", Json::array()}};
-  for (std::size_t i = 0; i < lab.steps.size(); ++i) {
-    const StepResult& step = lab.steps[i];
-    const CaseResult* telling = telling_case(step);
-    Json one{{"id", step.id}, {"status", grade::name_of(step.status)}};
-    one["error"] = telling != nullptr ? Json(telling->error) : Json();
-    one["unit"] = telling != nullptr ? telling->unit : "";
-    one["limit"] = telling != nullptr ? telling->limit : 0;
-    one["message"] = step.message;
-    one["title"] = step.title, one["points"] = step.points;
-    one["file"] = step.file, one["line"] = step.line;
-    one["looks_like"] = step.mistake, one["looks_like_says"] = step.mistake_says;
-    one["hints"] = lab.lab.steps[i].hints;
-    for (const CaseResult& result : step.cases)
-      one["cases"].push_back({{"name", result.name},
-                              {"status", result.passed ? "passed" : "failed"},
-                              {"view", result.view},
-                              {"set", settings(result.name)},
-                              {"error", result.error},
-                              {"unit", result.unit},
-                              {"limit", result.limit},
-                              {"message", result.message},
-                              {"command", result.command},
-                              {"picture", result.picture},
-                              {"expected", result.reference}});
-    json["steps"].push_back(std::move(one));
-  }
-  return json;
 }
 
 }  // namespace texel::tools

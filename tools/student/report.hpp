@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What a check found, for people and for programs.
+// What a check found, for people; judge/results_json.hpp is for programs.
 #pragma once
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "grade/results.hpp"
+#include "judge/results.hpp"
 
 namespace texel::tools {
 
@@ -18,9 +17,6 @@ std::string report(const grade::LabResult& lab, bool colours);
 
 /// A line for each lab, how far it is, and what comes next in the course.
 std::string progress_report(const std::vector<grade::LabResult>& labs, bool colours);
-
-/// {"lab", "steps": [{"id", "status", "error", "unit", "limit", "message", …}]}.
-nlohmann::ordered_json to_json(const grade::LabResult& lab);
 
 /// Whether colours are wanted on standard output: a terminal, and no NO_COLOR.
 bool wants_colours();

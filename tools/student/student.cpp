@@ -8,11 +8,12 @@
 #include <charconv>
 #include <cstdio>
 
+#include "check/check.hpp"
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "course/markers.hpp"
-#include "grade/check.hpp"
 #include "hints.hpp"
+#include "judge/results_json.hpp"
 #include "report.hpp"
 
 namespace texel::tools {
@@ -61,9 +62,7 @@ const course::Step& step_called(const std::string& id) {
 Exit check(const CheckOptions& options) {
   const std::vector<grade::LabResult> labs = check_labs(options.labs, options.context);
   if (options.json) {
-    nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const grade::LabResult& lab : labs) all.push_back(to_json(lab));
-    fmt::print("{}\n", (options.labs.size() == 1 ? all.front() : all).dump(1));
+    fmt::print("{}\n", options.labs.size() == 1 ? to_json(labs.front()) : to_json(labs));
   } else {
     for (const grade::LabResult& lab : labs) fmt::print("{}", report(lab, wants_colours()));
   }

@@ -9,11 +9,11 @@
 #include <csignal>
 #include <cstdio>
 
+#include "check/check.hpp"
 #include "commands.hpp"
 #include "core/process.hpp"
 #include "core/stopwatch.hpp"
 #include "core/watcher.hpp"
-#include "grade/check.hpp"
 #include "hints.hpp"
 #include "report.hpp"
 

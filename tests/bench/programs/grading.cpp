@@ -8,7 +8,7 @@
 #include "core/parallel.hpp"
 #include "core/process.hpp"
 #include "core/stopwatch.hpp"
-#include "grade/plan.hpp"
+#include "judge/plan.hpp"
 #include "measures.hpp"
 
 namespace texel::bench {
@@ -64,7 +64,7 @@ void add_grading(const Options& options, Report& report, const std::string& what
       grade::plan(grade::with_needed(chosen, all), read_file(seed), options.work / "models");
   std::size_t cases = 0;
   for (const grade::LabPlan& plan : plans) {
-    cases += kStudents * plan.shots.size();
+    cases += kStudents * plan.cases.size();
     write_file(options.work / (plan.lab.folder + ".json"), plan.batch());
   }
   const auto grade = [&] {

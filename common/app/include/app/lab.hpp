@@ -17,6 +17,7 @@
 #include "app/camera.hpp"
 #include "app/measure.hpp"
 #include "app/notes.hpp"
+#include "course/case.hpp"
 #include "gl/mesh_buffers.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
@@ -42,14 +43,6 @@
 /// of it `const app::Notes& notes() const`; those whose methods differ before the first frame
 /// `app::Preparation preparation(const Parameters&)`.
 namespace texel::app {
-
-/// The pictures that a lab can draw: the colours, or one of the quantities on the way to them.
-enum class View { color, normal, tangent, texcoord, direction, lod, depth, mask, error };
-inline constexpr const char* kViewNames[] = {"color", "normal", "tangent", "texcoord", "direction",
-                                             "lod",   "depth",  "mask",    "error"};
-inline const char* name_of(View view) {
-  return kViewNames[static_cast<std::size_t>(view)];
-}
 
 /// What a lab says of itself.
 struct Info {

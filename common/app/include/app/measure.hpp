@@ -4,26 +4,18 @@
 #include <glm/glm.hpp>
 #include <optional>
 
+#include "course/case.hpp"
 #include "image/image.hpp"
 
 namespace texel::app {
 
-enum class View;
-
-/// In what an error is counted.
-enum class Unit {
-  degrees,  ///< angle between two directions
-  texels,   ///< distance of two texture coordinates
-  steps,    ///< largest difference of red, green and blue, in steps of an 8-bit picture
-  levels    ///< difference of two levels of detail
-};
-/// "degrees", "texels", "8-bit steps", "levels"
-const char* name_of(Unit unit);
+using course::Unit;
+using course::View;
 
 /// What of a lab's picture is compared with which truth.
 struct Measure {
-  View view;  ///< the data view that holds it; color for 8-bit steps
-  Unit unit;
+  View view;          ///< the data view that holds it; color for steps
+  Unit unit;          ///< degrees, texels, steps or levels
   const char* truth;  ///< what it is compared with, in a few words: "height field on the exact surface"
   double scale = 1;   ///< a difference in the view is so many units: texels in a texture's width
   /// Texture coordinates a whole number apart are the same place: on a surface that closes, where a triangle
@@ -58,6 +50,9 @@ ErrorFigures figures_of(const image::ImageF& error);
 
 /// The smallest of 1, 2 and 5 times a power of ten that is not below `value`: the end of a scale. 1 for 0.
 double round_up(double value);
+
+/// As course::name_of, but "8-bit steps".
+const char* text_of(Unit unit);
 
 /// The error picture in colours (image::heat; magenta where it is not finite), with a bar that goes from 0 to
 /// `scale`.

@@ -15,4 +15,7 @@ struct Ran {
 /// end. It reads nothing. Throws Error (exit 3) when it cannot be started.
 Ran run_program(const std::vector<std::string>& command, bool with_errors = false);
 
+/// The same with its streams into open files, and its exit code.
+int run_into(const std::vector<std::string>& command, int output, int errors);
+
 }  // namespace texel

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "course/setting.hpp"
+#include "course/case.hpp"
 #include "course/step.hpp"
 
 /// What `labs/NN_name/lab.toml` says of a lab: its title and lesson, the looks that are worth seeing, and the
@@ -39,15 +39,11 @@
 /// the cases by which they are graded are in course/step.hpp.
 namespace texel::course {
 
-/// One picture of a lab.
-struct Look {
-  std::string name;               ///< lower-case letters, digits, '_' and '-'
-  std::string caption;            ///< one line of plain text
-  std::vector<Setting> settings;  ///< in the file's order
-  std::string view = "color";
-  std::string size = "512x512";
-  std::string source;  ///< which picture of the sources it is, or ""
-  bool hero = false;   ///< shown at the top of the gallery and in the README
+/// A picture that is worth seeing. Its name has lower-case letters, digits, '_' and '-'.
+struct Look : Case {
+  std::string caption;  ///< one line of plain text
+  std::string source;   ///< which picture of the sources it is, or ""
+  bool hero = false;    ///< shown at the top of the gallery and in the README
 };
 
 /// A parameter and the values that it takes one after the other; none for all of a choice.
@@ -59,12 +55,10 @@ struct Variation {
 };
 
 /// A scene on which methods are measured against the truth and against the clock.
-struct BenchCase {
-  std::string name, teaches;  ///< plain text
-  bool hard = false;          ///< one that breaks the naive method
-  std::vector<Setting> settings;
+struct BenchCase : Case {
+  std::string teaches;                ///< plain text
+  bool hard = false;                  ///< one that breaks the naive method
   std::vector<Variation> variations;  ///< at least one
-  std::string size = "256x256";
 };
 
 /// What one of the sources says, put to the test.

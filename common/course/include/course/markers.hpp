@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
+
 /// The places in the sources where a student writes. Solution and starter are one text:
 ///
 ///     //@step 5.1 begin
@@ -50,6 +52,14 @@ std::set<std::string> untouched_steps(const std::string& text, const std::string
 /// Error (exit 3) when the two have not the same markers of that step, and as markers_of.
 std::string with_step_from(const std::string& text, const std::string& file, const std::string& step,
                            const std::string& other);
+
+/// The files that a student may change, as paths in the tree: every file below labs, shaders and common with
+/// a line that begins with `//@step`. Sorted. Throws Error (exit 3) when there is none.
+std::vector<std::string> step_files(const std::filesystem::path& tree);
+
+/// Where each step is written in a student's tree, found in it or in the course's. Throws Error (exit 3) as
+/// markers_of.
+std::map<std::string, Place> step_places(const std::filesystem::path& tree);
 
 /// Where a student's tree keeps its files with steps as they were at first, by their path in the tree.
 inline constexpr const char* kFirstTexts = ".starter";

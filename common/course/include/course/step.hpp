@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "course/setting.hpp"
+#include "course/case.hpp"
 
 /// What a student writes, and by which pictures it is judged: the tables [[step]] and [[case]] of a lab.toml.
 ///
@@ -42,15 +42,13 @@ struct Hidden {
   std::vector<std::string> values;  ///< one of these
 };
 
+/// A model that nobody has seen, made from the seed: the value `unseen:polygons` of a parameter.
+inline constexpr const char* kUnseen = "unseen:";
+
 /// A picture (or vertex stream) of the student's beside the solution's.
-struct GradedCase {
-  std::string name, step;
-  std::vector<Setting> settings;
-  std::string view = "color";
-  std::string size = "128x128";
-  double limit = 0;
-  std::string why;
-  std::vector<Hidden> hidden;
+struct GradedCase : Case {
+  std::string why;                      ///< where the limit comes from
+  std::vector<Hidden> hidden_settings;  ///< what is drawn for it
 };
 
 }  // namespace texel::course

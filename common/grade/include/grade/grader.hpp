@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "grade/results.hpp"
+#include "sandbox/sandbox.hpp"
+#include "store/class_results.hpp"
 
 /// Grading a class: each student's files into the starter, built and run in a sandbox, every picture judged
 /// beside the solution's, every result kept as it comes.
@@ -21,7 +22,7 @@ struct GradeOptions {
   unsigned jobs = 0;                   ///< at a time; 0 for as many as there are processors
   unsigned shard = 1, shards = 1;      ///< of the students, in the order of their ids, every so many-th
   bool resume = false;                 ///< go on where an earlier run was cut off
-  bool unsafe = false;                 ///< run the students' programs without a sandbox
+  Run run = run_locked_in;             ///< the students' programs; plainly, where one trusts them
   std::string context = "auto";        ///< the lab programs' --context
   std::filesystem::path seed_file;     ///< the course's secret; made in `out` when it is empty
 };

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "grade/check.hpp"
+#include "grade/course_tree.hpp"
 
 /// How far renderers are from each other, in the judge's own measure: what a case's limit has to leave room
 /// for.

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "store/class_results.hpp"
+
 /// What students hand in: found in a class folder, opened without trust, and laid over a tree that is
 /// trusted.
 namespace texel::grade {
@@ -40,10 +42,6 @@ struct Entry {
 /// (exit 3) when the class folder cannot be read.
 std::vector<Entry> read_class(const std::filesystem::path& folder);
 
-/// The files that a student may change, as paths in the tree: every file below labs, shaders and common with
-/// a line that begins with `//@step`. Sorted. Throws Error (exit 3) when there is none.
-std::vector<std::string> step_files(const std::filesystem::path& trusted_tree);
-
 /// What a submission may cost. Sizes are in bytes.
 struct UnpackLimits {
   std::uint64_t archive = 256U << 20U;   ///< of the archive itself
@@ -51,12 +49,6 @@ struct UnpackLimits {
   std::uint64_t ratio = 200;             ///< unpacked to packed, for archives of more than 16 MiB unpacked
   std::uint64_t file = 1U << 20U;        ///< of a file that is taken
   std::size_t entries = 10'000;          ///< files and folders
-};
-
-/// A file of a submission that was not taken.
-struct Ignored {
-  std::string path;  ///< as text: UTF-8 without control characters
-  std::string reason;
 };
 
 struct Submission {

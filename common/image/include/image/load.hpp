@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "image/image.hpp"
 
@@ -30,14 +32,15 @@ Image8 load8(const std::filesystem::path& path, int channels = 0);
 /// The same with 16 bits a sample: 8-bit values v become 257 v, so that 255 becomes 65535.
 Image16 load16(const std::filesystem::path& path, int channels = 0);
 
-/// Loads a PNG of exactly this size as RGB, as `load8` does, by libspng: it never unpacks more than the size
-/// needs, and it checks the file's checksums. For pictures that strangers made. Throws Error (exit 3) that
-/// names the file for any other size, and when it is missing, broken or cut short.
-Image8 load_png(const std::filesystem::path& path, int width, int height);
+/// A PNG of exactly this size as RGB, as `load8` gives it, by libspng: it never unpacks more than the size
+/// needs, and it checks the file's checksums. For pictures that strangers made. Throws Error (exit 3) with
+/// `name` for any other size, and when it is broken or cut short.
+Image8 parse_png(std::string_view bytes, const std::string& name, int width, int height);
 
-/// Loads a portable float map, `PF` (3 channels) or `Pf` (1), of either byte order, bottom row first as the
-/// format has it. NaN and infinity are kept; the header's scale gives the byte order only. Limits and errors
-/// as for `load8`. Source: P. Debevec, http://www.pauldebevec.com/Research/HDR/PFM/
+/// A portable float map, `PF` (3 channels) or `Pf` (1), of either byte order, bottom row first as the format
+/// has it. NaN and infinity are kept; the header's scale gives the byte order only. Limits and errors as for
+/// `load8`, with `name`. Source: P. Debevec, http://www.pauldebevec.com/Research/HDR/PFM/
+ImageF parse_pfm(std::string_view bytes, const std::string& name);
 ImageF load_pfm(const std::filesystem::path& path);
 
 }  // namespace texel::image

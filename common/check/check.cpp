@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "check/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "check/files.hpp"
+#include "check/studio.hpp"
+#include "core/error.hpp"
+#include "core/file_lock.hpp"
+#include "core/files.hpp"
+#include "core/parallel.hpp"
+#include "course/markers.hpp"
+#include "judge/mistakes.hpp"
+#include "judge/plan.hpp"
+
+namespace texel::grade {
+namespace {
+
+namespace fs = std::filesystem;
+using course::Case;
+
+/// Where the tree's own pictures of the last check lie: one build may serve several trees (TEXEL_ROOT), and
+/// whoever shows a picture does so when another tree is checked already.
+fs::path checked_folder(const OwnTree& tree, const course::Lab& lab) {
+  const std::string name = fs::weakly_canonical(tree.source).string();
+  return tree.build / "check" / fmt::format("{:016x}", std::hash<std::string>()(name)) / lab.folder;
+}
+
+Studio studio_of(const OwnTree& tree, const course::Lab& lab, const std::string& context) {
+  Studio studio;
+  studio.program = tree.build / "bin" / lab.program();
+  studio.root = tree.source, studio.context = context;
+  studio.shader_cache = tree.build / "check/shaders";
+  return studio;
+}
+
+/// One lab's cases.
+class LabCheck {
+ public:
+  LabCheck(const OwnTree& tree, const LabPlan& plan, const std::set<std::string>& untouched,
+           const std::string& context)
+      : plan_(plan),
+        untouched_(untouched),
+        expected_(expected_folder(tree.source, plan.lab)),
+        own_(checked_folder(tree, plan.lab)),
+        studio_(studio_of(tree, plan.lab, context)) {
+    if (!fs::exists(studio_.program))
+      throw Error::failed("is not built", {studio_.program.string()},
+                          fmt::format("./run check {} builds it", plan.lab.number));
+    if (!fs::exists(expected_))
+      throw Error::failed("is missing: it holds the expected pictures", {expected_.string()},
+                          "take the folder from the course again; its makers draw it by ./run expected");
+  }
+
+  /// By so many processes side by side: nearly all of the time goes into compiling shaders.
+  std::vector<CaseResult> run(unsigned processes) {
+    fs::create_directories(own_.parent_path());
+    // A window and a watch may check the same lab.
+    const FileLock lock(own_.string() + ".lock");
+    draw_all(processes);
+    const fs::path known_mistakes = expected_ / "mistakes.json";
+    const std::vector<Mistake> mistakes = parse_mistakes(read_file(known_mistakes), known_mistakes.string());
+    std::vector<CaseResult> results;
+    for (const course::Step& step : plan_.lab.steps) {
+      std::map<std::string, Failed> failed;
+      for (const Case& one : plan_.cases) {
+        if (one.step != step.id) continue;
+        results.push_back(judged(one));
+        if (results.back().passed()) continue;
+        const Failed drawn{picture_bytes(own_ / one.file), said_of(one)};
+        if (!drawn.picture.empty() || !drawn.said.empty()) failed[one.name] = drawn;
+      }
+      const Mistake* known =
+          untouched_.contains(step.id) ? nullptr : recognise(mistakes, plan_, step.id, failed);
+      for (CaseResult& result : results)
+        if (known != nullptr && result.step == step.id && failed.contains(result.name))
+          result.mistake = known->name, result.mistake_says = known->says;
+    }
+    return results;
+  }
+
+ private:
+  void draw_all(unsigned processes) {
+    fs::remove_all(own_);
+    fs::create_directories(own_);
+    std::vector<std::vector<Case>> parts(std::min<std::size_t>(processes, plan_.cases.size()));
+    for (std::size_t i = 0; i < plan_.cases.size(); ++i) parts[i % parts.size()].push_back(plan_.cases[i]);
+    std::vector<Drawn> drawn(parts.size());
+    in_parallel(processes, parts.size(),
+                [&](std::size_t i) { drawn[i] = draw(studio_, parts[i], own_ / fmt::format("{}", i)); });
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      faults_.merge(drawn[i].faults);
+      said_.merge(drawn[i].said);
+      const fs::path folder = own_ / fmt::format("{}", i);
+      if (!fs::exists(folder)) continue;
+      for (const fs::directory_entry& file : fs::directory_iterator(folder))
+        fs::rename(file.path(), own_ / file.path().filename());
+      fs::remove_all(folder);
+    }
+  }
+
+  [[nodiscard]] std::string said_of(const Case& one) const {
+    const auto said = said_.find(one.file);
+    return said == said_.end() ? "" : said->second;
+  }
+
+  [[nodiscard]] CaseResult judged(const Case& one) const {
+    CaseResult result{one};
+    result.command = command(plan_.lab, one);
+    result.reference = (expected_ / one.file).string();
+    if (fs::exists(own_ / one.file)) result.picture = (own_ / one.file).string();
+    const fs::path mask = one.is_mesh() ? fs::path() : expected_ / fmt::format("{}.mask.png", one.name);
+    const auto fault = faults_.find(one.file);
+    settle(result, judge(one, ExpectedFiles{result.reference, mask}, own_ / one.file),
+           fault == faults_.end() ? "" : fault->second, untouched_.contains(one.step));
+    result.score = result.passed() ? 1 : 0;
+    return result;
+  }
+
+  const LabPlan& plan_;
+  const std::set<std::string>& untouched_;
+  fs::path expected_, own_;
+  Studio studio_;
+  std::map<std::string, std::string> faults_;  ///< why a picture is missing, by its file
+  std::map<std::string, std::string> said_;    ///< as Drawn has it
+};
+
+/// What drew the expected pictures, or "".
+std::string expected_by(const fs::path& source, const course::Lab& lab) {
+  const fs::path file = expected_folder(source, lab) / kRendererFile;
+  const std::string text = fs::exists(file) ? read_file(file) : "";
+  return text.substr(0, text.find('\n'));
+}
+
+bool is_text_of_programs(const fs::path& file) {
+  static const std::set<std::string> kEndings = {".cpp", ".hpp", ".glsl", ".vert", ".frag"};
+  return kEndings.contains(file.extension().string());
+}
+
+}  // namespace
+
+fs::path expected_folder(const fs::path& source, const course::Lab& lab) {
+  return source / "labs" / lab.folder / "expected";
+}
+
+bool is_software(const std::string& renderer) {
+  constexpr std::array kNames = {"llvmpipe", "softpipe", "lavapipe", "swrast", "Software Rasterizer"};
+  return std::any_of(kNames.begin(), kNames.end(),
+                     [&](const char* name) { return renderer.find(name) != renderer.npos; });
+}
+
+std::string renderer_note(const std::string& own, const std::string& expected) {
+  if (!is_software(own))
+    return fmt::format(
+        "Drawn by {}, which seems to be a GPU. The limits are measured for renderers in software: install "
+        "libgl1-mesa-dri, and type LIBGL_ALWAYS_SOFTWARE=1 before the command.",
+        own);
+  if (expected.empty() || expected == own) return fmt::format("Drawn by {}.", own);
+  return fmt::format("Drawn by {} here, expected by {}. The limits have room for both: docs/accuracy.md.",
+                     own, expected);
+}
+
+std::set<std::string> untouched_steps(const OwnTree& tree) {
+  std::set<std::string> steps;
+  for (const std::string& file : course::step_files(tree.source)) {
+    const std::string text = read_file(tree.source / file);
+    course::markers_of(text, file);
+    steps.merge(course::untouched_steps(text, course::first_text(tree.source, file), file));
+  }
+  return steps;
+}
+
+std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>& labs,
+                             const std::string& context) {
+  const std::vector<LabPlan> plans = public_plan(with_needed(labs, course::read_labs(tree.source / "labs")));
+  const std::set<std::string> as_at_first = untouched_steps(tree);
+  std::vector<std::vector<CaseResult>> found(plans.size());
+  const auto at_once = std::min<std::size_t>(processors(), plans.size());
+  std::string renderer;
+  in_parallel(processors(), plans.size() + 1, [&](std::size_t i) {
+    if (i == plans.size()) {
+      try {
+        renderer = renderer_of(studio_of(tree, plans.front().lab, context));
+      } catch (const Error&) {  // its cases say why the program does not draw
+      }
+      return;
+    }
+    found[i] =
+        LabCheck(tree, plans[i], as_at_first, context).run(processors() / static_cast<unsigned>(at_once));
+  });
+  std::vector<course::Lab> all;
+  std::vector<CaseResult> cases;
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    all.push_back(plans[i].lab);
+    cases.insert(cases.end(), found[i].begin(), found[i].end());
+  }
+  std::vector<LabResult> results = lab_results(all, std::move(cases));
+  std::erase_if(results, [&](const LabResult& result) {
+    return std::none_of(labs.begin(), labs.end(),
+                        [&](const course::Lab& lab) { return lab.number == result.lab.number; });
+  });
+  if (!renderer.empty())
+    for (LabResult& lab : results)
+      lab.notes.push_back(renderer_note(renderer, expected_by(tree.source, lab.lab)));
+  const std::map<std::string, Place> places = course::step_places(tree.source);
+  for (LabResult& lab : results)
+    for (StepResult& step : lab.steps)
+      if (const auto place = places.find(step.id); place != places.end())
+        step.file = place->second.file, step.line = place->second.line;
+  return results;
+}
+
+std::vector<fs::path> edited_files(const fs::path& source, const course::Lab& lab) {
+  std::set<fs::path> files;
+  for (const fs::path& folder :
+       {fs::path("labs") / lab.folder, fs::path("shaders") / lab.folder, fs::path("shaders") / "lib"})
+    for (const fs::directory_entry& entry : fs::directory_iterator(source / folder))
+      if (entry.is_regular_file() && is_text_of_programs(entry.path())) files.insert(entry.path());
+  for (const std::string& file : course::step_files(source))
+    if (file.starts_with("common/")) files.insert(source / file);
+  return {files.begin(), files.end()};
+}
+
+}  // namespace texel::grade

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "judge/results.hpp"
+
+/// The grader on a student's own machine: the public cases of a tree, drawn by its own programs and judged
+/// beside the expected pictures that came with it.
+namespace texel::grade {
+
+/// A tree with steps, and where it was built.
+struct OwnTree {
+  std::filesystem::path source, build;
+};
+
+/// Where a lab's expected pictures lie: for each public case `name.png`, `.pfm` or `.ply`, `name.mask.png`,
+/// `mistakes.json`, what known mistakes look like, and kRendererFile.
+std::filesystem::path expected_folder(const std::filesystem::path& source, const course::Lab& lab);
+/// Beside the expected pictures: what drew them.
+inline constexpr const char* kRendererFile = "renderer.txt";
+
+/// Whether a renderer of this name (GL_RENDERER) draws by the processor: llvmpipe, softpipe, or zink on
+/// Vulkan's llvmpipe.
+bool is_software(const std::string& renderer);
+/// What a student should know: `own` drew here, and `expected`, or "" if that is not known, what is compared
+/// with.
+std::string renderer_note(const std::string& own, const std::string& expected);
+
+/// The steps that are as they were at first. Throws Error (exit 3) where markers are spoilt.
+std::set<std::string> untouched_steps(const OwnTree& tree);
+
+/// Draws the public cases of the labs, and of those whose steps they need, by the programs as they are built,
+/// and judges them as the grader does. A renderer in software draws, unless the environment asks for another
+/// or the machine has none; a note of each lab is its renderer_note. Steps that are as they were at first are
+/// said to be so. Each case's `picture` and `reference` are paths of files; there are no partial scores, only
+/// 0 and 1. Throws Error (exit 3) when a program was not built, expected pictures are missing, or markers are
+/// spoilt.
+std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>& labs,
+                             const std::string& context);
+
+/// The files that a student of the lab edits: its sources and shaders, the shared shaders, and whatever else
+/// holds a step.
+std::vector<std::filesystem::path> edited_files(const std::filesystem::path& source, const course::Lab& lab);
+
+}  // namespace texel::grade

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Where a lab's program draws its cases, and what became of each.
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/confines.hpp"
+#include "course/case.hpp"
+
+namespace texel::grade {
+
+/// The variables of this process that choose and steer the driver, as LIBGL_ALWAYS_SOFTWARE or
+/// GALLIUM_DRIVER, by name. Unless they say otherwise, they ask for a renderer in software: expected pictures
+/// are its, and a sandbox has no other.
+std::vector<std::pair<std::string, std::string>> driver_variables();
+
+/// What draws.
+struct Studio {
+  std::filesystem::path program;                     ///< alone in its folder
+  std::filesystem::path root;                        ///< the folder with shaders/ and assets/
+  std::string context = "auto";                      ///< the program's --context
+  Run run = run_plainly;                             ///< or in a sandbox, a program that nobody trusts
+  std::vector<std::filesystem::path> readable = {};  ///< what it may read besides
+  std::filesystem::path shader_cache = {};           ///< where the driver keeps compiled shaders, if it does
+};
+
+/// The reasons why files are missing, by the file's name, and remarks on the whole.
+struct Drawn {
+  std::map<std::string, std::string> faults;
+  /// Of those, what the lab's program itself said: their first lines, without folders, since the same file
+  /// lies elsewhere for everybody. Not that it died or never ended, as it does by many mistakes.
+  std::map<std::string, std::string> said;
+  std::vector<std::string> notes;
+};
+
+/// Draws the cases into the folder `out`, from one process as long as it lives: the case at which it dies or
+/// runs out of time gets that as its reason, and another process draws what is left, three times at the most.
+/// Throws Error (exit 3) for faults of the machine.
+Drawn draw(const Studio& studio, const std::vector<course::Case>& cases, const std::filesystem::path& out);
+
+/// The driver that draws there, as the program says it: "llvmpipe (LLVM 15.0.6), Mesa 22.3.6". Throws Error
+/// (exit 3) when it does not draw.
+std::string renderer_of(const Studio& studio);
+
+/// The same by a trusted program. Throws Error (exit 3) when one cannot be drawn.
+void draw_all(const Studio& studio, const std::vector<course::Case>& cases, const std::filesystem::path& out);
+
+}  // namespace texel::grade

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "check/studio.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "core/plain_text.hpp"
+#include "course/batch.hpp"
+
+extern char** environ;
+
+namespace texel::grade {
+namespace {
+
+namespace fs = std::filesystem;
+using course::Case;
+
+/// Measured: a lab's 20 cases take 2 s of a processor, and 10 s where eight others want it too.
+constexpr double kProcessorSeconds = 30, kWallSeconds = 120;
+/// How often a program is started: again after it died, but for those that use up their time only once.
+constexpr int kMostStarts = 4, kMostTimeouts = 2;
+
+void set_shader_cache(const Studio& studio, Confines& confines) {
+  if (studio.shader_cache.empty())
+    confines.environment.emplace_back("MESA_SHADER_CACHE_DISABLE", "true");
+  else
+    confines.environment.emplace_back("MESA_SHADER_CACHE_DIR", studio.shader_cache.string());
+}
+
+Outcome run(const Studio& studio, const std::vector<Case>& cases, const fs::path& work, const fs::path& out) {
+  const fs::path folder = work / "cases";
+  fs::create_directories(folder);
+  fs::create_directories(out);
+  write_file(folder / "cases.json", course::to_batch(cases));
+  Confines confines;
+  confines.read_only = {studio.program.parent_path(), studio.root, folder};
+  confines.read_only.insert(confines.read_only.end(), studio.readable.begin(), studio.readable.end());
+  confines.writable = {out};
+  // So that a case can name a file as one does in the project's root: assets/models/….
+  confines.working_folder = studio.root;
+  confines.limits.cpu_seconds = kProcessorSeconds, confines.limits.wall_seconds = kWallSeconds;
+  confines.limits.files = 1024;
+  confines.environment = {
+      {"TEXEL_ROOT", studio.root.string()},
+      // All processors are busy with other students. And so each picture is written before
+      // the next is begun: the first that is missing is what a dying program was at.
+      {"LP_NUM_THREADS", "0"},
+      {"TEXEL_THREADS", "1"}};
+  set_shader_cache(studio, confines);
+  for (const auto& variable : driver_variables())
+    if (studio.run == run_plainly || variable.first != "LD_PRELOAD") confines.environment.push_back(variable);
+  // Where several samples of a pixel lie, and whether there are several, is the driver's choice.
+  return studio.run(confines, {studio.program.string(), "--context", studio.context, "--samples", "1",
+                               "--batch", (folder / "cases.json").string(), "--out", out.string()});
+}
+
+/// "crashed (segmentation fault)": how a program ended that did not draw what it should.
+std::string end_of(const Outcome& outcome) {
+  if (outcome.limit != Limit::none)
+    return fmt::format("The program was ended here: it used up its {}", name_of(outcome.limit));
+  if (outcome.signal == SIGSEGV)
+    return "The program crashed here: it read or wrote where nothing is (SIGSEGV)";
+  if (outcome.signal == SIGABRT) return "The program gave up here (SIGABRT)";
+  if (outcome.signal == SIGFPE)
+    return "The program crashed here: a whole number was divided by zero (SIGFPE)";
+  if (outcome.signal != 0) return fmt::format("The program was ended here by signal {}", outcome.signal);
+  return fmt::format("The program ended with exit code {} and drew nothing", outcome.exit_code);
+}
+
+/// Why the program did not draw its cases, by file, as it says itself. Nobody may trust what it wrote.
+std::map<std::string, std::string> reasons(const fs::path& out) {
+  constexpr std::uintmax_t most = 1U << 20U;
+  std::map<std::string, std::string> all;
+  const fs::path file = out / course::kDrawingsFile;
+  if (!fs::is_regular_file(fs::symlink_status(file)) || fs::file_size(file) > most) return all;
+  for (const course::Drawing& drawing : course::parse_drawings(read_file(file)))
+    if (!drawing.is_drawn) all[drawing.file] = plain_lines(drawing.message);
+  fs::remove(file);
+  return all;
+}
+
+std::string without_folders(const std::string& reason) {
+  constexpr std::size_t most = 500;  // a hostile line may be as long as all that is kept
+  std::istringstream words(reason.substr(0, std::min(reason.find('\n'), most)));
+  std::string text;
+  for (std::string word; words >> word;) text += (text.empty() ? "" : " ") + word.substr(word.rfind('/') + 1);
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> driver_variables() {
+  constexpr std::array kSteer = {"GALLIUM_",    "GALLIVM_", "LIBGL_", "LP_NATIVE",
+                                 "MESA_LOADER", "VK_",      "__EGL_", "LD_PRELOAD"};
+  // Of several makers' drivers EGL takes the first that fits; Mesa's is the one that draws in software.
+  constexpr const char* kMesa = "/usr/share/glvnd/egl_vendor.d/50_mesa.json";
+  std::map<std::string, std::string> all = {{"LIBGL_ALWAYS_SOFTWARE", "1"}};
+  if (fs::exists(kMesa)) all["__EGL_VENDOR_LIBRARY_FILENAMES"] = kMesa;
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    const std::string text = *variable;
+    if (std::any_of(kSteer.begin(), kSteer.end(), [&](const char* head) { return text.starts_with(head); }))
+      all[text.substr(0, text.find('='))] = text.substr(text.find('=') + 1);
+  }
+  return {all.begin(), all.end()};
+}
+
+Drawn draw(const Studio& studio, const std::vector<Case>& cases, const fs::path& out) {
+  Drawn drawn;
+  std::vector<Case> left = cases;
+  const fs::path work = out.parent_path() / (out.filename().string() + ".work");
+  int timeouts = 0;
+  for (int start = 0; start < kMostStarts && timeouts < kMostTimeouts && !left.empty(); ++start) {
+    fs::remove_all(work);
+    const Outcome outcome = run(studio, left, work, out);
+    const std::map<std::string, std::string> why = reasons(out);
+    std::vector<Case> missing;
+    for (const Case& one : left) {
+      if (fs::is_regular_file(fs::symlink_status(out / one.file))) continue;
+      if (const auto reason = why.find(one.file); reason != why.end())
+        drawn.faults[one.file] = reason->second, drawn.said[one.file] = without_folders(reason->second);
+      else
+        missing.push_back(one);
+    }
+    left = missing;
+    if (left.empty()) break;
+    const bool has_died = outcome.signal != 0 || outcome.limit != Limit::none;
+    if (!has_died) {
+      std::string text = plain_lines(outcome.errors.substr(0, 2000));
+      for (const Case& one : left)
+        drawn.faults[one.file] = end_of(outcome) + (text.empty() ? "" : ": " + text);
+      left.clear();
+      break;
+    }
+    if (outcome.limit == Limit::wall || outcome.limit == Limit::cpu) ++timeouts;
+    drawn.faults[left.front().file] = end_of(outcome);
+    drawn.notes.push_back(fmt::format("{}: {}", left.front().name, end_of(outcome)));
+    left.erase(left.begin());
+  }
+  for (const Case& one : left)
+    drawn.faults[one.file] =
+        "Not drawn: the program was ended or died several times before this one's turn came";
+  fs::remove_all(work);
+  return drawn;
+}
+
+std::string renderer_of(const Studio& studio) {
+  Confines plain;
+  plain.environment = driver_variables();
+  plain.environment.emplace_back("TEXEL_ROOT", studio.root.string());
+  set_shader_cache(studio, plain);
+  plain.limits.wall_seconds = plain.limits.cpu_seconds = 60;
+  const Outcome outcome = run_plainly(
+      plain, {studio.program.string(), "--context", studio.context, "--size", "16x16", "--stats", "-"});
+  const auto json = nlohmann::json::parse(outcome.output, nullptr, false);
+  if (!outcome.succeeded() || !json.is_object())
+    throw Error::failed("the course's own program does not draw", {studio.program.string()}, outcome.errors);
+  return json.value("drawn_by", std::string());
+}
+
+void draw_all(const Studio& studio, const std::vector<Case>& cases, const fs::path& out) {
+  const fs::path work = out.parent_path() / (out.filename().string() + ".work");
+  const Outcome outcome = run(studio, cases, work, out);
+  fs::remove_all(work);
+  fs::remove(out / course::kDrawingsFile);
+  if (!outcome.succeeded())
+    throw Error::failed(fmt::format("the course's own program fails with exit code {}", outcome.exit_code),
+                        {studio.program.string()}, plain_lines(outcome.errors.substr(0, 2000)));
+}
+
+}  // namespace texel::grade

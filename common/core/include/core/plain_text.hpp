@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace texel {
+
+/// Any bytes as text that can be shown: what is no UTF-8, controls, and the marks that turn the direction of
+/// writing become U+FFFD. HTML, CSV and the like must still escape it.
+std::string plain_text(std::string_view bytes);
+
+/// The same line by line: line feeds stay, tabs become spaces.
+std::string plain_lines(std::string_view bytes);
+
+/// Whether `plain_text` would change nothing.
+bool is_plain_text(std::string_view bytes);
+
+/// ASCII capitals made small.
+std::string lower_case(std::string_view text);
+
+}  // namespace texel

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "course/lab_file.hpp"
+
+/// The files between the tools and a lab's program: the list of --batch, the results.json that the program
+/// leaves beside the pictures, and the list of --bench.
+namespace texel::course {
+
+/// `[{"name", "view", "size", "set": {parameter: value}}]`. The name is the file; a mesh has no view and
+/// size.
+std::string to_batch(const std::vector<Case>& cases);
+
+/// Reads such a list. `name` becomes name.png, unless it ends in .png or .pfm itself, or in .ply for a mesh;
+/// a value is a text, a number or a boolean. Throws Error (exit 2) that counts to the entry that is wrong.
+/// Whether the lab has such views and parameters is not known here.
+std::vector<Case> parse_batch(const std::string& list);
+
+/// What became of a case.
+struct Drawing {
+  std::string file;
+  bool is_drawn = false;
+  std::string message;  ///< why it is not drawn, or ""
+  double milliseconds = 0;
+
+  bool operator==(const Drawing&) const = default;
+};
+
+/// Its name in the folder of the pictures.
+inline constexpr const char* kDrawingsFile = "results.json";
+
+/// `[{"name", "status": "drawn" | "failed", "message", "milliseconds"}]`
+std::string to_json(const std::vector<Drawing>& drawings);
+
+/// Reads such a list, which a program may have written that nobody trusts: entries that are none are left
+/// out, and texts are cut off after 2000 bytes.
+std::vector<Drawing> parse_drawings(const std::string& text);
+
+/// What a lab's methods are measured on.
+struct BenchList {
+  double seconds = 2;  ///< how long each case is timed; 0: the errors alone
+  std::vector<BenchCase> cases;
+};
+
+/// `{"seconds", "cases": [{"case", "size", "set": {parameter: value}, "vary": {parameter: [values]}}]}`
+std::string to_json(const BenchList& list);
+/// Reads such a list. Throws Error (exit 2) that counts to the case that is wrong.
+BenchList parse_bench(const std::string& list);
+
+}  // namespace texel::course

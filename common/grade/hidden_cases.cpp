@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "grade/hidden_cases.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "fingerprint.hpp"
+#include "grade/unseen_model.hpp"
+
+namespace texel::grade {
+namespace {
+
+namespace fs = std::filesystem;
+using course::Case;
+
+/// One of the values that a hidden parameter may take.
+std::string drawn(const course::Hidden& hidden, std::uint64_t number) {
+  if (!hidden.values.empty()) return hidden.values[number % hidden.values.size()];
+  // Few digits, so that the value is the same as text and as a float.
+  const double share = static_cast<double>(number >> 11U) / static_cast<double>(1ULL << 53U);
+  return fmt::format("{:.4g}", hidden.least + share * (hidden.most - hidden.least));
+}
+
+/// Writes the model that stands for `unseen:kind` and returns its place.
+std::string write_unseen(const std::string& kind, std::uint64_t number, const fs::path& models) {
+  std::error_code error;
+  fs::create_directories(models, error);
+  if (error)
+    throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {models.string()});
+  const fs::path file = models / fmt::format("{}_{:016x}.obj", kind, number);
+  write_file(file, unseen_model(kind, number));
+  return file.string();
+}
+
+Case settled(const course::Lab& lab, const course::GradedCase& graded, const std::string& seed,
+             const fs::path& models) {
+  Case one = graded;
+  for (const course::Hidden& hidden : graded.hidden_settings) {
+    const auto known = std::find_if(one.settings.begin(), one.settings.end(), [&](const course::Setting& s) {
+      return s.parameter == hidden.parameter;
+    });
+    const std::string value = drawn(hidden, draw({seed, lab.folder, graded.name, hidden.parameter}));
+    if (known != one.settings.end())
+      known->value = value;
+    else
+      one.settings.push_back({hidden.parameter, value});
+  }
+  for (course::Setting& setting : one.settings)
+    if (setting.value.starts_with(course::kUnseen))
+      setting.value = write_unseen(setting.value.substr(std::string_view(course::kUnseen).size()),
+                                   draw({seed, lab.folder, graded.name, setting.parameter}), models);
+  return one;
+}
+
+}  // namespace
+
+std::vector<LabPlan> full_plan(const std::vector<course::Lab>& labs, const std::string& seed,
+                               const fs::path& models) {
+  std::vector<LabPlan> plans;
+  for (const course::Lab& lab : labs) {
+    LabPlan plan{lab, {}};
+    for (const course::GradedCase& graded : lab.cases)
+      plan.cases.push_back(settled(lab, graded, seed, models));
+    plans.push_back(std::move(plan));
+  }
+  return plans;
+}
+
+}  // namespace texel::grade

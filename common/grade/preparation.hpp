@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The first part of grading a class: everything that is the same for all students.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "course_side.hpp"
+#include "grade/grader.hpp"
+#include "judge/plan.hpp"
+#include "workshop.hpp"
+
+namespace texel::grade {
+
+struct Preparation {
+  std::vector<course::Lab> labs;         ///< that are asked for and have steps
+  std::vector<course::Lab> graded_labs;  ///< and those whose steps they need
+  std::vector<LabPlan> plans;            ///< of the graded labs
+  std::string seed;                      ///< the course's secret
+  std::filesystem::path models;          ///< models that nobody has seen
+  std::vector<std::string> allowed;      ///< files that a student may change
+  BuiltTree starter;
+  std::unique_ptr<CourseSide> course;  ///< the solution, and what it draws
+  std::unique_ptr<Workshop> workshop;  ///< where students' programs are made
+};
+
+/// Reads the course, makes the seed unless there is one, builds the starter, and has the solution and the
+/// starter draw all cases, `jobs` labs at a time. Throws Error: exit 2 when no lab that is asked for has
+/// steps, exit 3 when something does not build or draw.
+Preparation prepare(const GradeOptions& options, unsigned jobs);
+
+}  // namespace texel::grade

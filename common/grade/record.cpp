@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "core/error.hpp"
+#include "course/batch.hpp"
+#include "fingerprint.hpp"
+
+namespace texel::grade {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What results depend on: two runs may only be joined where all of it is the same.
+std::map<std::string, std::string> facts_of(const GradeOptions& options, const Preparation& preparation) {
+  std::string labs, lists;
+  for (const course::Lab& lab : preparation.labs)
+    labs += fmt::format("{}{}", labs.empty() ? "" : " ", lab.number);
+  for (const LabPlan& plan : preparation.plans) lists += course::to_batch(plan.cases);
+  return {{"labs", labs},
+          {"seed", fingerprint({"seed", preparation.seed}).substr(0, 12)},
+          {"renderer", preparation.course->renderer()},
+          {"context", options.context},
+          {"course", fingerprint({preparation.starter.fingerprint, lists}).substr(0, 12)}};
+}
+
+}  // namespace
+
+Record::Record(const GradeOptions& options, const Preparation& preparation, std::size_t cases,
+               std::function<void(const std::string&)> say)
+    : options_(options),
+      preparation_(preparation),
+      cases_(cases),
+      say_(std::move(say)),
+      store_(std::make_unique<Store>(store_file(options.out))) {
+  const std::map<std::string, std::string> facts = facts_of(options, preparation), before = store_->facts();
+  if (options.resume && !before.empty()) {
+    for (const auto& [name, value] : facts)
+      if (const auto known = before.find(name); known == before.end() || known->second != value)
+        throw Error::usage(
+            fmt::format("what is in '{}' was graded with another {}", options.out.string(), name),
+            "leave --resume out to grade anew");
+  } else if (!before.empty()) {
+    store_->begin_anew(preparation.graded_labs);
+    fs::remove_all(options.out / "pictures");
+  }
+  store_->put_facts(facts);
+  keep_references();
+}
+
+void Record::keep_references() const {
+  for (const LabPlan& plan : preparation_.plans) {
+    const fs::path folder = options_.out / "references" / plan.lab.folder;
+    fs::create_directories(folder);
+    for (const course::Case& one : plan.cases)
+      if (!one.hidden)
+        fs::copy_file(preparation_.course->expected(plan, one).reference, folder / one.file,
+                      fs::copy_options::overwrite_existing);
+  }
+}
+
+std::set<std::string> Record::begin(const Entry& entry, const StudentRun* run) {
+  StudentResult student;
+  student.id = entry.id, student.name = entry.name, student.number = entry.number;
+  if (run == nullptr) {
+    // Known all the same, and with what was judged before.
+    store_->put_student(student, "");
+    return {};
+  }
+  student.fault = run->submission().fault;
+  student.ignored = run->worth_telling();
+  store_->put_student(student, run->digest());
+  return store_->judged(student.id);
+}
+
+void Record::keep(const Entry& entry, const JudgedCase& judged) {
+  // What is larger than any sound picture of the cases is a stranger's joke.
+  constexpr std::uintmax_t most = 8U << 20U;
+  CaseResult result = judged.result;
+  if (!judged.picture.empty() && fs::file_size(judged.picture) <= most) {
+    const fs::path place = fs::path("pictures") / entry.id / result.lab / result.file;
+    fs::create_directories((options_.out / place).parent_path());
+    fs::copy_file(judged.picture, options_.out / place, fs::copy_options::overwrite_existing);
+    result.picture = place.generic_string();
+  }
+  store_->put(entry.id, result);
+  ++judged_, ++finished_;
+}
+
+void Record::end_lab(const Entry& entry, const LabPlan& plan, const JudgedLab& judged,
+                     std::size_t judged_before, const std::string& incident) {
+  for (const CompilerLog& log : judged.logs) store_->put_log(entry.id, log);
+  if (incident.empty() && judged_before < plan.cases.size())
+    store_->put_notes(entry.id, plan.lab.folder, judged.notes);
+  store_->put_incident(entry.id, plan.lab.folder, incident);
+  finished_ += judged_before;
+  progress();
+}
+
+std::size_t Record::incidents() const {
+  const std::vector<StudentResult> students = store_->read(preparation_.graded_labs).students;
+  return static_cast<std::size_t>(std::count_if(
+      students.begin(), students.end(), [](const StudentResult& one) { return !one.incident.empty(); }));
+}
+
+void Record::progress() {
+  const std::scoped_lock lock(mutex_);
+  const double now = seconds();
+  if (now - said_ < 1 && finished_ < cases_) return;
+  said_ = now;
+  const double rate = static_cast<double>(judged_) / std::max(now, 1e-3);
+  const auto left = static_cast<double>(cases_ - std::min<std::size_t>(cases_, finished_));
+  say_(fmt::format("{} of {} cases, {:.1f} a second, {} left", finished_.load(), cases_, rate,
+                   rate > 0 ? duration_text(left / rate) : "?"));
+}
+
+}  // namespace texel::grade

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The third part of grading a class: what was judged, in the store and the results' folder as it comes.
+#pragma once
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+
+#include "core/stopwatch.hpp"
+#include "preparation.hpp"
+#include "store/store.hpp"
+#include "student_run.hpp"
+
+namespace texel::grade {
+
+/// Its members may be called by several threads.
+class Record {
+ public:
+  /// Opens the store of `options.out`, in which earlier results become those that the new ones are compared
+  /// with, unless they are resumed. Keeps the expected pictures of public cases, for the reports. `say` gets
+  /// progress over so many cases. Throws Error: exit 2 when what is resumed was graded otherwise; exit 3 when
+  /// nothing can be written.
+  Record(const GradeOptions& options, const Preparation& preparation, std::size_t cases,
+         std::function<void(const std::string&)> say);
+
+  /// A student, and the submission where it could be opened. Returns the cases, as "05_normal_map/bumps",
+  /// that were judged before.
+  std::set<std::string> begin(const Entry& entry, const StudentRun* run);
+  void keep(const Entry& entry, const JudgedCase& judged);
+  /// After a lab: of its cases, so many were judged before. `incident` is what kept it from being judged, or
+  /// "".
+  void end_lab(const Entry& entry, const LabPlan& plan, const JudgedLab& judged, std::size_t judged_before,
+               const std::string& incident);
+
+  /// Cases judged by this run, and students whom the machine kept from being graded in full.
+  [[nodiscard]] std::size_t judged() const { return judged_; }
+  [[nodiscard]] std::size_t incidents() const;
+  /// Since this was made.
+  [[nodiscard]] double seconds() const { return stopwatch_.milliseconds() / 1000; }
+
+ private:
+  void progress();
+  void keep_references() const;
+
+  const GradeOptions& options_;
+  const Preparation& preparation_;
+  std::size_t cases_;
+  std::function<void(const std::string&)> say_;
+  std::unique_ptr<Store> store_;
+  Stopwatch stopwatch_;
+  std::atomic<std::size_t> judged_ = 0, finished_ = 0;
+  std::mutex mutex_;
+  double said_ = 0;  ///< seconds at which `say_` was called last
+};
+
+}  // namespace texel::grade

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// The second part of grading a class: one student's submission, from the archive to the judged cases.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "check/studio.hpp"
+#include "grade/submission.hpp"
+#include "preparation.hpp"
+
+namespace texel::grade {
+
+/// A case that was judged, and the student's picture where it is wrong.
+struct JudgedCase {
+  CaseResult result;
+  std::filesystem::path picture;  ///< a file that is gone after the lab, or none
+};
+
+/// What one lab of one student came to.
+struct JudgedLab {
+  std::vector<CompilerLog> logs;
+  std::vector<std::string> notes;
+};
+
+/// Members of different labs may be called at the same time.
+class StudentRun {
+ public:
+  /// Opens the submission, and makes its shaders' tree in `folder`, which is gone with this. Throws Error
+  /// (exit 3) for faults of the machine.
+  StudentRun(const Preparation& preparation, const GradeOptions& options, const Entry& entry,
+             std::filesystem::path folder);
+  ~StudentRun();
+  StudentRun(const StudentRun&) = delete;
+  StudentRun& operator=(const StudentRun&) = delete;
+
+  [[nodiscard]] const Submission& submission() const { return submission_; }
+  /// A text that changes when the submission does.
+  [[nodiscard]] const std::string& digest() const { return digest_; }
+  /// What the student should know of the files that were not taken: files of the course that came back
+  /// unchanged are no news; of the others the first hundred.
+  [[nodiscard]] std::vector<Ignored> worth_telling() const;
+
+  /// Compiles the lab's program, draws the cases and judges them, step by step; `keep` gets each as it is
+  /// judged. Throws Error (exit 3) for faults of the machine.
+  JudgedLab judge(const LabPlan& plan, const std::vector<course::Case>& cases,
+                  const std::function<void(const JudgedCase&)>& keep) const;
+
+ private:
+  [[nodiscard]] CaseResult judged(const LabPlan& plan, const course::Case& of, const Program& program,
+                                  const Drawn& drawn, const std::filesystem::path& out) const;
+  [[nodiscard]] std::string fault_of(const course::Case& of, const Program& program,
+                                     const Drawn& drawn) const;
+
+  const Preparation& preparation_;
+  const GradeOptions& options_;
+  std::filesystem::path folder_;
+  Submission submission_;
+  std::string digest_;
+  std::set<std::string> untouched_;  ///< steps that are as the starter has them
+};
+
+}  // namespace texel::grade

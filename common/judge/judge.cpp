@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#include "judge/judge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "compare_streams.hpp"
+#include "core/error.hpp"
+#include "core/plain_text.hpp"
+#include "image/difference.hpp"
+#include "image/flip.hpp"
+#include "image/load.hpp"
+#include "mesh/ply.hpp"
+
+namespace texel::grade {
+namespace {
+
+using course::Case;
+using course::Size;
+using course::Unit;
+using course::View;
+using image::Image8;
+using image::ImageF;
+
+/// What makes a picture useless: mean errors over the object or the background. Set by the pictures of
+/// tests/labs/score_test.cpp. Over the object, FLIP is 0.08 to 0.18 for those shifted by a pixel, 0.07 to
+/// 0.16 for those 5 steps brighter, and 0.23 to 0.29 for mirrored ones: squared, the first keep half their
+/// marks and the last lose nearly all.
+constexpr double kUselessFlip = 0.27;
+constexpr double kUselessSteps = 40;
+/// And the share of the blocks that show something else: with half of the rows missing a third of the object
+/// can be.
+constexpr double kUselessBlocks = 0.8;
+/// The score of a picture that is nearly right.
+constexpr double kMostOfWrong = 0.95;
+
+double useless_mean(Unit unit) {
+  if (unit == Unit::degrees) return 40;
+  if (unit == Unit::levels) return 2;
+  if (unit == Unit::texture_widths) return 0.25;
+  return 1;  // distances have no such share: what counts is the starter's
+}
+
+image::Unit compared_as(Unit unit) {
+  return unit == Unit::degrees ? image::Unit::degrees : image::Unit::own;
+}
+
+Image8 parse(std::string_view bytes, const std::string& name, Size size, const Image8*) {
+  return image::parse_png(bytes, name, size.width, size.height);
+}
+
+ImageF parse(std::string_view bytes, const std::string& name, Size size, const ImageF*) {
+  // A float picture is as large as its file; more than this is no picture of that size.
+  const auto most = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) * 12 + 100;
+  if (bytes.size() > most) throw Error::failed("is larger than a picture of the size asked for", {name});
+  ImageF picture = image::parse_pfm(bytes, name);
+  if (picture.width != size.width || picture.height != size.height)
+    throw Error::failed(
+        fmt::format("is {}x{} pixels, not {}x{}", picture.width, picture.height, size.width, size.height),
+        {name});
+  // As all data views are written; pictures of other channels cannot be compared.
+  if (picture.channels != 3)
+    throw Error::failed(fmt::format("has {} channel, not 3", picture.channels), {name});
+  return picture;
+}
+
+mesh::Mesh parse_stream(std::string_view bytes, const std::string& name) {
+  constexpr std::size_t most = 64U << 20U;
+  if (bytes.size() > most) throw Error::failed("is larger than 64 MiB", {name});
+  return mesh::parse_ply(bytes, name);
+}
+
+/// One part of the picture: the object or the background.
+struct Part {
+  const char* name;
+  Image8 mask;
+  bool any = false;
+  image::Difference difference;  ///< of the picture from the reference there
+};
+
+/// Whether the mask is the same in the 3x3 pixels around one. Where the object's edge passes between others
+/// is the rasteriser's choice: OpenGL leaves it how finely it rounds a vertex's place in the window.
+bool is_inside(const Image8& mask, int x, int y) {
+  for (int near_y = std::max(y - 1, 0); near_y <= std::min(y + 1, mask.height - 1); ++near_y)
+    for (int near_x = std::max(x - 1, 0); near_x <= std::min(x + 1, mask.width - 1); ++near_x)
+      if ((mask.at(near_x, near_y) > 127) != (mask.at(x, y) > 127)) return false;
+  return true;
+}
+
+std::vector<Part> parts_of(std::string_view mask_bytes, Size size) {
+  const Image8 mask = image::parse_png(mask_bytes, "the mask", size.width, size.height);
+  std::vector<Part> parts = {{"object", Image8(size.width, size.height, 1), false, {}},
+                             {"background", Image8(size.width, size.height, 1), false, {}}};
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) {
+      if (!is_inside(mask, x, y)) continue;
+      Part& part = parts[mask.at(x, y) > 127 ? 0 : 1];
+      part.mask.at(x, y) = 255;
+      part.any = true;
+    }
+  parts.erase(std::remove_if(parts.begin(), parts.end(), [](const Part& part) { return !part.any; }),
+              parts.end());
+  return parts;
+}
+
+/// The share of a part where the picture shows something else: in blocks of an eighth of the picture's width,
+/// those whose mean colours are further apart than a change of tone. A picture of which half is missing is
+/// no worse than a shifted one by the means over all pixels.
+double share_of_other_blocks(const Image8& reference, const Image8& picture, const Part& part) {
+  constexpr int blocks = 8;
+  constexpr double tone = 10;  // steps; a picture that is off by 5 everywhere has another tone
+  struct Block {
+    long long pixels = 0;
+    std::array<long long, 3> sums{};
+  };
+  std::array<Block, blocks * blocks> all;
+  for (int y = 0; y < reference.height; ++y)
+    for (int x = 0; x < reference.width; ++x) {
+      if (part.mask.at(x, y) == 0) continue;
+      Block& block = all[static_cast<std::size_t>(y * blocks / reference.height * blocks +
+                                                  x * blocks / reference.width)];
+      ++block.pixels;
+      for (int c = 0; c < 3; ++c)
+        block.sums[static_cast<std::size_t>(c)] += picture.at(x, y, c) - reference.at(x, y, c);
+    }
+  double other = 0, pixels = 0;
+  for (const Block& block : all) {
+    const auto count = static_cast<double>(block.pixels);
+    pixels += count;
+    if (std::any_of(block.sums.begin(), block.sums.end(),
+                    [&](long long sum) { return std::abs(static_cast<double>(sum)) > tone * count; }))
+      other += count;
+  }
+  return other / pixels;
+}
+
+/// The worst mean error of a picture over a part, as a share of what makes it useless.
+double wrongness(const Image8& reference, const Image8& picture, const std::vector<Part>& parts, Unit) {
+  const ImageF flip_errors = image::flip_errors(reference, picture);
+  double worst = 0;
+  for (const Part& part : parts) {
+    const double flip = image::flip_figures(flip_errors, &part.mask).mean;
+    worst = std::max({worst, std::pow(flip / kUselessFlip, 2), part.difference.mean / kUselessSteps,
+                      share_of_other_blocks(reference, picture, part) / kUselessBlocks});
+  }
+  return worst;
+}
+
+double wrongness(const ImageF&, const ImageF&, const std::vector<Part>& parts, Unit unit) {
+  double worst = 0;
+  for (const Part& part : parts) {
+    if (part.difference.non_finite > 0) return std::numeric_limits<double>::infinity();
+    worst = std::max(worst, part.difference.mean / useless_mean(unit));
+  }
+  return worst;
+}
+
+std::string where(const image::Difference& difference) {
+  const char* column = 3 * difference.worst_x < difference.width       ? "left"
+                       : 3 * difference.worst_x < 2 * difference.width ? "middle"
+                                                                       : "right";
+  const char* row = 3 * difference.worst_y < difference.height       ? "lower"
+                    : 3 * difference.worst_y < 2 * difference.height ? "centre"
+                                                                     : "upper";
+  return fmt::format("worst at pixel {}, {} from the lower left ({} {})", difference.worst_x,
+                     difference.worst_y, row, column);
+}
+
+Verdict nothing_to_compare(std::string message) {
+  return {false, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+          std::move(message)};
+}
+
+Verdict unreadable(const std::string& name, const Error& error) {
+  std::string text = error.what();
+  if (text.starts_with(name + ": ")) text = text.substr(name.size() + 2);
+  return nothing_to_compare(fmt::format("The {} {}", name, plain_text(text)));
+}
+
+/// A number with the digits that matter.
+std::string short_number(double value) {
+  return fmt::format("{:.3g}", value);
+}
+
+template <class Picture>
+Verdict judge_picture(const Case& of, const Expected& expected, std::string_view bytes) {
+  const Unit unit = unit_of(of.view);
+  const auto reference = parse(expected.reference, "the reference", of.size, static_cast<Picture*>(nullptr));
+  Verdict verdict;
+  Picture picture;
+  try {
+    picture = parse(bytes, "picture", of.size, static_cast<Picture*>(nullptr));
+  } catch (const Error& error) {
+    return unreadable("picture", error);
+  }
+
+  long long non_finite = image::compare(reference, picture).non_finite;
+  verdict.passed = non_finite == 0;
+  std::string worst;
+  std::vector<Part> parts = parts_of(expected.mask, of.size);
+  for (Part& part : parts) {
+    part.difference = image::compare(reference, picture,
+                                     {.mask = &part.mask, .edge_tolerance = true, .unit = compared_as(unit)});
+    const image::Difference& difference = part.difference;
+    if (difference.p999 > verdict.error || worst.empty()) {
+      verdict.error = std::max(verdict.error, difference.p999);
+      worst = fmt::format("{} in the {}", where(difference), part.name);
+    }
+    if (difference.p999 > of.limit) verdict.passed = false;
+  }
+  if (verdict.passed) return verdict;
+  verdict.wrongness = wrongness(reference, picture, parts, unit);
+  verdict.message = non_finite > 0
+                        ? fmt::format("{} pixels are not finite (NaN or infinity).", non_finite)
+                        : fmt::format("Off by {} {} where {} is the limit; {}.", short_number(verdict.error),
+                                      name_of(unit), short_number(of.limit), worst);
+  return verdict;
+}
+
+Verdict judge_stream(const Case& of, const Expected& expected, std::string_view bytes) {
+  mesh::Mesh reference = mesh::parse_ply(expected.reference, "the reference"), own;
+  try {
+    own = parse_stream(bytes, "vertex stream");
+  } catch (const Error& error) {
+    return unreadable("vertex stream", error);
+  }
+  return compare_streams(of.limit, std::move(reference), std::move(own));
+}
+
+}  // namespace
+
+Verdict judge(const Case& of, const Expected& expected, std::optional<std::string_view> picture) {
+  if (!picture) return nothing_to_compare("There is no picture.");
+  if (of.is_mesh()) return judge_stream(of, expected, *picture);
+  if (of.view != View::color) return judge_picture<ImageF>(of, expected, *picture);
+  // Most right pictures are this right. Of floats the same bytes may still be no numbers.
+  if (expected.reference == *picture) return {true, 0, 0, {}};
+  return judge_picture<Image8>(of, expected, *picture);
+}
+
+double score(const Case& of, const Verdict& verdict, double worthless) {
+  if (verdict.passed) return 1;
+  const double zero = unit_of(of.view) == Unit::units ? worthless : std::min(1.0, worthless);
+  if (!(zero > 0) || !std::isfinite(zero)) return 0;
+  return std::clamp(1 - verdict.wrongness / zero, 0.0, kMostOfWrong);
+}
+
+}  // namespace texel::grade

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "judge/mistakes.hpp"
+
+namespace texel::grade {
+namespace {
+
+/// A number; JSON has none that are not finite.
+double number(const nlohmann::json& value) {
+  return value.is_null() ? std::nan("") : value.get<double>();
+}
+
+}  // namespace
+
+std::string to_json(const std::vector<Mistake>& mistakes) {
+  std::string text = "[\n";
+  for (const Mistake& mistake : mistakes) {
+    nlohmann::ordered_json one{{"name", mistake.name}, {"step", mistake.step}, {"says", mistake.says}};
+    for (const auto& [name, samples] : mistake.cases) {
+      nlohmann::ordered_json& place = one["cases"][name];
+      if (!samples.said.empty()) {
+        place["said"] = samples.said;
+        continue;
+      }
+      place["count"] = samples.count;
+      for (const Samples::Sample& sample : samples.samples) {
+        nlohmann::ordered_json values = {sample.index};
+        for (const double value : sample.values) values.push_back(value);  // NaN becomes null
+        place["samples"].push_back(values);
+      }
+    }
+    text += one.dump() + (&mistake == &mistakes.back() ? "\n" : ",\n");
+  }
+  return text + "]\n";
+}
+
+std::vector<Mistake> parse_mistakes(const std::string& text, const std::string& file) {
+  std::vector<Mistake> mistakes;
+  try {
+    for (const nlohmann::json& one : nlohmann::json::parse(text)) {
+      Mistake mistake{one.at("name"), one.at("step"), one.at("says"), {}};
+      for (const auto& [name, place] : one.at("cases").items()) {
+        Samples samples{place.value("said", std::string()), 0, {}};
+        samples.count = samples.said.empty() ? place.at("count").get<std::size_t>() : 0;
+        for (const nlohmann::json& row :
+             samples.said.empty() ? place.at("samples") : nlohmann::json::array()) {
+          Samples::Sample sample{row.at(0), {}};
+          for (std::size_t i = 1; i < row.size(); ++i) sample.values.push_back(number(row[i]));
+          samples.samples.push_back(std::move(sample));
+        }
+        mistake.cases[name] = std::move(samples);
+      }
+      mistakes.push_back(std::move(mistake));
+    }
+  } catch (const nlohmann::json::exception& error) {
+    throw Error::failed(fmt::format("is no list of mistakes: {}", error.what()), {file},
+                        "take the file from the course again");
+  }
+  return mistakes;
+}
+
+}  // namespace texel::grade

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "judge/results_json.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+
+namespace texel::grade {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const CaseResult& result) {
+  Json set = Json::object();
+  for (const course::Setting& setting : result.settings) set[setting.parameter] = setting.value;
+  return {{"name", result.name},
+          {"status", name_of(result.status)},
+          {"view", name_of(result.view)},
+          {"set", set},
+          {"error", result.error},  // NaN becomes null
+          {"unit", name_of(result.unit())},
+          {"limit", result.limit},
+          {"message", result.message},
+          {"command", result.command},
+          {"picture", result.picture},
+          {"expected", result.reference}};
+}
+
+Json json_of(const StepResult& step) {
+  const CaseResult* telling = telling_case(step);
+  Json one{{"id", step.id},
+           {"status", name_of(step.status)},
+           {"error", telling != nullptr ? Json(telling->error) : Json()},
+           {"unit", telling != nullptr ? name_of(telling->unit()) : ""},
+           {"limit", telling != nullptr ? telling->limit : 0},
+           {"message", step.message},
+           {"title", step.title},
+           {"points", step.points},
+           {"file", step.file},
+           {"line", step.line},
+           {"looks_like", step.mistake},
+           {"looks_like_says", step.mistake_says},
+           {"hints", step.hints},
+           {"cases", Json::array()}};
+  for (const CaseResult& result : step.cases) one["cases"].push_back(json_of(result));
+  return one;
+}
+
+Json json_of(const LabResult& lab) {
+  Json json{{"lab", lab.lab.folder}, {"title", lab.lab.title}, {"steps", Json::array()}};
+  for (const StepResult& step : lab.steps) json["steps"].push_back(json_of(step));
+  return json;
+}
+
+CaseResult parse_case(const Json& json) {
+  CaseResult one;
+  one.name = json.at("name"), one.message = json.at("message"), one.command = json.at("command");
+  one.status = case_status_of(json.at("status"));
+  const auto view = course::find_view(json.at("view").get<std::string>());
+  if (!view) throw Error::failed(fmt::format("there is no view {}", json.at("view").dump()));
+  one.view = *view;
+  for (const auto& [parameter, value] : json.at("set").items()) one.settings.push_back({parameter, value});
+  one.error = json.at("error").is_null() ? std::nan("") : json.at("error").get<double>();
+  one.limit = json.at("limit");
+  one.picture = json.at("picture"), one.reference = json.at("expected");
+  return one;
+}
+
+StepResult parse_step(const Json& json) {
+  StepResult step;
+  step.id = json.at("id"), step.title = json.at("title"), step.points = json.at("points");
+  step.status = status_of(json.at("status")), step.message = json.at("message");
+  step.mistake = json.at("looks_like"), step.mistake_says = json.at("looks_like_says");
+  step.file = json.at("file"), step.line = json.at("line"), step.hints = json.at("hints");
+  for (const Json& one : json.at("cases")) step.cases.push_back(parse_case(one));
+  return step;
+}
+
+}  // namespace
+
+std::string to_json(const LabResult& lab) {
+  return json_of(lab).dump(1);
+}
+
+std::string to_json(const std::vector<LabResult>& labs) {
+  Json list = Json::array();
+  for (const LabResult& lab : labs) list.push_back(json_of(lab));
+  return list.dump(1);
+}
+
+std::vector<StepResult> parse_steps(const std::string& json) {
+  std::vector<StepResult> steps;
+  try {
+    const Json parsed = Json::parse(json);
+    for (const Json& one : parsed.at("steps")) steps.push_back(parse_step(one));
+  } catch (const Json::exception& error) {
+    throw Error::failed(fmt::format("these are no results of a check: {}", error.what()));
+  }
+  return steps;
+}
+
+}  // namespace texel::grade

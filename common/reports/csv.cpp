@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "reports/reports.hpp"
+#include "wording.hpp"
+
+namespace texel::grade {
+namespace {
+
+/// A cell as it stands: no formula (OWASP, "CSV Injection"; the last four are the full-width signs, which
+/// Japanese spreadsheets take as well), and quoted where it has to be, or where a spreadsheet that separates
+/// by semicolons would break it.
+std::string cell(const std::string& text) {
+  constexpr std::array<std::string_view, 11> formulas = {
+      "=", "+", "-", "@", "\t", "\r", "\n", "\xEF\xBC\x9D", "\xEF\xBC\x8B", "\xEF\xBC\x8D", "\xEF\xBC\xA0"};
+  const bool is_formula = std::any_of(formulas.begin(), formulas.end(),
+                                      [&](std::string_view begin) { return text.starts_with(begin); });
+  std::string safe = (is_formula ? "'" : "") + text;
+  if (safe.find_first_of(",;\"\r\n\t") == std::string::npos) return safe;
+  std::string quoted = "\"";
+  for (const char c : safe) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+/// Text in one line, as a spreadsheet shows it.
+std::string line(const std::string& text) {
+  std::string result = clean(text);
+  std::replace(result.begin(), result.end(), '\n', ' ');
+  return result;
+}
+
+std::string row(const std::vector<std::string>& cells) {
+  std::string text = cell(cells.front());
+  for (std::size_t i = 1; i < cells.size(); ++i) text += "," + cell(cells[i]);
+  return text + "\r\n";
+}
+
+/// The steps of each lab that anybody has, in the labs' own order.
+std::map<int, std::vector<std::string>> columns(const ClassResult& results) {
+  std::map<int, std::vector<std::string>> labs;
+  for (const StudentResult& student : results.students)
+    for (const LabResult& lab : student.labs)
+      for (const StepResult& step : lab.steps) {
+        std::vector<std::string>& steps = labs[lab.lab.number];
+        if (std::find(steps.begin(), steps.end(), step.id) == steps.end()) steps.push_back(step.id);
+      }
+  return labs;
+}
+
+}  // namespace
+
+std::string csv(const ClassResult& results) {
+  const std::map<int, std::vector<std::string>> labs = columns(results);
+  std::vector<std::string> head = {"name", "id", "number", "total"};
+  for (const auto& [lab, steps] : labs) head.push_back("lab " + std::to_string(lab));
+  for (const auto& [lab, steps] : labs)
+    for (const std::string& step : steps) head.push_back("step " + line(step));
+  head.emplace_back("note");
+
+  std::string text = row(head);
+  for (const StudentResult& student : results.students) {
+    const bool graded = student.incident.empty();
+    const auto points = [&](double value) { return graded ? number(value, 4) : ""; };
+    std::map<int, const LabResult*> by_number;
+    for (const LabResult& lab : student.labs) by_number[lab.lab.number] = &lab;
+
+    std::vector<std::string> cells = {line(student.name), student.id, line(student.number),
+                                      points(student.points())};
+    for (const auto& [lab, steps] : labs)
+      cells.push_back(points(by_number.contains(lab) ? by_number[lab]->points() : 0));
+    for (const auto& [lab, steps] : labs)
+      for (const std::string& id : steps) {
+        double value = 0;
+        if (by_number.contains(lab))
+          for (const StepResult& step : by_number[lab]->steps)
+            if (step.id == id) value = step.points * step.score;
+        cells.push_back(points(value));
+      }
+    cells.push_back(line(graded ? student.fault : "not graded: " + student.incident));
+    text += row(cells);
+  }
+  return text;
+}
+
+}  // namespace texel::grade

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "lms.hpp"
+#include "reports/reports.hpp"
+
+namespace texel::grade {
+namespace {
+
+using nlohmann::json;
+
+/// What a student reads of a step at once: its public cases, and how many hidden ones failed.
+std::string public_output(const StepResult& step) {
+  if (step.status == Status::passed) return "Passed.";
+  std::string text = step.status == Status::skipped ? clean(step.message) + "\n" : "";
+  if (step.status == Status::failed) text += advice(step);
+  text += case_lines(step, false);
+  if (const std::size_t hidden = count_failed(step.cases, true); hidden > 0)
+    text += fmt::format("{} of {} failed.\n", hidden, counted(count(step.cases, true), "hidden case"));
+  return text;
+}
+
+json test_of(const StepResult& step, double points, double most, const std::string& output,
+             const char* visibility) {
+  json tags = json::array({name_of(step.status)});
+  if (!step.mistake.empty()) tags.push_back(clean(step.mistake));
+  return {{"number", clean(step.id)},
+          {"name", clean(step.title)},
+          {"score", points},
+          {"max_score", most},
+          {"status", step.status == Status::passed ? "passed" : "failed"},
+          {"output", output},
+          {"output_format", "text"},
+          {"visibility", visibility},
+          {"tags", tags}};
+}
+
+}  // namespace
+
+std::string gradescope(const StudentResult& student) {
+  if (!student.incident.empty())
+    throw Error::failed(fmt::format("'{}' was not graded: {}", student.id, student.incident), {},
+                        "grade again with --resume");
+  json tests = json::array();
+  for (const LabResult& lab : student.labs)
+    for (const StepResult& step : lab.steps) {
+      tests.push_back(test_of(step, rounded(step.points * step.score), rounded(step.points),
+                              public_output(step), "visible"));
+      if (count(step.cases, true) == 0) continue;
+      // Tests without points may stay hidden: any other hidden test would hide the student's total as well.
+      json hidden = test_of(step, 0, 0, case_lines(step, true), "hidden");
+      hidden["name"] = clean(step.title) + " (hidden cases)";
+      hidden["status"] = count_failed(step.cases, true) == 0 ? "passed" : "failed";
+      tests.push_back(hidden);
+    }
+  json results = {{"score", rounded(student.points())},
+                  {"output", overview(student)},
+                  {"output_format", "text"},
+                  {"visibility", "visible"},
+                  {"tests", tests}};
+  return fitted(results);
+}
+
+}  // namespace texel::grade

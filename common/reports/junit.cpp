@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "reports/reports.hpp"
+#include "wording.hpp"
+
+namespace texel::grade {
+namespace {
+
+/// Escaped text that cannot ask for a file: Jenkins and GitLab take [[ATTACHMENT|path]] out of any output.
+std::string quoted(const std::string& text) {
+  std::string result;
+  for (const char c : escaped(text)) {
+    if (c == '[' && result.ends_with('[')) result += ' ';
+    result += c;
+  }
+  return result;
+}
+
+struct Counts {
+  std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
+
+  void operator+=(const Counts& other) {
+    tests += other.tests;
+    failures += other.failures;
+    errors += other.errors;
+    skipped += other.skipped;
+  }
+  [[nodiscard]] std::string attributes() const {
+    return fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\"", tests, failures, errors,
+                       skipped);
+  }
+};
+
+std::string attachments(const CaseResult& result, const std::filesystem::path& folder) {
+  std::string lines;
+  for (const std::string& path : {result.picture, result.reference})
+    if (!path.empty()) lines += "\n[[ATTACHMENT|" + escaped((folder / path).string()) + "]]";
+  return lines;
+}
+
+std::string test_case(const CaseResult& result, const StepResult& step, const std::filesystem::path& folder,
+                      Counts& counts) {
+  ++counts.tests;
+  const std::string opening = fmt::format("  <testcase classname=\"{}.{}\" name=\"{}\"", quoted(result.lab),
+                                          quoted(step.id), quoted(result.name));
+  if (result.passed()) return opening + "/>\n";
+  if (step.status == Status::skipped) {
+    ++counts.skipped;
+    return fmt::format("{}>\n   <skipped message=\"{}\"/>\n  </testcase>\n", opening, quoted(step.message));
+  }
+  ++counts.failures;
+  const std::string typed = command(result);
+  std::string said;
+  for (const std::string& line : {cause(result.mistake, result.mistake_says), distance(result), place(step),
+                                  step.hints.empty() ? "" : "Hint: " + step.hints.front(), typed})
+    if (!line.empty()) said += "\n" + quoted(line);
+  const std::string files = attachments(result, folder);
+  return fmt::format("{}>\n   <failure message=\"{}\" type=\"{}\">{}</failure>\n{}  </testcase>\n", opening,
+                     quoted(result.message), result.mistake.empty() ? "difference" : quoted(result.mistake),
+                     said, files.empty() ? "" : fmt::format("   <system-out>{}\n</system-out>\n", files));
+}
+
+/// A test that stands for the whole: what kept the submission or the lab from being judged.
+std::string fault(const std::string& classname, const std::string& name, const char* kind,
+                  const std::string& message) {
+  return fmt::format("  <testcase classname=\"{}\" name=\"{}\">\n   <{} message=\"{}\"/>\n  </testcase>\n",
+                     quoted(classname), name, kind, quoted(message));
+}
+
+std::string suite(const std::string& name, const Counts& counts, const std::string& cases,
+                  const std::string& errors = {}) {
+  return fmt::format(" <testsuite name=\"{}\" {}>\n{}{} </testsuite>\n", quoted(name), counts.attributes(),
+                     cases,
+                     errors.empty() ? "" : fmt::format("  <system-err>{}</system-err>\n", quoted(errors)));
+}
+
+}  // namespace
+
+std::string junit(const StudentResult& student, const std::filesystem::path& folder) {
+  Counts all;
+  std::string suites;
+  std::string logs;
+  for (const CompilerLog& log : student.logs) logs += log.file + ":\n" + log.text + "\n";
+  if (!student.incident.empty() || !student.fault.empty() || !logs.empty()) {
+    Counts counts;
+    std::string cases;
+    if (!student.incident.empty()) {
+      cases += fault("submission", "graded", "error", student.incident);
+      ++counts.errors;
+    }
+    if (!student.fault.empty()) cases += fault("submission", "readable", "failure", student.fault);
+    if (!logs.empty()) cases += fault("submission", "compiles", "failure", "The compiler refuses a file.");
+    counts.failures =
+        static_cast<std::size_t>(!student.fault.empty()) + static_cast<std::size_t>(!logs.empty());
+    counts.tests = counts.errors + counts.failures;
+    suites += suite("submission", counts, cases, logs);
+    all += counts;
+  }
+  for (const LabResult& lab : student.labs) {
+    Counts counts;
+    std::string cases, notes;
+    for (const StepResult& step : lab.steps)
+      for (const CaseResult& result : step.cases) cases += test_case(result, step, folder, counts);
+    for (const std::string& note : lab.notes) notes += note + "\n";
+    suites += suite(lab.lab.folder, counts, cases, notes);
+    all += counts;
+  }
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"{}\" {}>\n{}</testsuites>\n",
+      quoted(student.name), all.attributes(), suites);
+}
+
+}  // namespace texel::grade

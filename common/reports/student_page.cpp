@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "page.hpp"
+#include "reports/reports.hpp"
+#include "wording.hpp"
+
+namespace texel::grade {
+namespace {
+
+std::string callout(const std::string& mistake, const std::string& says) {
+  if (mistake.empty()) return "";
+  return fmt::format("<p class=\"cause\">This looks like: <b>{}</b>. {}</p>\n", escaped(in_words(mistake)),
+                     escaped(says));
+}
+
+/// One of the two pictures. The script makes a canvas of it; without a script it is a picture all the same.
+std::string pane(const char* name, const char* label, const Picture& picture) {
+  if (!picture.problem.empty())
+    return fmt::format(
+        "<figure class=\"pane\"><p class=\"problem\">{}</p><figcaption>{}</figcaption></figure>\n",
+        escaped(picture.problem), label);
+  const std::string values = picture.values.empty() ? ""
+                                                    : fmt::format(" data-values=\"{}\" data-channels=\"{}\"",
+                                                                  picture.values, picture.channels);
+  return fmt::format(
+      "<figure class=\"pane\" data-pane=\"{}\"><img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\"{}>"
+      "<figcaption>{}</figcaption></figure>\n",
+      name, picture.url, picture.width, picture.height, label, values, label);
+}
+
+std::string viewer(const CaseResult& result, Pictures& pictures) {
+  if (result.is_mesh() || (result.picture.empty() && result.reference.empty())) return "";
+  std::string panes;
+  if (!result.picture.empty())
+    panes += pane("yours", "Yours", pictures.read(result.picture, name_of(result.view)));
+  if (!result.reference.empty())
+    panes += pane("expected", "Expected", pictures.reference(result.reference, name_of(result.view)));
+  return fmt::format(
+      "<div class=\"viewer\" data-view=\"{}\" data-unit=\"{}\" data-limit=\"{}\">\n<div class=\"panes\">\n{}"
+      "</div>\n</div>\n",
+      escaped(name_of(result.view)), escaped(name_of(result.unit())), number(result.limit, 9), panes);
+}
+
+std::string failed_case(const CaseResult& result, const StepResult& step, Pictures& pictures) {
+  std::string html =
+      fmt::format("<article class=\"case\">\n<h4>{}{}{}</h4>\n", escaped(result.name),
+                  result.hidden ? " <span class=\"tag\">hidden case</span>" : "",
+                  result.view == course::View::color
+                      ? ""
+                      : fmt::format(" <span class=\"tag\">{} view</span>", escaped(name_of(result.view))));
+  if (!result.message.empty()) html += fmt::format("<p>{}</p>\n", escaped(result.message));
+  std::string figures = distance(result);
+  if (result.score > 0)
+    figures +=
+        fmt::format("{}{} % of the case's marks", figures.empty() ? "" : "; ", number(100 * result.score, 0));
+  if (!figures.empty()) html += fmt::format("<p class=\"quiet\">{}.</p>\n", escaped(figures));
+  if (result.mistake != step.mistake) html += callout(result.mistake, result.mistake_says);
+  html += viewer(result, pictures);
+  if (const std::string typed = command(result); !typed.empty()) html += command_line(typed);
+  return html + "</article>\n";
+}
+
+std::string passed_cases(const StepResult& step) {
+  std::string names;
+  for (const CaseResult& result : step.cases)
+    if (result.passed())
+      names += fmt::format("{}{}{}", names.empty() ? "" : ", ", escaped(result.name),
+                           result.hidden ? " (hidden)" : "");
+  if (names.empty()) return "";
+  return fmt::format(
+      "<p class=\"others\"><span class=\"passed\" aria-hidden=\"true\">✓</span> Passed: {}</p>\n", names);
+}
+
+std::string details(const StepResult& step, Pictures& pictures) {
+  std::string html;
+  const bool said_below =  // the message is the first failed case's, which has it again with its picture
+      step.status == Status::failed &&
+      std::any_of(step.cases.begin(), step.cases.end(), [](const CaseResult& c) { return !c.passed(); });
+  if (!step.message.empty() && !said_below) html += fmt::format("<p>{}</p>\n", escaped(step.message));
+  if (step.status == Status::failed) html += callout(step.mistake, step.mistake_says);
+  if (const std::string file = place(step); !file.empty())
+    html += fmt::format("<p class=\"place\">Written in <code>{}</code></p>\n", escaped(file));
+  if (!step.hints.empty())
+    html += fmt::format("<details class=\"hint\"><summary>Hint</summary><p>{}</p></details>\n",
+                        escaped(step.hints.front()));
+  std::string cases;
+  std::size_t failed = 0;
+  for (const CaseResult& result : step.cases)
+    if (!result.passed()) {
+      cases += failed_case(result, step, pictures);
+      ++failed;
+    }
+  if (step.status == Status::skipped && failed > 0)
+    cases =
+        fmt::format("<details><summary>{}</summary>\n{}</details>\n", counted(failed, "failed case"), cases);
+  return html + cases + passed_cases(step);
+}
+
+std::string step_section(const StepResult& step, Pictures& pictures) {
+  const Standing stands = standing(step);
+  std::string html = fmt::format(
+      "<section class=\"step {0}\" id=\"step-{1}\">\n<h3><span class=\"symbol\" "
+      "aria-hidden=\"true\">{2}</span>"
+      "<span>{1} {3}</span><span class=\"spoken\">{4}</span><span class=\"points\">{5} / {6}</span></h3>\n",
+      stands.style, escaped(step.id), stands.symbol, escaped(step.title), stands.word,
+      number(step.points * step.score), number(step.points));
+  if (!step.overridden.empty())
+    html +=
+        fmt::format("<p class=\"cause\">The teacher set these points: {}</p>\n", escaped(step.overridden));
+  if (step.status != Status::passed) html += details(step, pictures);
+  return html + "</section>\n";
+}
+
+std::string lab_section(const LabResult& lab, Pictures& pictures) {
+  std::string html = fmt::format(
+      "<section class=\"lab\" id=\"lab{0}\" aria-labelledby=\"title{0}\">\n<header>\n"
+      "<p class=\"number\" aria-hidden=\"true\">{0}</p>\n<div><h2 id=\"title{0}\">{1}</h2>\n<p>{2} of {3} "
+      "points</p></div>\n</header>\n",
+      lab.lab.number, escaped(lab.lab.title), number(lab.points()), number(lab.max_points()));
+  for (const std::string& note : lab.notes) html += fmt::format("<p class=\"cause\">{}</p>\n", escaped(note));
+  for (const StepResult& step : lab.steps) html += step_section(step, pictures);
+  return html + "</section>\n";
+}
+
+std::string logs_section(const StudentResult& student) {
+  if (student.logs.empty()) return "";
+  std::string html = "<section id=\"compiler\" class=\"logs\">\n<h2>The compiler refuses</h2>\n";
+  for (const CompilerLog& log : student.logs)
+    html += fmt::format(
+        "<details open><summary><code>{}</code></summary>\n<pre tabindex=\"0\">{}</pre></details>\n",
+        escaped(log.file), escaped(log.text));
+  return html + "</section>\n";
+}
+
+std::string ignored_section(const StudentResult& student) {
+  if (student.ignored.empty()) return "";
+  std::string items;
+  for (const Ignored& ignored : student.ignored)
+    items += fmt::format("<li><code>{}</code> {}</li>\n", escaped(ignored.path), escaped(ignored.reason));
+  return fmt::format(
+      "<section id=\"ignored\">\n<details><summary>{} of the submission not taken</summary>\n<ul>\n{}</ul>\n"
+      "</details>\n</section>\n",
+      counted(student.ignored.size(), "file"), items);
+}
+
+/// What to do first: the submission's or the grader's fault, or the first failing step.
+std::string first_thing(const StudentResult& student) {
+  if (!student.incident.empty())
+    return fmt::format(
+        "<div class=\"start incident\"><p>{}</p>\n<details><summary>What "
+        "happened</summary><p>{}</p></details>"
+        "</div>\n",
+        kIncident, escaped(student.incident));
+  if (!student.fault.empty())
+    return fmt::format("<div class=\"start failed\"><p>The submission could not be read: {}</p></div>\n",
+                       escaped(student.fault));
+  if (const StepResult* step = first_failing(student))
+    return fmt::format(
+        "<div class=\"start failed\"><p>{} <a href=\"#step-{}\">step {}: {}</a></p>\n{}{}</div>\n",
+        student.logs.empty() ? "First to mend:"
+                             : "Mend <a href=\"#compiler\">what the compiler says</a>, then",
+        escaped(step->id), escaped(step->id), escaped(step->title),
+        step->message.empty() ? "" : fmt::format("<p>{}</p>\n", escaped(step->message)),
+        callout(step->mistake, step->mistake_says));
+  if (student.labs.empty()) return "";
+  return "<div class=\"start passed\"><p>Every step passed.</p></div>\n";
+}
+
+}  // namespace
+
+std::string student_page(const StudentResult& student, const std::map<std::string, std::string>& facts,
+                         Pictures& pictures) {
+  std::string contents, labs;
+  for (const LabResult& lab : student.labs) {
+    contents +=
+        fmt::format("<li><a href=\"#lab{0}\"><b>{0}</b> {1} <span>{2}/{3}</span></a></li>\n", lab.lab.number,
+                    escaped(lab.lab.title), number(lab.points()), number(lab.max_points()));
+    labs += lab_section(lab, pictures);
+  }
+  if (!contents.empty()) contents = "<nav aria-label=\"Labs\"><ol>\n" + contents + "</ol></nav>\n";
+  std::string mark = "Not graded";
+  if (student.incident.empty())
+    mark = student.labs.empty() ? "0 <small>points</small>"
+                                : fmt::format("{} <small>of {} points</small>", number(student.points()),
+                                              number(student.max_points()));
+  const char* repeat = student.labs.empty() ? ""
+                                            : "<p class=\"quiet\">Each picture is drawn again by the command "
+                                              "below it, typed in your own tree.</p>\n";
+  return page(
+      student.name,
+      fmt::format("<header class=\"masthead student\">\n<div><h1><bdi>{}</bdi></h1>\n<p>{}</p></div>\n"
+                  "<p class=\"mark\">{}</p>\n{}</header>\n{}<main>\n{}{}{}<section id=\"facts\">\n"
+                  "<h2>Facts</h2>\n{}{}</section>\n</main>\n",
+                  escaped(student.name), escaped(student.number), mark, first_thing(student), contents,
+                  logs_section(student), labs, ignored_section(student), facts_list(facts, false), repeat),
+      kStudentScript);
+}
+
+}  // namespace texel::grade

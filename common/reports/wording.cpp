@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "wording.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/html.hpp"
+#include "core/plain_text.hpp"
+
+namespace texel::grade {
+
+std::string clean(std::string_view text) {
+  std::string result;
+  while (true) {
+    const std::size_t end = text.find('\n');
+    std::string_view line = text.substr(0, end);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    std::string spaced;
+    for (const char c : line) spaced += c == '\t' ? std::string("  ") : std::string(1, c);
+    result += plain_text(spaced);
+    if (end == std::string_view::npos) return result;
+    result += '\n';
+    text.remove_prefix(end + 1);
+  }
+}
+
+std::string shortened(const std::string& text, std::size_t bytes) {
+  if (text.size() <= bytes) return text;
+  // A byte 10xxxxxx goes on with the character before it.
+  while (bytes > 0 && (static_cast<unsigned char>(text[bytes]) & 0xc0U) == 0x80U) --bytes;
+  return text.substr(0, bytes) + "\n… (shortened)";
+}
+
+std::string escaped(std::string_view text) {
+  std::string cleaned = clean(text);
+  // U+FFFE and U+FFFF are UTF-8 but not XML.
+  for (const char* character : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})
+    for (std::size_t at = 0; (at = cleaned.find(character, at)) != cleaned.npos;)
+      cleaned.replace(at, 3, "\xEF\xBF\xBD");
+  return html_escaped(cleaned);
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string result;
+  result.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const auto byte = [&](std::size_t j) {
+      return i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0U;
+    };
+    const unsigned group = byte(0) << 16U | byte(1) << 8U | byte(2);
+    for (unsigned j = 0; j < 4; ++j)
+      result += i + j <= bytes.size() ? digits[group >> (18 - 6 * j) & 63U] : '=';
+  }
+  return result;
+}
+
+std::string number(double value, int decimals) {
+  if (!std::isfinite(value)) return fmt::format("{}", value);
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  return text == "-0" ? "0" : text;
+}
+
+std::string counted(std::size_t count, const std::string& what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::string in_words(const std::string& mistake) {
+  std::string words = mistake;
+  std::replace(words.begin(), words.end(), '-', ' ');
+  return words;
+}
+
+std::string cause(const std::string& mistake, const std::string& says) {
+  return mistake.empty() ? "" : fmt::format("This looks like: {}. {}", in_words(mistake), says);
+}
+
+std::string distance(const CaseResult& result) {
+  if (!std::isfinite(result.error)) return "";
+  return fmt::format("{:.3g} {} off; up to {:.3g} is full marks", result.error, name_of(result.unit()),
+                     result.limit);
+}
+
+std::string place(const StepResult& step) {
+  if (step.file.empty() || step.line < 1) return step.file;
+  return fmt::format("{}:{}", step.file, step.line);
+}
+
+std::string command(const CaseResult& result) {
+  return result.hidden && result.reference.empty() ? "" : result.command;
+}
+
+std::size_t count(const std::vector<CaseResult>& cases, bool hidden) {
+  return static_cast<std::size_t>(std::count_if(
+      cases.begin(), cases.end(), [&](const CaseResult& result) { return result.hidden == hidden; }));
+}
+
+std::size_t count_failed(const std::vector<CaseResult>& cases, bool hidden) {
+  return static_cast<std::size_t>(std::count_if(cases.begin(), cases.end(), [&](const CaseResult& result) {
+    return result.hidden == hidden && !result.passed();
+  }));
+}
+
+const StepResult* first_failing(const StudentResult& student) {
+  for (const LabResult& lab : student.labs)
+    for (const StepResult& step : lab.steps)
+      if (step.status == Status::failed) return &step;
+  return nullptr;
+}
+
+}  // namespace texel::grade

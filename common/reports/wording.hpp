@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "store/class_results.hpp"
+
+/// What all reports say in the same words, and how text is made harmless for each of them.
+namespace texel::grade {
+
+/// Text of any origin as it can be shown: lines stay lines, a tab becomes two spaces, and what else cannot be
+/// shown U+FFFD. Still to be escaped.
+std::string clean(std::string_view text);
+
+/// At most so many bytes of a text, cut between characters, with a remark where something was left out.
+std::string shortened(const std::string& text, std::size_t bytes);
+
+/// Cleaned text as it stands in HTML or XML, within elements and within quoted attributes.
+std::string escaped(std::string_view text);
+
+std::string base64(std::string_view bytes);
+
+/// A number with at most so many decimals, without zeros at its end: "2.5".
+std::string number(double value, int decimals = 2);
+
+/// "1 case", "2 cases".
+std::string counted(std::size_t count, const std::string& what);
+
+/// A mutant's name in words: "normal green flipped".
+std::string in_words(const std::string& mistake);
+
+/// "This looks like: normal green flipped. Green is turned round: …", or "" where no mistake is known.
+std::string cause(const std::string& mistake, const std::string& says);
+
+/// How far off a case is, in its unit: "12.3 degrees off; up to 0.2 is full marks". "" where nothing could be
+/// compared.
+std::string distance(const CaseResult& result);
+
+/// Where a step is written: "labs/05_normal_map/lab.cpp:42", or "".
+std::string place(const StepResult& step);
+
+/// The command that draws a case's picture, or "" where it would tell what is secret.
+std::string command(const CaseResult& result);
+
+std::size_t count_failed(const std::vector<CaseResult>& cases, bool hidden);
+std::size_t count(const std::vector<CaseResult>& cases, bool hidden);
+
+/// The first step that did not pass and was not skipped, or null.
+const StepResult* first_failing(const StudentResult& student);
+
+/// What is said of a student whom the grader failed.
+inline constexpr const char* kIncident =
+    "The grader could not finish: the fault is its own or the machine's. This is no mark; it will be tried "
+    "again.";
+
+}  // namespace texel::grade

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <system_error>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "page.hpp"
+#include "reports/reports.hpp"
+
+namespace texel::grade {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The id as a file name. It comes out of a store, which may be from elsewhere.
+const std::string& checked(const std::string& id) {
+  const bool sound = !id.empty() && id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-_") == id.npos;
+  if (!sound)
+    throw Error::failed("'" + id + "' is no id of a student", {}, "give a store that texel grade made");
+  return id;
+}
+
+void write(const fs::path& file, const std::string& text) {
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  if (error)
+    throw Error::failed("cannot make the folder: " + error.message(), {file.parent_path().string()},
+                        "choose another folder by --out");
+  write_file(file, text);
+}
+
+}  // namespace
+
+std::string page_name(const StudentResult& student) {
+  // A student whose file was index.zip must not take the class's page; no id has a point.
+  return student.id == "index" ? "index.student.html" : checked(student.id) + ".html";
+}
+
+void write_html(const ClassResult& results, const fs::path& folder) {
+  const fs::path report = folder / "report";
+  Pictures pictures(folder);
+  for (const StudentResult& student : results.students)
+    write(report / page_name(student), student_page(student, results.facts, pictures));
+  write(report / "index.html", class_page(results));
+}
+
+void write_format(const std::string& name, const ClassResult& results, const fs::path& folder) {
+  const std::vector<std::string> names = {"gradescope", "prairielearn", "junit", "csv"};
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    throw Error::usage("there is no format '" + name + "'", "gradescope, prairielearn, junit and csv are");
+  if (name == "csv") {
+    write(folder / "class.csv", csv(results));
+    return;
+  }
+  for (const StudentResult& student : results.students) {
+    const std::string& id = checked(student.id);
+    if (name == "junit")
+      write(folder / name / (id + ".xml"), junit(student, folder));
+    else if (name == "prairielearn")
+      write(folder / name / id / "results.json", prairielearn(student, folder));
+    else if (student.incident.empty())
+      write(folder / name / id / "results.json", gradescope(student));
+  }
+}
+
+}  // namespace texel::grade

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/confines.hpp"
+
+/// Programs that nobody trusts, run where they can do no harm.
+///
+/// The walls are bubblewrap's: new user (or, for root, an id that nobody else has), process, network, mount,
+/// IPC, host-name and control-group namespaces; of the file system only /usr and what the dynamic linker
+/// needs, all read-only; a /proc and /tmp of its own; no capability; a seccomp filter; no terminal; nothing
+/// on standard input; none of the caller's open files and environment. Everything in it dies with the
+/// program, and with the caller.
+///
+/// What is installed below /usr can be read, so that solutions and references must lie elsewhere. As root,
+/// the program runs under another id: what it shall read must be open to others.
+namespace texel::grade {
+
+/// Runs `command` (a program and its arguments, no shell) and waits for its end. May be called by many
+/// threads at once.
+///
+/// Throws Error (exit 3) when the sandbox is at fault and not the program: bubblewrap is missing or cannot
+/// work here, a folder is missing, the results cannot be copied. Throws Error (exit 2) for an empty command
+/// and a path that is not absolute.
+Outcome run_locked_in(const Confines& confines, const std::vector<std::string>& command);
+
+/// Why programs cannot be locked in on this machine, or "" when they can. Tried once.
+const std::string& sandbox_fault();
+
+}  // namespace texel::grade

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "sandbox/sandbox.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <fstream>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "filter.hpp"
+#include "process.hpp"
+
+namespace texel::grade {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+void append(Words& line, const Words& words) {
+  line.insert(line.end(), words.begin(), words.end());
+}
+
+void check(const Confines& confines, const Words& command) {
+  if (command.empty() || command[0].empty()) throw Error::usage("a sandbox needs a command");
+  const bool as_somebody_else = ::geteuid() == 0;
+  const auto check_folder = [](const fs::path& folder) {
+    if (!folder.is_absolute() || folder != folder.lexically_normal() || !folder.has_filename())
+      throw Error::usage(fmt::format("'{}' is no absolute path of a folder", folder.string()),
+                         "write it from / on, without . and .. and a / at its end");
+    if (!fs::is_directory(folder)) throw sandbox_error("there is no folder " + folder.string());
+  };
+  for (const fs::path& folder : confines.read_only) {
+    check_folder(folder);
+    constexpr fs::perms readable = fs::perms::others_read | fs::perms::others_exec;
+    if (as_somebody_else && (fs::status(folder).permissions() & readable) != readable)
+      throw sandbox_error(fmt::format("{0} is closed to others; chmod -R o+rX {0}", folder.string()));
+  }
+  for (const fs::path& folder : confines.writable) check_folder(folder);
+}
+
+/// An id that no account and no other sandbox has, so that the limit on processes counts this sandbox alone.
+unsigned unprivileged_id() {
+  constexpr unsigned at_once = 64;
+  static std::atomic<unsigned> counter = 0;
+  const unsigned slot = counter++ % at_once;
+  const auto process = static_cast<unsigned>(::getpid());
+  std::uint64_t inside = 0;
+  std::uint64_t outside = 0;
+  std::uint64_t count = 0;
+  std::ifstream("/proc/self/uid_map") >> inside >> outside >> count;
+  constexpr unsigned high = 1'800'000'000;  // process ids are below 2^22, so that this ends below 2^31
+  if (count > 1U << 31U) return high + process * at_once + slot;
+  return 10'000 + process % 800 * at_once + slot;  // a container that has 65536 ids
+}
+
+/// The folders around a mount, which root's bwrap would close to others.
+Words parents(const fs::path& folder) {
+  Words line;
+  fs::path parent = "/";
+  for (const fs::path& part : folder.parent_path().relative_path())
+    append(line, {"--dir", (parent /= part).string()});
+  return line;
+}
+
+/// What bwrap does before the first process, as words for its --args.
+Words walls(const Confines& confines) {
+  constexpr std::uint64_t page = 4096;
+  const Words disk = {"--size", fmt::format("{}", confines.limits.disk / page * page), "--perms", "0777",
+                      "--tmpfs"};
+  Words line = {"--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts", "--unshare-cgroup-try"};
+  append(line,
+         {"--hostname", "sandbox", "--new-session", "--as-pid-1", "--die-with-parent", "--info-fd", "7"});
+  append(line, {"--cap-drop", "ALL", "--clearenv"});
+  // Root needs no user namespace, and its folders may be closed to others: it builds as root and keeps just
+  // what it takes to become somebody else.
+  if (::geteuid() == 0)
+    append(line, {"--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID", "--cap-add", "CAP_SETPCAP"});
+  else
+    append(line, {"--unshare-user"});
+  for (const auto& [name, value] : environment_of(confines)) append(line, {"--setenv", name, value});
+  append(line, {"--ro-bind", "/usr", "/usr", "--dir", "/etc"});
+  for (const char* path :
+       {"/bin", "/sbin", "/lib", "/lib32", "/lib64", "/etc/ld.so.cache", "/etc/alternatives"})
+    append(line, {"--ro-bind-try", path, path});
+  append(line, {"--proc", "/proc", "--dev", "/dev"});
+  append(line, disk);
+  line.emplace_back("/tmp");
+  for (const fs::path& folder : confines.read_only) {
+    append(line, parents(folder));
+    append(line, {"--ro-bind", folder.string(), folder.string()});
+  }
+  for (const fs::path& folder : confines.writable) {
+    append(line, parents(folder));
+    append(line, disk);
+    line.push_back(folder.string());
+  }
+  // These two are in memory as well, and have no size.
+  append(line, {"--remount-ro", "/dev", "--remount-ro", "/", "--chdir", confines.working_folder.string()});
+  return line;
+}
+
+/// The words that make root somebody else. Only for the program: the first process must remain root's, or
+/// bwrap's death, that of a process without capabilities, would not reach it.
+Words become_nobody() {
+  const std::string id = fmt::format("{}", unprivileged_id());
+  return {"setpriv", "--reuid", id, "--regid", id, "--clear-groups", "--inh-caps=-all", "--bounding-set=-all",
+          "--"};
+}
+
+Launch launch_of(const Confines& confines, const Words& command) {
+  Launch launch;
+  Words inside = first_process();
+  if (::geteuid() == 0) append(inside, become_nobody());
+  append(inside, prlimit_words(confines.limits));
+  append(inside, {fmt::format("--nproc={}", confines.limits.processes), "--"});
+  append(inside, command);
+  launch.filter = seccomp_filter();
+  launch.command = {"bwrap", "--args", "5"};
+  if (!launch.filter.empty()) append(launch.command, {"--seccomp", "6"});
+  launch.command.emplace_back("--");
+  for (const std::string& word : walls(confines)) launch.arguments.append(word).push_back('\0');
+  append(launch.command, inside);
+  return launch;
+}
+
+}  // namespace
+
+Outcome run_locked_in(const Confines& confines, const Words& command) {
+  check(confines, command);
+  Process process(confines, launch_of(confines, command));
+  Outcome outcome = process.watch();
+  if (!process.copy_writable() && outcome.limit == Limit::none) outcome.limit = Limit::disk;
+  return outcome;
+}
+
+const std::string& sandbox_fault() {
+  static const std::string fault = []() -> std::string {
+    try {
+      const Outcome outcome = run_locked_in({}, {"true"});
+      return outcome.succeeded() ? "" : "a program that does nothing fails: " + outcome.errors;
+    } catch (const Error& error) {
+      return error.what();
+    }
+  }();
+  return fault;
+}
+
+}  // namespace texel::grade

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "judge/results.hpp"
+
+/// What grading a class found.
+namespace texel::grade {
+
+/// What the compiler said of a student's file that it refused, paths shortened to those in the tree.
+struct CompilerLog {
+  std::string file, text;
+
+  bool operator==(const CompilerLog&) const = default;
+};
+
+/// A file of a submission that was not taken.
+struct Ignored {
+  std::string path;  ///< as text: UTF-8 without control characters
+  std::string reason;
+};
+
+struct StudentResult {
+  std::string id, name, number;  ///< as in Entry: text to be escaped
+  std::string fault;             ///< why the submission could not be read, or ""
+  std::vector<Ignored> ignored;
+  std::vector<CompilerLog> logs;
+  std::vector<LabResult> labs;
+  std::string incident;  ///< what kept the grader from grading (never a zero: to be tried again), or ""
+
+  [[nodiscard]] double points() const;
+  [[nodiscard]] double max_points() const;
+};
+
+/// A score that a teacher set by hand. It survives regrading.
+struct Override {
+  std::string student;  ///< id
+  std::string step;     ///< "5.1"
+  double score = 0;     ///< 0 to 1
+  std::string reason;
+
+  bool operator==(const Override&) const = default;
+};
+
+/// How a step's score was before the class was graded anew.
+struct Change {
+  std::string student, step;
+  double before = 0, after = 0;
+};
+
+struct ClassResult {
+  std::map<std::string, std::string> facts;  ///< renderer, seed's fingerprint, version, command
+  std::vector<StudentResult> students;       ///< by id
+  std::vector<Change> changes;               ///< of the last regrade; empty after a first one
+};
+
+}  // namespace texel::grade

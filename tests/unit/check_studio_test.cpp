@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Which picture gets the blame when a program dies. The program is a script that does what a picture's name
+// says.
+#include "check/studio.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../support/picture_files.hpp"
+#include "check/check.hpp"
+#include "core/files.hpp"
+
+namespace texel::grade {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kProgram = R"(#!/bin/sh
+while [ $# -gt 0 ]; do
+  case $1 in --batch) list=$2 ;; --out) out=$2 ;; esac
+  shift
+done
+for name in $(grep -o '"name": *"[^"]*"' "$list" | cut -d '"' -f 4); do
+  case $name in
+    dies*) kill -s SEGV $$ ;;
+    fails*)
+      text='/somewhere/lab.frag:3: no such function'
+      echo "[{\"name\": \"$name\", \"status\": \"failed\", \"message\": \"$text\"}]" >"$out/results.json"
+      ;;
+    asks*) printenv TEXEL_THREADS >"$out/$name" ;;
+    *) echo drawn >"$out/$name" ;;
+  esac
+done
+)";
+
+class StudioTest : public testing::Test {
+ protected:
+  StudioTest() : folder_("studio") {
+    fs::create_directories(folder_ / "program");
+    fs::create_directories(folder_ / "root");
+    studio_.program = folder_ / "program/lab";
+    studio_.root = folder_ / "root";
+    write_file(studio_.program, kProgram);
+    fs::permissions(studio_.program, fs::perms::owner_all);
+  }
+
+  /// The drawn ones' names.
+  std::string draw_all(const std::vector<std::string>& names) {
+    std::vector<course::Case> cases;
+    for (const std::string& name : names) {
+      course::Case& one = cases.emplace_back();
+      one.name = name, one.file = name + ".png";
+    }
+    drawn_ = draw(studio_, cases, folder_ / "out");
+    std::string present;
+    for (const std::string& name : names)
+      if (fs::exists(picture(name))) present += (present.empty() ? "" : " ") + name;
+    return present;
+  }
+  [[nodiscard]] fs::path picture(const std::string& name) const { return folder_ / ("out/" + name + ".png"); }
+  [[nodiscard]] std::string faulty() const {
+    std::string files;
+    for (const auto& [file, why] : drawn_.faults) files += (files.empty() ? "" : " ") + file;
+    return files;
+  }
+
+  test::TemporaryFolder folder_;
+  Studio studio_;
+  Drawn drawn_;
+};
+
+TEST_F(StudioTest, blames_the_picture_at_which_the_program_died_and_has_the_others_drawn) {
+  EXPECT_EQ(draw_all({"a", "b", "dies", "c", "d"}), "a b c d");
+  EXPECT_EQ(faulty(), "dies.png");
+  EXPECT_EQ(drawn_.faults["dies.png"],
+            "The program crashed here: it read or wrote where nothing is (SIGSEGV)");
+  EXPECT_TRUE(drawn_.said.empty());
+  EXPECT_EQ(drawn_.notes.size(), 1U);
+}
+
+TEST_F(StudioTest, starts_a_program_that_dies_four_times_at_the_most) {
+  EXPECT_EQ(draw_all({"a", "dies1", "dies2", "b", "dies3", "dies4", "c"}), "a b");
+  EXPECT_EQ(faulty(), "c.png dies1.png dies2.png dies3.png dies4.png");
+  EXPECT_EQ(drawn_.faults["c.png"],
+            "Not drawn: the program was ended or died several times before this one's turn came");
+}
+
+TEST_F(StudioTest, passes_on_what_the_program_says_of_a_picture) {
+  EXPECT_EQ(draw_all({"a", "fails", "b"}), "a b");
+  EXPECT_EQ(faulty(), "fails.png");
+  EXPECT_EQ(drawn_.faults["fails.png"], "/somewhere/lab.frag:3: no such function");
+  EXPECT_EQ(drawn_.said["fails.png"], "lab.frag:3: no such function");
+}
+
+// Else a program might die at a picture while the one before is not yet written.
+TEST_F(StudioTest, allows_the_program_one_thread) {
+  EXPECT_EQ(draw_all({"asks"}), "asks");
+  EXPECT_EQ(read_file(picture("asks")), "1\n");
+}
+
+TEST(Renderers, in_software_are_told_from_gpus_by_their_names) {
+  for (const char* name :
+       {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe, Mesa 22.3.6", "Software Rasterizer",
+        "zink Vulkan 1.4(llvmpipe (LLVM 22.1.8, 256 bits) (MESA_LLVMPIPE)), Mesa 26.2.6-1"})
+    EXPECT_TRUE(is_software(name)) << name;
+  for (const char* name :
+       {"NVIDIA H200/PCIe/SSE2, 4.6.0 NVIDIA 570.86", "Mesa Intel(R) UHD Graphics 620 (KBL GT2)",
+        "AMD Radeon RX 6600 (radeonsi, navi23, LLVM 19.1.7, DRM 3.61), Mesa 25.0.7",
+        "zink Vulkan 1.4(NVIDIA GeForce RTX 4060 (NVIDIA_PROPRIETARY)), Mesa 25.0.7",
+        "D3D12 (NVIDIA GeForce RTX 3060), Mesa 25.0.7"})
+    EXPECT_FALSE(is_software(name)) << name;
+}
+
+TEST(Renderers, are_named_and_a_gpu_gets_advice) {
+  EXPECT_EQ(renderer_note("softpipe", "softpipe"), "Drawn by softpipe.");
+  EXPECT_EQ(renderer_note("softpipe", ""), "Drawn by softpipe.");
+  EXPECT_EQ(renderer_note("softpipe", "llvmpipe"),
+            "Drawn by softpipe here, expected by llvmpipe. The limits have room for both: docs/accuracy.md.");
+  const std::string gpu = renderer_note("Radeon", "llvmpipe");
+  EXPECT_NE(gpu.find("Drawn by Radeon, which seems to be a GPU"), gpu.npos) << gpu;
+  EXPECT_NE(gpu.find("LIBGL_ALWAYS_SOFTWARE=1"), gpu.npos) << gpu;
+}
+
+}  // namespace
+}  // namespace texel::grade

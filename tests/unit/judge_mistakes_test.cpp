@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// How a mistake is known again: by samples of its pictures, or by what the program says in place of one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "core/scratch_folder.hpp"
+#include "image/save.hpp"
+#include "judge/mistakes.hpp"
+
+namespace texel::grade {
+namespace {
+
+using image::ImageF;
+
+/// Three cases of step 1.1, and what the solution, two mistakes and a student draw for them.
+class Mistakes : public testing::Test {
+ protected:
+  Mistakes() {
+    for (const char* name : {"a", "b", "c"}) {
+      course::Case one;
+      one.name = name, one.step = "1.1", one.view = course::View::texcoord;
+      one.size = {16, 16}, one.limit = 1e-3;
+      plan_.cases.push_back(one);
+    }
+  }
+
+  /// A ramp, of which `wrong` rows from the bottom are off by `by`.
+  [[nodiscard]] std::string picture(const std::string& name, int wrong, float by) const {
+    ImageF image(16, 16, 3);
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 16; ++x)
+        image.at(x, y, 0) = static_cast<float>(x) / 16 + (y < wrong ? by : 0), image.at(x, y, 1) = 0.5F;
+    image::save_pfm(folder_.path() / (name + ".pfm"), image);
+    return read_file(folder_.path() / (name + ".pfm"));
+  }
+
+  [[nodiscard]] Samples samples(int wrong, float by) const {
+    return sampled(plan_.cases[0], picture("right", 0, 0), picture("wrong", wrong, by));
+  }
+
+  [[nodiscard]] std::string known(const std::vector<Mistake>& mistakes,
+                                  const std::map<std::string, Failed>& failed) const {
+    const Mistake* mistake = recognise(mistakes, plan_, "1.1", failed);
+    return mistake == nullptr ? "" : mistake->name;
+  }
+
+  ScratchFolder folder_;
+  LabPlan plan_;
+};
+
+TEST_F(Mistakes, are_known_by_their_pictures_and_not_by_others) {
+  const std::vector<Mistake> mistakes = {{"off by a half", "1.1", "", {{"a", samples(8, 0.5F)}}},
+                                         {"off by a third", "1.1", "", {{"a", samples(8, 0.333F)}}},
+                                         {"of another step", "1.2", "", {{"a", samples(8, 0.25F)}}}};
+  EXPECT_EQ(known(mistakes, {{"a", {picture("s", 8, 0.5F), ""}}}), "off by a half");
+  EXPECT_EQ(known(mistakes, {{"a", {picture("s", 8, 0.333F), ""}}}), "off by a third");
+  EXPECT_EQ(known(mistakes, {{"a", {picture("s", 8, 0.25F), ""}}}), "");
+  EXPECT_EQ(known(mistakes, {{"a", {picture("s", 16, 0.5F), ""}}}), "") << "where the mistake is right";
+  EXPECT_EQ(known(mistakes, {}), "");
+}
+
+TEST_F(Mistakes, that_would_have_spoilt_more_than_what_failed_are_not_meant) {
+  const Samples half = samples(8, 0.5F);
+  const std::vector<Mistake> mistakes = {{"everywhere", "1.1", "", {{"a", half}, {"b", half}, {"c", half}}},
+                                         {"in two", "1.1", "", {{"a", half}, {"b", half}}}};
+  const Failed failed{picture("s", 8, 0.5F), ""};
+  EXPECT_EQ(known(mistakes, {{"a", failed}, {"b", failed}}), "in two");
+  EXPECT_EQ(known(mistakes, {{"a", failed}, {"b", failed}, {"c", failed}}), "everywhere");
+}
+
+TEST_F(Mistakes, that_draw_nothing_are_known_by_what_the_program_says) {
+  Samples refused;
+  refused.said = "cube.obj:9: index 0 of v is out of range";
+  const std::vector<Mistake> mistakes = {{"from 0", "1.1", "", {{"a", refused}}},
+                                         {"off by a half", "1.1", "", {{"a", samples(8, 0.5F)}}}};
+  EXPECT_EQ(known(mistakes, {{"a", {{}, refused.said}}}), "from 0");
+  EXPECT_EQ(known(mistakes, {{"a", {{}, "cube.obj:8: index 0 of v is out of range"}}}), "");
+  EXPECT_EQ(known(mistakes, {{"a", {picture("s", 8, 0.5F), ""}}}), "off by a half");
+}
+
+TEST_F(Mistakes, are_the_same_when_they_were_written_and_read) {
+  Samples refused;
+  refused.said = "\"x\" is no number";
+  const std::vector<Mistake> mistakes = {
+      {"off", "1.1", "It is off.", {{"a", samples(8, std::nanf(""))}, {"b", refused}}},
+      {"half", "1.2", "It is half.", {{"c", samples(4, 0.5F)}}}};
+  const std::vector<Mistake> read = parse_mistakes(to_json(mistakes), "mistakes.json");
+  EXPECT_EQ(to_json(read), to_json(mistakes));
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[0].says, "It is off.");
+  EXPECT_EQ(read[0].cases.at("b").said, refused.said);
+  EXPECT_EQ(read[0].cases.at("a").count, 256U);
+  EXPECT_TRUE(std::any_of(read[0].cases.at("a").samples.begin(), read[0].cases.at("a").samples.end(),
+                          [](const Samples::Sample& sample) { return std::isnan(sample.values.at(0)); }));
+  for (const char* text :
+       {"", "{}x", "[{\"name\": 1}]", "[{\"name\": \"n\", \"step\": \"1.1\", \"says\": \"\"}]"})
+    EXPECT_THROW(parse_mistakes(text, "mistakes.json"), Error) << text;
+}
+
+}  // namespace
+}  // namespace texel::grade
