@@ -156,6 +156,8 @@ std::vector<Step> read_steps(Reader& head, const std::string& file, int lab) {
     step.points = read_number(reader, "points", *table);
     step.needs = read_texts(reader, "needs");
     step.hints = read_texts(reader, "hints");
+    step.settings = read_settings(reader);
+    step.view = reader.text("view", step.view);
     reader.reject_unknown();
     const std::string expected = fmt::format("{}.{}", lab, steps.size() + 1);
     if (step.id != expected)

@@ -14,6 +14,8 @@
 ///     needs = ["1.3", "4.2"]                        # optional: earlier steps, of earlier labs too, without
 ///                                                   # which this one cannot be seen
 ///     hints = ["A vague one", "A plain one"]        # one to three
+///     set = { normal_map = "bump" }                 # optional: the look in which one sees the step, for the
+///     view = "normal"                               # handout's line "See it" and its picture
 ///     [[case]]
 ///     name = "decode_bump"                          # unique in the lab
 ///     step = "5.1"
@@ -33,6 +35,8 @@ struct Step {
   double points = 1;
   std::vector<std::string> needs;  ///< earlier steps, of this lab or an earlier one
   std::vector<std::string> hints;
+  std::vector<Setting> settings;  ///< with `view`, the look in which one sees it
+  std::string view = "color";
 };
 
 /// A parameter whose value is drawn from the secret seed.
