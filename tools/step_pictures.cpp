@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 
 #include "commands.hpp"
 #include "core/files.hpp"
@@ -18,15 +19,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kSize = "240x240";
-constexpr int kGap = 8;  ///< pixels between before and after
+constexpr const char* kSize = "200x200";
+constexpr int kGap = 6;  ///< pixels between before and after
 
 /// What one looks at to see the step.
 course::Look look_of(const course::Step& step, const char* when, const fs::path& root) {
   course::Look look;
   look.name = fmt::format("{}-{}", step.id, when);
   look.settings = step.settings;
-  // A model's path is that in the course's root, wherever this runs.
+  // A model's path begins in the course's root, wherever this runs.
   for (course::Setting& setting : look.settings)
     if (setting.value.starts_with("assets/")) setting.value = (root / setting.value).string();
   look.view = step.view;
@@ -34,16 +35,26 @@ course::Look look_of(const course::Step& step, const char* when, const fs::path&
   return look;
 }
 
-/// The program of the k-th stage with what is drawn by it: the step that it has solved last after it, and the
-/// next one before it.
-Command drawing(const course::Lab& lab, std::size_t k, const grade::Stage& stage, const fs::path& out) {
-  course::Lab looks = lab;
-  looks.looks.clear();
-  if (k > 0) looks.looks.push_back(look_of(lab.steps[k - 1], "after", stage.root));
-  if (k < lab.steps.size()) looks.looks.push_back(look_of(lab.steps[k], "before", stage.root));
-  const fs::path list = stage.root / "batch.json";
-  write_file(list, batch_list(looks));
-  return {stage.program, "--assets", stage.root, "--batch", list, "--out", out};
+/// What is drawn at each stage of the lab.
+std::map<grade::Solved, course::Lab> looks_by_stage(const grade::CourseTree& tree, const course::Lab& lab) {
+  grade::Solved solved;
+  for (const course::Lab& earlier : tree.labs)
+    for (const course::Step& step : earlier.steps)
+      if (earlier.number < lab.number) solved.insert(step.id);
+  std::map<grade::Solved, course::Lab> stages;
+  const auto draw = [&](const grade::Solved& stage, const course::Step& step, const char* when) {
+    course::Lab& at_stage = stages.try_emplace(stage).first->second;
+    at_stage.looks.push_back(look_of(step, when, tree.course));
+  };
+  for (const course::Step& step : lab.steps) {
+    grade::Solved stage = solved;
+    stage.insert(step.seen_with.begin(), step.seen_with.end());
+    draw(stage, step, "before");
+    stage.insert(step.id);
+    draw(stage, step, "after");
+    solved.insert(step.id);
+  }
+  return stages;
 }
 
 /// Both side by side, with a white gap.
@@ -58,22 +69,34 @@ image::Image8 joined(const image::Image8& left, const image::Image8& right) {
   return both;
 }
 
+image::Image8 step_picture(const fs::path& before, const fs::path& after) {
+  const image::Image8 right = image::load8(after, 3);
+  if (fs::exists(before)) return joined(image::load8(before, 3), right);
+  // Without the step the lab may refuse to draw. The student sees a message, and an empty window.
+  image::Image8 empty(right.width, right.height, 3);
+  std::fill(empty.samples.begin(), empty.samples.end(), std::uint8_t{128});
+  return joined(empty, right);
+}
+
 void draw_steps(const grade::CourseTree& tree, const course::Lab& lab, const fs::path& folder) {
   const ScratchFolder work;
   const fs::path drawn = work.path() / "drawn";
   make_folder(drawn);
-  const std::vector<grade::Stage> stages = grade::make_stages(tree, lab, work.path());
+  const std::map<grade::Solved, course::Lab> looks = looks_by_stage(tree, lab);
+  std::vector<grade::Solved> stages;
+  for (const auto& [solved, at_stage] : looks) stages.push_back(solved);
   std::vector<Command> commands;
-  for (std::size_t k = 0; k < stages.size(); ++k) commands.push_back(drawing(lab, k, stages[k], drawn));
-  bool failed = false;
-  run_all(commands, static_cast<int>(processors()),
-          [&](std::size_t, int status) { failed = failed || status != 0; });
-  if (failed) throw Error::failed("could not draw the steps of " + lab.program(), {}, "see its message above");
-  for (const course::Step& step : lab.steps)
-    image::save_png(folder / (step.id + ".png"),
-                    joined(image::load8(drawn / (step.id + "-before.png"), 3),
-                           image::load8(drawn / (step.id + "-after.png"), 3)),
-                    {}, 9);
+  for (const auto& [solved, stage] : grade::make_stages(tree, lab, stages, work.path())) {
+    const fs::path list = stage.root / "batch.json";
+    write_file(list, batch_list(looks.at(solved)));
+    commands.push_back({stage.program, "--assets", stage.root, "--batch", list, "--out", drawn});
+  }
+  // What is missing afterwards was not drawn.
+  run_all(commands, static_cast<int>(processors()), [](std::size_t, int) {});
+  for (const course::Step& step : lab.steps) {
+    const fs::path before = drawn / (step.id + "-before.png"), after = drawn / (step.id + "-after.png");
+    image::save_png(folder / (step.id + ".png"), step_picture(before, after), {}, 9);
+  }
 }
 
 }  // namespace

@@ -158,6 +158,7 @@ std::vector<Step> read_steps(Reader& head, const std::string& file, int lab) {
     step.hints = read_texts(reader, "hints");
     step.settings = read_settings(reader);
     step.view = reader.text("view", step.view);
+    step.seen_with = read_texts(reader, "seen_with");
     reader.reject_unknown();
     const std::string expected = fmt::format("{}.{}", lab, steps.size() + 1);
     if (step.id != expected)

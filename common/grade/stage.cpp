@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <map>
-#include <set>
 #include <string_view>
 
 #include "core/error.hpp"
@@ -19,9 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files, by path, that are not yet the solution when these steps are solved.
-std::map<std::string, std::string> unfinished_files(const fs::path& course,
-                                                    const std::set<std::string>& solved) {
+/// The files, by path, in which a step is not solved.
+std::map<std::string, std::string> unfinished_files(const fs::path& course, const Solved& solved) {
   std::map<std::string, std::string> files;
   for (const std::string& file : step_files(course)) {
     bool is_finished = true;
@@ -34,40 +31,34 @@ std::map<std::string, std::string> unfinished_files(const fs::path& course,
   return files;
 }
 
-Stage make_stage(Workshop& workshop, const course::Lab& lab,
-                 const std::map<std::string, std::string>& files, const fs::path& root) {
+Stage make_stage(Workshop& workshop, const course::Lab& lab, const Solved& solved, const fs::path& root) {
+  const fs::path course = workshop.tree().source;
+  const std::map<std::string, std::string> files = unfinished_files(course, solved);
   const Program program = workshop.make(lab.program(), files);
   if (!program.refused.empty())
-    throw Error::failed("a stage of the course does not build", {program.refused.front().file},
+    throw Error::failed("does not build with only some of the steps solved", {program.refused.front().file},
                         program.refused.front().text);
   constexpr std::string_view kShaders = "shaders/";
   std::map<std::string, std::string> shaders;
   for (const auto& [file, text] : files)
     if (file.starts_with(kShaders)) shaders.emplace(file.substr(kShaders.size()), text);
-  const fs::path course = workshop.tree().source;
-  overlay(course / kShaders, shaders, root / kShaders);
+  overlay(course / "shaders", shaders, root / "shaders");
   fs::create_directory_symlink(course / "assets", root / "assets");
   return {program.file, root};
 }
 
 }  // namespace
 
-std::vector<Stage> make_stages(const CourseTree& tree, const course::Lab& lab, const fs::path& folder) {
+std::map<Solved, Stage> make_stages(const CourseTree& tree, const course::Lab& lab,
+                                    const std::vector<Solved>& stages, const fs::path& folder) {
   Workshop workshop(solution_tree(tree.course, tree.build, {}), tree.cache / "solutions", true);
-  std::set<std::string> solved;
-  for (const course::Lab& earlier : tree.labs)
-    for (const course::Step& step : earlier.steps)
-      if (earlier.number < lab.number) solved.insert(step.id);
-  std::vector<std::map<std::string, std::string>> files = {unfinished_files(tree.course, solved)};
-  for (const course::Step& step : lab.steps) {
-    solved.insert(step.id);
-    files.push_back(unfinished_files(tree.course, solved));
-  }
-  std::vector<Stage> stages(files.size());
-  in_parallel(processors(), files.size(), [&](std::size_t k) {
-    stages[k] = make_stage(workshop, lab, files[k], folder / fmt::format("{}", k));
+  std::vector<Stage> made(stages.size());
+  in_parallel(processors(), stages.size(), [&](std::size_t i) {
+    made[i] = make_stage(workshop, lab, stages[i], folder / fmt::format("{}", i));
   });
-  return stages;
+  std::map<Solved, Stage> by_solved;
+  for (std::size_t i = 0; i < stages.size(); ++i) by_solved[stages[i]] = made[i];
+  return by_solved;
 }
 
 }  // namespace texel::grade

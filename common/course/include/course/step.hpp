@@ -16,6 +16,7 @@
 ///     hints = ["A vague one", "A plain one"]        # one to three
 ///     set = { normal_map = "bump" }                 # optional: the look in which one sees the step, for the
 ///     view = "normal"                               # handout's line "See it" and its picture
+///     seen_with = ["5.5"]                           # optional: later steps that are solved in the picture
 ///     [[case]]
 ///     name = "decode_bump"                          # unique in the lab
 ///     step = "5.1"
@@ -37,6 +38,7 @@ struct Step {
   std::vector<std::string> hints;
   std::vector<Setting> settings;  ///< with `view`, the look in which one sees it
   std::string view = "color";
+  std::vector<std::string> seen_with;  ///< later steps of this lab, without which one does not see it
 };
 
 /// A parameter whose value is drawn from the secret seed.

@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <map>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "grade/check.hpp"
 
-/// The course's tree between starter and solution, as a student sees it on the way.
+/// A lab between starter and solution, as a student has it on the way.
 namespace texel::grade {
 
-/// A lab with its first steps solved.
+/// The steps that are solved, as "5.1".
+using Solved = std::set<std::string>;
+
+/// A lab with some steps solved.
 struct Stage {
   std::filesystem::path program;
   std::filesystem::path root;  ///< the folder with shaders/ and assets/
 };
 
-/// The stages of one lab: the k-th has its first k steps solved, all steps of earlier labs, and none of later
-/// ones. `tree.labs` are all labs of the course. The stages' shaders are written into `folder`; their programs
-/// are kept in the tree's cache. Throws Error (exit 3) when a stage does not build.
-std::vector<Stage> make_stages(const CourseTree& tree, const course::Lab& lab,
-                               const std::filesystem::path& folder);
+/// The lab at each of the stages. Their shaders are written into `folder`, which is empty; their programs are
+/// kept in the tree's cache. Throws Error (exit 3) when a stage does not build.
+std::map<Solved, Stage> make_stages(const CourseTree& tree, const course::Lab& lab,
+                                    const std::vector<Solved>& stages, const std::filesystem::path& folder);
 
 }  // namespace texel::grade
