@@ -32,7 +32,7 @@ void main() {
 #else
   vec3 color = tint * surface_color();
 #if TINT == TINT_VERTICES
-  color *= vertex_tint;
+  color = mix(color, vertex_tint, 0.8);
 #endif
   show(vec4(lit(color, normalize(world_normal), normalize(eye - world_position)), 1.0));
 #endif
