@@ -102,8 +102,9 @@ void add_starter(CLI::App& app, StarterOptions& options) {
               "exactly those pass, and that all pass in the end")
           ->excludes(out);
   command
-      ->add_option("--pictures", options.pictures,
-                   "Write only a folder of pictures: what each step looks like before and after, side by side")
+      ->add_option(
+          "--pictures", options.pictures,
+          "Write only a folder of pictures: what each step looks like before and after, side by side")
       ->excludes(out)
       ->excludes(verify);
   command->add_option("--labs", options.labs, "With --verify or --pictures: numbers of labs, as 1,5 [all]")

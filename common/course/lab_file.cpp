@@ -170,6 +170,11 @@ std::vector<Step> read_steps(Reader& head, const std::string& file, int lab) {
       throw reader.error("hints", "a step has one to three hints");
     steps.push_back(std::move(step));
   }
+  for (const Step& step : steps)
+    for (const std::string& later : step.seen_with)
+      if (!has_step(steps, later) || later == step.id)
+        throw head.error("step", fmt::format("step '{}' cannot be seen with '{}'", step.id, later),
+                         "seen_with names other steps of this lab");
   return steps;
 }
 

@@ -30,10 +30,11 @@ inline constexpr params::Item kNormals[] = {
     {"smooth-angle", "Each by its angle at the corner: how faces are cut does not matter"}};
 
 enum class Tint { none, materials, groups, vertices };
-inline constexpr params::Item kTints[] = {{"none", "The picture alone"},
-                                          {"materials", "Each usemtl in a colour of its own"},
-                                          {"groups", "Each g and o in a colour of its own"},
-                                          {"vertices", "Each vertex of the stream: colours run on where triangles share one"}};
+inline constexpr params::Item kTints[] = {
+    {"none", "The picture alone"},
+    {"materials", "Each usemtl in a colour of its own"},
+    {"groups", "Each g and o in a colour of its own"},
+    {"vertices", "Each vertex of the stream: colours run on where triangles share one"}};
 
 enum class Quantity { color, texcoord, normal };
 inline constexpr params::Item kQuantities[] = {
