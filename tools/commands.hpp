@@ -137,6 +137,7 @@ Exit renderers(const RenderersCommand& command);
 struct StarterOptions {
   std::filesystem::path out, root;  ///< root empty: the course's own
   std::vector<std::string> solve;   ///< steps that are solved already
+  std::filesystem::path pictures;   ///< write nothing else: a folder for a picture of each step
   bool verify = false;              ///< write nothing: hold the starter to what it promises
   std::vector<int> labs;            ///< of those; none for all
   std::filesystem::path cache;      ///< empty: build/grade of the course
@@ -145,6 +146,10 @@ struct StarterOptions {
 /// `texel starter`: writes the tree that students begin with. With `verify`, differs when a stage between
 /// starter and solution passes other steps than those that are solved in it.
 Exit starter(const StarterOptions& options);
+
+/// `texel starter --pictures`: draws what each step looks like before and after it is solved, side by side.
+/// Throws Error (exit 3) when a stage does not build or draw.
+Exit step_pictures(const StarterOptions& options);
 
 struct GradeCommand {
   std::filesystem::path class_folder, out = "out/grades";

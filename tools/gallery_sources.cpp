@@ -10,11 +10,13 @@ namespace {
 
 constexpr const char* kHead =
     "# The sources' pictures\n\n"
-    "The labs implement a project report, a worksheet's solution and lecture slides. Each picture that these "
-    "show\n"
-    "is drawn by one command, typed in the project's root; the faulty ones too. `texel gallery --list` "
-    "prints this\n"
-    "page from the labs' `lab.toml`, and a test holds it to that.\n";
+    "The labs implement three [sources](student.md#the-sources). Each picture that these show is drawn by "
+    "one "
+    "command,\n"
+    "typed in the project's root; the faulty ones too. `texel gallery --list` prints this page from the "
+    "labs' "
+    "`lab.toml`,\n"
+    "and a test holds it to that.\n";
 
 /// A '|' would end a table's cell, also inside of code.
 std::string cell(const std::string& text) {

@@ -101,14 +101,20 @@ void add_starter(CLI::App& app, StarterOptions& options) {
               "Write nothing, but see that the starter fails every step, that with the first k steps solved\n"
               "exactly those pass, and that all pass in the end")
           ->excludes(out);
-  command->add_option("--labs", options.labs, "With --verify: numbers of labs, as 1,5 [all]")
+  command
+      ->add_option(
+          "--pictures", options.pictures,
+          "Write only a folder of pictures: what each step looks like before and after, side by side")
+      ->excludes(out)
+      ->excludes(verify);
+  command->add_option("--labs", options.labs, "With --verify or --pictures: numbers of labs, as 1,5 [all]")
       ->delimiter(',')
       ->check(CLI::Range(1, 99))
-      ->needs(verify);
+      ->excludes(out);
   command
       ->add_option("--cache", options.cache,
-                   "With --verify: folder for starter, references and programs [build/grade]")
-      ->needs(verify);
+                   "With --verify or --pictures: folder for what is made on the way [build/grade]")
+      ->excludes(out);
 }
 
 CLI::Option* add_context(CLI::App* command, std::string& context) {

@@ -29,6 +29,7 @@ Exit verify(const StarterOptions& options) {
 
 Exit starter(const StarterOptions& options) {
   if (options.verify) return verify(options);
+  if (!options.pictures.empty()) return step_pictures(options);
   if (options.out.empty()) throw Error::usage("where to? texel starter --out DIR", "DIR is a new folder");
   std::vector<std::string> known;
   for (const course::Lab& lab : course_labs())

@@ -174,6 +174,9 @@ std::vector<Step> read_steps(Reader& head, const std::string& file, int lab) {
     step.points = read_number(reader, "points", *table);
     step.needs = read_texts(reader, "needs");
     step.hints = read_texts(reader, "hints");
+    step.see.settings = read_settings(reader);
+    step.see.view = read_view(reader);
+    step.seen_with = read_texts(reader, "seen_with");
     reader.reject_unknown();
     const std::string expected = fmt::format("{}.{}", lab, steps.size() + 1);
     if (step.id != expected)
@@ -185,6 +188,11 @@ std::vector<Step> read_steps(Reader& head, const std::string& file, int lab) {
       throw reader.error("hints", "a step has one to three hints");
     steps.push_back(std::move(step));
   }
+  for (const Step& step : steps)
+    for (const std::string& later : step.seen_with)
+      if (!has_step(steps, later) || later == step.id)
+        throw head.error("step", fmt::format("step '{}' cannot be seen with '{}'", step.id, later),
+                         "seen_with names other steps of this lab");
   return steps;
 }
 

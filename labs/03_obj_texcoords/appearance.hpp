@@ -34,7 +34,7 @@ inline glm::vec3 part_color(std::size_t i) {
 
 /// The sRGB colour by which the picture of part `i` is multiplied.
 inline glm::vec3 tint_of(Tint tint, const std::string& texture, const Imported& imported, std::size_t i) {
-  if (tint != Tint::none) return part_color(i);
+  if (tint == Tint::materials || tint == Tint::groups) return part_color(i);
   const mesh::Material* material = texture == "material" ? material_of(imported, i) : nullptr;
   return material != nullptr ? material->diffuse : glm::vec3(1);
 }

@@ -29,10 +29,12 @@ inline constexpr params::Item kNormals[] = {
     {"smooth-area", "The mean of the triangles around, each by its area"},
     {"smooth-angle", "Each by its angle at the corner: how faces are cut does not matter"}};
 
-enum class Tint { none, materials, groups };
-inline constexpr params::Item kTints[] = {{"none", "The picture alone"},
-                                          {"materials", "Each usemtl in a colour of its own"},
-                                          {"groups", "Each g and o in a colour of its own"}};
+enum class Tint { none, materials, groups, vertices };
+inline constexpr params::Item kTints[] = {
+    {"none", "The picture alone"},
+    {"materials", "Each usemtl in a colour of its own"},
+    {"groups", "Each g and o in a colour of its own"},
+    {"vertices", "Each vertex of the stream: colours run on where triangles share one"}};
 
 enum class Quantity { color, texcoord, normal };
 inline constexpr params::Item kQuantities[] = {
@@ -82,7 +84,7 @@ struct ObjTexcoordsParameters {
     set.add(texture_scale,
             {"texture_scale", 1, 0.1, 20, "", "Repeats of the picture", params::Scale::logarithmic});
     set.add(flip_v, {"flip_v", false, "Take the picture's top row for t = 0: upside down in OpenGL"});
-    set.add(tint, {"tint", Tint::none, kTints, "Paint the parts of the file"});
+    set.add(tint, {"tint", Tint::none, kTints, "Paint the parts of the file, or the vertices"});
     set.add(linear_light, {"linear_light", true,
                            "Light and filter linear light; off: the encoded values, as the report does"});
     set.section("Error");

@@ -138,7 +138,7 @@ inline app::Measure obj_texcoords_measure(const ObjTexcoordsParameters& p) {
 }
 
 /// What the measure's view should show. Empty for models and pictures that have no formula, and for the
-/// texture coordinate of triplanar, of which there are three.
+/// texture coordinate of triplanar, of which there are three, and for the vertices' colours.
 inline app::Truth obj_texcoords_truth(const ObjTexcoordsParameters& p, glm::ivec2 size) {
   const auto model = exact_model(p.model);
   const auto texture = app::texture_of(p.texture == "material" ? "label_grid" : p.texture);
@@ -162,7 +162,7 @@ inline app::Truth obj_texcoords_truth(const ObjTexcoordsParameters& p, glm::ivec
       return glm::dvec3(double{p.texture_scale} * exact_texcoord(model, p.projection, *at), 0);
     };
   }
-  if (!texture) return {};
+  if (!texture || p.tint == Tint::vertices) return {};
   glm::dvec3 tint(1);
   for (int c = 0; c < 3 && p.tint != Tint::none; ++c)
     tint[c] = image::linear_from_srgb(double{part_color(0)[c]});  // these models have one part

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 in vec3 world_position;
 in vec3 world_normal;
+#if TINT == TINT_VERTICES
+in vec3 vertex_tint;
+#endif
 
 uniform sampler2D color_map;
 uniform vec3 tint;   // the material's or part's colour
@@ -27,6 +30,10 @@ void main() {
   picture = vec4(vec3(level_of_detail(surface_texcoord(), vec2(textureSize(color_map, 0)))), 1.0);
 #endif
 #else
-  show(vec4(lit(tint * surface_color(), normalize(world_normal), normalize(eye - world_position)), 1.0));
+  vec3 color = tint * surface_color();
+#if TINT == TINT_VERTICES
+  color = mix(color, vertex_tint, 0.8);
+#endif
+  show(vec4(lit(color, normalize(world_normal), normalize(eye - world_position)), 1.0));
 #endif
 }

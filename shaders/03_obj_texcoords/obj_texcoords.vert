@@ -11,6 +11,10 @@ uniform float texture_scale;
 out vec3 world_position;
 out vec3 world_normal;
 
+#if TINT == TINT_VERTICES
+out vec3 vertex_tint;
+#endif
+
 #if METHOD == METHOD_PER_VERTEX
 in vec3 color;
 out vec3 vertex_color;
@@ -28,6 +32,9 @@ out vec2 fragment_texcoord;
 void main() {
   world_position = (world_from_object * vec4(position, 1.0)).xyz;
   world_normal = mat3(world_from_object) * normal;
+#if TINT == TINT_VERTICES
+  vertex_tint = fract(float(gl_VertexID % 4096) * vec3(0.618, 0.445, 0.275));  // unlike the next vertex's
+#endif
 #if METHOD == METHOD_PER_VERTEX
   vertex_color = color;
 #endif

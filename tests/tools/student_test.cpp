@@ -123,7 +123,7 @@ TEST_F(StudentTree, has_no_solution_no_truth_and_no_test) {
     EXPECT_FALSE(fs::exists(root_ / folder)) << folder;
   for (const char* given :
        {"labs/05_normal_map/README.md", "docs/student.md", "docs/pictures/05_normal_map.png",
-        "labs/05_normal_map/expected/decode_bumps.pfm", "run"})
+        "docs/pictures/steps/5.1.png", "labs/05_normal_map/expected/decode_bumps.pfm", "run"})
     EXPECT_TRUE(fs::exists(root_ / given)) << given;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kRoot / "labs")) {
     if (entry.path().extension() != ".cpp") continue;

@@ -131,6 +131,10 @@ const std::string kStep =
     "[[step]]\nid = \"5.1\"\ntitle = \"Decode\"\npoints = 2\nhints = [\"Look\", \"Twice\"]\n";
 const std::string kCase = "[[case]]\nname = \"flat\"\nstep = \"5.1\"\nlimit = 0.5\nwhy = \"measured\"\n";
 
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  return text.replace(text.find(what), what.size(), by);
+}
+
 TEST(LabFile, has_steps_and_the_cases_that_judge_them) {
   const LabFile file(kHead + kStep + kCase +
                      "view = \"normal\"\nset = { turn = 30 }\nhidden = { yaw = [-180, 180], normal_map = "
@@ -154,10 +158,21 @@ TEST(LabFile, has_steps_and_the_cases_that_judge_them) {
   EXPECT_EQ(c.hidden_settings[1].values, (std::vector<std::string>{"brick", "wood"}));
 }
 
+TEST(LabFile, has_the_look_in_which_one_sees_a_step) {
+  const std::string second = replaced(kStep, "5.1", "5.2"), second_case = replaced(kCase, "flat", "other");
+  const std::string look = "set = { model = \"torus\" }\nview = \"tangent\"\nseen_with = [\"5.2\"]\n";
+  const LabFile file(kHead + kStep + look + second + kCase + replaced(second_case, "5.1", "5.2"));
+  const Lab lab = read_lab(file.path());
+  EXPECT_EQ(lab.steps[0].see.settings, (std::vector<Setting>{{"model", "torus"}}));
+  EXPECT_EQ(lab.steps[0].see.view, View::tangent);
+  EXPECT_EQ(lab.steps[0].seen_with, (std::vector<std::string>{"5.2"}));
+  EXPECT_EQ(lab.steps[1].see.view, View::color);
+  for (const std::string other : {"5.1", "5.3", "4.1"})
+    EXPECT_EQ(refusal(kHead + kStep + "seen_with = [\"" + other + "\"]\n" + kCase),
+              "4:1: step '5.1' cannot be seen with '" + other + "'; seen_with names other steps of this lab");
+}
+
 TEST(LabFile, refuses_steps_and_cases_that_do_not_fit) {
-  const auto replaced = [](std::string text, const std::string& what, const std::string& by) {
-    return text.replace(text.find(what), what.size(), by);
-  };
   EXPECT_EQ(refusal(kHead + kStep), "4:1: no case judges step '5.1'");
   EXPECT_EQ(refusal(kHead + replaced(kStep, "5.1", "5.2") + kCase),
             "5:6: step '5.2' stands where '5.1' belongs");

@@ -213,9 +213,9 @@ std::string claims(const std::vector<LabResults>& labs) {
                     markdown_row({"---", "---", "---", "---"});
   for (const LabResults& lab : labs)
     for (const course::Claim& claim : lab.lab.claims)
-      out +=
-          markdown_row({fmt::format("{}", lab.lab.number), fmt::format("{} ({})", claim.says, claim.source),
-                        claim.found, fmt::format("`{}`", claim.see)});
+      out += markdown_row({fmt::format("{}", lab.lab.number),
+                           fmt::format("{} ([{}](student.md#the-sources))", claim.says, claim.source),
+                           claim.found, fmt::format("`{}`", claim.see)});
   return out;
 }
 

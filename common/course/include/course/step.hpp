@@ -14,6 +14,9 @@
 ///     needs = ["1.3", "4.2"]                        # optional: earlier steps, of earlier labs too, without
 ///                                                   # which this one cannot be seen
 ///     hints = ["A vague one", "A plain one"]        # one to three
+///     set = { normal_map = "bump" }                 # optional: the look in which one sees the step, for the
+///     view = "normal"                               # handout's line "See it" and its picture
+///     seen_with = ["5.5"]                           # optional: later steps that are solved in the picture
 ///     [[case]]
 ///     name = "decode_bump"                          # unique in the lab
 ///     step = "5.1"
@@ -33,6 +36,8 @@ struct Step {
   double points = 1;
   std::vector<std::string> needs;  ///< earlier steps, of this lab or an earlier one
   std::vector<std::string> hints;
+  Case see;  ///< the look in which one sees it: its settings and view
+  std::vector<std::string> seen_with;  ///< later steps of this lab, without which one does not see it
 };
 
 /// A parameter whose value is drawn from the secret seed.
