@@ -19,7 +19,7 @@ struct ObjTexcoords {
                                          app::View::lod,   app::View::depth,  app::View::mask,
                                          app::View::error};
   static constexpr app::Info info{3, "obj_texcoords", "OBJ with texture coordinates",
-                                  "Read a model with its texture coordinates, or make some.", kViews};
+                                  "Read a model with its texture coordinates, or generate them.", kViews};
   using Parameters = ObjTexcoordsParameters;
 
   explicit ObjTexcoords(const app::Assets& assets) : assets_(assets) {}

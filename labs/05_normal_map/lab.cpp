@@ -16,7 +16,7 @@ struct NormalMap {
   static constexpr app::View kViews[] = {app::View::color,    app::View::normal, app::View::tangent,
                                          app::View::texcoord, app::View::depth,  app::View::mask,
                                          app::View::error};
-  static constexpr app::Info info{5, "normal_map", "Normal map", "Give a flat surface the light of a relief.",
+  static constexpr app::Info info{5, "normal_map", "Normal map", "Light a flat surface as if it were a relief.",
                                   kViews};
   using Parameters = NormalMapParameters;
 

@@ -18,7 +18,7 @@ struct CubeMap {
                                          app::View::texcoord, app::View::lod,    app::View::depth,
                                          app::View::mask,     app::View::error};
   static constexpr app::Info info{
-      6, "cube_map", "Cube map", "Dress a sphere in six pictures, without a seam and without poles.", kViews};
+      6, "cube_map", "Cube map", "Cover a sphere with six pictures, without a seam and without poles.", kViews};
   using Parameters = CubeMapParameters;
 
   explicit CubeMap(const app::Assets& assets) : assets_(assets) {}

@@ -17,7 +17,7 @@ struct EnvironmentLab {
   static constexpr app::View kViews[] = {app::View::color, app::View::direction, app::View::depth,
                                          app::View::mask, app::View::error};
   static constexpr app::Info info{7, "environment", "Environment",
-                                  "Surround the scene with a cube map, behind everything.", kViews};
+                                  "Surround the scene with a cube map behind everything.", kViews};
   using Parameters = EnvironmentParameters;
 
   explicit EnvironmentLab(const app::Assets& assets) : environment_(assets), quad_(make_quad()) {}

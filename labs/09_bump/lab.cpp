@@ -17,7 +17,7 @@ struct Bump {
   static constexpr app::View kViews[] = {app::View::color,     app::View::normal,   app::View::tangent,
                                          app::View::direction, app::View::texcoord, app::View::depth,
                                          app::View::mask,      app::View::error};
-  static constexpr app::Info info{9, "bump", "Bump mapping", "Bend the mirror ball's normals by a picture.",
+  static constexpr app::Info info{9, "bump", "Bump mapping", "Bend the mirror ball's normals with a normal map.",
                                   kViews};
   using Parameters = BumpParameters;
 
