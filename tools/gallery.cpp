@@ -38,7 +38,7 @@ Work work_for(const course::Lab& lab, const fs::path& out) {
   return {&lab, folder, folder / "batch.json", program_of(lab)};
 }
 
-/// Whether every picture was drawn from the same list, and after all that it is made from was last changed.
+/// Whether every picture was drawn from the same list, and is newer than everything it depends on.
 bool is_current(const Work& work, const fs::path& root) {
   if (!fs::exists(work.list) || read_file(work.list) != batch_list(*work.lab)) return false;
   if (!fs::exists(work.program)) return false;
@@ -52,7 +52,7 @@ bool is_current(const Work& work, const fs::path& root) {
   });
 }
 
-/// Takes the looks out that need the right answers where there are none, and says so.
+/// Removes looks that need the right answers, if this tree has none, and says so.
 void leave_out_errors(std::vector<course::Lab>& labs) {
   std::size_t left_out = 0;
   for (course::Lab& lab : labs) {
@@ -61,7 +61,7 @@ void leave_out_errors(std::vector<course::Lab>& labs) {
       left_out += std::erase_if(lab.looks, is_error);
   }
   if (left_out > 0)
-    fmt::print("  {} pictures of errors are left out: this tree does not hold the right answers\n", left_out);
+    fmt::print("  {} error pictures are left out: this tree does not contain the right answers\n", left_out);
 }
 
 void say(const course::Lab& lab, const char* what) {
@@ -69,13 +69,13 @@ void say(const course::Lab& lab, const char* what) {
   std::fflush(stdout);  // a log shows each as it ends
 }
 
-/// Draws all that is not current; throws when a lab fails, after the others have ended.
+/// Draws everything that is not up to date. Throws if a lab fails, after the others have ended.
 void draw(const std::vector<Work>& all, const fs::path& root) {
   std::vector<Work> works;
   for (const Work& work : all) {
     if (work.lab->looks.empty()) continue;
     if (is_current(work, root))
-      say(*work.lab, "are as they were");
+      say(*work.lab, "unchanged");
     else
       works.push_back(work);
   }

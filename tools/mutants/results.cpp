@@ -108,7 +108,7 @@ std::vector<MutantResult> read_report(const std::filesystem::path& file,
           {*mutant, static_cast<Fate>(fate - kFates.begin()), entry.at("by"), entry.at("seconds")});
     }
   } catch (const Json::exception&) {
-    throw Error::failed("is no report of mutants", {file.string()}, "remove it");
+    throw Error::failed("is not a report of mutants", {file.string()}, "remove the file");
   }
   return results;
 }
