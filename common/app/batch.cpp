@@ -24,14 +24,15 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 BatchEntry parse_entry(const Json& json, AnyLab& lab) {
-  if (!json.is_object()) throw Error::usage("an entry is an object {name, view, size, set}");
+  if (!json.is_object()) throw Error::usage("an entry must be an object {name, view, size, set}");
   for (const auto& [key, value] : json.items())
     if (key != "name" && key != "view" && key != "size" && key != "set")
       throw Error::usage(fmt::format("there is no key '{}'", key), "the keys are name, view, size and set");
   const std::string name = json.value("name", std::string());
   // The name is a file in the folder and nowhere else.
   if (name.empty() || name.find('/') != std::string::npos || name.starts_with('.'))
-    throw Error::usage(fmt::format("'{}' is no file name", name), "give each entry a name without folders");
+    throw Error::usage(fmt::format("'{}' is not a file name", name),
+                       "give each entry a name without folders");
   BatchEntry entry{name,
                    find_view(lab, json.value("view", std::string("color"))),
                    parse_size(json.value("size", std::string("512x512"))),
@@ -51,7 +52,7 @@ Batch read_batch(AnyLab& lab, const std::filesystem::path& list) {
   std::size_t index = 0;
   try {
     const Json json = Json::parse(read_file(list));
-    if (!json.is_array()) throw Error::usage("the file is a list of entries");
+    if (!json.is_array()) throw Error::usage("the file must be a list of entries");
     for (const Json& item : json) {
       ++index;
       entries.push_back(parse_entry(item, lab));

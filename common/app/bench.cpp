@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 /// The values of one parameter that varies: those of the list, or all of a choice.
 std::vector<std::string> values_of(const Json& list, const std::string& name, params::Set& parameters) {
-  if (!list.is_array()) throw Error::usage(fmt::format("what '{}' varies over is a list", name));
+  if (!list.is_array()) throw Error::usage(fmt::format("the values of '{}' must be a list", name));
   std::vector<std::string> values;
   for (const Json& value : list) {
     values.push_back(as_text(value));
@@ -26,13 +26,13 @@ std::vector<std::string> values_of(const Json& list, const std::string& name, pa
   }
   if (values.empty())
     for (const params::Item& item : parameters.at(name).items) values.emplace_back(item.name);
-  if (values.empty()) throw Error::usage(fmt::format("'{}' is no choice: list its values", name));
+  if (values.empty()) throw Error::usage(fmt::format("'{}' is not a choice: list its values", name));
   return values;
 }
 
 /// Every combination; the first parameter changes slowest.
 std::vector<Settings> combinations(const Json& vary, params::Set& parameters) {
-  if (!vary.is_object() || vary.empty()) throw Error::usage("'vary' is an object {parameter: [values]}");
+  if (!vary.is_object() || vary.empty()) throw Error::usage("'vary' must be an object {parameter: [values]}");
   std::vector<Settings> all(1);
   for (const auto& [name, list] : vary.items()) {
     std::vector<Settings> longer;

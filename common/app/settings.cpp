@@ -16,14 +16,15 @@ std::string as_text(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_integer()) return fmt::format("{}", value.get<long long>());
   if (value.is_number()) return fmt::format("{}", static_cast<float>(value.get<double>()));
-  throw Error::usage(fmt::format("a parameter's value is a string, number or boolean, not {}", value.dump()));
+  throw Error::usage(
+      fmt::format("a parameter's value must be a string, number or boolean, not {}", value.dump()));
 }
 
 Settings read_settings(const Json& json, const char* key, params::Set& parameters) {
   Settings settings;
   if (!json.contains(key)) return settings;
   if (!json.at(key).is_object())
-    throw Error::usage(fmt::format("'{}' is an object {{parameter: value}}", key));
+    throw Error::usage(fmt::format("'{}' must be an object {{parameter: value}}", key));
   for (const auto& [parameter, value] : json.at(key).items()) {
     settings.emplace_back(parameter, as_text(value));
     check_setting(parameters, parameter, settings.back().second);

@@ -64,7 +64,7 @@ gl::Texture upload(const Image8& picture) {
 template <class Picture>
 void fill(CasePictures& pictures, const Picture& own, const Picture& expected, const StepCase& one) {
   if (own.width != expected.width || own.height != expected.height)
-    throw Error::failed("has another size than the expected one", {one.picture.string()});
+    throw Error::failed("does not have the size of the expected picture", {one.picture.string()});
   pictures.width = own.width, pictures.height = own.height;
   const Image8 own_shown = shown(own, one.view), expected_shown = shown(expected, one.view);
   pictures.own = upload(own_shown), pictures.expected = upload(expected_shown);
@@ -151,7 +151,7 @@ std::vector<LabStep> parse_steps(const std::string& text) {
       steps.push_back(std::move(step));
     }
   } catch (const json::exception& error) {
-    throw Error::failed(fmt::format("the check printed something else: {}", error.what()));
+    throw Error::failed(fmt::format("the check did not print its JSON: {}", error.what()));
   }
   return steps;
 }
@@ -161,7 +161,7 @@ CasePictures load_case(const std::string& step, const StepCase& one) {
   pictures.step = step, pictures.name = one.name;
   try {
     if (one.view == "mesh") throw Error::failed("this case compares vertices, not pictures");
-    if (one.picture.empty()) throw Error::failed("there is no picture of yours: " + one.message);
+    if (one.picture.empty()) throw Error::failed("your picture is missing: " + one.message);
     if (one.view == "color")
       fill(pictures, image::load8(one.picture, 3), image::load8(one.expected, 3), one);
     else

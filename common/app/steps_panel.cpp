@@ -59,7 +59,7 @@ void step_details(AnyLab& lab, WindowState& state, const LabStep& step) {
       pick(lab, state, step, one);
     ImGui::PopStyleColor();
     if (ImGui::IsItemHovered())
-      ImGui::SetTooltip("Click: sets this look and shows the expected picture beside yours");
+      ImGui::SetTooltip("Click to set this look and show the expected picture beside yours");
   }
 }
 

@@ -12,7 +12,8 @@ namespace texel {
 ScratchFolder::ScratchFolder() {
   std::string name = (std::filesystem::temp_directory_path() / "texel_XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr)
-    throw Error::failed("cannot make a temporary folder", {name}, "check the rights and the space there");
+    throw Error::failed("cannot make a temporary folder", {name},
+                        "check that this folder is writable and has free space");
   path_ = name;
 }
 

@@ -48,8 +48,8 @@ std::string read_seed(const fs::path& file) {
   std::string seed = read_file(file);
   while (!seed.empty() && (seed.back() == '\n' || seed.back() == '\r' || seed.back() == ' ')) seed.pop_back();
   if (seed.size() < 8)
-    throw Error::failed("holds no seed of at least 8 characters", {file.string()},
-                        "write a secret of your course into it");
+    throw Error::failed("does not contain a seed of at least 8 characters", {file.string()},
+                        "write your course's secret into it");
   return seed;
 }
 
@@ -75,7 +75,7 @@ class ClassRun {
       throw Error::usage(fmt::format("there is no shard {} of {}", options_.shard, options_.shards),
                          "shards are 1/4, 2/4, …");
     if (!options_.unsafe && !sandbox_fault().empty())
-      throw Error::failed("the students' programs cannot be locked in: " + sandbox_fault());
+      throw Error::failed("the sandbox for the students' programs does not work: " + sandbox_fault());
     const std::vector<Entry> entries = chosen_entries();
     make_folders();
     const FileLock lock(options_.out / "lock", true);
@@ -105,7 +105,7 @@ class ClassRun {
       fs::create_directories(folder, error);
       if (error)
         throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {folder.string()},
-                            "name a folder that can be written");
+                            "name a writable folder");
     }
   }
 
@@ -117,7 +117,7 @@ class ClassRun {
           (options_.labs.empty() ||
            std::find(options_.labs.begin(), options_.labs.end(), lab.number) != options_.labs.end()))
         labs_.push_back(lab);
-    if (labs_.empty()) throw Error::usage("no lab that is asked for has steps");
+    if (labs_.empty()) throw Error::usage("none of these labs has steps");
     say_("preparing: starter, solution and references");
     seed_ = read_seed(options_.seed_file.empty() ? options_.out / "seed.txt" : options_.seed_file);
     const BuiltTree starter = starter_tree(options_.course, options_.cache);
@@ -163,8 +163,8 @@ class ClassRun {
       for (const auto& [name, value] : facts)
         if (const auto known = before.find(name); known == before.end() || known->second != value)
           throw Error::usage(
-              fmt::format("what is in '{}' was graded with another {}", options_.out.string(), name),
-              "leave --resume out to grade anew");
+              fmt::format("the results in '{}' were graded with another {}", options_.out.string(), name),
+              "leave out --resume to grade again from the start");
     } else if (!before.empty()) {
       store_->begin_anew(graded_labs_);
       fs::remove_all(options_.out / "pictures");
@@ -255,7 +255,7 @@ class ClassRun {
     for (const Ignored& file : ignored) {
       if (fs::exists(starter_.source / file.path)) continue;
       if (told.size() == 100) {
-        told.push_back({"…", fmt::format("and others: {} files in all", ignored.size())});
+        told.push_back({"…", fmt::format("and more: {} files in all", ignored.size())});
         break;
       }
       told.push_back(file);
@@ -344,7 +344,7 @@ class ClassRun {
     if (!shot.hidden) result.reference = fmt::format("references/{}/{}", plan.lab.folder, shot.file());
     const Verdict verdict = judge(shot, course_->expected(plan, shot), out / shot.file());
     result.passed = verdict.passed, result.error = verdict.error;
-    // What earns nothing takes programs of its own: drawn only where something may be earned.
+    // Finding what scores 0 needs more pictures. They are drawn only if the case may score.
     const bool may_earn =
         !verdict.passed && std::isfinite(verdict.wrongness) && student.untouched.count(shot.graded.step) == 0;
     result.score = score(shot, verdict, may_earn ? course_->worthless(plan, shot) : 0);
@@ -359,7 +359,7 @@ class ClassRun {
     return result;
   }
 
-  /// A text of the program's, in which the grader's own folders are nobody's business.
+  /// The program's text without the grader's own folders.
   [[nodiscard]] std::string without_our_folders(std::string text) const {
     for (const fs::path& folder : {models_, starter_.source, options_.out / "work"})
       for (std::size_t at = 0; (at = text.find(folder.string() + "/", at)) != text.npos;)
@@ -381,7 +381,7 @@ class ClassRun {
     return log.substr(begin, log.find('\n', at) - begin);
   }
 
-  /// What earlier steps made of a picture is not this one's merit.
+  /// A picture that changed through earlier steps does not score for this step.
   static void say_untouched(std::vector<CaseResult>& results) {
     for (CaseResult& result : results)
       if (!result.passed) result.score = 0, result.message = kUntouched + result.message;
@@ -454,7 +454,7 @@ GradeSummary grade_class(const GradeOptions& options, const std::function<void(c
 
 ClassResult read_results(const fs::path& folder, const fs::path& course) {
   if (!fs::exists(store_file(folder)))
-    throw Error::failed("holds no results", {folder.string()}, "name the folder of --out");
+    throw Error::failed("contains no results", {folder.string()}, "name the folder that was given to --out");
   const Store store(store_file(folder));
   ClassResult results = store.read(course::read_labs(course / "labs"));
   const std::string chosen = " " + results.facts["labs"] + " ";

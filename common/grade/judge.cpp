@@ -68,7 +68,7 @@ ImageF load(const fs::path& file, Size size, const ImageF*) {
   const auto most =
       static_cast<std::uintmax_t>(size.width) * static_cast<std::uintmax_t>(size.height) * 12 + 100;
   if (fs::file_size(file) > most)
-    throw Error::failed("is larger than a picture of the size asked for", {file.string()});
+    throw Error::failed("is larger than a picture of this size can be", {file.string()});
   ImageF picture = image::load_pfm(file);
   if (picture.width != size.width || picture.height != size.height)
     throw Error::failed(
@@ -179,7 +179,7 @@ std::string where(const image::Difference& difference) {
   const char* row = 3 * difference.worst_y < difference.height       ? "lower"
                     : 3 * difference.worst_y < 2 * difference.height ? "centre"
                                                                      : "upper";
-  return fmt::format("worst at pixel {}, {} from the lower left ({} {})", difference.worst_x,
+  return fmt::format("the worst pixel is {}, {} from the lower left ({} {})", difference.worst_x,
                      difference.worst_y, row, column);
 }
 
@@ -189,7 +189,7 @@ Verdict nothing_to_compare(std::string message) {
 }
 
 Verdict unreadable(const char* kind, const fs::path& file, const Error& error) {
-  // The text begins with the place, which is no business of the student's.
+  // The text begins with the place. The student need not see it.
   std::string text = error.what();
   if (text.starts_with(file.string())) text = text.substr(std::min(text.size(), file.string().size() + 2));
   return nothing_to_compare(fmt::format("The {} {}", kind, plain_text(text)));
@@ -240,7 +240,7 @@ Verdict judge_picture(const Shot& shot, const Expected& expected, const fs::path
   verdict.wrongness = wrongness(reference, picture, parts, view);
   verdict.message = non_finite > 0
                         ? fmt::format("{} pixels are not finite (NaN or infinity).", non_finite)
-                        : fmt::format("Off by {} {} where {} is the limit; {}.", short_number(verdict.error),
+                        : fmt::format("Off by {} {}, and the limit is {}; {}.", short_number(verdict.error),
                                       unit_of(view), short_number(shot.graded.limit), worst);
   return verdict;
 }
@@ -269,7 +269,7 @@ Verdict judge(const Shot& shot, const Expected& expected, const fs::path& pictur
   if (!fs::is_regular_file(fs::symlink_status(picture))) return nothing_to_compare("There is no picture.");
   if (shot.is_mesh()) return judge_stream(shot, expected, picture);
   if (shot.graded.view != "color") return judge_picture<ImageF>(shot, expected, picture);
-  // Most right pictures are this right. Of floats the same bytes may still be no numbers.
+  // Most right pictures have the same bytes. In float views equal bytes may still be NaN.
   if (are_same_bytes(expected.reference, picture)) return {true, 0, 0, {}};
   return judge_picture<Image8>(shot, expected, picture);
 }

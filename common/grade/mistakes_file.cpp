@@ -59,8 +59,8 @@ std::vector<Mistake> read_mistakes(const std::filesystem::path& file) {
       mistakes.push_back(std::move(mistake));
     }
   } catch (const nlohmann::json::exception& error) {
-    throw Error::failed(fmt::format("is no list of mistakes: {}", error.what()), {file.string()},
-                        "take the file from the course again");
+    throw Error::failed(fmt::format("is not a list of mistakes: {}", error.what()), {file.string()},
+                        "copy the file from the course again");
   }
   return mistakes;
 }

@@ -89,7 +89,7 @@ void point_to_cause(StepResult& step, const std::vector<LabResult>& results, con
           std::find(needed.begin(), needed.end(), step.id) == needed.end())
         continue;
       step.message +=
-          fmt::format(" The cause may lie in step {}, whose pictures show a known mistake.", later.id);
+          fmt::format(" The cause may be in step {}: its pictures show a known mistake.", later.id);
       return;
     }
 }
@@ -103,7 +103,8 @@ const char* name_of(Status status) {
 Status status_of(const std::string& name) {
   for (std::size_t i = 0; i < kStatusNames.size(); ++i)
     if (name == kStatusNames[i]) return static_cast<Status>(i);
-  throw Error::failed(fmt::format("there is no status '{}'", name), {}, "passed, failed and skipped are");
+  throw Error::failed(fmt::format("there is no status '{}'", name), {},
+                      "the statuses are passed, failed and skipped");
 }
 
 double LabResult::points() const {
@@ -159,12 +160,12 @@ StepResult step_result(const course::Step& step, std::vector<CaseResult> cases,
   }
   if (!missing.empty() && (is_explained || known == result.cases.end())) {
     result.status = Status::skipped;
-    result.message = fmt::format("This step builds on step {}, which did not pass yet.", missing);
+    result.message = fmt::format("This step needs step {}, which has not passed yet.", missing);
     return result;
   }
 
   result.status = Status::failed;
-  result.message = result.cases.empty() ? "Nothing of this step was judged." : first->message;
+  result.message = result.cases.empty() ? "No case of this step was judged." : first->message;
   if (known != result.cases.end()) {
     result.mistake = known->mistake;
     result.mistake_says = known->mistake_says;

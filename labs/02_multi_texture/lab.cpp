@@ -100,7 +100,7 @@ struct MultiTexture {
     notes_ = {};
     if (p.second_unit >= count)
       notes_.warnings.push_back(fmt::format(
-          "this driver's highest texture unit is {}: it is taken in place of {}", count - 1, p.second_unit));
+          "this driver's highest texture unit is {}: it is used instead of {}", count - 1, p.second_unit));
     return std::min(p.second_unit, count - 1);
   }
 

@@ -38,7 +38,7 @@ inline void resolve_pictures(Imported& imported, const std::filesystem::path& fi
     const std::filesystem::path picture = std::filesystem::absolute(file.parent_path() / material.color_map);
     const bool exists = std::filesystem::exists(picture);
     if (!exists)
-      imported.notes.warnings.push_back(fmt::format("material '{}' names a picture that is not there: {}",
+      imported.notes.warnings.push_back(fmt::format("material '{}' names a picture that does not exist: {}",
                                                     material.name, picture.string()));
     material.color_map = exists ? picture.string() : "";
   }

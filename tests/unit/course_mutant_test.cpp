@@ -77,7 +77,7 @@ TEST_F(MutantFile, refuses_what_is_missing_empty_or_unknown) {
   EXPECT_EQ(refusal("[[mutant]]\nname = \"a\"\nfile = \"b\"\nwhat = \"\"\n"),
             "1:1: 'what' is missing or empty");
   EXPECT_EQ(refusal("[[mutant]]\nname = \"a\"\nfile = \"b\"\nwhat = \"c\"\n"),
-            "1:1: 'by' is missing; write by = \"\" to take the text away");
+            "1:1: 'by' is missing; write by = \"\" to remove the text");
   EXPECT_EQ(refusal(kMutant + "stop = \"5.1\"\n"), "7:8: there is no key 'stop'; did you mean 'step'?");
   EXPECT_EQ(refusal(kMutant + "[[mutants]]\n"), "7:1: there is no key 'mutants'; did you mean 'mutant'?");
 }

@@ -571,7 +571,7 @@ TEST_F(Reports, show_no_mark_where_the_grader_was_at_fault) {
 
 TEST_F(Reports, name_the_first_failing_step_its_cause_place_and_hint) {
   const std::string html = page(student("ada-half"));
-  EXPECT_TRUE(has(html, "First to mend: <a href=\"#step-5.2\">step 5.2: Build the tangent frame</a>"));
+  EXPECT_TRUE(has(html, "Correct this first: <a href=\"#step-5.2\">step 5.2: Build the tangent frame</a>"));
   EXPECT_TRUE(has(html, "This looks like: <b>normal green flipped</b>. Green is turned round"));
   EXPECT_TRUE(has(html, "<code>shaders/05_normal_map/tangent_frame.glsl:42</code>"));
   EXPECT_TRUE(has(html, "<details class=\"hint\"><summary>Hint</summary><p>T, B and N are"));
@@ -603,7 +603,7 @@ TEST_F(Reports, count_a_mistake_once_a_student_and_not_in_steps_that_wait) {
   // Ada, Cleo and the hostile student, though each of them shows it in several steps.
   EXPECT_EQ(counted_as("normal-green-flipped"), "3");
   EXPECT_EQ(counted_as("tangent-not-orthogonal"), "1");
-  EXPECT_TRUE(has(html, "Changed by the last regrading"));
+  EXPECT_TRUE(has(html, "Changed since the last grading"));
   EXPECT_TRUE(has(html, "<td class=\"number\">25 %</td>"));
 }
 

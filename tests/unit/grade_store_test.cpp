@@ -234,12 +234,15 @@ TEST(Store, refuses_a_score_that_is_none_and_a_student_that_is_unknown) {
   store.put_student(student_of("jane"), "");
   for (const double score : {-0.01, 1.01, std::nan("")}) {
     const std::string error = failure_of([&] { store.put("jane", case_of("1.1", "a", score)); });
-    EXPECT_TRUE(has(error, "3: ") && has(error, "a row does not fit")) << score << " " << error;
+    EXPECT_TRUE(has(error, "3: ") && has(error, "a row breaks the store's rules")) << score << " " << error;
   }
-  EXPECT_TRUE(has(failure_of([&] { store.put("john", case_of("1.1", "a", 1)); }), "a row does not fit"));
-  EXPECT_TRUE(has(failure_of([&] { store.put_notes("john", "01_quad", {"a"}); }), "a row does not fit"));
-  EXPECT_TRUE(has(failure_of([&] { store.put_incident("john", "01_quad", "a"); }), "a row does not fit"));
-  EXPECT_TRUE(has(failure_of([&] { store.put_log("john", {"a", "b"}); }), "a row does not fit"));
+  EXPECT_TRUE(
+      has(failure_of([&] { store.put("john", case_of("1.1", "a", 1)); }), "a row breaks the store's rules"));
+  EXPECT_TRUE(
+      has(failure_of([&] { store.put_notes("john", "01_quad", {"a"}); }), "a row breaks the store's rules"));
+  EXPECT_TRUE(
+      has(failure_of([&] { store.put_incident("john", "01_quad", "a"); }), "a row breaks the store's rules"));
+  EXPECT_TRUE(has(failure_of([&] { store.put_log("john", {"a", "b"}); }), "a row breaks the store's rules"));
   EXPECT_EQ(store.dump(), "students\tjane\t\tname of jane\t\t\n");
 }
 
@@ -668,7 +671,7 @@ TEST(Store, that_cannot_be_says_why_and_leaves_what_is_there) {
 
   EXPECT_TRUE(has(open(folder / "none/store"), "its folder does not exist; make it first"));
   fs::create_directory(folder / "folder");
-  EXPECT_TRUE(has(open(folder / "folder"), "is a folder, no store of grades"));
+  EXPECT_TRUE(has(open(folder / "folder"), "is a folder, not a store of grades"));
   EXPECT_TRUE(fs::is_empty(folder / "folder"));
 
   // Shorter than SQLite's magic word, than its header, than its pages, and longer.
@@ -676,7 +679,7 @@ TEST(Store, that_cannot_be_says_why_and_leaves_what_is_there) {
     const std::string text(size, 'x');
     write_file(folder / "text", text);
     const std::string error = open(folder / "text");
-    EXPECT_TRUE(has(error, "3: " + (folder / "text").string() + ": is no store of grades; ")) << error;
+    EXPECT_TRUE(has(error, "3: " + (folder / "text").string() + ": is not a store of grades; ")) << error;
     EXPECT_TRUE(read_file(folder / "text") == text) << size;
   }
   EXPECT_EQ(std::distance(fs::directory_iterator((folder / "x").parent_path()), {}), 2)
@@ -696,7 +699,7 @@ TEST(Store, leaves_databases_of_other_programs_and_later_versions) {
   { const Store store(folder / "later"); }
   run_sql(folder / "later", "PRAGMA user_version = 2");
   const std::map<std::string, std::string> errors = {
-      {"other", "is no store of grades"},
+      {"other", "is not a store of grades"},
       {"later", "the store is of version 2, later than 1; use the program"}};
   for (const auto& [name, says] : errors) {
     const std::string before = read_file(folder / name);

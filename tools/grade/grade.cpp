@@ -87,7 +87,7 @@ Exit grade_merge(const GradeMergeCommand& command) {
   grade::Store store(grade::store_file(command.out));
   for (const fs::path& part : command.parts) {
     if (!fs::exists(grade::store_file(part)))
-      throw Error::failed("holds no results", {part.string()}, "name folders that 'texel grade' wrote");
+      throw Error::failed("contains no results", {part.string()}, "name folders that 'texel grade' wrote");
     store.merge(grade::Store(grade::store_file(part)));
     for (const char* folder : {"pictures", "references"})
       if (fs::exists(part / folder))
@@ -100,7 +100,7 @@ Exit grade_merge(const GradeMergeCommand& command) {
 
 Exit grade_override(const GradeOverrideCommand& command) {
   if (!fs::exists(grade::store_file(command.out)))
-    throw Error::failed("holds no results", {command.out.string()}, "name a folder that 'texel grade' wrote");
+    throw Error::failed("contains no results", {command.out.string()}, "name a folder that 'texel grade' wrote");
   const grade::ClassResult results = grade::read_results(command.out, course_root());
   std::vector<std::string> students, steps;
   for (const grade::StudentResult& student : results.students) {

@@ -22,8 +22,7 @@ struct OrbitCamera {
     set.section("Camera");
     set.add(yaw, {"yaw", look.yaw, -360, 360, "degrees",
                   "Camera's angle around the vertical axis; 0 looks along -z"});
-    set.add(pitch,
-            {"pitch", look.pitch, -89, 89, "degrees", "Camera's height as an angle above the horizon"});
+    set.add(pitch, {"pitch", look.pitch, -89, 89, "degrees", "Camera's angle above the horizon"});
     set.add(distance, {"distance", look.distance, 0.2, 100, "units", "Camera's distance from the origin",
                        params::Scale::logarithmic});
     set.add(field_of_view,

@@ -25,7 +25,7 @@ struct Light {
     set.add(light_pitch,
             {"light_pitch", lighting.pitch, -90, 90, "degrees", "Direction to the light above the horizon"});
     set.add(ambient, {"ambient", lighting.ambient, 0, 1, "",
-                      "Light that comes from everywhere; 1: the picture alone"});
+                      "Light from everywhere; 1 shows the picture without shading"});
     set.add(specular, {"specular", lighting.specular, 0, 1, "", "Strength of the highlight"});
   }
 

@@ -21,9 +21,9 @@ namespace texel::app {
 /// For a parameter `truth`.
 enum class ReliefTruth { height_field, baked_map };
 inline constexpr params::Item kReliefTruths[] = {
-    {"height-field", "The relief as a height on the surface: its slope is taken per length in the world"},
+    {"height-field", "The relief is a height on the surface: its slope is per length in the world"},
     {"baked-map",
-     "The relief's slope per texture width, however long that is: what baking programs agreed on"}};
+     "The relief's slope is per texture width, of any length: the convention of baking programs"}};
 
 /// What the error is counted from, in a few words.
 inline const char* name_of(ReliefTruth truth) {
