@@ -11,8 +11,8 @@ struct Look {
   float yaw = 30, pitch = 20, distance = 3, field_of_view = 45;
 };
 
-/// A camera that circles the origin, y up. Its values are parameters, so that a snapshot can have any look;
-/// in the window the mouse turns them.
+/// A camera that circles the origin, y up. Its values are parameters: a snapshot can have any look,
+/// and in the window the mouse changes them.
 struct OrbitCamera {
   float yaw{}, pitch{}, field_of_view{};  ///< degrees
   float distance{};                       ///< from the origin, world units

@@ -12,7 +12,7 @@ struct Lighting {
   float yaw = 48, pitch = 42, ambient = 0.25F, specular = 0;
 };
 
-/// One far light and what comes from everywhere, as parameters; shaders/lib/light.glsl does the arithmetic.
+/// One far light and ambient light, as parameters; shaders/lib/light.glsl does the arithmetic.
 struct Light {
   float light_yaw{}, light_pitch{};  ///< degrees
   float ambient{}, specular{};

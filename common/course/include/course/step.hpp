@@ -5,7 +5,7 @@
 
 #include "course/setting.hpp"
 
-/// What a student writes, and by which pictures it is judged: the tables [[step]] and [[case]] of a lab.toml.
+/// What a student writes, and the pictures that judge it: the tables [[step]] and [[case]] of a lab.toml.
 ///
 ///     [[step]]
 ///     id = "5.1"                                    # as the markers in the sources have it
@@ -24,7 +24,7 @@
 ///     why = "0.05 between OSMesa and EGL"           # where the limit comes from
 ///     hidden = { turn = [-180, 180], normal_map = ["brick", "wood"] }   # optional
 ///
-/// A hidden parameter takes a value that nobody knows beforehand, drawn from the course's secret seed: a
+/// A hidden parameter has a value that students cannot know, drawn from the course's secret seed: a
 /// number between two, or one of several words.
 namespace texel::course {
 
