@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What can be chosen in lab 2. Nothing to do for you here.
+// The parameters of lab 2. Nothing to do for you here.
 #pragma once
 #include "app/camera.hpp"
 #include "params/set.hpp"
