@@ -96,7 +96,7 @@ void draw(const std::vector<Work>& all, const fs::path& root) {
     throw Error::failed("could not draw the pictures of " + failed, {}, "see its message above");
 }
 
-/// The middle of a picture, as large as fits into 3:2, so that pictures stand in even rows.
+/// The middle of a picture, as large as possible in 3:2: pictures then stand in even rows.
 image::Image8 middle(const image::Image8& picture) {
   image::Image8 result(std::min(picture.width, picture.height * 3 / 2),
                        std::min(picture.height, picture.width * 2 / 3), picture.channels);

@@ -75,7 +75,7 @@ double Score::percent() const {
 }
 
 std::string Score::text() const {
-  // Rounded down, so that it never says 90 % where the limit of 90 % is missed.
+  // Rounded down: it never says 90 % if the limit of 90 % is missed.
   return fmt::format("{} of {} caught ({} %)", caught, all - broken, static_cast<int>(percent()));
 }
 
