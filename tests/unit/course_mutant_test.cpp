@@ -151,12 +151,13 @@ TEST_F(MutantFile, changes_the_one_place_that_it_names) {
   write_file(first_, kMutant);
   const Mutant mutant = read_catalogue(first_.parent_path()).at(0);
   EXPECT_EQ(mutated(mutant, "y = 2.0 * x;"), "y = x;");
-  EXPECT_EQ(message([&] { mutated(mutant, "y = 2 * x;"); }),
-            "1:1: 'no-factor' does not apply: its text is not in shaders/lib/light.glsl; copy the text from "
-            "the file as it is now");
+  EXPECT_EQ(
+      message([&] { mutated(mutant, "y = 2 * x;"); }),
+      "1:1: 'no-factor' does not apply: its text is not in shaders/lib/light.glsl; copy the current text "
+      "from the file");
   EXPECT_EQ(message([&] { mutated(mutant, "2.0 * x + 2.0 * x"); }),
-            "1:1: 'no-factor' does not apply: its text is more than once in shaders/lib/light.glsl; take "
-            "more of what stands around it");
+            "1:1: 'no-factor' does not apply: its text occurs more than once in shaders/lib/light.glsl; add "
+            "more of the text around it");
 }
 
 }  // namespace

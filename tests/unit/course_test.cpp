@@ -158,7 +158,7 @@ TEST(LabFile, refuses_steps_and_cases_that_do_not_fit) {
   };
   EXPECT_EQ(refusal(kHead + kStep), "4:1: no case judges step '5.1'");
   EXPECT_EQ(refusal(kHead + replaced(kStep, "5.1", "5.2") + kCase),
-            "5:6: step '5.2' stands where '5.1' belongs");
+            "5:6: this is step '5.2', but the next one must be '5.1'");
   EXPECT_EQ(refusal(kHead + kStep + "needs = [\"5.3\"]\n" + kCase),
             "9:9: there is no step '5.3' before this one");
   EXPECT_EQ(refusal(kHead + replaced(kStep, "[\"Look\", \"Twice\"]", "[]") + kCase),
@@ -167,9 +167,8 @@ TEST(LabFile, refuses_steps_and_cases_that_do_not_fit) {
             "7:10: 'points' is a number from 0 up");
   EXPECT_EQ(refusal(kHead + kStep + replaced(kCase, "5.1", "5.9")), "11:8: there is no step '5.9'");
   EXPECT_EQ(refusal(kHead + kStep + kCase + kCase), "15:8: two cases are called 'flat'");
-  EXPECT_EQ(
-      refusal(kHead + kStep + kCase + "hidden = { yaw = [3, 3] }\n"),
-      "14:18: 'yaw' is drawn from a range [least, most] of numbers, or from a list of two texts or more");
+  EXPECT_EQ(refusal(kHead + kStep + kCase + "hidden = { yaw = [3, 3] }\n"),
+            "14:18: 'yaw' must be a range [least, most] of numbers, or a list of two texts or more");
 }
 
 TEST(LabFile, may_need_steps_of_this_lab_and_of_earlier_ones_but_no_later_ones) {
@@ -220,7 +219,7 @@ TEST(LabFile, refuses_a_name_that_is_taken_or_no_file_name) {
   const std::string look = "[[look]]\nname = \"a\"\ncaption = \"A\"\n";
   EXPECT_EQ(refusal(kHead + look + look), "7:1: two looks are called 'a'");
   EXPECT_EQ(refusal(kHead + "[[look]]\nname = \"../a\"\ncaption = \"A\"\n"),
-            "4:1: '../a' is no picture's name; use lower-case letters, digits, '_' and '-'");
+            "4:1: '../a' is not a valid picture name; use lower-case letters, digits, '_' and '-'");
 }
 
 TEST(LabFile, refuses_what_is_missing_or_broken) {

@@ -165,7 +165,7 @@ TEST(LabResults, point_from_a_step_that_nothing_explains_to_the_later_one_that_m
   };
   const std::vector<StepResult> unexplained = steps_of(judged_in("01_quad", "1.1", "a", 0));
   EXPECT_EQ(unexplained[0].message,
-            "message of a The cause may lie in step 1.3, whose pictures show a known mistake.");
+            "message of a The cause may be in step 1.3: its pictures show a known mistake.");
   EXPECT_EQ(unexplained[1].status, Status::skipped);
   EXPECT_EQ(unexplained[2].status, Status::failed);
   EXPECT_EQ(unexplained[2].message, "message of c");

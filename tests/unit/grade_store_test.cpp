@@ -700,7 +700,7 @@ TEST(Store, leaves_databases_of_other_programs_and_later_versions) {
   run_sql(folder / "later", "PRAGMA user_version = 2");
   const std::map<std::string, std::string> errors = {
       {"other", "is not a store of grades"},
-      {"later", "the store is of version 2, later than 1; use the program"}};
+      {"later", "the store has version 2, newer than 1; use the program"}};
   for (const auto& [name, says] : errors) {
     const std::string before = read_file(folder / name);
     const std::string error = failure_of([&] { Store store(folder / name); });
@@ -756,7 +756,8 @@ TEST(Store, keeps_what_was_put_when_the_disk_is_full_and_goes_on_when_there_is_r
                        still_there);
   });
   if (said == kNoMount) GTEST_SKIP() << said;
-  const std::string full = "3: " + (folder / "store").string() + ": the disk is full; make room and go on";
+  const std::string full =
+      "3: " + (folder / "store").string() + ": the disk is full; free some space and continue";
   EXPECT_TRUE(said.starts_with(full)) << said;
   EXPECT_TRUE(has(said, "|" + full)) << said;
   EXPECT_TRUE(has(said, "|3: " + (folder / "another").string() + ": the disk is full")) << said;

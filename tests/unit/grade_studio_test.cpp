@@ -112,7 +112,8 @@ TEST(Renderers, are_named_and_a_gpu_gets_advice) {
   EXPECT_EQ(renderer_note("softpipe", "softpipe"), "Drawn by softpipe.");
   EXPECT_EQ(renderer_note("softpipe", ""), "Drawn by softpipe.");
   EXPECT_EQ(renderer_note("softpipe", "llvmpipe"),
-            "Drawn by softpipe here, expected by llvmpipe. The limits have room for both: docs/accuracy.md.");
+            "Your pictures are drawn by softpipe, the expected ones by llvmpipe. The limits allow for both: "
+            "docs/accuracy.md.");
   const std::string gpu = renderer_note("Radeon", "llvmpipe");
   EXPECT_NE(gpu.find("Drawn by Radeon, which seems to be a GPU"), gpu.npos) << gpu;
   EXPECT_NE(gpu.find("LIBGL_ALWAYS_SOFTWARE=1"), gpu.npos) << gpu;
