@@ -376,7 +376,7 @@ class Parser {
     warn(report.not_finite_normals, "vn with NaN or infinity, replaced by generated normals");
     warn(report.not_finite_unused, "lines of v and vt with NaN or infinity that no face uses");
     warn(report.great_texcoords,
-         fmt::format("vt larger than {}, where a 32-bit float has no fraction, clamped", greatest_texcoord));
+         fmt::format("vt beyond {}, where a 32-bit float has no fraction, clamped", greatest_texcoord));
     warn(report.numbers_with_rest,
          "numbers with other characters after them, which are ignored; the first is " + first_rest_);
     warn(report.missing_normals, "corners without vn, with generated normals");
