@@ -95,14 +95,14 @@ TEST_F(MutantFile, refuses_a_value_that_cannot_be) {
     return text.replace(at, text.find('\n', at) - at, key + " = \"" + value + "\"");
   };
   EXPECT_EQ(refusal(with("name", "No factor")),
-            "2:8: 'No factor' is no mutant's name; use lower-case letters, digits and '-'");
+            "2:8: 'No factor' is not a valid mutant name; use lower-case letters, digits and '-'");
   for (const char* file : {"/etc/passwd", "../other", "shaders/../../other"})
     EXPECT_EQ(refusal(with("file", file)), "3:8: '" + std::string(file) +
-                                               "' is no path below the project's root; write it as "
+                                               "' is not a path below the project's root; write it as "
                                                "shaders/lib/light.glsl");
   for (const char* step : {"5", "5.", ".1", "5.1.2", "5.a"})
     EXPECT_EQ(refusal(kMutant + "step = \"" + step + "\"\n"),
-              "7:8: '" + std::string(step) + "' is no step; write it as 5.1");
+              "7:8: '" + std::string(step) + "' is not a step; write it as 5.1");
   EXPECT_EQ(refusal(with("by", "2.0 * x")), "5:6: the replacement changes nothing");
 }
 
@@ -138,7 +138,7 @@ TEST_F(MutantFile, has_equivalents_too) {
   EXPECT_EQ(refusal(kMutant + equivalent),
             "7:1: two equivalents are called 'no-factor'; the other one is at " + first_.string() + ":1");
   EXPECT_EQ(refusal(equivalent.replace(equivalent.find("no-f"), 4, "No f")),
-            "2:8: 'No factor' is no equivalent's name; use lower-case letters, digits and '-'");
+            "2:8: 'No factor' is not a valid equivalent name; use lower-case letters, digits and '-'");
 }
 
 TEST_F(MutantFile, refuses_a_catalogue_without_mutants) {

@@ -164,7 +164,7 @@ TEST(LabFile, refuses_steps_and_cases_that_do_not_fit) {
   EXPECT_EQ(refusal(kHead + replaced(kStep, "[\"Look\", \"Twice\"]", "[]") + kCase),
             "8:9: a step must have one to three hints");
   EXPECT_EQ(refusal(kHead + replaced(kStep, "points = 2", "points = -2") + kCase),
-            "7:10: 'points' is a number from 0 up");
+            "7:10: 'points' must be a number, 0 or larger");
   EXPECT_EQ(refusal(kHead + kStep + replaced(kCase, "5.1", "5.9")), "11:8: there is no step '5.9'");
   EXPECT_EQ(refusal(kHead + kStep + kCase + kCase), "15:8: two cases are called 'flat'");
   EXPECT_EQ(refusal(kHead + kStep + kCase + "hidden = { yaw = [3, 3] }\n"),
@@ -210,7 +210,8 @@ TEST(LabFile, refuses_a_case_of_the_benchmark_that_varies_nothing_or_has_a_name_
   const std::string bench = "[[bench]]\ncase = \"a\"\nteaches = \"A\"\n";
   EXPECT_EQ(refusal(kHead + bench),
             "4:1: 'vary' must be a table { parameter = [values], … }; [] stands for all values of a choice");
-  EXPECT_EQ(refusal(kHead + bench + "vary = { method = \"all\" }\n"), "7:19: 'method' is a list of values");
+  EXPECT_EQ(refusal(kHead + bench + "vary = { method = \"all\" }\n"),
+            "7:19: 'method' must be a list of values");
   EXPECT_EQ(refusal(kHead + bench + "vary = { a = [] }\n" + bench + "vary = { a = [] }\n"),
             "8:1: two cases are called 'a'");
 }

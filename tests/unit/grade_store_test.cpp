@@ -615,9 +615,9 @@ TEST(Merge, of_shards_says_what_one_store_of_all_says) {
 TEST(Merge, refuses_stores_that_contradict_each_other_and_leaves_them) {
   const std::map<std::string, std::function<void(Store&)>> contradictions = {
       {"the student jane", [](Store& s) { s.put("jane", case_of("1.1", "a", 0.25)); }},
-      {"different things of the student jane", [](Store& s) { s.put("jane", case_of("1.2", "new", 1)); }},
-      {"of the student jane", [](Store& s) { s.put_student(student_of("jane"), "another"); }},
-      {"things of the student jane",
+      {"disagree about the student jane", [](Store& s) { s.put("jane", case_of("1.2", "new", 1)); }},
+      {"about the student jane", [](Store& s) { s.put_student(student_of("jane"), "another"); }},
+      {"about the student jane",
        [](Store& s) {
          s.put_log("jane", {"b", "another"});
        }},
@@ -627,15 +627,15 @@ TEST(Merge, refuses_stores_that_contradict_each_other_and_leaves_them) {
        [](Store& s) {
          s.put_override({"jane", "1.2", 0.5, "another"});
        }},
-      {"graded differently: seed is '1' and '2'",
+      {"graded differently: seed is '1' in one and '2' in",
        [](Store& s) {
          s.put_facts({{"seed", "2"}});
        }},
-      {"new is not said and ''",
+      {"new is not given in one and '' in",
        [](Store& s) {
          s.put_facts({{"new", ""}, {"seed", "1"}});
        }},
-      {"seed is '1' and not said", [](Store& s) { s.put_facts({}); }}};
+      {"seed is '1' in one and not given in", [](Store& s) { s.put_facts({}); }}};
   for (const auto& [what, contradict] : contradictions) {
     const Folder folder;
     Store a(folder / "a");
@@ -785,7 +785,7 @@ TEST(Store, says_that_the_disk_is_full_when_it_is_opened) {
   if (said == kNoMount) GTEST_SKIP() << said;
   const std::string file = "3: " + (folder / "store").string();
   EXPECT_TRUE(said.starts_with(file + ": the disk is full; make room")) << said;
-  EXPECT_TRUE(has(said, "|" + file + ": it or a file beside it cannot be opened; see whether")) << said;
+  EXPECT_TRUE(has(said, "|" + file + ": it or a file beside it cannot be opened; check that")) << said;
   EXPECT_TRUE(said.ends_with("|true")) << said;
 }
 

@@ -176,7 +176,8 @@ TEST(Unpack, takes_allowed_files_and_lists_the_others) {
     EXPECT_TRUE(has(reason_of(submission, "CMakeLists.txt"), "no"));
     EXPECT_TRUE(has(reason_of(submission, "labs/05_normal_map/lab.toml"), "not a file with steps"));
     EXPECT_TRUE(has(reason_of(submission, "more.zip"), "archive"));
-    EXPECT_TRUE(has(reason_of(submission, "shaders/05_normal_map/Tangent_Frame.glsl"), "capital"));
+    EXPECT_TRUE(
+        has(reason_of(submission, "shaders/05_normal_map/Tangent_Frame.glsl"), "upper and lower case"));
     EXPECT_TRUE(has(reason_of(submission, ".git/config"), "hidden"));
   }
 }
