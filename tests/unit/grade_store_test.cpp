@@ -722,7 +722,7 @@ TEST(Store, says_that_it_is_damaged) {
   std::fill(bytes.begin() + 20'000, bytes.end(), '\xAA');
   write_file(folder / "store", bytes);
   const std::string error = failure_of([&] { (void)Store(folder / "store").dump(); });
-  EXPECT_TRUE(has(error, "3: " + (folder / "store").string() + ": the store is damaged; put a copy"))
+  EXPECT_TRUE(has(error, "3: " + (folder / "store").string() + ": the store is damaged; replace it by a backup"))
       << error;
 }
 
@@ -784,7 +784,7 @@ TEST(Store, says_that_the_disk_is_full_when_it_is_opened) {
   });
   if (said == kNoMount) GTEST_SKIP() << said;
   const std::string file = "3: " + (folder / "store").string();
-  EXPECT_TRUE(said.starts_with(file + ": the disk is full; make room")) << said;
+  EXPECT_TRUE(said.starts_with(file + ": the disk is full; free some space")) << said;
   EXPECT_TRUE(has(said, "|" + file + ": it or a file beside it cannot be opened; check that")) << said;
   EXPECT_TRUE(said.ends_with("|true")) << said;
 }
