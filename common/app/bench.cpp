@@ -89,7 +89,7 @@ class Bench {
     constexpr std::size_t kFewest = 5, kMost = 50;
     for (std::size_t round = 0; seconds > 0 && round < kMost; ++round) {
       if (round >= kFewest && stopwatch.milliseconds() > 1000 * seconds) break;
-      // Each round begins with another one, so that none is always the first.
+      // Each round begins with another one: none is always the first.
       for (std::size_t i = 0; i < all.size(); ++i) time(c, all[(round + i) % all.size()]);
     }
     Json results = Json::array();

@@ -159,7 +159,7 @@ image::ImageF Canvas::measured_picture(const Measure& measure, glm::ivec2 size) 
     draw_into(data, measure.view, {});
     return data.read_float();
   }
-  // Colours are compared as one sees them: in steps of the encoded picture, inside the object's mask.
+  // Colours are compared as they are seen: in levels of the encoded picture, inside the object's mask.
   draw_into(data, View::mask, {});
   image::ImageF picture = data.read_float();
   const gl::Target& colour = fit(colour_, gl::Target::Kind::colour, size, 1);

@@ -282,7 +282,7 @@ Action buttons(WindowState& state) {
   return action;
 }
 
-/// Text on a dark plate, so that it is read over any picture.
+/// Text on a dark plate: it can be read over any picture.
 void plate(ImVec2 at, const ImVec4& colour, const std::string& text, float wrap_width,
            ImVec2 pivot = {0, 0}) {
   ImGui::SetNextWindowPos(at, ImGuiCond_Always, pivot);

@@ -26,7 +26,7 @@ void check_setting(params::Set& parameters, const std::string& parameter, const 
 class StartValues {
  public:
   explicit StartValues(params::Set& parameters);
-  /// Those values, but for the settings.
+  /// Those values, without the settings.
   void set(const Settings& settings) const;
 
  private:

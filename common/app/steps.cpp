@@ -119,7 +119,7 @@ void StepsCheck::request() {
     return;
   }
   shared_->is_running = true;
-  // It has all that it needs, so that closing the window waits for nothing.
+  // It owns everything that it needs: closing the window need not wait for it.
   std::thread([shared = shared_] { shared->run(); }).detach();
 }
 

@@ -234,7 +234,7 @@ class Window {
     watch_clock_ = Stopwatch();
     if (!watcher_.changed(canvas_.programs().files()).empty()) reload(/*assets=*/false);
     if (!watcher_.changed(assets_.files()).empty()) reload(/*assets=*/true);
-    // A program that was built anew draws other pictures, though this one does not.
+    // A program that was built again draws other pictures, but this process still has the old code.
     if (state_.steps && !watcher_.changed({own_program_}).empty()) {
       state_.steps->request();
       state_.message = "the lab was built again: close and open it to see the change";

@@ -81,7 +81,7 @@ class OsmesaContext : public Context {
   ~OsmesaContext() override { library().function<OsmesaApi::Destroy>("OSMesaDestroyContext")(context_); }
   void make_current() override {
     const auto make = library().function<OsmesaApi::MakeCurrent>("OSMesaMakeCurrent");
-    // We draw into framebuffer objects; the default framebuffer is one pixel that nobody looks at.
+    // We draw into framebuffer objects; the default framebuffer is one unused pixel.
     if (make(context_, pixel_, GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE)
       throw Error::failed("cannot make the OSMesa context current");
     load(library().function<OsmesaApi::GetAddress>("OSMesaGetProcAddress"));
