@@ -167,8 +167,8 @@ Exit renderers(const RenderersCommand& command) {
           }
   for (const RendererReport::Row& row : report.tests)
     if (row.room(1) < 3) {
-      print_now(fmt::format("{}: {} is {:.2g} times the spread between renderers", row.name, row.unit,
-                            row.room(1)));
+      print_now(fmt::format("{}: {} leaves room for {:.2g} times the spread between renderers, not for 3",
+                            row.name, row.unit, row.room(1)));
       holds = false;
     }
   return holds ? Exit::holds : Exit::differs;
