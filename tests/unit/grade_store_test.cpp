@@ -722,7 +722,8 @@ TEST(Store, says_that_it_is_damaged) {
   std::fill(bytes.begin() + 20'000, bytes.end(), '\xAA');
   write_file(folder / "store", bytes);
   const std::string error = failure_of([&] { (void)Store(folder / "store").dump(); });
-  EXPECT_TRUE(has(error, "3: " + (folder / "store").string() + ": the store is damaged; replace it by a backup"))
+  EXPECT_TRUE(
+      has(error, "3: " + (folder / "store").string() + ": the store is damaged; replace it by a backup"))
       << error;
 }
 
