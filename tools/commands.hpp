@@ -18,13 +18,13 @@ std::filesystem::path course_build();
 
 /// The labs of the course: from TEXEL_ROOT, else beside the program, else the source tree.
 std::vector<course::Lab> course_labs();
-/// Those of these numbers; all when there is none. Throws Error (usage) for a number that no lab has.
+/// The labs with these numbers; all for an empty list. Throws Error (usage) for a number without a lab.
 std::vector<course::Lab> chosen_labs(const std::vector<int>& numbers);
 
 /// The lab's program in this build.
 std::filesystem::path program_of(const course::Lab& lab);
-/// Whether the lab's program knows the right answers and draws the view `error`; a student's tree holds none.
-/// Throws Error (exit 3) when the program does not start.
+/// Whether the lab's program knows the right answers and draws the view `error`; in a student's tree it does
+/// not. Throws Error (exit 3) when the program does not start.
 bool knows_truth(const course::Lab& lab);
 
 /// Makes a folder that is missing, with those above it. Throws Error (exit 3).
@@ -62,8 +62,8 @@ Exit list_sources();
 struct BenchOptions {
   std::vector<int> labs;                    ///< numbers; none for all
   std::filesystem::path out = "out/bench";  ///< folder for the page and the labs' own figures
-  std::filesystem::path json, markdown;     ///< files to write besides, or none
-  std::filesystem::path from;               ///< an earlier --json to show in place of measuring
+  std::filesystem::path json, markdown;     ///< more files to write, or none
+  std::filesystem::path from;               ///< an earlier --json to show instead of measuring
   std::filesystem::path against;            ///< an earlier --json whose errors must be the same
   bool errors_only = false;                 ///< no clock
 };
@@ -83,7 +83,7 @@ Exit mutants(const MutantsOptions& options);
 struct CheckOptions {
   std::vector<int> labs;  ///< numbers; none for all
   bool json = false;
-  bool unless_begun = false;  ///< nothing differs while no step of these labs is begun
+  bool unless_begun = false;  ///< exit code 0 while no step of these labs is begun
   std::string context = "auto";
 };
 
@@ -109,7 +109,7 @@ struct HintOptions {
 /// `texel hint`: one more hint each time.
 Exit hint(const HintOptions& options);
 
-/// `texel reset STEP`: makes a step what it was at first, and keeps what was written.
+/// `texel reset STEP`: restores a step's starting code, and saves the student's.
 Exit reset(const std::string& step);
 
 struct ExpectedCommand {
@@ -138,12 +138,12 @@ struct StarterOptions {
   std::filesystem::path out, root;  ///< root empty: the course's own
   std::vector<std::string> solve;   ///< steps that are solved already
   std::filesystem::path pictures;   ///< write nothing else: a folder for a picture of each step
-  bool verify = false;              ///< write nothing: hold the starter to what it promises
+  bool verify = false;              ///< write nothing: check the starter
   std::vector<int> labs;            ///< of those; none for all
   std::filesystem::path cache;      ///< empty: build/grade of the course
 };
 
-/// `texel starter`: writes the tree that students begin with. With `verify`, differs when a stage between
+/// `texel starter`: writes the tree that students start with. With `verify`, differs when a stage between
 /// starter and solution passes other steps than those that are solved in it.
 Exit starter(const StarterOptions& options);
 
@@ -189,7 +189,7 @@ struct GradeReportCommand {
   std::vector<std::string> formats;
 };
 
-/// `texel grade report`: writes the reports anew.
+/// `texel grade report`: writes the reports again.
 Exit grade_report(const GradeReportCommand& command);
 
 }  // namespace texel::tools

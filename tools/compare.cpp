@@ -147,16 +147,16 @@ void check_png(const char* option, const std::filesystem::path& file) {
 /// Throws Error (usage) for options that do not fit the files.
 void check_options(const CompareOptions& options) {
   if (is_float(options.reference) != is_float(options.image))
-    throw Error::failed("a .pfm cannot be compared with a picture of colours", {options.image.string()},
+    throw Error::failed("a .pfm cannot be compared with a colour picture", {options.image.string()},
                         "draw both in the same format");
   check_png("--heatmap", options.heatmap);
   check_png("--flip-heatmap", options.flip_heatmap);
   const bool asks_for_flip = options.flip || options.pixels_per_degree || !options.flip_heatmap.empty();
   if (is_float(options.reference) && asks_for_flip)
-    throw Error::usage("FLIP is of pictures of colours, not of .pfm files",
+    throw Error::usage("FLIP compares colour pictures, not .pfm files",
                        "leave out --flip, --flip-heatmap and --ppd");
   if (!is_float(options.reference) && options.unit != "auto")
-    throw Error::usage("--unit is of .pfm files", "leave it out");
+    throw Error::usage("--unit is for .pfm files", "leave it out");
   if ((options.unit == "texels") == options.texels.empty())
     throw Error::usage("--unit texels and --texels go together",
                        "give the texture's size, as in --unit texels --texels 512");

@@ -43,7 +43,7 @@ std::string batch_of(const course::Lab& lab) {
   return course::to_batch(std::vector<course::Case>(lab.looks.begin(), lab.looks.end()));
 }
 
-/// Whether every picture was drawn from the same list, and after all that it is made from was last changed.
+/// Whether every picture was drawn from the same list, and is newer than everything it depends on.
 bool is_current(const Work& work, const fs::path& root) {
   if (!fs::exists(work.list) || read_file(work.list) != batch_of(*work.lab)) return false;
   if (!fs::exists(work.program)) return false;
@@ -57,7 +57,7 @@ bool is_current(const Work& work, const fs::path& root) {
   });
 }
 
-/// Takes the looks out that need the right answers where there are none, and says so.
+/// Removes looks that need the right answers, if this tree has none, and says so.
 void leave_out_errors(std::vector<course::Lab>& labs) {
   std::size_t left_out = 0;
   for (course::Lab& lab : labs) {
@@ -66,7 +66,7 @@ void leave_out_errors(std::vector<course::Lab>& labs) {
       left_out += std::erase_if(lab.looks, is_error);
   }
   if (left_out > 0)
-    fmt::print("  {} pictures of errors are left out: this tree does not hold the right answers\n", left_out);
+    fmt::print("  {} error pictures are left out: this tree does not contain the right answers\n", left_out);
 }
 
 void say(const course::Lab& lab, const char* what) {
@@ -74,13 +74,13 @@ void say(const course::Lab& lab, const char* what) {
   std::fflush(stdout);  // a log shows each as it ends
 }
 
-/// Draws all that is not current; throws when a lab fails, after the others have ended.
+/// Draws everything that is not up to date. Throws if a lab fails, after the others have ended.
 void draw(const std::vector<Work>& all, const fs::path& root) {
   std::vector<Work> works;
   for (const Work& work : all) {
     if (work.lab->looks.empty()) continue;
     if (is_current(work, root))
-      say(*work.lab, "are as they were");
+      say(*work.lab, "unchanged");
     else
       works.push_back(work);
   }
@@ -101,7 +101,7 @@ void draw(const std::vector<Work>& all, const fs::path& root) {
     throw Error::failed("could not draw the pictures of " + failed, {}, "see its message above");
 }
 
-/// The middle of a picture, as large as fits into 3:2, so that pictures stand in even rows.
+/// The middle of a picture, as large as possible in 3:2: pictures then stand in even rows.
 image::Image8 middle(const image::Image8& picture) {
   image::Image8 result(std::min(picture.width, picture.height * 3 / 2),
                        std::min(picture.height, picture.width * 2 / 3), picture.channels);

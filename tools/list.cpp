@@ -41,7 +41,8 @@ std::filesystem::path program_of(const course::Lab& lab) {
 bool knows_truth(const course::Lab& lab) {
   const Ran ran = run_program({program_of(lab), "--list-views"});
   if (ran.exit_code != 0)
-    throw Error::failed("does not say which views it draws", {program_of(lab).string()});
+    throw Error::failed("does not list its views; build it again with ./run build",
+                        {program_of(lab).string()});
   return ("\n" + ran.output).find("\nerror\n") != std::string::npos;
 }
 
@@ -58,8 +59,7 @@ Exit list() {
   for (const course::Lab& lab : labs) width = std::max(width, lab.title.size());
   for (const course::Lab& lab : labs)
     fmt::print("{:2}  {:<{}}  {}\n", lab.number, lab.title, width, lab.lesson);
-  fmt::print("\n'./run lab N' opens one; '{} --help' and the like say what each takes.\n",
-             labs.front().program());
+  fmt::print("\n'./run lab N' opens a lab. '{} --help' shows its options.\n", labs.front().program());
   return Exit::holds;
 }
 

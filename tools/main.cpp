@@ -15,90 +15,92 @@ constexpr const char* kExitCodes =
     "Exit codes: 0 holds, 1 differs, 2 wrong usage, 3 could not load, render or compare.";
 
 void add_compare(CLI::App& app, CompareOptions& options) {
-  CLI::App* command = app.add_subcommand("compare", "How far one picture is from another");
+  CLI::App* command = app.add_subcommand("compare", "Measure how far one picture is from another");
   command->footer(kExitCodes);
-  command
-      ->add_option("REF", options.reference,
-                   "The picture that is right: .png, .jpg, .gif, .bmp, .tga or .pfm")
+  command->add_option("REF", options.reference, "The right picture: .png, .jpg, .gif, .bmp, .tga or .pfm")
       ->required();
-  command->add_option("IMG", options.image, "The picture in question, of the same size")->required();
+  command->add_option("IMG", options.image, "The picture to compare with it, of the same size")->required();
   command->add_flag("--json", options.json, "Print one JSON object");
-  command->add_option("--mask", options.mask, "Only pixels where this picture is not black count");
-  command->add_option("--heatmap", options.heatmap, "Write where they differ as a .png");
+  command->add_option("--mask", options.mask, "Count only pixels where this picture is not black");
+  command->add_option("--heatmap", options.heatmap, "Write a .png of where they differ");
   command->add_option("--flip-heatmap", options.flip_heatmap,
-                      "Write where a viewer sees the difference (FLIP) as a .png");
+                      "Write a .png of where a viewer sees the difference (FLIP)");
   command->add_option("--max", options.max, "Limit of the largest difference over R, G and B");
-  command->add_option("--mean", options.mean, "Limit of the mean over samples");
+  command->add_option("--mean", options.mean, "Limit of the mean over all samples");
   command->add_option("--p99", options.p99,
-                      "Limit of the 99th percentile over pixels of each pixel's largest");
+                      "Limit of the 99th percentile over the pixels' largest differences");
   command->add_option("--flip", options.flip, "Limit of the mean of FLIP, 0 to 1");
   command->add_option("--ppd", options.pixels_per_degree,
-                      "FLIP's pixels for each degree of view, 1 to 1000 [67.02]");
-  command->add_flag("--edge-tolerance", options.edge_tolerance,
-                    "At edges, let a pixel of one picture fit any of the 3x3 in the other");
+                      "Pixels per degree of view for FLIP, 1 to 1000 [67.02]");
+  command->add_flag(
+      "--edge-tolerance", options.edge_tolerance,
+      "At edges, accept a pixel that equals one of the 3x3 pixels around it in the other picture");
   command
-      ->add_option("--unit", options.unit,
-                   "How two .pfm files are compared: own unit, degrees between directions, texels between "
-                   "texture coordinates, or auto: degrees when REF holds unit vectors (or zero) only [auto]")
+      ->add_option(
+          "--unit", options.unit,
+          "How two .pfm files are compared: in their own unit, degrees between directions, texels between "
+          "texture coordinates, or auto: degrees if REF holds only unit vectors or zeros [auto]")
       ->check(CLI::IsMember({"auto", "own", "degrees", "texels"}));
-  command->add_option("--texels", options.texels, "For --unit texels: the texture's size, 512 or 512x256")
+  command->add_option("--texels", options.texels, "For --unit texels: the texture's size, as 512 or 512x256")
       ->delimiter('x')
       ->expected(1, 2)
       ->check(CLI::Range(1, 1 << 20));
 }
 
 void add_gallery(CLI::App& app, GalleryOptions& options, bool& list) {
-  CLI::App* command = app.add_subcommand("gallery", "Draw every lab's looks and the page that shows them");
+  CLI::App* command = app.add_subcommand("gallery", "Draw every lab's looks, and a page that shows them");
   command->add_option("--out", options.out, "Folder for the page and the pictures [out/gallery]");
-  command->add_option("--lab", options.labs, "Draw only this lab (may be given again)")
+  command->add_option("--lab", options.labs, "Draw only this lab; repeat the option for several labs")
       ->check(CLI::Range(1, 99));
   command->add_option("--heroes", options.heroes,
-                      "Folder for the heroes, small and cut to 3:2, as the README shows them");
-  command->add_flag("--list", list, "Print as Markdown which command draws which picture of the sources");
+                      "Folder for one small picture of each lab, cut to 3:2, as in the README");
+  command->add_flag("--list", list,
+                    "Print a Markdown table: which command draws which picture of the sources");
 }
 
 void add_bench(CLI::App& app, BenchOptions& options) {
   CLI::App* command =
-      app.add_subcommand("bench", "Measure every method's error and cost, and show one against the other");
+      app.add_subcommand("bench", "Measure every method's error and cost, and plot one against the other");
   command->footer(
-      "Exit codes: 0 holds, 1 an error is not that of --against, 2 wrong usage, 3 could not measure.");
+      "Exit codes: 0 holds, 1 an error differs from --against, 2 wrong usage, 3 could not measure.");
   command->add_option("LAB", options.labs, "Numbers of labs [all]")->check(CLI::Range(1, 99));
   command->add_option("--out", options.out, "Folder for the page with the plots [out/bench]");
   command->add_option("--json", options.json, "Write all figures as JSON");
   command->add_option(
       "--markdown", options.markdown,
-      "Write the tables as Markdown, and the plots into a folder of the file's name beside it");
-  command->add_option("--from", options.from, "Measure nothing: take what an earlier --json wrote");
+      "Write the tables as Markdown, and the plots into a folder with the file's name beside it");
+  command->add_option("--from", options.from, "Measure nothing: read the figures of an earlier --json");
   command->add_option("--against", options.against, "Compare the errors with those of an earlier --json");
-  command->add_flag("--errors-only", options.errors_only, "Time nothing");
+  command->add_flag("--errors-only", options.errors_only, "Measure errors, but no times");
 }
 
 void add_mutants(CLI::App& app, MutantsOptions& options) {
   CLI::App* command = app.add_subcommand(
-      "mutants", "Make small wrong changes in a copy of the tree, and see whether the tests notice");
+      "mutants", "Make small wrong changes in a copy of the tree, and check that the tests notice");
   command->footer(
-      "Exit codes: 0 at least 90 % caught, 1 fewer, 2 wrong usage, 3 a mutant does not apply or build.");
+      "Exit codes: 0 at least 90 % caught, 1 fewer, 2 wrong usage, 3 a mutant does not apply or compile.");
   command->add_option("--catalogue", options.catalogue, "Folder of the mutants [tests/mutants]");
   command->add_option("--root", options.root, "The tree [the source tree]");
-  command->add_option("--only", options.only, "Names with commas between them, or a file with one a line")
+  command->add_option("--only", options.only, "Names separated by commas, or a file with one name per line")
       ->delimiter(',');
   command->add_option("--report", options.report,
-                      "Write each result as it comes into this .md or .json; it holds earlier ones too");
+                      "Write each result at once into this .md or .json, with the earlier ones");
   command->add_option("--work", options.work, "Folder for the copy, its build and the logs [build/mutants]");
 }
 
 void add_starter(CLI::App& app, StarterOptions& options) {
-  CLI::App* command = app.add_subcommand("starter", "Write the tree that students begin with");
+  CLI::App* command = app.add_subcommand("starter", "Write the tree that students start with");
   command->footer(
       "Exit codes: 0 holds, 1 --verify found a fault, 2 wrong usage, 3 could not write, build or draw.");
   CLI::Option* out = command->add_option("--out", options.out, "A new folder");
   command->add_option("--root", options.root, "The course's tree [the source tree]");
-  command->add_option("--solve", options.solve, "Steps that are solved already, as 5.1,5.2")->delimiter(',');
+  command->add_option("--solve", options.solve, "Steps that are already solved in it, as 5.1,5.2")
+      ->delimiter(',');
   CLI::Option* verify =
       command
           ->add_flag(
               "--verify", options.verify,
-              "Write nothing, but see that the starter fails every step, that with the first k steps solved\n"
+              "Write nothing. Check that the starter fails every step, that with the first k steps solved\n"
               "exactly those pass, and that all pass in the end")
           ->excludes(out);
   command
@@ -118,7 +120,7 @@ void add_starter(CLI::App& app, StarterOptions& options) {
 }
 
 CLI::Option* add_context(CLI::App* command, std::string& context) {
-  return command->add_option("--context", context, "Where the pictures are drawn")
+  return command->add_option("--context", context, "Where OpenGL comes from")
       ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
 }
 
@@ -131,48 +133,51 @@ struct StudentCommands {
 };
 
 void add_student(CLI::App& app, StudentCommands& all) {
-  CLI::App* check = app.add_subcommand("check", "Which steps are right, and by how much the next is off");
+  CLI::App* check =
+      app.add_subcommand("check", "Show which steps are right, and how far the next one is off");
   check->footer("Exit codes: 0 all steps passed, 1 not all, 2 wrong usage, 3 could not draw or compare.");
   check->add_option("LAB", all.check.labs, "Numbers of labs [all]")->check(CLI::Range(1, 99));
-  check->add_flag("--json", all.check.json, "Print JSON: an object for one lab, else a list of them");
+  check->add_flag("--json", all.check.json, "Print JSON: an object for one lab, a list for several");
   check->add_flag("--unless-begun", all.check.unless_begun,
-                  "Exit code 0 too while no step of these labs is begun");
+                  "Exit code 0 also if no step of these labs is begun");
   add_context(check, all.check.context);
-  CLI::App* watch = app.add_subcommand("watch", "Check a lab after every save; h shows a hint, q ends");
-  watch->add_option("LAB", all.watch.lab, "Its number")->required()->check(CLI::Range(1, 99));
+  CLI::App* watch = app.add_subcommand("watch", "Check a lab after every save; h shows a hint, q quits");
+  watch->add_option("LAB", all.watch.lab, "The lab's number")->required()->check(CLI::Range(1, 99));
   add_context(watch, all.watch.context);
-  CLI::App* hint = app.add_subcommand("hint", "One more hint each time");
-  hint->add_option("STEP", all.hint.where, "As 5.1; or a lab's number [what comes next in the course]");
+  CLI::App* hint = app.add_subcommand("hint", "Show one more hint for a step");
+  hint->add_option("STEP", all.hint.where, "A step as 5.1, or a lab's number [the next step of the course]");
   add_context(hint, all.hint.context);
-  CLI::App* reset = app.add_subcommand("reset", "Make a step what it was at first; what you wrote is kept");
-  reset->add_option("STEP", all.reset, "As 5.1")->required();
-  CLI::App* progress = app.add_subcommand("progress", "All labs at a glance");
+  CLI::App* reset =
+      app.add_subcommand("reset", "Restore a step's starting code; your code is saved in another file");
+  reset->add_option("STEP", all.reset, "A step as 5.1")->required();
+  CLI::App* progress = app.add_subcommand("progress", "Show all labs with their steps and points");
   add_context(progress, all.progress_context);
 }
 
 void add_expected(CLI::App& app, ExpectedCommand& command) {
-  CLI::App* expected = app.add_subcommand("expected", "Draw what 'check' compares with, by the solutions");
+  CLI::App* expected =
+      app.add_subcommand("expected", "Draw the expected pictures of 'check' with the solutions");
   expected->add_option("LAB", command.labs, "Numbers of labs [all]")->check(CLI::Range(1, 99));
   expected->add_option("--cache", command.cache, "Folder for starter, references and programs [build/grade]");
 }
 
 void add_renderers(CLI::App& app, RenderersCommand& command) {
   CLI::App* renderers =
-      app.add_subcommand("renderers", "How far renderers are from each other, beside each case's limit");
+      app.add_subcommand("renderers", "Compare each case's limit with the spread between renderers");
   renderers->add_option("--out", command.out,
                         "Folder of the pictures, one for each renderer [out/renderers]");
-  renderers->add_option("--only", command.only, "Names of renderers with commas between them [all]")
+  renderers->add_option("--only", command.only, "Names of renderers separated by commas [all]")
       ->delimiter(',');
-  renderers->add_option("--json", command.json, "Write the figures, as docs/renderers.json has them");
+  renderers->add_option("--json", command.json, "Write the figures as JSON, as in docs/renderers.json");
   renderers->add_option("--markdown", command.markdown,
-                        "Renew the table at the end of this file, as docs/accuracy.md");
+                        "Write the table at the end of this file again, as in docs/accuracy.md");
   renderers->add_option("--reference", command.reference,
-                        "Which folder hidden cases are compared with [mesa22_llvmpipe_osmesa]");
+                        "Folder with which hidden cases are compared [mesa22_llvmpipe_osmesa]");
   renderers->footer(
-      "Exit codes: 0 every limit is three times the spread, 1 one is not (or a mutant passes), 2 wrong "
+      "Exit codes: 0 every limit is three times the spread, 1 one is not or a mutant passes, 2 wrong "
       "usage,\n3 could not draw.");
-  renderers->add_flag("--judge-only", command.judge_only, "Draw nothing: judge what is there");
-  renderers->add_flag("--mutants", command.mutants, "See that mutants and starters fail on each renderer");
+  renderers->add_flag("--judge-only", command.judge_only, "Draw nothing: judge the pictures that are there");
+  renderers->add_flag("--mutants", command.mutants, "Check that mutants and starters fail on each renderer");
   renderers->add_option("--cache", command.cache,
                         "Folder for starter, references and programs [build/grade]");
 }
@@ -188,7 +193,7 @@ struct GradeCommands {
 void add_formats(CLI::App* command, std::vector<std::string>& formats) {
   command
       ->add_option("--format", formats,
-                   "Write results for other systems too: gradescope, prairielearn, junit, csv")
+                   "Also write results for other systems: gradescope, prairielearn, junit, csv")
       ->delimiter(',')
       ->check(CLI::IsMember({"gradescope", "prairielearn", "junit", "csv"}));
 }
@@ -196,45 +201,45 @@ void add_formats(CLI::App* command, std::vector<std::string>& formats) {
 void add_grade(CLI::App& app, GradeCommands& all) {
   CLI::App* grade = app.add_subcommand("grade", "Grade a class from headless snapshots");
   grade->footer(
-      "Exit codes: 0 graded, 2 wrong usage, 3 some students could not be graded (never a zero: run again "
+      "Exit codes: 0 graded, 2 wrong usage, 3 some students could not be graded (they get no zero: run again "
       "with\n"
       "--resume), or the grader itself failed.");
   GradeCommand& g = all.grade;
-  grade->add_option("CLASS", g.class_folder, "Folder with one folder, .zip or .tar.gz a student");
+  grade->add_option("CLASS", g.class_folder, "Folder with one folder, .zip or .tar.gz per student");
   grade->add_option("--out", g.out, "Folder for results and reports [out/grades]");
   grade->add_option("--labs", g.labs, "Numbers of labs, as 1,5 [all]")
       ->delimiter(',')
       ->check(CLI::Range(1, 99));
-  grade->add_option("--jobs", g.jobs, "How much at a time [one for each processor]")
+  grade->add_option("--jobs", g.jobs, "Jobs at the same time [one per processor]")
       ->check(CLI::Range(1, 1024));
-  grade->add_option("--shard", g.shard, "Only every so many-th student: 2/8 is the second of eight parts");
-  grade->add_flag("--resume", g.resume, "Go on where an earlier run was cut off; nothing is judged twice");
+  grade->add_option("--shard", g.shard, "Grade one part of the class: 2/8 is the second of eight parts");
+  grade->add_flag("--resume", g.resume,
+                  "Continue an earlier run that was interrupted; nothing is judged twice");
   grade->add_option("--seed-file", g.seed_file,
-                    "The course's secret for hidden cases [OUT/seed.txt, made when missing]");
+                    "The course's secret seed for hidden cases [OUT/seed.txt, created if missing]");
   grade->add_option("--cache", g.cache, "Folder for starter, references and programs [build/grade]");
   add_context(grade, g.context);
   grade->add_flag("--unsafe", g.unsafe,
-                  "Run the students' programs without a sandbox: only for work that you trust");
+                  "Run the students' programs without a sandbox; only for code that you trust");
   add_formats(grade, g.formats);
 
-  CLI::App* merge = grade->add_subcommand("merge", "Join the results of shards");
+  CLI::App* merge = grade->add_subcommand("merge", "Merge the results of shards");
   merge->add_option("PART", all.merge.parts, "Folders that 'texel grade --shard' wrote")->required();
   merge->add_option("--out", all.merge.out, "A folder for all of them")->required();
   add_formats(merge, all.merge.formats);
 
-  CLI::App* change = grade->add_subcommand("override", "Set a step's score by hand; it survives regrading");
-  change->add_option("OUT", all.override_score.out, "The results' folder")->required();
-  change->add_option("STUDENT", all.override_score.student, "The student's id, as the report has it")
-      ->required();
+  CLI::App* change = grade->add_subcommand("override", "Set a step's score by hand; grading again keeps it");
+  change->add_option("OUT", all.override_score.out, "Folder with the results")->required();
+  change->add_option("STUDENT", all.override_score.student, "The student's id, as in the report")->required();
   change->add_option("STEP", all.override_score.step, "As 5.1")->required();
   CLI::Option* score =
       change->add_option("SCORE", all.override_score.score, "0 to 1")->check(CLI::Range(0.0, 1.0));
-  change->add_option("--reason", all.override_score.reason, "For the student and for later");
-  change->add_flag("--drop", all.override_score.drop, "Take an earlier override back")->excludes(score);
+  change->add_option("--reason", all.override_score.reason, "Why; the report shows it to the student");
+  change->add_flag("--drop", all.override_score.drop, "Remove an earlier override")->excludes(score);
   add_formats(change, all.override_score.formats);
 
-  CLI::App* report = grade->add_subcommand("report", "Write the reports of earlier results anew");
-  report->add_option("OUT", all.report.out, "The results' folder")->required();
+  CLI::App* report = grade->add_subcommand("report", "Write the reports of earlier results again");
+  report->add_option("OUT", all.report.out, "Folder with the results")->required();
   add_formats(report, all.report.formats);
 }
 
@@ -244,8 +249,8 @@ Exit run_grade(const CLI::App& app, const GradeCommands& all) {
   if (grade->got_subcommand("override")) return grade_override(all.override_score);
   if (grade->got_subcommand("report")) return grade_report(all.report);
   if (all.grade.class_folder.empty())
-    throw Error::usage("which class? texel grade CLASS --out DIR",
-                       "CLASS is a folder with one entry a student");
+    throw Error::usage("the class is missing; type texel grade CLASS --out DIR",
+                       "CLASS is a folder with one folder or archive per student");
   return grade_class(all.grade);
 }
 
@@ -275,7 +280,7 @@ Exit run(int argc, char** argv) {
   ExpectedCommand expected_command;
   RenderersCommand renderers_command;
   bool list_only = false;
-  app.add_subcommand("list", "The labs at a glance");
+  app.add_subcommand("list", "List the labs");
   add_gallery(app, gallery_options, list_only);
   add_compare(app, compare_options);
   add_bench(app, bench_options);

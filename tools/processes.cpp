@@ -46,7 +46,7 @@ class Running {
     do process = ::waitpid(-1, &status, 0);
     while (process < 0 && errno == EINTR);
     const auto found = processes_.find(process);
-    if (found == processes_.end()) throw Error::failed("lost a program that was started");
+    if (found == processes_.end()) throw Error::failed("a started program was lost");
     const std::size_t index = found->second;
     processes_.erase(found);
     return {index, WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status)};

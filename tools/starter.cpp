@@ -20,7 +20,7 @@ Exit verify(const StarterOptions& options) {
   for (const std::string& fault : faults) fmt::print("{}\n", fault);
   if (faults.empty())
     fmt::print(
-        "the starter fails every step; with the first k steps solved exactly those pass; all pass in the "
+        "the starter fails every step; with the first k steps solved, exactly those pass; all pass in the "
         "end\n");
   return faults.empty() ? Exit::holds : Exit::differs;
 }
@@ -30,7 +30,8 @@ Exit verify(const StarterOptions& options) {
 Exit starter(const StarterOptions& options) {
   if (options.verify) return verify(options);
   if (!options.pictures.empty()) return step_pictures(options);
-  if (options.out.empty()) throw Error::usage("where to? texel starter --out DIR", "DIR is a new folder");
+  if (options.out.empty())
+    throw Error::usage("the folder is missing; type texel starter --out DIR", "DIR is a new folder");
   std::vector<std::string> known;
   for (const course::Lab& lab : course_labs())
     for (const course::Step& step : lab.steps) known.push_back(step.id);
@@ -39,11 +40,10 @@ Exit starter(const StarterOptions& options) {
   };
   for (const std::string& step : options.solve)
     if (std::find(known.begin(), known.end(), step) == known.end())
-      throw Error::usage(fmt::format("there is no step '{}'", step),
-                         "the steps are those of labs/*/lab.toml");
+      throw Error::usage(fmt::format("there is no step '{}'", step), "labs/*/lab.toml lists the steps");
   const std::filesystem::path root = options.root.empty() ? course_root() : options.root;
   course::write_files(course::starter_files(root, is_solved), options.out);
-  fmt::print("wrote {}; begin there with: ./run\n", options.out.string());
+  fmt::print("wrote {}; start there with: ./run\n", options.out.string());
   return Exit::holds;
 }
 

@@ -26,12 +26,13 @@ bool is_root(const fs::path& path) {
 fs::path find_root(const fs::path& given) {
   if (!given.empty()) {
     if (is_root(given)) return given;
-    throw Error::failed("does not hold the folders assets/ and shaders/", {given.string()},
+    throw Error::failed("does not contain the folders assets/ and shaders/", {given.string()},
                         "correct --assets");
   }
   if (const char* variable = std::getenv("TEXEL_ROOT"); variable != nullptr && *variable != '\0') {
     if (is_root(variable)) return variable;
-    throw Error::failed("does not hold the folders assets/ and shaders/", {variable}, "correct TEXEL_ROOT");
+    throw Error::failed("does not contain the folders assets/ and shaders/", {variable},
+                        "correct TEXEL_ROOT");
   }
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
@@ -61,9 +62,9 @@ fs::path Assets::find(const char* folder, const std::string& name, const char* e
   for (const fs::directory_entry& entry : fs::directory_iterator(place, error))
     names.push_back(entry.path().stem().string());
   const std::string near = nearest(name, names);
-  throw Error::failed(
-      fmt::format("there is no '{}' among the bundled {}", name, folder), {},
-      near.empty() ? "a path needs a '/' or its ending" : fmt::format("did you mean '{}'?", near));
+  throw Error::failed(fmt::format("there is no '{}' among the bundled {}", name, folder), {},
+                      near.empty() ? "write a path with a '/' or its file extension"
+                                   : fmt::format("did you mean '{}'?", near));
 }
 
 void Assets::remember(const fs::path& path) const {

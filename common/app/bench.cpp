@@ -25,7 +25,7 @@ std::vector<Settings> combinations(const course::BenchCase& one, params::Set& pa
     std::vector<std::string> values = listed;
     if (values.empty())
       for (const params::Item& item : parameters.at(name).items) values.emplace_back(item.name);
-    if (values.empty()) throw Error::usage(fmt::format("'{}' is no choice: list its values", name));
+    if (values.empty()) throw Error::usage(fmt::format("'{}' is not a choice: list its values", name));
     std::vector<Settings> longer;
     for (const Settings& variant : all)
       for (const std::string& value : values) {
@@ -63,7 +63,7 @@ class Bench {
     constexpr std::size_t kFewest = 5, kMost = 50;
     for (std::size_t round = 0; seconds > 0 && round < kMost; ++round) {
       if (round >= kFewest && stopwatch.milliseconds() > 1000 * seconds) break;
-      // Each round begins with another one, so that none is always the first.
+      // Each round begins with another one: none is always the first.
       for (std::size_t i = 0; i < all.size(); ++i) time(c, all[(round + i) % all.size()]);
     }
     Json results = Json::array();

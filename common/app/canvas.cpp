@@ -112,7 +112,7 @@ gl::Record Canvas::record(View view, glm::ivec2 size, int samples) {
     record = recorder.take();
     if (record.draw_calls > 0 && target.shows_only(background_of(target)))
       record.warnings.emplace_back(
-          "nothing is seen: all triangles are outside of the view, culled, behind what is already drawn, or "
+          "nothing is visible: all triangles are outside the view, culled, behind other triangles, or "
           "have the background's colour");
   }
   if (view == View::error)
@@ -159,7 +159,7 @@ image::ImageF Canvas::measured_picture(const Measure& measure, glm::ivec2 size) 
     draw_into(data, measure.view, {});
     return data.read_float();
   }
-  // Colours are compared as one sees them: in steps of the encoded picture, inside the object's mask.
+  // Colours are compared as they are seen: in levels of the encoded picture, inside the object's mask.
   draw_into(data, View::mask, {});
   image::ImageF picture = data.read_float();
   const gl::Target& colour = fit(colour_, gl::Target::Kind::colour, size, 1);
@@ -177,7 +177,7 @@ void Canvas::draw_error(glm::ivec2 size) {
   if (key != truth_key_) {
     const Truth truth = lab_.truth(size);
     if (!truth)
-      throw Error::failed("there is no exact answer to compare with for these parameters", {},
+      throw Error::failed("there is no exact answer for these parameters", {},
                           "choose a built-in model, picture or cube map that has a formula");
     if (!agrees(truth_, truth, size)) truth_ = truth_picture(truth, size);
     truth_key_ = key;

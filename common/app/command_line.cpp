@@ -30,7 +30,7 @@ void reject_unknown(const CLI::App& app) {
   if (unknown.empty()) return;
   const std::string& first = unknown.front();
   if (!first.starts_with('-'))
-    throw Error::usage(fmt::format("there is no place for '{}'", first), "see --help");
+    throw Error::usage(fmt::format("unexpected argument '{}'", first), "see --help");
   std::vector<std::string> flags;
   for (const CLI::Option* option : app.get_options())
     for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
@@ -58,9 +58,9 @@ View find_view(const AnyLab& lab, const std::string& name) {
     list += (list.empty() ? "" : ", ") + names.back();
   }
   if (std::ranges::count(lab.info().views, View::error) > 0 && name == name_of(View::error))
-    throw Error::usage("the view 'error' needs the right answers, which a student's tree does not hold");
+    throw Error::usage("the view 'error' needs the right answers; a student's tree does not contain them");
   const std::string near = nearest(name, names);
-  throw Error::usage(fmt::format("this lab has no view '{}' but {}", name, list),
+  throw Error::usage(fmt::format("this lab has no view '{}'; its views are {}", name, list),
                      near.empty() ? "" : fmt::format("did you mean '{}'?", near));
 }
 
@@ -80,45 +80,46 @@ std::optional<CommandLine> read_command_line(AnyLab& lab, int argc, char** argv)
   app.get_formatter()->column_width(34);
   app.set_version_flag("--version", TEXEL_VERSION, "Print the version and exit");
   if (model_parameter(lab.parameters()) != nullptr)
-    app.add_option("MODEL.obj", model, "An OBJ file in place of the built-in models");
-  app.add_option("--size", size, "Window or picture size, WxH in pixels [960x720, a snapshot 512x512]");
+    app.add_option("MODEL.obj", model, "An OBJ file instead of the built-in models");
+  app.add_option("--size", size,
+                 "Size of the window or picture, WxH in pixels [960x720, a snapshot 512x512]");
   app.add_option("--snapshot", line.snapshot,
-                 "Draw once without a window and write a .png, or a .pfm of a data view");
-  app.add_option("--view", line.view, "Which picture to draw, see --list-views [color]");
-  app.add_option("--samples", line.samples, "Samples a pixel of the colour picture, 1 or 4 [4]")
+                 "Draw once without a window and write a .png, or a .pfm for a data view");
+  app.add_option("--view", line.view, "Which picture to draw; --list-views lists them [color]");
+  app.add_option("--samples", line.samples, "Samples per pixel of the colour picture, 1 or 4 [4]")
       ->check(CLI::IsMember({1, 4}));
   app.add_option("--batch", line.batch, "Draw many snapshots: a JSON list of {name, view, size, set}");
   app.add_option("--out", line.out, "Folder for the pictures of --batch");
   app.add_option("--stats", line.stats,
-                 "Write as JSON what the scene holds and what each stage took (- prints it)");
+                 "Write as JSON what the scene contains and how long each stage took (- prints it)");
   app.add_option("--measure", line.measure,
-                 "Write as JSON how far the picture is off the exact answer (- prints it)");
+                 "Write as JSON how far the picture is from the exact answer (- prints it)");
   app.add_option("--bench", line.bench,
-                 "Measure error and cost of the cases in a JSON file, which texel bench writes");
+                 "Measure error and cost of the cases in a JSON file that texel bench wrote");
   app.add_option("--report", line.report, "Where --bench writes its figures, as JSON [-]");
   app.add_option("--error-scale", line.error_scale,
-                 "Where the view error's colours end [the 99th percentile]")
+                 "Error at the end of the colour scale of view error [the 99th percentile]")
       ->check(CLI::PositiveNumber);
-  app.add_option("--mesh", line.mesh, "Write the vertex stream as drawn, as a binary .ply");
+  app.add_option("--mesh", line.mesh, "Write the vertices as drawn into a binary .ply");
   app.add_option("--frames", line.frames,
-                 "Draw so many frames and print the quantiles of their time; with --context window in the "
+                 "Draw this many frames and print quantiles of their times; with --context window in the "
                  "window, with its panel")
       ->check(CLI::Range(1, 1000000));
   app.add_option("--config", config, "Read all parameters from a TOML file");
   app.add_option("--save-config", line.save_config, "Write all parameters to a TOML file");
   app.add_option("--context", line.context,
-                 "Where OpenGL comes from: window, osmesa, egl, or auto: as TEXEL_CONTEXT says, else\n"
-                 "osmesa where it is installed, else egl [auto]")
+                 "Where OpenGL comes from: window, osmesa, egl, or auto: TEXEL_CONTEXT if it is set, else\n"
+                 "osmesa if it is installed, else egl [auto]")
       ->check(CLI::IsMember({"auto", "window", "osmesa", "egl"}));
   app.add_option("--assets", line.assets,
-                 "Folder that holds assets/ and shaders/ [TEXEL_ROOT, else beside the program]");
+                 "Folder with assets/ and shaders/ [TEXEL_ROOT, else beside the program]");
   app.add_flag("--list-parameters", line.list_parameters, "Print every parameter with its range and help");
   app.add_flag("--list-views", line.list_views, "Print the names of the pictures that this lab draws");
   app.add_flag("--json", line.json, "Print --list-parameters as JSON");
   for (const params::Parameter& p : lab.parameters())
     app.add_option("--" + p.flag(), values[std::string(p.name)], describe(p))->group("Parameters");
   app.footer(
-      "Keys in the window: drag orbit, wheel zoom, J default look, M normal map, K/L texture, space pause, "
+      "In the window: drag orbit, wheel zoom, J default look, M normal map, K/L texture, space pause, "
       "R reset view, F5 reload, F12 snapshot, H panel, Esc quit");
 
   try {

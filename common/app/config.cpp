@@ -39,7 +39,7 @@ void load_config(const std::filesystem::path& file, const Info& info, params::Se
     throw Error::failed(std::string(error.description()),
                         {file.string(), static_cast<int>(error.source().begin.line),
                          static_cast<int>(error.source().begin.column)},
-                        "write 'name = value' lines, as --save-config does");
+                        "write lines 'name = value', as --save-config does");
   }
   std::vector<std::string> before;
   for (const params::Parameter& p : parameters) before.push_back(p.text());

@@ -73,7 +73,7 @@ gl::Program& Frame::program(const std::string& vertex, const std::string& fragme
       program.set(p.name, static_cast<int>(value));
     else
       throw Error::failed(
-          fmt::format("the uniform '{}' has another type than the parameter of that name", p.name),
+          fmt::format("the uniform '{}' and the parameter with this name have different types", p.name),
           {program.name()},
           fmt::format("declare it as 'uniform {} {};'", p.type == Type::number ? "float" : "int", p.name));
   }

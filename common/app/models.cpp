@@ -41,7 +41,7 @@ Model load_model(const Assets& assets, const std::string& name, Tessellation tes
   model.mesh = mesh::weld(std::move(data));
   if (tessellation.segments > 0 || tessellation.jitter > 0)
     model.notes.facts.emplace_back(
-        "segments and jitter are for the built-in shapes: a file's triangles stay");
+        "segments and jitter change only the built-in shapes, not a file's triangles");
   warn_of_lost_shape(model.mesh, name, model.notes);
   mesh::normalize_to_unit(model.mesh);
   if (model.mesh.texcoords.empty()) {

@@ -147,7 +147,7 @@ void view_section(AnyLab& lab, WindowState& state) {
   const std::string current = state.split ? label_of(state.split->parameter) : "nothing";
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("compare");
-  tooltip("Draws the picture right of a line with another value of a parameter. Drag the line.");
+  tooltip("Draws the right part of the picture with another value of a parameter. Drag the line.");
   ImGui::SameLine(ImGui::GetFontSize() * 8.6F);
   ImGui::SetNextItemWidth(-1);
   if (ImGui::BeginCombo("##compare", current.c_str())) {
@@ -240,7 +240,7 @@ void pixel_row(const char* name, View view, const glm::dvec3& value) {
 void pixel_section(const WindowState& state) {
   if (!ImGui::CollapsingHeader("Pixel", ImGuiTreeNodeFlags_DefaultOpen)) return;
   if (!state.inspected) {
-    ImGui::TextColored(kGrey, "click the picture to read a pixel");
+    ImGui::TextColored(kGrey, "click the picture to inspect a pixel");
     return;
   }
   ImGui::Text("x %d, y %d (from the bottom left)", state.inspected->pixel.x, state.inspected->pixel.y);
@@ -266,14 +266,15 @@ Action buttons(WindowState& state) {
     if (ImGui::Button(label)) action = value;
     tooltip(help);
   };
-  button("Copy command", Action::copy_command_line, "Copies the command line that draws this look");
+  button("Copy command", Action::copy_command_line, "Copies the command that draws this look");
   ImGui::SameLine();
-  button("Snapshot", Action::snapshot, "Writes the picture beside where you started the program (F12)");
+  button("Snapshot", Action::snapshot,
+         "Writes the picture into the folder where you started the program (F12)");
   ImGui::SameLine();
-  button("Default look", Action::reset_parameters, "All parameters back to their defaults (J)");
+  button("Default look", Action::reset_parameters, "Sets all parameters to their defaults (J)");
   ImGui::SetNextItemWidth(ImGui::GetFontSize() * 13.5F);
   ImGui::InputText("##config", &state.config_file);
-  tooltip("The file that Save writes and Load reads: all parameters, as --config takes them");
+  tooltip("The file for Save and Load: all parameters, in the format of --config");
   ImGui::SameLine();
   button("Save", Action::save_config, "Writes all parameters to the file");
   ImGui::SameLine();
@@ -281,7 +282,7 @@ Action buttons(WindowState& state) {
   return action;
 }
 
-/// Text on a dark plate, so that it is read over any picture.
+/// Text on a dark plate: it can be read over any picture.
 void plate(ImVec2 at, const ImVec4& colour, const std::string& text, float wrap_width,
            ImVec2 pivot = {0, 0}) {
   ImGui::SetNextWindowPos(at, ImGuiCond_Always, pivot);

@@ -136,7 +136,7 @@ void run_as_asked(AnyLab& lab, const CommandLine& line) {
   if (headless)
     run_headless(lab, assets, line);
   else if (line.context == "osmesa" || line.context == "egl")
-    throw Error::usage(fmt::format("--context {} has no window", line.context), "add --snapshot FILE");
+    throw Error::usage(fmt::format("--context {} cannot open a window", line.context), "add --snapshot FILE");
   else if (line.save_config.empty())
     run_window(lab, assets, line);
 }

@@ -18,7 +18,7 @@ void check_settings(params::Set& parameters, const Settings& settings);
 class StartValues {
  public:
   explicit StartValues(params::Set& parameters);
-  /// Those values, except for the settings.
+  /// Those values, without the settings.
   void set(const Settings& settings) const;
 
  private:

@@ -10,7 +10,8 @@ namespace texel::app {
 void check_ending(const std::filesystem::path& file, View view) {
   const std::string ending = file.extension().string();
   if (ending == ".pfm" && view == View::color)
-    throw Error::usage("a .pfm holds a data view, not colours", "add --view, or write a .png");
+    throw Error::usage("a .pfm is for a data view, not for colours",
+                       "add --view with a data view, or write a .png");
   if (ending != ".png" && ending != ".pfm")
     throw Error::usage(fmt::format("cannot write a picture to '{}'", file.string()),
                        "end the name in .png or .pfm");

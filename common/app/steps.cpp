@@ -48,7 +48,7 @@ gl::Texture upload(const Image8& picture) {
 template <class Picture>
 void fill(CasePictures& pictures, const Picture& own, const Picture& expected, const grade::CaseResult& one) {
   if (own.width != expected.width || own.height != expected.height)
-    throw Error::failed("has another size than the expected one", {one.picture});
+    throw Error::failed("does not have the size of the expected picture", {one.picture});
   pictures.width = own.width, pictures.height = own.height;
   const Image8 own_shown = shown(own, one.view), expected_shown = shown(expected, one.view);
   pictures.own = upload(own_shown), pictures.expected = upload(expected_shown);
@@ -103,7 +103,7 @@ void StepsCheck::request() {
     return;
   }
   shared_->is_running = true;
-  // It has all that it needs, so that closing the window waits for nothing.
+  // It owns everything that it needs: closing the window need not wait for it.
   std::thread([shared = shared_] { shared->run(); }).detach();
 }
 
@@ -125,7 +125,7 @@ CasePictures load_case(const std::string& step, const grade::CaseResult& one) {
   pictures.step = step, pictures.name = one.name;
   try {
     if (one.is_mesh()) throw Error::failed("this case compares vertices, not pictures");
-    if (one.picture.empty()) throw Error::failed("there is no picture of yours: " + one.message);
+    if (one.picture.empty()) throw Error::failed("your picture is missing: " + one.message);
     if (one.view == View::color)
       fill(pictures, image::load8(one.picture, 3), image::load8(one.reference, 3), one);
     else

@@ -62,7 +62,7 @@ void step_details(AnyLab& lab, WindowState& state, const grade::StepResult& step
       pick(lab, state, step, one);
     ImGui::PopStyleColor();
     if (ImGui::IsItemHovered())
-      ImGui::SetTooltip("Click: sets this look and shows the expected picture beside yours");
+      ImGui::SetTooltip("Click to set this look and show the expected picture beside yours");
   }
 }
 

@@ -234,10 +234,10 @@ class Window {
     watch_clock_ = Stopwatch();
     if (!watcher_.changed(canvas_.programs().files()).empty()) reload(/*assets=*/false);
     if (!watcher_.changed(assets_.files()).empty()) reload(/*assets=*/true);
-    // A program that was built anew draws other pictures, though this one does not.
+    // A program that was built again draws other pictures, but this process still has the old code.
     if (state_.steps && !watcher_.changed({own_program_}).empty()) {
       state_.steps->request();
-      state_.message = "the lab was built anew: open it again to see what changed";
+      state_.message = "the lab was built again: close and open it to see the change";
     }
   }
 
@@ -260,7 +260,7 @@ class Window {
     canvas_.programs().clear();
     if (assets) lab_.forget();
     drawn_ = {};
-    state_.message = assets ? "files loaded again" : "shaders compiled again";
+    state_.message = assets ? "files reloaded" : "shaders compiled again";
   }
 
   void advance() {
@@ -366,7 +366,7 @@ class Window {
       state_.message = "wrote " + file.string();
       return;
     }
-    throw Error::failed("there are 999 snapshots already", {}, "remove some");
+    throw Error::failed("there are already 999 snapshots here", {}, "remove some of them");
   }
 
   /// The previous or next item of a list.

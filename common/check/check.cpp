@@ -50,10 +50,10 @@ class LabCheck {
         studio_(studio_of(tree, plan.lab, context)) {
     if (!fs::exists(studio_.program))
       throw Error::failed("is not built", {studio_.program.string()},
-                          fmt::format("./run check {} builds it", plan.lab.number));
+                          fmt::format("build it with ./run check {}", plan.lab.number));
     if (!fs::exists(expected_))
-      throw Error::failed("is missing: it holds the expected pictures", {expected_.string()},
-                          "take the folder from the course again; its makers draw it by ./run expected");
+      throw Error::failed("is missing; it contains the expected pictures", {expected_.string()},
+                          "copy the folder from the course again; the course draws it with ./run expected");
   }
 
   /// By so many processes side by side: nearly all of the time goes into compiling shaders.
@@ -156,12 +156,13 @@ bool is_software(const std::string& renderer) {
 std::string renderer_note(const std::string& own, const std::string& expected) {
   if (!is_software(own))
     return fmt::format(
-        "Drawn by {}, which seems to be a GPU. The limits are measured for renderers in software: install "
-        "libgl1-mesa-dri, and type LIBGL_ALWAYS_SOFTWARE=1 before the command.",
+        "Drawn by {}, which seems to be a GPU. The limits were measured for software renderers: install "
+        "libgl1-mesa-dri and type LIBGL_ALWAYS_SOFTWARE=1 before the command.",
         own);
   if (expected.empty() || expected == own) return fmt::format("Drawn by {}.", own);
-  return fmt::format("Drawn by {} here, expected by {}. The limits have room for both: docs/accuracy.md.",
-                     own, expected);
+  return fmt::format(
+      "Your pictures are drawn by {}, the expected ones by {}. The limits allow for both: docs/accuracy.md.",
+      own, expected);
 }
 
 std::set<std::string> untouched_steps(const OwnTree& tree) {

@@ -64,13 +64,11 @@ Outcome run(const Studio& studio, const std::vector<Case>& cases, const fs::path
 /// "crashed (segmentation fault)": how a program ended that did not draw what it should.
 std::string end_of(const Outcome& outcome) {
   if (outcome.limit != Limit::none)
-    return fmt::format("The program was ended here: it used up its {}", name_of(outcome.limit));
-  if (outcome.signal == SIGSEGV)
-    return "The program crashed here: it read or wrote where nothing is (SIGSEGV)";
-  if (outcome.signal == SIGABRT) return "The program gave up here (SIGABRT)";
-  if (outcome.signal == SIGFPE)
-    return "The program crashed here: a whole number was divided by zero (SIGFPE)";
-  if (outcome.signal != 0) return fmt::format("The program was ended here by signal {}", outcome.signal);
+    return fmt::format("The program was stopped here: it used too much {}", name_of(outcome.limit));
+  if (outcome.signal == SIGSEGV) return "The program crashed here: it read or wrote invalid memory (SIGSEGV)";
+  if (outcome.signal == SIGABRT) return "The program aborted here (SIGABRT)";
+  if (outcome.signal == SIGFPE) return "The program crashed here: it divided an integer by zero (SIGFPE)";
+  if (outcome.signal != 0) return fmt::format("The program was stopped here by signal {}", outcome.signal);
   return fmt::format("The program ended with exit code {} and drew nothing", outcome.exit_code);
 }
 
@@ -144,8 +142,7 @@ Drawn draw(const Studio& studio, const std::vector<Case>& cases, const fs::path&
     left.erase(left.begin());
   }
   for (const Case& one : left)
-    drawn.faults[one.file] =
-        "Not drawn: the program was ended or died several times before this one's turn came";
+    drawn.faults[one.file] = "Not drawn: the program crashed or was stopped several times before this case";
   fs::remove_all(work);
   return drawn;
 }
@@ -160,7 +157,7 @@ std::string renderer_of(const Studio& studio) {
       plain, {studio.program.string(), "--context", studio.context, "--size", "16x16", "--stats", "-"});
   const auto json = nlohmann::json::parse(outcome.output, nullptr, false);
   if (!outcome.succeeded() || !json.is_object())
-    throw Error::failed("the course's own program does not draw", {studio.program.string()}, outcome.errors);
+    throw Error::failed("the course's own program cannot draw", {studio.program.string()}, outcome.errors);
   return json.value("drawn_by", std::string());
 }
 

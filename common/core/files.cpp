@@ -83,7 +83,7 @@ void write_file(const std::filesystem::path& path, std::string_view bytes) {
   const auto fail = [&](const char* doing, int error) {
     if (!in_place) ::unlink(beside.c_str());
     return Error::failed(fmt::format("cannot {}: {}", doing, std::strerror(error)), {path.string()},
-                         "check that the folder exists, can be written and has room");
+                         "check that the folder exists, is writable and has free space");
   };
   Descriptor file(::open(beside.c_str(), O_WRONLY | O_CLOEXEC | (in_place ? 0 : O_CREAT | O_TRUNC), 0666));
   if (file.get() < 0) throw fail("write", errno);

@@ -25,8 +25,8 @@ unsigned processors() {
     const char* const end = variable + std::strlen(variable);
     const auto [read, fault] = std::from_chars(variable, end, threads);
     if (fault != std::errc() || read != end || threads == 0 || threads > most)
-      throw Error::usage(fmt::format("TEXEL_THREADS is '{}', which is no number of threads", variable),
-                         fmt::format("set it to 1 to {}, or to nothing", most));
+      throw Error::usage(fmt::format("TEXEL_THREADS is '{}', not a number of threads", variable),
+                         fmt::format("set it to a number from 1 to {}, or unset it", most));
     return threads;
   }
   return std::max(1U, std::thread::hardware_concurrency());

@@ -12,12 +12,13 @@ namespace texel {
 ScratchFolder::ScratchFolder() {
   std::string name = (std::filesystem::temp_directory_path() / "texel_XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr)
-    throw Error::failed("cannot make a temporary folder", {name}, "check the rights and the space there");
+    throw Error::failed("cannot make a temporary folder", {name},
+                        "check that this folder is writable and has free space");
   path_ = name;
 }
 
 ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;  // a destructor has nobody to tell
+  std::error_code ignored;  // a destructor cannot report it
   std::filesystem::remove_all(path_, ignored);
 }
 

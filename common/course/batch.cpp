@@ -22,13 +22,14 @@ std::string as_text(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_integer()) return fmt::format("{}", value.get<long long>());
   if (value.is_number()) return fmt::format("{}", static_cast<float>(value.get<double>()));
-  throw Error::usage(fmt::format("a parameter's value is a string, number or boolean, not {}", value.dump()));
+  throw Error::usage(
+      fmt::format("a parameter's value must be a string, number or boolean, not {}", value.dump()));
 }
 
 std::vector<Setting> read_settings(const Json& json) {
   std::vector<Setting> settings;
   if (!json.contains("set")) return settings;
-  if (!json.at("set").is_object()) throw Error::usage("'set' is an object {parameter: value}");
+  if (!json.at("set").is_object()) throw Error::usage("'set' must be an object {parameter: value}");
   for (const auto& [parameter, value] : json.at("set").items())
     settings.push_back({parameter, as_text(value)});
   return settings;
@@ -44,13 +45,14 @@ Size read_size(const Json& json, Size otherwise) {
   const std::string text = json.value("size", course::as_text(otherwise));
   const std::optional<Size> size = find_size(text);
   if (!size)
-    throw Error::usage(fmt::format("'{}' is no size", text),
+    throw Error::usage(fmt::format("'{}' is not a size", text),
                        fmt::format("write WIDTHxHEIGHT in pixels, each from 1 to {}", Size::kMostPixels));
   return *size;
 }
 
 void reject_other_keys(const Json& json, const std::vector<std::string>& keys) {
-  if (!json.is_object()) throw Error::usage(fmt::format("it is no object {{{}}}", fmt::join(keys, ", ")));
+  if (!json.is_object())
+    throw Error::usage(fmt::format("it must be an object {{{}}}", fmt::join(keys, ", ")));
   for (const auto& [key, value] : json.items())
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
       throw Error::usage(fmt::format("there is no key '{}'", key),
@@ -61,7 +63,7 @@ void reject_other_keys(const Json& json, const std::vector<std::string>& keys) {
 template <class Entry, class Read>
 std::vector<Entry> read_each(const Json& list, const char* what, Read read) {
   std::vector<Entry> entries;
-  if (!list.is_array()) throw Error::usage(fmt::format("what holds each {} is no list", what));
+  if (!list.is_array()) throw Error::usage(fmt::format("the {} list must be a list", what));
   for (const Json& entry : list) try {
       entries.push_back(read(entry));
     } catch (const Json::exception& error) {
@@ -87,9 +89,9 @@ BenchCase parse_bench_case(const Json& json) {
   one.size = read_size(json, {256, 256});
   one.settings = read_settings(json);
   const Json& vary = json.at("vary");
-  if (!vary.is_object() || vary.empty()) throw Error::usage("'vary' is an object {parameter: [values]}");
+  if (!vary.is_object() || vary.empty()) throw Error::usage("'vary' must be an object {parameter: [values]}");
   for (const auto& [parameter, values] : vary.items()) {
-    if (!values.is_array()) throw Error::usage(fmt::format("what '{}' varies over is a list", parameter));
+    if (!values.is_array()) throw Error::usage(fmt::format("the values of '{}' must be a list", parameter));
     Variation variation{parameter, {}};
     for (const Json& value : values) variation.values.push_back(as_text(value));
     one.variations.push_back(std::move(variation));
@@ -103,7 +105,7 @@ Case parse_entry(const Json& json) {
   one.file = json.value("name", std::string());
   // The name is a file in the folder and nowhere else.
   if (one.file.empty() || one.file.find('/') != std::string::npos || one.file.starts_with('.'))
-    throw Error::usage(fmt::format("'{}' is no file name", one.file),
+    throw Error::usage(fmt::format("'{}' is not a file name", one.file),
                        "give each entry a name without folders");
   const bool is_mesh = one.file.ends_with(".ply");
   if (!is_mesh && !one.file.ends_with(".png") && !one.file.ends_with(".pfm")) one.file += ".png";
@@ -157,7 +159,8 @@ std::string to_json(const BenchList& list) {
 
 BenchList parse_bench(const std::string& list) {
   const Json json = parse(list);
-  if (!json.is_object() || !json.contains("cases")) throw Error::usage("it is no object {seconds, cases}");
+  if (!json.is_object() || !json.contains("cases"))
+    throw Error::usage("it must be an object {seconds, cases}");
   return {json.value("seconds", 2.0), read_each<BenchCase>(json["cases"], "case", parse_bench_case)};
 }
 

@@ -19,7 +19,7 @@ std::string as_text(const toml::node& value, const Reader& reader) {
   if (const auto* integer = value.as_integer()) return fmt::format("{}", integer->get());
   if (const auto* number = value.as_floating_point()) return fmt::format("{}", number->get());
   if (const auto* word = value.as_string()) return word->get();
-  throw reader.error(value, "a parameter's value is a text, number or boolean");
+  throw reader.error(value, "a parameter's value must be a text, number or boolean");
 }
 
 /// The entries of an inline table in the order of the file, which the table itself sorts by key.
@@ -35,7 +35,7 @@ std::vector<Setting> read_settings(Reader& reader) {
   const toml::node* node = reader.find("set");
   if (node == nullptr) return {};
   const toml::table* table = node->as_table();
-  if (table == nullptr) throw reader.error(*node, "'set' is a table { parameter = value, … }");
+  if (table == nullptr) throw reader.error(*node, "'set' must be a table { parameter = value, … }");
   std::vector<Setting> settings;
   for (const auto& [parameter, value] : in_order(*table))
     settings.push_back({parameter, as_text(*value, reader)});
@@ -46,11 +46,13 @@ std::vector<Variation> read_variations(Reader& reader, const toml::table& bench)
   const toml::node* node = reader.find("vary");
   const toml::table* table = node == nullptr ? nullptr : node->as_table();
   if (table == nullptr || table->empty())
-    throw reader.error(node == nullptr ? bench : *node,
-                       "'vary' is a table { parameter = [values], … }; [] for all values of a choice");
+    throw reader.error(
+        node == nullptr ? bench : *node,
+        "'vary' must be a table { parameter = [values], … }; [] stands for all values of a choice");
   std::vector<Variation> variations;
   for (const auto& [parameter, values] : in_order(*table)) {
-    if (!values->is_array()) throw reader.error(*values, fmt::format("'{}' is a list of values", parameter));
+    if (!values->is_array())
+      throw reader.error(*values, fmt::format("'{}' must be a list of values", parameter));
     Variation variation{parameter, {}};
     for (const toml::node& value : *values->as_array()) variation.values.push_back(as_text(value, reader));
     variations.push_back(std::move(variation));
@@ -79,7 +81,7 @@ void read_case(Reader& reader, const std::string& lab, Case& one) {
   if (const auto found = find_size(size))
     one.size = *found;
   else
-    throw reader.error("size", fmt::format("'{}' is no size", size), "write WIDTHxHEIGHT in pixels");
+    throw reader.error("size", fmt::format("'{}' is not a size", size), "write WIDTHxHEIGHT in pixels");
 }
 
 Look read_look(Reader& reader, const std::string& lab) {
@@ -101,7 +103,7 @@ std::vector<Look> read_looks(Reader& head, const std::string& file, const std::s
     Reader reader(*table, file);
     Look look = read_look(reader, lab);
     if (!is_file_name(look.name))
-      throw head.error(*table, fmt::format("'{}' is no picture's name", look.name),
+      throw head.error(*table, fmt::format("'{}' is not a valid picture name", look.name),
                        "use lower-case letters, digits, '_' and '-'");
     if (std::any_of(looks.begin(), looks.end(), [&](const Look& l) { return l.name == look.name; }))
       throw head.error(*table, fmt::format("two looks are called '{}'", look.name));
@@ -148,7 +150,7 @@ std::vector<std::string> read_texts(Reader& reader, const std::string& key) {
     if (const auto* text = array->get(i)->as_string(); text != nullptr && !text->get().empty())
       texts.push_back(text->get());
   if (array == nullptr || texts.size() != array->size())
-    throw reader.error(*node, fmt::format("'{}' is a list of texts", key));
+    throw reader.error(*node, fmt::format("'{}' must be a list of texts", key));
   return texts;
 }
 
@@ -156,7 +158,8 @@ double read_number(Reader& reader, const std::string& key, const toml::table& ta
   const toml::node* node = reader.find(key);
   const std::optional<double> value = node == nullptr ? std::nullopt : node->value<double>();
   if (!value || !(*value >= 0))
-    throw reader.error(node == nullptr ? table : *node, fmt::format("'{}' is a number from 0 up", key));
+    throw reader.error(node == nullptr ? table : *node,
+                       fmt::format("'{}' must be a number, 0 or larger", key));
   return *value;
 }
 
@@ -180,12 +183,13 @@ std::vector<Step> read_steps(Reader& head, const std::string& file, int lab) {
     reader.reject_unknown();
     const std::string expected = fmt::format("{}.{}", lab, steps.size() + 1);
     if (step.id != expected)
-      throw reader.error("id", fmt::format("step '{}' stands where '{}' belongs", step.id, expected));
+      throw reader.error("id",
+                         fmt::format("this is step '{}', but the next one must be '{}'", step.id, expected));
     for (const std::string& need : step.needs)
       if (const int of = lab_of_step(need); (of == 0 || of >= lab) && !has_step(steps, need))
         throw reader.error("needs", fmt::format("there is no step '{}' before this one", need));
     if (step.hints.empty() || step.hints.size() > 3)
-      throw reader.error("hints", "a step has one to three hints");
+      throw reader.error("hints", "a step must have one to three hints");
     steps.push_back(std::move(step));
   }
   for (const Step& step : steps)
@@ -200,7 +204,7 @@ std::vector<Hidden> read_hidden(Reader& reader) {
   const toml::node* node = reader.find("hidden");
   if (node == nullptr) return {};
   const toml::table* table = node->as_table();
-  if (table == nullptr) throw reader.error(*node, "'hidden' is a table { parameter = [values], … }");
+  if (table == nullptr) throw reader.error(*node, "'hidden' must be a table { parameter = [values], … }");
   std::vector<Hidden> all;
   for (const auto& [parameter, values] : in_order(*table)) {
     Hidden hidden{parameter, 0, 0, {}};
@@ -215,10 +219,9 @@ std::vector<Hidden> read_hidden(Reader& reader) {
         hidden.values.push_back(as_text(*array->get(i), reader));
     }
     if (is_range ? !(hidden.least < hidden.most) : hidden.values.size() < 2)
-      throw reader.error(*values,
-                         fmt::format("'{}' is drawn from a range [least, most] of numbers, or from a "
-                                     "list of two texts or more",
-                                     parameter));
+      throw reader.error(*values, fmt::format("'{}' must be a range [least, most] of numbers, or a "
+                                              "list of two texts or more",
+                                              parameter));
     all.push_back(std::move(hidden));
   }
   return all;
@@ -244,7 +247,7 @@ std::vector<GradedCase> read_cases(Reader& head, const std::string& file, const 
                            [](const Setting& setting) { return setting.value.starts_with(kUnseen); });
     reader.reject_unknown();
     if (!is_file_name(c.name))
-      throw reader.error("name", fmt::format("'{}' is no case's name", c.name),
+      throw reader.error("name", fmt::format("'{}' is not a valid case name", c.name),
                          "use lower-case letters, digits, '_' and '-'");
     if (std::any_of(cases.begin(), cases.end(),
                     [&](const GradedCase& other) { return other.name == c.name; }))
@@ -265,7 +268,7 @@ void check_needs(const std::vector<Lab>& labs, const fs::path& folder) {
       for (const std::string& need : step.needs)
         if (std::none_of(labs.begin(), labs.end(),
                          [&](const Lab& earlier) { return has_step(earlier.steps, need); }))
-          throw Error::failed(fmt::format("step '{}' needs '{}', and no lab has that step", step.id, need),
+          throw Error::failed(fmt::format("step '{}' needs step '{}', but no lab has it", step.id, need),
                               {(folder / lab.folder / "lab.toml").string()});
 }
 
@@ -306,7 +309,7 @@ std::vector<Lab> read_labs(const fs::path& folder) {
     const fs::path file = entry.path() / "lab.toml";
     if (fs::exists(file)) labs.push_back(read_lab(file));
   }
-  if (labs.empty()) throw Error::failed("holds no NN_name/lab.toml", {folder.string()});
+  if (labs.empty()) throw Error::failed("has no NN_name/lab.toml", {folder.string()});
   std::sort(labs.begin(), labs.end(), [](const Lab& a, const Lab& b) { return a.folder < b.folder; });
   check_needs(labs, folder);
   return labs;

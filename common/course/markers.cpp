@@ -82,7 +82,7 @@ void walk(const std::string& text, const std::string& file, MarkerLine on_marker
                       : marker->kind == Kind::starter ? part == Kind::begin
                                                       : part != Kind::end;
     if (!fits)
-      throw Error::failed(marker->kind == Kind::begin     ? "a step begins within another"
+      throw Error::failed(marker->kind == Kind::begin     ? "a step begins inside another step"
                           : marker->kind == Kind::starter ? "'starter' does not follow 'begin'"
                                                           : "'end' without 'begin'",
                           place, kRemedy);
@@ -162,7 +162,7 @@ std::string with_steps(const std::string& text, const std::string& file,
         }
         has_starter = has_starter || marker.kind == Kind::starter;
         if (marker.kind == Kind::end && !has_starter)
-          throw Error::failed("this step has no part for the starter", {file, number}, kRemedy);
+          throw Error::failed("this step has no '//@starter' part", {file, number}, kRemedy);
         if (is_step && marker.kind != Kind::starter) result += line;
       },
       [&](Kind part, std::string_view line) {
@@ -202,8 +202,8 @@ std::string with_step_from(const std::string& text, const std::string& file, con
       });
   if (count != parts.size() || count == 0)
     throw Error::failed(
-        fmt::format("has {} parts of step {} where {} are expected", count, step, parts.size()), {file},
-        fmt::format("bring its markers back: {}/{} has them", kFirstTexts, file));
+        fmt::format("has {} parts of step {}, but {} are expected", count, step, parts.size()), {file},
+        fmt::format("put its markers back; copy them from {}/{}", kFirstTexts, file));
   return result;
 }
 
@@ -233,8 +233,8 @@ std::vector<std::string> step_files(const std::filesystem::path& tree) {
       if (entry.is_regular_file() && !entry.is_symlink() && has_marker(read_file(entry.path())))
         files.push_back(std::filesystem::relative(entry.path(), tree).generic_string());
   if (files.empty())
-    throw Error::failed("holds no file with steps (//@step)", {tree.string()},
-                        "name the folder that holds labs and shaders");
+    throw Error::failed("contains no file with steps (//@step)", {tree.string()},
+                        "name the folder that contains labs and shaders");
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -36,20 +36,20 @@ Mutant read_mutant(const toml::table& table, const std::string& file, const std:
   mutant.file = reader.text("file");
   mutant.what = reader.text("what");
   const toml::node* by = reader.find("by");
-  if (by == nullptr) throw reader.error(table, "'by' is missing", "write by = \"\" to take the text away");
+  if (by == nullptr) throw reader.error(table, "'by' is missing", "write by = \"\" to remove the text");
   mutant.by = reader.text("by", "");
   mutant.step = reader.text("step", "");
   mutant.says = reader.text("says");
   if (kind == kMutant) mutant.survives = reader.text("survives", "");
   reader.reject_unknown();
   if (!is_name(mutant.name))
-    throw reader.error("name", fmt::format("'{}' is no {}'s name", mutant.name, kind),
+    throw reader.error("name", fmt::format("'{}' is not a valid {} name", mutant.name, kind),
                        "use lower-case letters, digits and '-'");
   if (!is_below_root(mutant.file))
-    throw reader.error("file", fmt::format("'{}' is no path below the project's root", mutant.file),
+    throw reader.error("file", fmt::format("'{}' is not a path below the project's root", mutant.file),
                        "write it as shaders/lib/light.glsl");
   if (!mutant.step.empty() && lab_of_step(mutant.step) == 0)
-    throw reader.error("step", fmt::format("'{}' is no step", mutant.step), "write it as 5.1");
+    throw reader.error("step", fmt::format("'{}' is not a step", mutant.step), "write it as 5.1");
   if (mutant.what == mutant.by) throw reader.error("by", "the replacement changes nothing");
   return mutant;
 }
@@ -112,11 +112,11 @@ std::string mutated(const Mutant& mutant, const std::string& text) {
   const std::size_t at = text.find(mutant.what);
   if (at == std::string::npos)
     throw Error::failed(fmt::format("'{}' does not apply: its text is not in {}", mutant.name, mutant.file),
-                        mutant.place, "copy the text from the file as it is now");
+                        mutant.place, "copy the current text from the file");
   if (text.find(mutant.what, at + 1) != std::string::npos)
     throw Error::failed(
-        fmt::format("'{}' does not apply: its text is more than once in {}", mutant.name, mutant.file),
-        mutant.place, "take more of what stands around it");
+        fmt::format("'{}' does not apply: its text occurs more than once in {}", mutant.name, mutant.file),
+        mutant.place, "add more of the text around it");
   return text.substr(0, at) + mutant.by + text.substr(at + mutant.what.size());
 }
 

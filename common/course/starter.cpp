@@ -45,7 +45,7 @@ std::vector<StarterFile> starter_files(const fs::path& root,
                                        const std::function<bool(const std::string&)>& solved) {
   if (!fs::exists(root / "labs") || !fs::exists(root / "common"))
     throw Error::failed("is not the course's source tree", {root.string()},
-                        "run this from the folder that holds labs, common and shaders");
+                        "name the folder with labs, common and shaders");
   std::vector<StarterFile> files;
   const auto give = [&](const fs::path& file) {
     const std::string path = file.lexically_relative(root).generic_string();
@@ -79,7 +79,7 @@ std::vector<StarterFile> starter_files(const fs::path& root,
 
 void write_files(const std::vector<StarterFile>& files, const fs::path& to) {
   if (fs::exists(to) && !(fs::is_directory(to) && fs::is_empty(to)))
-    throw Error::usage(fmt::format("'{}' holds something already", to.string()), "name a new folder");
+    throw Error::usage(fmt::format("'{}' is not empty", to.string()), "name a new folder");
   try {
     for (const StarterFile& file : files) {
       const fs::path place = to / file.path;
@@ -93,7 +93,7 @@ void write_files(const std::vector<StarterFile>& files, const fs::path& to) {
     }
   } catch (const fs::filesystem_error& error) {
     throw Error::failed(fmt::format("cannot write: {}", error.code().message()), {error.path1().string()},
-                        "check that the disk has room and the folder can be written");
+                        "check that the folder is writable and the disk has free space");
   }
 }
 

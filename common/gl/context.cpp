@@ -40,7 +40,7 @@ class Library {
   template <class Function>
   Function* function(const char* name) const {
     void* address = ::dlsym(handle_, name);
-    if (address == nullptr) throw Error::failed(fmt::format("there is no function {}", name));
+    if (address == nullptr) throw Error::failed(fmt::format("the library has no function {}", name));
     return reinterpret_cast<Function*>(address);
   }
 
@@ -81,7 +81,7 @@ class OsmesaContext : public Context {
   ~OsmesaContext() override { library().function<OsmesaApi::Destroy>("OSMesaDestroyContext")(context_); }
   void make_current() override {
     const auto make = library().function<OsmesaApi::MakeCurrent>("OSMesaMakeCurrent");
-    // We draw into framebuffer objects; the default framebuffer is one pixel that nobody looks at.
+    // We draw into framebuffer objects; the default framebuffer is one unused pixel.
     if (make(context_, pixel_, GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE)
       throw Error::failed("cannot make the OSMesa context current");
     load(library().function<OsmesaApi::GetAddress>("OSMesaGetProcAddress"));
@@ -105,7 +105,7 @@ class EglContext : public Context {
     display_ = get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
     const auto initialize = library().function<EGLBoolean(EGLDisplay, EGLint*, EGLint*)>("eglInitialize");
     if (display_ == EGL_NO_DISPLAY || initialize(display_, nullptr, nullptr) == EGL_FALSE)
-      throw Error::failed("EGL cannot draw without a surface here", {}, "try --context osmesa");
+      throw Error::failed("EGL cannot draw without a surface on this machine", {}, "try --context osmesa");
     library().function<EGLBoolean(EGLenum)>("eglBindAPI")(EGL_OPENGL_API);
     const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                  3,
@@ -205,9 +205,9 @@ std::unique_ptr<Context> create_headless(Shaders shaders) {
     try {
       return create_headless(ContextKind::egl, shaders);
     } catch (const Error& no_egl) {
-      throw Error::failed(
-          fmt::format("neither OSMesa nor EGL draws here ({}; {})", no_osmesa.what(), no_egl.what()), {},
-          "install libosmesa6 or libegl1 with libgl1-mesa-dri");
+      throw Error::failed(fmt::format("neither OSMesa nor EGL works on this machine ({}; {})",
+                                      no_osmesa.what(), no_egl.what()),
+                          {}, "install libosmesa6, or libegl1 and libgl1-mesa-dri");
     }
   }
 }

@@ -123,7 +123,7 @@ Uniform* Program::to_set(std::string_view name, std::initializer_list<GLenum> ty
                     (is_sampler(uniform->type) && *types.begin() == GL_INT);
   if (!fits)
     throw Error::failed(
-        fmt::format("the uniform '{}' is declared with another type than the program sets", name),
+        fmt::format("the shader declares the uniform '{}' with another type than the program sets", name),
         {this->name()});
   uniform->is_set = true;
   return uniform;
@@ -157,7 +157,7 @@ void Program::check_uniforms() const {
   for (const Uniform& uniform : uniforms_)
     if (!uniform.is_set)
       throw Error::failed(fmt::format("the uniform '{}' is read but never set", uniform.name), {name()},
-                          "set it in the lab, or name it as one of the lab's parameters");
+                          "set it in the lab, or give it the name of one of the lab's parameters");
 }
 
 std::shared_ptr<const ShaderSource> ProgramCache::source(const std::string& file) {

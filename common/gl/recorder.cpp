@@ -137,11 +137,12 @@ void Recorder::inspect_attributes(GLuint program) {
     GLint enabled = 0;
     glGetVertexAttribiv(location, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
     if (enabled == 0) {
-      if (!name.empty()) warn(fmt::format("the attribute '{}' is read but no array is enabled for it", name));
+      if (!name.empty())
+        warn(fmt::format("the shader reads the attribute '{}', but no array is enabled for it", name));
       continue;
     }
     if (name.empty()) {
-      warn(fmt::format("an array is enabled for attribute {}, which the program does not read", i));
+      warn(fmt::format("an array is enabled for attribute {}, but the program does not read it", i));
       continue;
     }
     GLint buffer = 0, bytes = 0, components = 0, stride = 0;
@@ -177,7 +178,7 @@ void Recorder::inspect_samplers(GLuint program) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glGetIntegerv(type == GL_SAMPLER_2D ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_CUBE_MAP, &texture);
     if (texture == 0) {
-      warn(fmt::format("the sampler '{}' reads unit {}, where no texture is bound", name, unit));
+      warn(fmt::format("the sampler '{}' reads unit {}, but no texture is bound there", name, unit));
       continue;
     }
     GLint filter = 0;
@@ -207,8 +208,8 @@ void Recorder::inspect_samplers(GLuint program) {
     glGetTexParameteriv(target, GL_TEXTURE_MAX_LEVEL, &last);
     if (minifies_with_mipmaps(filter) && present < std::min(levels, last + 1))
       warn(fmt::format(
-          "the sampler '{}' minifies with mipmaps, but its texture has {} of {} levels: it reads black", name,
-          present, levels));
+          "the sampler '{}' minifies with mipmaps, but its texture has only {} of {} levels: it reads black",
+          name, present, levels));
     add_once(record_.textures, use);
   }
   glActiveTexture(static_cast<GLenum>(restore_unit));

@@ -65,7 +65,7 @@ ShaderSource::ShaderSource(const std::filesystem::path& root, const std::string&
 void ShaderSource::check_version() const {
   if (version_.empty())
     throw Error::failed("the shader has no #version", {files_.front().lexically_relative(root_).string(), 1},
-                        "begin it with '#version 330 core'");
+                        "start it with '#version 330 core'");
 }
 
 void ShaderSource::expand(const std::filesystem::path& file, const std::string& text,

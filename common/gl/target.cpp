@@ -21,8 +21,8 @@ Target::Target(Kind kind, int width, int height, int samples, const Target* othe
   GLint largest = 0;
   glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
   if (width > largest || height > largest)
-    throw Error::failed(fmt::format("a picture of {}x{} is larger than this renderer's {}x{}", width, height,
-                                    largest, largest),
+    throw Error::failed(fmt::format("a picture of {}x{} is larger than this renderer's maximum, {}x{}", width,
+                                    height, largest, largest),
                         {}, "choose a smaller --size");
   samples_ = std::clamp(samples, 1, most);
   const GLenum format = kind == Kind::colour ? GL_SRGB8_ALPHA8 : GL_RGBA32F;

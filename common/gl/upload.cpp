@@ -65,15 +65,15 @@ Texture make_texture_2d(const image::Image8& image, image::Encoding encoding, co
 void check_cube_faces(std::span<const image::Image8, 6> faces, const std::string& from) {
   static constexpr const char* kNames[] = {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
   const auto fail = [&](const std::string& what) {
-    return Error::failed("the cube map's " + what, {from}, "give six squares of one size");
+    return Error::failed("the cube map's " + what, {from}, "use six square pictures of the same size");
   };
   for (std::size_t i = 0; i < 6; ++i) {
     const int width = faces[i].width, height = faces[i].height, first = faces[0].width;
     if (width != height)
-      throw fail(fmt::format("face {} has {}x{} texels and is no square", kNames[i], width, height));
+      throw fail(fmt::format("face {} has {}x{} texels and is not square", kNames[i], width, height));
     if (width != first)
-      throw fail(
-          fmt::format("face {} has {}x{} texels, but face +X {}x{}", kNames[i], width, height, first, first));
+      throw fail(fmt::format("face {} has {}x{} texels, but face +X has {}x{}", kNames[i], width, height,
+                             first, first));
   }
 }
 

@@ -20,7 +20,7 @@ WindowContext::WindowContext(int width, int height, const std::string& title)
 #endif
   if (glfwInit() == GLFW_FALSE)
     throw Error::failed(fmt::format("cannot open a window: {}", reason), {},
-                        "without a display use --snapshot FILE, or run under xvfb-run");
+                        "without a display use --snapshot FILE or xvfb-run");
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);

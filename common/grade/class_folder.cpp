@@ -132,8 +132,8 @@ Entry read_entry(const fs::path& path) {
 std::vector<Entry> read_class(const fs::path& folder) {
   const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!opened.is_open())
-    throw Error::failed("is no folder that can be read", {folder.string()},
-                        "name the folder with the students' folders and archives");
+    throw Error::failed("is not a readable folder", {folder.string()},
+                        "name the folder that contains the students' folders and archives");
   std::vector<Entry> entries;
   std::vector<std::string> file_names;
   std::map<std::string, int> wanted;

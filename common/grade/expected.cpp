@@ -66,8 +66,8 @@ void write_expected(const CourseTree& options, const std::function<void(const st
     write_file(fresh / "mistakes.json", to_json(mistakes));
     fs::remove_all(folder);
     fs::rename(fresh, folder);
-    say(fmt::format("lab {}: {} pictures, {} mistakes, of which {} are told apart from all others",
-                    plan.lab.number, plan.cases.size(), mistakes.size(), told_apart(course, plan, mistakes)));
+    say(fmt::format("lab {}: {} pictures, {} mistakes; {} of these differ from all others", plan.lab.number,
+                    plan.cases.size(), mistakes.size(), told_apart(course, plan, mistakes)));
   }
 }
 

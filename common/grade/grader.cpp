@@ -39,7 +39,7 @@ void make_folders(const GradeOptions& options) {
     fs::create_directories(folder, error);
     if (error)
       throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {folder.string()},
-                          "name a folder that can be written");
+                          "name a writable folder");
   }
 }
 
@@ -144,7 +144,7 @@ GradeSummary grade_class(const GradeOptions& given, const std::function<void(con
     throw Error::usage(fmt::format("there is no shard {} of {}", options.shard, options.shards),
                        "shards are 1/4, 2/4, …");
   if (options.run == run_locked_in && !sandbox_fault().empty())
-    throw Error::failed("the students' programs cannot be locked in: " + sandbox_fault());
+    throw Error::failed("the sandbox for the students' programs does not work: " + sandbox_fault());
   const std::vector<Entry> entries = chosen_entries(options);
   make_folders(options);
   const FileLock lock(options.out / "lock", true);
@@ -166,7 +166,7 @@ GradeSummary grade_class(const GradeOptions& given, const std::function<void(con
 
 ClassResult read_results(const fs::path& folder, const fs::path& course) {
   if (!fs::exists(store_file(folder)))
-    throw Error::failed("holds no results", {folder.string()}, "name the folder of --out");
+    throw Error::failed("contains no results", {folder.string()}, "name the folder that was given to --out");
   const Store store(store_file(folder));
   ClassResult results = store.read(course::read_labs(course / "labs"));
   const std::string chosen = " " + results.facts["labs"] + " ";

@@ -32,8 +32,8 @@ std::string read_seed(const fs::path& file) {
   std::string seed = read_file(file);
   while (!seed.empty() && (seed.back() == '\n' || seed.back() == '\r' || seed.back() == ' ')) seed.pop_back();
   if (seed.size() < 8)
-    throw Error::failed("holds no seed of at least 8 characters", {file.string()},
-                        "write a secret of your course into it");
+    throw Error::failed("does not contain a seed of at least 8 characters", {file.string()},
+                        "write your course's secret into it");
   return seed;
 }
 
@@ -49,7 +49,7 @@ Preparation prepare(const GradeOptions& options, unsigned jobs) {
   const std::vector<course::Lab> all = course::read_labs(options.course / "labs");
   std::copy_if(all.begin(), all.end(), std::back_inserter(p.labs),
                [&](const course::Lab& lab) { return is_asked_for(options, lab); });
-  if (p.labs.empty()) throw Error::usage("no lab that is asked for has steps");
+  if (p.labs.empty()) throw Error::usage("none of these labs has steps");
   p.graded_labs = with_needed(p.labs, all);
   p.seed = read_seed(options.seed_file.empty() ? options.out / "seed.txt" : options.seed_file);
   p.starter = starter_tree(options.course, options.cache);

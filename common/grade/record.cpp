@@ -42,8 +42,8 @@ Record::Record(const GradeOptions& options, const Preparation& preparation, std:
     for (const auto& [name, value] : facts)
       if (const auto known = before.find(name); known == before.end() || known->second != value)
         throw Error::usage(
-            fmt::format("what is in '{}' was graded with another {}", options.out.string(), name),
-            "leave --resume out to grade anew");
+            fmt::format("the results in '{}' were graded with another {}", options.out.string(), name),
+            "leave out --resume to grade again from the start");
   } else if (!before.empty()) {
     store_->begin_anew(preparation.graded_labs);
     fs::remove_all(options.out / "pictures");

@@ -139,7 +139,7 @@ std::vector<std::string> passed_by(const Renderer& renderer, const CourseTree& t
   const Surroundings surroundings(renderer);
   std::vector<std::string> faults;
   if (found(renderer, tree).empty()) {
-    say(renderer.name + ": not here");
+    say(renderer.name + ": not on this machine");
     return faults;
   }
   const BuiltTree starter = starter_tree(tree.course, tree.cache);

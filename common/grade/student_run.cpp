@@ -69,7 +69,7 @@ std::vector<Ignored> StudentRun::worth_telling() const {
   for (const Ignored& file : submission_.ignored) {
     if (fs::exists(preparation_.starter.source / file.path)) continue;
     if (told.size() == most) {
-      told.push_back({"…", fmt::format("and others: {} files in all", submission_.ignored.size())});
+      told.push_back({"…", fmt::format("and more: {} files in all", submission_.ignored.size())});
       break;
     }
     told.push_back(file);
@@ -128,10 +128,10 @@ CaseResult StudentRun::judged(const LabPlan& plan, const Case& of, const Program
   if (!of.hidden) result.reference = fmt::format("references/{}/{}", plan.lab.folder, of.file);
   CourseSide& course = *preparation_.course;
   const Verdict verdict = grade::judge(of, course.expected(plan, of), out / of.file);
-  // What earlier steps made of a picture is not the merit of a step that nobody began.
+  // A picture that changed through earlier steps does not score for a step that nobody began.
   const bool is_untouched = untouched_.contains(of.step) && submission_.fault.empty();
   settle(result, verdict, fault_of(of, program, drawn), is_untouched);
-  // What earns nothing takes programs of its own: drawn only where something may be earned.
+  // Finding what scores 0 needs more pictures. They are drawn only if the case may score.
   const bool may_earn = !verdict.passed && std::isfinite(verdict.wrongness) && !untouched_.contains(of.step);
   result.score = score(of, verdict, may_earn ? course.worthless(plan, of) : 0);
   return result;
@@ -146,7 +146,7 @@ std::string StudentRun::fault_of(const Case& of, const Program& program, const D
   if (!submission_.fault.empty()) return submission_.fault;
   const auto fault = drawn.faults.find(of.file);
   if (fault == drawn.faults.end()) return {};
-  // The grader's own folders are nobody's business.
+  // Without the grader's own folders.
   std::string text = fault->second;
   for (const fs::path& folder : {preparation_.models, preparation_.starter.source, options_.out / "work"})
     for (std::size_t at = 0; (at = text.find(folder.string() + "/", at)) != text.npos;)

@@ -86,19 +86,19 @@ std::string reason(const Item& item, const Root& root, const Endings& endings, c
   const std::string_view below = std::string_view(item.path).substr(is_below_root ? root.folder.size() : 0);
   if (const std::vector<std::string>& files = endings.find(below); is_below_root && !files.empty()) {
     if (files.size() > 1)
-      return fmt::format("may be any of {}; hand in the folder that holds labs and shaders",
+      return fmt::format("could be any of {}; hand in the folder that contains labs and shaders",
                          fmt::join(files, ", "));
-    return fmt::format("'{}' is taken for {}", root.files.at(files[0])->path, files[0]);
+    return fmt::format("is not used: '{}' is used for {}", root.files.at(files[0])->path, files[0]);
   }
   for (const std::string_view ending : endings_of(item.path))
     if (endings.find(ending).size() == 1)
-      return fmt::format("lies outside '{}', which holds more of the labs", root.folder);
+      return fmt::format("is outside '{}', the folder with most of the labs", root.folder);
   if (const std::vector<std::string>& files = small_endings.find(lower_case(below)); !files.empty())
-    return fmt::format("is not called {}: small and capital letters differ", files[0]);
+    return fmt::format("should be called {}: upper and lower case matter", files[0]);
   for (const char* ending : {".zip", ".gz", ".tgz", ".tar", ".rar", ".7z", ".xz", ".bz2", ".zst"})
     if (lower_case(item.path).ends_with(ending))
-      return "is an archive in the submission, which is not opened";
-  return "is not a file in which a lab has steps";
+      return "is an archive inside the submission; it is not opened";
+  return "is not a file with steps";
 }
 
 std::vector<std::string> all_lower_case(const std::vector<std::string>& texts) {
@@ -111,7 +111,7 @@ void check_place(const std::string& path) {
   const fs::path file(path);
   if (path.empty() || file.is_absolute() || file != file.lexically_normal() || *file.begin() == ".." ||
       !file.has_filename())
-    throw Error::failed(fmt::format("'{}' is no path of a file in the tree", plain_text(path)));
+    throw Error::failed(fmt::format("'{}' is not the path of a file in the tree", plain_text(path)));
 }
 
 /// Lets everybody read a file and enter a folder: in the sandbox the reader is nobody in particular.
@@ -172,7 +172,7 @@ void overlay(const fs::path& trusted_tree, const std::map<std::string, std::stri
       const fs::path relative = entry.path().lexically_relative(trusted_tree);
       if (entry.is_symlink() || (!entry.is_directory() && !entry.is_regular_file()))
         throw Error::failed("is neither a file nor a folder", {entry.path().string()},
-                            "take links and devices out of the trusted tree");
+                            "remove links and devices from the trusted tree");
       if (entry.is_directory())
         make_folder(to / relative);
       else if (files.count(relative.generic_string()) == 0)
@@ -185,7 +185,7 @@ void overlay(const fs::path& trusted_tree, const std::map<std::string, std::stri
     }
   } catch (const fs::filesystem_error& error) {
     throw Error::failed(fmt::format("cannot write: {}", error.code().message()), {error.path1().string()},
-                        "check that the disk has room and the folder can be written");
+                        "check that the folder is writable and the disk has free space");
   }
 }
 

@@ -28,7 +28,8 @@ std::string too_large(const UnpackLimits& limits) {
 }
 
 std::string too_many(const UnpackLimits& limits) {
-  return fmt::format("holds more than {} files; hand in the labs' sources and shaders only", limits.entries);
+  return fmt::format("contains more than {} files; hand in only the labs' sources and shaders",
+                     limits.entries);
 }
 
 /// Why nothing of that name is ever taken, or "". Makes '\' to '/', as archives from Windows have it, and
@@ -36,7 +37,7 @@ std::string too_many(const UnpackLimits& limits) {
 std::string refuse_or_clean(std::string& path) {
   if (path.empty()) return "has no name";
   if (path.size() > longest_path) return "has a name that is too long";
-  if (!is_plain_text(path)) return "has a name with control characters or that is no UTF-8";
+  if (!is_plain_text(path)) return "has a name with control characters, or not in UTF-8";
   std::string clean;
   std::string_view rest = path;
   if (rest[0] == '/' || rest[0] == '\\' || (rest.size() > 1 && rest[1] == ':')) return "has an absolute path";
@@ -46,7 +47,7 @@ std::string refuse_or_clean(std::string& path) {
     rest.remove_prefix(std::min(end + 1, rest.size()));
     if (part == "..") return "has a path with ..";
     if (part.empty() || part == ".") continue;
-    if (part[0] == '.' || part == "__MACOSX") return "is hidden or the system's";
+    if (part[0] == '.' || part == "__MACOSX") return "is hidden or belongs to the system";
     if (!clean.empty()) clean += '/';
     clean += part;
   }
@@ -61,7 +62,7 @@ Descriptor open_folder(const Entry& entry) {
   Descriptor folder(::open(entry.path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   if (!folder.is_open())
     throw Error::failed(fmt::format("cannot open: {}", std::strerror(errno)), {entry.path.string()},
-                        "check who may read it");
+                        "check its read permission");
   return folder;
 }
 
@@ -89,7 +90,7 @@ class FolderList {
     item.refused = refuse_or_clean(item.path);
     if (is_known && S_ISDIR(status.st_mode) && item.refused.empty()) {
       if (depth < deepest) return walk(open_in(folder, name), item.path + '/', depth + 1);
-      item.refused = "lies in too many folders";
+      item.refused = "is in too many nested folders";
     }
     if (item.refused.empty()) item.refused = refuse_kind(is_known, status);
     listing.items.push_back(std::move(item));
@@ -154,7 +155,7 @@ class Archive {
                                   ? ::archive_read_support_format_zip_seekable(reader) == ARCHIVE_OK
                                   : ::archive_read_support_format_tar(reader) == ARCHIVE_OK &&
                                         ::archive_read_support_filter_gzip(reader) == ARCHIVE_OK;
-    if (!is_supported) throw Error::failed("libarchive cannot read zip and tar.gz here");
+    if (!is_supported) throw Error::failed("this machine's libarchive cannot read zip or tar.gz");
     is_open_ = ::archive_read_open_memory(reader, bytes.data(), bytes.size()) == ARCHIVE_OK;
   }
 
@@ -253,7 +254,7 @@ Listing list_archive(const Entry& entry, std::string_view bytes, const UnpackLim
     if (size > limits.unpacked || is_bomb(bytes.size(), unpacked += size, limits) ||
         is_bomb(bytes.size(), archive.unpacked(), limits))
       listing.fault =
-          fmt::format("unpacks to far more than its {} KiB: a zip bomb?", (bytes.size() >> 10U) + 1);
+          fmt::format("unpacks to far more than its {} KiB; is it a zip bomb?", (bytes.size() >> 10U) + 1);
     if (!listing.fault.empty()) return listing;
     if (::archive_entry_filetype(found) == AE_IFDIR) continue;
     item.refused = refuse_or_clean(item.path);
@@ -262,7 +263,7 @@ Listing list_archive(const Entry& entry, std::string_view bytes, const UnpackLim
   }
   listing.fault = archive.fault();
   // libarchive before 3.8 calls such a file broken.
-  if (listing.fault.empty() && position == 0) listing.fault = "is an archive without a file";
+  if (listing.fault.empty() && position == 0) listing.fault = "is an archive without files";
   return listing;
 }
 
@@ -291,13 +292,13 @@ void read_archive(const Entry& entry, std::string_view bytes,
 
 /// Why a file is no archive that we open, or "".
 std::string refuse_archive(const Entry& entry, const UnpackLimits& limits) {
-  if (entry.kind == Entry::Kind::other) return "is neither a folder nor a .zip or .tar.gz file";
+  if (entry.kind == Entry::Kind::other) return "is not a folder, a .zip or a .tar.gz file";
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(entry.path, error);
   if (error) throw Error::failed(fmt::format("cannot open: {}", error.message()), {entry.path.string()});
   if (size == 0) return "is empty";
   if (size > limits.archive)
-    return fmt::format("is larger than {} MiB; hand in the labs' sources and shaders only",
+    return fmt::format("is larger than {} MiB; hand in only the labs' sources and shaders",
                        limits.archive >> 20U);
   return {};
 }

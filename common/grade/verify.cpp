@@ -68,8 +68,8 @@ std::vector<std::string> verify_starter(const CourseTree& options,
                                      lab.steps.size(), fmt::join(passed, " "), fmt::join(expected, " ")));
     }
     if (results.students.size() != lab.steps.size() + 1)
-      faults.push_back(fmt::format("lab {}: {} stages were graded of {}", lab.number, results.students.size(),
-                                   lab.steps.size() + 1));
+      faults.push_back(fmt::format("lab {}: {} stages were graded, not {}", lab.number,
+                                   results.students.size(), lab.steps.size() + 1));
     fs::remove_all(work);
   }
   return faults;

@@ -88,7 +88,7 @@ bool is_for_people(const std::string& path) {
 std::string& after(Words& words, const std::string& option) {
   const auto found = std::find(words.begin(), words.end(), option);
   if (found == words.end() || found + 1 == words.end())
-    throw Error::failed(fmt::format("a command of the build has no '{}'", option));
+    throw Error::failed(fmt::format("a build command has no '{}'", option));
   return *(found + 1);
 }
 
@@ -111,7 +111,7 @@ std::string readable_log(std::string text, const fs::path& sources, const fs::pa
 Workshop::Workshop(BuiltTree tree, fs::path cache, Run run)
     : tree_(std::move(tree)), cache_(std::move(cache)), run_(run) {
   if (!fs::exists(tree_.build / "build.ninja"))
-    throw Error::failed("is not a build of Ninja's", {tree_.build.string()},
+    throw Error::failed("is not a Ninja build", {tree_.build.string()},
                         "build the course first: ./run build");
   fs::create_directories(cache_);
 }
@@ -145,8 +145,8 @@ const Workshop::Recipe& Workshop::recipe(const std::string& program) {
     }
   }
   if (recipe.link.empty() || recipe.compile.empty())
-    throw Error::failed(fmt::format("does not say how '{}' is built", program), {tree_.build.string()},
-                        "build the course anew: ./run build");
+    throw Error::failed(fmt::format("does not know how to build '{}'", program), {tree_.build.string()},
+                        "build the course again: ./run build");
   return recipes_[program] = recipe;
 }
 
@@ -199,7 +199,7 @@ Workshop::Object Workshop::compile(const Recipe& recipe, const std::string& path
   if (!done) {
     object.log = readable_log(outcome.errors, sources, tree_.source);
     if (outcome.limit != Limit::none)
-      object.log += fmt::format("\nthe compiler was ended: too much {}\n", name_of(outcome.limit));
+      object.log += fmt::format("\nthe compiler was stopped: it used too much {}\n", name_of(outcome.limit));
     fs::remove(out / "file.o");
     write_file(out / "log", object.log);
   }
@@ -271,7 +271,7 @@ Program Workshop::make(const std::string& program, const std::map<std::string, s
   const std::string log = link(how, program, objects, kept);
   if (log.empty()) return made;
   if (objects.empty())
-    throw Error::failed(fmt::format("the tree's own '{}' does not link", program), {}, log);
+    throw Error::failed(fmt::format("the course's own '{}' does not link", program), {}, log);
   for (const auto& [path, object] : objects) made.refused.push_back({path, log});
   made.file = make(program, {}).file;
   return made;

@@ -215,7 +215,7 @@ Pixels float_differences(const ImageF& reference, const ImageF& image, const Com
                     comparing.unit == Unit::degrees  ? " as directions"
                     : comparing.unit == Unit::texels ? " as texture coordinates"
                                                      : ""),
-        {}, "draw the same view twice");
+        {}, "draw the same view for both");
   double range = 180;
   if (comparing.edge_tolerance && comparing.unit != Unit::degrees) {
     const auto [low, high] = extremes(reference, image);

@@ -312,7 +312,7 @@ ImageF flip_errors(const Image8& reference, const Image8& image, double pixels_p
   check_sizes(reference, image, nullptr);
   check_any(!reference.samples.empty());
   if (!(pixels_per_degree >= 1 && pixels_per_degree <= 1000))
-    throw Error::usage(fmt::format("FLIP cannot be seen at {} pixels a degree", pixels_per_degree),
+    throw Error::usage(fmt::format("FLIP does not work with {} pixels per degree", pixels_per_degree),
                        "give 1 to 1000");
   const Filters filters(pixels_per_degree);
   const Box box = box_to_compare(reference, image, filters.radius);  // beyond it the error is 0

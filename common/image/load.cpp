@@ -23,13 +23,14 @@ constexpr int largest_side = 16384;
 constexpr long long most_samples = 1LL << 28;
 
 Error broken(const std::filesystem::path& path, const std::string& what) {
-  return Error::failed(what, {path.string()}, "give a sound PNG, JPEG, GIF, BMP or TGA file");
+  return Error::failed(what, {path.string()}, "use an undamaged PNG, JPEG, GIF, BMP or TGA file");
 }
 
 void check_limits(const std::filesystem::path& path, long long width, long long height, int channels) {
   if (width > largest_side || height > largest_side || width * height * channels > most_samples)
     throw Error::failed(fmt::format("{}x{} pixels of {} channels are too large", width, height, channels),
-                        {path.string()}, fmt::format("at most {} a side and 2^28 samples", largest_side));
+                        {path.string()},
+                        fmt::format("use at most {} pixels per side and 2^28 samples", largest_side));
 }
 
 /// A file in memory as stb_image's callbacks read it. Unlike its reader from memory, which goes on with
@@ -78,7 +79,7 @@ std::size_t header_pixels(const Info& header) {
 Info read_header(const std::filesystem::path& path, std::string_view bytes) {
   if (bytes.empty()) throw broken(path, "is empty");
   check_png_limits(path, bytes);
-  if (jpeg_overruns(bytes)) throw broken(path, "has impossible JPEG tables");
+  if (jpeg_overruns(bytes)) throw broken(path, "has invalid JPEG tables");
   Info header;
   Stream stream{bytes};
   if (stbi_info_from_callbacks(&stream_callbacks, &stream, &header.width, &header.height, &header.channels) ==
@@ -128,7 +129,7 @@ class PfmHeader {
  public:
   PfmHeader(const std::string& name, std::string_view bytes) : name_(name), rest_(bytes) {
     const std::string_view kind = word();
-    if (kind != "PF" && kind != "Pf") throw wrong("is not a portable float map");
+    if (kind != "PF" && kind != "Pf") throw wrong("is not a PFM file (portable float map)");
     channels = kind == "PF" ? 3 : 1;
     width = number<int>("width");
     height = number<int>("height");
@@ -145,13 +146,13 @@ class PfmHeader {
   bool little_endian = false;
   [[nodiscard]] std::string_view samples() const { return rest_; }
   [[nodiscard]] Error wrong(const std::string& what) const {
-    return Error::failed(what, {name_}, "a portable float map begins with PF or Pf, width, height and scale");
+    return Error::failed(what, {name_}, "a PFM file starts with PF or Pf, width, height and scale");
   }
 
  private:
   std::string_view word() {
     const std::size_t length = rest_.substr(0, 64).find_first_of(" \t\r\n");
-    if (length == std::string_view::npos) throw wrong("is not a portable float map");
+    if (length == std::string_view::npos) throw wrong("is not a PFM file (portable float map)");
     const std::string_view result = rest_.substr(0, length);
     rest_.remove_prefix(length + 1);
     return result;
@@ -162,7 +163,7 @@ class PfmHeader {
     Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size())
-      throw wrong(fmt::format("has no readable {}", name));
+      throw wrong(fmt::format("has no valid {}", name));
     return value;
   }
 
@@ -196,7 +197,7 @@ ImageF parse_pfm(std::string_view bytes, const std::string& name) {
                                static_cast<std::size_t>(header.channels) * sizeof(float);
   if (stored.size() != expected)
     throw header.wrong(
-        fmt::format("holds {} bytes of samples where its header says {}", stored.size(), expected));
+        fmt::format("has {} bytes of samples, but its header says {}", stored.size(), expected));
 
   ImageF image(header.width, header.height, header.channels);
   for (std::size_t i = 0; i < image.samples.size(); ++i) {

@@ -13,7 +13,7 @@ namespace texel::image {
 Image8 parse_png(std::string_view bytes, const std::string& name, int width, int height) {
   const std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> context(spng_ctx_new(0), spng_ctx_free);
   const auto check = [&](int result) {
-    if (result != 0) throw Error::failed(fmt::format("is no sound PNG ({})", spng_strerror(result)), {name});
+    if (result != 0) throw Error::failed(fmt::format("is a damaged PNG ({})", spng_strerror(result)), {name});
   };
   constexpr std::size_t most_text = 1U << 16U;  // bytes of a chunk that is no picture
   check(spng_set_chunk_limits(context.get(), most_text, most_text));
@@ -27,7 +27,7 @@ Image8 parse_png(std::string_view bytes, const std::string& name, int width, int
   std::size_t size = 0;
   check(spng_decoded_image_size(context.get(), SPNG_FMT_RGB8, &size));
   Image8 top_first(width, height, 3);
-  if (size != top_first.samples.size()) throw Error::failed("is no sound PNG", {name});
+  if (size != top_first.samples.size()) throw Error::failed("is a damaged PNG", {name});
   check(spng_decode_image(context.get(), top_first.samples.data(), size, SPNG_FMT_RGB8, 0));
   return flipped(top_first);
 }

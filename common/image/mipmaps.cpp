@@ -20,7 +20,7 @@ struct Footprint {
 };
 
 /// The footprints of a side of `size` halved. An even side gives pairs; an odd one of 2m + 1 gives m texels
-/// of 2 + 1/m each, so that the weights of three neighbours shift from texel to texel.
+/// of 2 + 1/m each: the weights of three neighbours shift from texel to texel.
 std::vector<Footprint> footprints(int size) {
   const int next = std::max(1, size / 2);
   std::vector<Footprint> result;
@@ -62,7 +62,7 @@ constexpr std::size_t kWorthThreads = 1U << 14U;
 
 std::vector<Image8> mip_chain(const Image8& image, Encoding encoding) {
   const Stage stage("mipmaps");
-  // Each channel's own encoding and, so that a million samples are quick, its values as a table.
+  // Each channel's encoding, and its values as a table: a million samples are then fast.
   std::array<Encoding, 4> encodings{};
   std::array<std::array<float, 256>, 4> values{};
   const auto channels = static_cast<std::size_t>(image.channels);

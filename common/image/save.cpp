@@ -33,7 +33,7 @@ void check_not_empty(const std::filesystem::path& path, const Image<Sample>& ima
   if (image.width < 1 || image.height < 1 || image.channels < 1 || image.channels > 4)
     throw Error::failed(
         fmt::format("cannot write {}x{} pixels of {} channels", image.width, image.height, image.channels),
-        {path.string()}, "give a picture of at least 1x1 pixels and 1 to 4 channels");
+        {path.string()}, "use a picture of at least 1x1 pixels with 1 to 4 channels");
 }
 
 bool is_ascii(const std::string& text) {
@@ -45,9 +45,10 @@ void check_text(const std::filesystem::path& path, const Text& text) {
   const bool printable = std::all_of(key.begin(), key.end(), [](char c) { return c >= ' ' && c <= '~'; });
   if (key.empty() || key.size() > 79 || !printable || key.front() == ' ' || key.back() == ' ' ||
       key.find("  ") != std::string::npos || text.value.find('\0') != std::string::npos)
-    throw Error::failed(fmt::format("cannot hold the text '{}'", key), {path.string()},
-                        "a key is 1 to 79 printable ASCII characters without spaces at its ends or two "
-                        "together, a value has no zero byte");
+    throw Error::failed(
+        fmt::format("cannot hold the text '{}'", key), {path.string()},
+        "a key has 1 to 79 printable ASCII characters, no spaces at its ends and no two spaces "
+        "together, a value has no zero byte");
 }
 
 }  // namespace
@@ -108,7 +109,9 @@ void save_png(const std::filesystem::path& path, const Image8& image, std::span<
 
 std::vector<Text> read_png_text(const std::filesystem::path& path) {
   const std::string bytes = read_file(path);
-  const auto check_read = [&](int result) { check(result, path, "read the PNG", "give a sound PNG file"); };
+  const auto check_read = [&](int result) {
+    check(result, path, "read the PNG", "use an undamaged PNG file");
+  };
   const Context context(spng_ctx_new(0), spng_ctx_free);
   constexpr std::size_t largest_text = std::size_t{1} << 24;
   check_read(spng_set_chunk_limits(context.get(), largest_text, largest_text));

@@ -129,11 +129,11 @@ Verdict compare_streams(double limit, mesh::Mesh reference_mesh, mesh::Mesh own_
   if (found.error <= limit && count == expected) return {true, found.error, 0, {}};
   return {false, found.error, 1 - found.share,
           count != expected
-              ? fmt::format("{} vertices where {} are expected; {:.0f} % of those are there and right.",
+              ? fmt::format("{} vertices instead of {}; {:.0f} % of the expected ones are there and right.",
                             count, expected, 100 * found.share)
               : fmt::format(
                     "{:.0f} % of the vertices are right; normals, tangents or triangles around the others "
-                    "are off by up to {:.3g} degrees where {:.3g} is the limit.",
+                    "are off by up to {:.3g} degrees, and the limit is {:.3g}.",
                     100 * found.share, found.error, limit)};
 }
 

@@ -56,7 +56,7 @@ Image8 parse(std::string_view bytes, const std::string& name, Size size, const I
 ImageF parse(std::string_view bytes, const std::string& name, Size size, const ImageF*) {
   // A float picture is as large as its file; more than this is no picture of that size.
   const auto most = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) * 12 + 100;
-  if (bytes.size() > most) throw Error::failed("is larger than a picture of the size asked for", {name});
+  if (bytes.size() > most) throw Error::failed("is larger than a picture of this size can be", {name});
   ImageF picture = image::parse_pfm(bytes, name);
   if (picture.width != size.width || picture.height != size.height)
     throw Error::failed(
@@ -166,7 +166,7 @@ std::string where(const image::Difference& difference) {
   const char* row = 3 * difference.worst_y < difference.height       ? "lower"
                     : 3 * difference.worst_y < 2 * difference.height ? "centre"
                                                                      : "upper";
-  return fmt::format("worst at pixel {}, {} from the lower left ({} {})", difference.worst_x,
+  return fmt::format("the worst pixel is {}, {} from the lower left ({} {})", difference.worst_x,
                      difference.worst_y, row, column);
 }
 
@@ -216,7 +216,7 @@ Verdict judge_picture(const Case& of, const Expected& expected, std::string_view
   verdict.wrongness = wrongness(reference, picture, parts, unit);
   verdict.message = non_finite > 0
                         ? fmt::format("{} pixels are not finite (NaN or infinity).", non_finite)
-                        : fmt::format("Off by {} {} where {} is the limit; {}.", short_number(verdict.error),
+                        : fmt::format("Off by {} {}, and the limit is {}; {}.", short_number(verdict.error),
                                       name_of(unit), short_number(of.limit), worst);
   return verdict;
 }
@@ -237,7 +237,7 @@ Verdict judge(const Case& of, const Expected& expected, std::optional<std::strin
   if (!picture) return nothing_to_compare("There is no picture.");
   if (of.is_mesh()) return judge_stream(of, expected, *picture);
   if (of.view != View::color) return judge_picture<ImageF>(of, expected, *picture);
-  // Most right pictures are this right. Of floats the same bytes may still be no numbers.
+  // Most right pictures have the same bytes. In float views equal bytes may still be NaN.
   if (expected.reference == *picture) return {true, 0, 0, {}};
   return judge_picture<Image8>(of, expected, *picture);
 }

@@ -58,8 +58,8 @@ std::vector<Mistake> parse_mistakes(const std::string& text, const std::string& 
       mistakes.push_back(std::move(mistake));
     }
   } catch (const nlohmann::json::exception& error) {
-    throw Error::failed(fmt::format("is no list of mistakes: {}", error.what()), {file},
-                        "take the file from the course again");
+    throw Error::failed(fmt::format("is not a list of mistakes: {}", error.what()), {file},
+                        "copy the file from the course again");
   }
   return mistakes;
 }

@@ -25,7 +25,7 @@ Enum find(const std::array<const char*, 3>& names, const std::string& name) {
   for (std::size_t i = 0; i < names.size(); ++i)
     if (name == names[i]) return static_cast<Enum>(i);
   throw Error::failed(fmt::format("there is no status '{}'", name), {},
-                      fmt::format("{}, {} and {} are", names[0], names[1], names[2]));
+                      fmt::format("the statuses are {}, {} and {}", names[0], names[1], names[2]));
 }
 
 /// The lower of the means over the public and the hidden cases; 0 without a case.
@@ -98,7 +98,7 @@ void point_to_cause(StepResult& step, const std::vector<LabResult>& results, con
           std::find(needed.begin(), needed.end(), step.id) == needed.end())
         continue;
       step.message +=
-          fmt::format(" The cause may lie in step {}, whose pictures show a known mistake.", later.id);
+          fmt::format(" The cause may be in step {}: its pictures show a known mistake.", later.id);
       return;
     }
 }
@@ -184,12 +184,12 @@ StepResult step_result(const course::Step& step, std::vector<CaseResult> cases,
   }
   if (!missing.empty() && (is_explained || known == result.cases.end())) {
     result.status = Status::skipped;
-    result.message = fmt::format("This step builds on step {}, which did not pass yet.", missing);
+    result.message = fmt::format("This step needs step {}, which has not passed yet.", missing);
     return result;
   }
 
   result.status = Status::failed;
-  result.message = result.cases.empty() ? "Nothing of this step was judged." : first->message;
+  result.message = result.cases.empty() ? "No case of this step was judged." : first->message;
   if (known != result.cases.end()) {
     result.mistake = known->mistake;
     result.mistake_says = known->mistake_says;

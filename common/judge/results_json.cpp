@@ -97,7 +97,7 @@ std::vector<StepResult> parse_steps(const std::string& json) {
     const Json parsed = Json::parse(json);
     for (const Json& one : parsed.at("steps")) steps.push_back(parse_step(one));
   } catch (const Json::exception& error) {
-    throw Error::failed(fmt::format("these are no results of a check: {}", error.what()));
+    throw Error::failed(fmt::format("the check did not print its JSON: {}", error.what()));
   }
   return steps;
 }

@@ -24,9 +24,9 @@ std::string lost_shape(const Mesh& mesh) {
   const double longest = std::max({extent.x, extent.y, extent.z});
   if (longest == 0)
     return fmt::format(
-        "all vertices lie at one point, {:.7g} {:.7g} {:.7g}, as 32-bit floats have it: nothing is seen; "
-        "where the "
-        "file has more digits, move the model to the origin before it is exported",
+        "all vertices lie at one point, {:.7g} {:.7g} {:.7g}, in 32-bit floats: nothing is visible; "
+        "if the "
+        "file has more digits, move the model to the origin and export it again",
         least.x, least.y, least.z);
 
   float farthest = 0;
@@ -37,7 +37,7 @@ std::string lost_shape(const Mesh& mesh) {
     return fmt::format(
         "the model is {:.3g} long and lies {:.3g} from the origin, where 32-bit floats are {:.3g} apart: its "
         "shape is "
-        "lost; move it to the origin before it is exported",
+        "lost; move it to the origin and export it again",
         longest, farthest, step);
 
   double area = 0;  // twice that of all triangles in a box whose longest side is 1
@@ -48,9 +48,10 @@ std::string lost_shape(const Mesh& mesh) {
   // A picture of 512x512 has some 1e5 pixels for such a box: a tenth of one.
   if (area < 1e-6)
     return fmt::format(
-        "beside the model's size of {:.3g} its triangles are points and lines: nothing is seen; is a vertex "
+        "compared with the model's size of {:.3g} its triangles are points and lines: nothing is visible; is "
+        "a vertex "
         "far "
-        "off, or are all on one line?",
+        "off, or do all lie on one line?",
         longest);
   return {};
 }

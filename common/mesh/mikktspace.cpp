@@ -70,14 +70,14 @@ struct Triangles {
   std::vector<Kind> kinds;
 };
 
-/// Whether step 5.2's T is that of the reference but for rounding: within half a degree.
+/// Whether step 5.2's T equals the reference's up to rounding: within half a degree.
 bool same_way(const glm::dvec3& solved, const glm::dvec3& reference) {
   const double along = glm::dot(solved, reference);
   return along > 0.0 && along * along > 0.9999 * glm::dot(solved, solved) * glm::dot(reference, reference);
 }
 
 /// T and B by triangle_frame. Taken with both edges from the first corner, as in the reference; and where the
-/// result agrees with the reference's but for rounding, the reference's bits.
+/// result agrees with the reference's up to rounding, the reference's bits.
 Kind find_directions(const std::array<glm::vec3, 3>& p, const std::array<glm::vec2, 3>& st,
                      Directions& directions) {
   if (p[0] == p[1] || p[0] == p[2] || p[1] == p[2]) return Kind::collapsed;
@@ -321,7 +321,7 @@ struct Member {
 
 /// The reference's angular threshold of 180 degrees: a triangle counts those of its group but the ones whose
 /// T or B is exactly opposite to its own, where the product of the unit vectors is -1 in float. Corners that
-/// count all keep the group's tangent; each other sum is a tangent of its own.
+/// count all keep the group's tangent; each other sum is another tangent.
 void divide(const std::vector<Member>& members, std::uint32_t group, Frames& frames) {
   const glm::vec4 whole = frames.tangents[group];
   std::map<std::array<float, 3>, std::uint32_t> known{{{whole.x, whole.y, whole.z}, group}};

@@ -78,7 +78,8 @@ std::vector<Material> parse_mtl(std::string_view text, const std::string& name) 
     }
     const bool bump = keyword == "map_bump" || keyword == "bump", norm = keyword == "norm";
     if (keyword != "kd" && keyword != "map_kd" && !bump && !norm) continue;
-    if (materials.empty()) throw fail(for_message(keyword) + " before any newmtl", "begin with newmtl NAME");
+    if (materials.empty())
+      throw fail(for_message(keyword) + " before any newmtl", "start with a line newmtl NAME");
     Material& material = materials.back();
     if (keyword == "kd") {
       if (!parse_color(line, material.diffuse))

@@ -110,7 +110,7 @@ class Parser {
     if (keyword == "mtllib") return static_cast<void>(data_.libraries.emplace_back(rest_of_line(line)));
     if (keyword == "p" || keyword == "l") return static_cast<void>(++data_.report.points_and_lines);
     if (whole.find('\0') != std::string_view::npos)
-      fail("binary data, not text", "export the model as Wavefront OBJ in ASCII or UTF-8");
+      fail("this is binary data, not text", "export the model as Wavefront OBJ in ASCII or UTF-8");
     if (data_.report.unknown_lines++ == 0) first_unknown_ = for_message(keyword);
   }
 
@@ -139,7 +139,7 @@ class Parser {
           not_finite_ = true;
           break;
         case NumberStatus::too_large:
-          fail(for_message(word) + " is too large for a 32-bit float", "scale the model to below 1e38");
+          fail(for_message(word) + " is too large for a 32-bit float", "make the model smaller than 1e38");
       }
     }
     if (count < least)
@@ -204,8 +204,8 @@ class Parser {
       const auto found = std::partition_point(
           list.begin(), list.end(), [&](const NotFinite& one) { return one.index < corner.*index_of; });
       if (found != list.end() && found->index == corner.*index_of)
-        throw Error::failed("a number that a face uses is not a finite number", place(found->line),
-                            "mend the exporter");
+        throw Error::failed("a face uses a number that is not finite", place(found->line),
+                            "export the model again without NaN and infinity");
     }
   }
 
@@ -217,9 +217,9 @@ class Parser {
   }
 
   [[noreturn]] void fail_index(std::int64_t written, std::size_t count, const char* list) const {
-    if (written == 0) fail(fmt::format("index 0 of {}", list), "OBJ counts from 1, or from -1 backwards");
+    if (written == 0) fail(fmt::format("index 0 of {}", list), "OBJ counts from 1, or backwards from -1");
     fail(fmt::format("index {} of {} is out of range: {} so far", written, list, count),
-         "a face may only use lines above it");
+         "a face can use only lines above it");
   }
 
   /// One index of a corner as it is meant in a list of `count` entries, inside of it or not; `at` stands on
@@ -346,7 +346,7 @@ class Parser {
     report.lines = lines_.lines_read();
     if (data_.corners.empty())
       throw Error::failed(
-          fmt::format("no face of three corners in {} lines ({} positions, {} faces, {} lines "
+          fmt::format("no face with three corners in {} lines ({} positions, {} faces, {} lines "
                       "not understood)",
                       report.lines, data_.positions.size(), report.faces, report.unknown_lines),
           {data_.name}, "is this an OBJ file, and was it exported with its faces?");
@@ -365,21 +365,22 @@ class Parser {
     const auto warn = [&report](std::uint64_t count, const std::string& text) {
       if (count > 0) report.warnings.push_back(fmt::format("{} {}", count, text));
     };
-    warn(report.dropped_faces, "faces with fewer than three different corners dropped");
-    warn(report.dropped_corners, "corners dropped that repeat the one before");
+    warn(report.dropped_faces, "faces with fewer than three different corners, ignored");
+    warn(report.dropped_corners, "corners that repeat the one before, ignored");
     warn(report.approximate_polygons,
-         "polygons that cross themselves, have no area or are too large cut roughly");
+         "polygons that cross themselves, have no area or are too large, cut roughly");
     warn(report.points_and_lines, "points and lines ignored");
     warn(report.ignored_weights, "weights (the fourth number of v) ignored");
     warn(report.missing_texcoords, "corners without vt, drawn with texture coordinate 0 0");
-    warn(report.lost_normals, "corners whose vn is not above them in the file, whose normals are generated");
-    warn(report.not_finite_normals, "vn with NaN or infinity, whose corners get generated normals");
-    warn(report.not_finite_unused, "lines of v and vt with NaN or infinity, which no face uses");
+    warn(report.lost_normals, "corners whose vn is not above them in the file, with generated normals");
+    warn(report.not_finite_normals, "vn with NaN or infinity, replaced by generated normals");
+    warn(report.not_finite_unused, "lines of v and vt with NaN or infinity that no face uses");
     warn(report.great_texcoords,
-         fmt::format("vt beyond {}, where a 32-bit float has no fractions, moved there", greatest_texcoord));
-    warn(report.numbers_with_rest, "numbers read as far as they are numbers, the first is " + first_rest_);
-    warn(report.missing_normals, "corners without vn, whose normals are generated");
-    warn(report.unknown_lines, "lines ignored whose keyword is not known, the first is " + first_unknown_);
+         fmt::format("vt beyond {}, where a 32-bit float has no fraction, clamped", greatest_texcoord));
+    warn(report.numbers_with_rest,
+         "numbers with other characters after them, which are ignored; the first is " + first_rest_);
+    warn(report.missing_normals, "corners without vn, with generated normals");
+    warn(report.unknown_lines, "lines with an unknown keyword, ignored; the first is " + first_unknown_);
   }
 
   std::string_view text_;
@@ -425,7 +426,7 @@ void read_libraries(const std::filesystem::path& folder, ObjData& data) {
   for (const NamedRun& run : data.material_runs)
     if (!known.contains(run.name)) unknown.insert(run.name);
   if (!unknown.empty())
-    data.report.warnings.push_back(fmt::format("{} materials are in no library, the first by name is {}",
+    data.report.warnings.push_back(fmt::format("{} materials are in no library; the first by name is {}",
                                                unknown.size(), for_message(*unknown.begin())));
 }
 

@@ -118,11 +118,11 @@ Mesh parse_ply(std::string_view bytes, const std::string& name) {
   });
   if (!present[0]) throw fail("the PLY file has no x y z");
   const std::size_t faces = take_count("element face ");
-  if (!take_text(bytes, face_list)) throw fail("a PLY property that is not known or not in its place");
+  if (!take_text(bytes, face_list)) throw fail("a PLY property is unknown or in the wrong place");
   // Before anything is allocated: a header may promise more than there is.
   if (bytes.size() != vertices * vertex_bytes + faces * face_bytes)
-    throw fail(fmt::format("the PLY file has {} bytes after its header, not the {} that it promises",
-                           bytes.size(), vertices * vertex_bytes + faces * face_bytes));
+    throw fail(fmt::format("the PLY file has {} bytes after its header, but the header says {}", bytes.size(),
+                           vertices * vertex_bytes + faces * face_bytes));
 
   for (std::size_t v = 0; v < vertices; ++v) {
     at = 0;
@@ -137,11 +137,11 @@ Mesh parse_ply(std::string_view bytes, const std::string& name) {
   }
   mesh.indices.reserve(3 * faces);
   for (std::size_t f = 0; f < faces; ++f) {
-    if (take<std::uint8_t>(bytes) != 3) throw fail(fmt::format("face {} is no triangle", f));
+    if (take<std::uint8_t>(bytes) != 3) throw fail(fmt::format("face {} is not a triangle", f));
     for (int k = 0; k < 3; ++k) {
       const auto index = take<std::int32_t>(bytes);
       if (index < 0 || static_cast<std::size_t>(index) >= vertices)
-        throw fail(fmt::format("face {} has index {}, and there are {} vertices", f, index, vertices));
+        throw fail(fmt::format("face {} has index {}, but there are only {} vertices", f, index, vertices));
       mesh.indices.push_back(static_cast<std::uint32_t>(index));
     }
   }

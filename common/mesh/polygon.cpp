@@ -15,7 +15,7 @@ double area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
 
 /// Newell's normal: its length is twice the area, and it is right for concave and slightly bent polygons.
 glm::dvec3 newell_normal(std::span<const glm::vec3> corners) {
-  const glm::dvec3 origin(corners[0]);  // relative to a corner, so that far from the origin nothing is lost
+  const glm::dvec3 origin(corners[0]);  // relative to a corner: far from the origin no digits are lost
   glm::dvec3 normal(0.0);
   for (std::size_t i = 0; i < corners.size(); ++i)
     normal +=

@@ -182,7 +182,7 @@ void store_orthonormal(Mesh& mesh, const std::vector<TriangleFrame>& sums, Tange
 TangentReport compute_tangents(Mesh& mesh, TangentMethod method, unsigned threads) {
   if (mesh.texcoords.size() != mesh.vertex_count())
     throw Error::failed("tangents need texture coordinates, and the mesh has none", {},
-                        "give the file vt lines or choose a projection");
+                        "add vt lines to the file, or choose a projection");
   if (mesh.normals.size() != mesh.vertex_count())
     throw Error::failed("tangents need normals, and the mesh has none", {},
                         "generate flat or smooth normals");

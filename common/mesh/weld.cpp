@@ -30,7 +30,7 @@ class CornerNumbers {
     if (vertex == distinct_.size()) distinct_.push_back(corner);
     return vertex;
     //@starter
-    // // A vertex of its own for each corner: the picture is right, and the stream several times too long.
+    // // A new vertex for each corner: the picture is right, but the stream is several times too long.
     // distinct_.push_back(corner);
     // return static_cast<std::uint32_t>(distinct_.size() - 1);
     //@end

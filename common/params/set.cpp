@@ -171,7 +171,7 @@ Parameter& Set::append(const char* name, const char* unit, const char* help, Typ
   return parameter;
 }
 
-/// The text of the default is taken from the variable itself, so that it compares equal to text().
+/// The text of the default is taken from the variable itself: it then compares equal to text().
 void Set::finish(Parameter& parameter, std::string_view initial) {
   parameter.set(initial);
   parameter.initial_ = parameter.text();

@@ -191,7 +191,7 @@ std::string mistakes_section(const ClassResult& results) {
   }
   html += unnamed == 0 && mistakes.empty()
               ? "<p>None.</p>\n"
-              : fmt::format("<p class=\"quiet\">{} {} like no mistake that is known by name.</p>\n",
+              : fmt::format("<p class=\"quiet\">{} {} like no known mistake.</p>\n",
                             counted(unnamed, "failed step"), unnamed == 1 ? "looks" : "look");
   return html + "</section>\n";
 }
@@ -203,8 +203,8 @@ std::string incidents_section(const ClassResult& results) {
       items += fmt::format("<dt><a href=\"{}\"><bdi>{}</bdi></a></dt><dd>{}</dd>\n", page_name(student),
                            escaped(student.name), escaped(student.incident));
   if (items.empty()) return "";
-  return "<section id=\"incidents\">\n<h2>Not graded</h2>\n<p>The grader or the machine was at fault. These "
-         "students have no mark, and none was overwritten. Grade again with <code>--resume</code>.</p>\n"
+  return "<section id=\"incidents\">\n<h2>Not graded</h2>\n<p>The grader or the machine failed. These "
+         "students have no new mark; earlier marks are kept. Grade again with <code>--resume</code>.</p>\n"
          "<dl class=\"incidents\">\n" +
          items + "</dl>\n</section>\n";
 }
@@ -227,7 +227,7 @@ std::string changes_section(const ClassResult& results) {
         name, escaped(change.step), number(100 * change.before, 1), number(100 * change.after, 1),
         change.after > change.before ? "passed" : "failed", change.after > change.before ? "▲" : "▼");
   }
-  return "<section id=\"changes\">\n<h2>Changed by the last regrading</h2>\n<div class=\"scroll\">\n"
+  return "<section id=\"changes\">\n<h2>Changed since the last grading</h2>\n<div class=\"scroll\">\n"
          "<table>\n<thead><tr><th scope=\"col\" class=\"name\">Student</th><th scope=\"col\">Step</th>"
          "<th scope=\"col\">before</th><th scope=\"col\">after</th><th></th></tr></thead>\n<tbody>\n" +
          rows + "</tbody>\n</table>\n</div>\n</section>\n";

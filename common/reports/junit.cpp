@@ -90,7 +90,7 @@ std::string junit(const StudentResult& student, const std::filesystem::path& fol
       ++counts.errors;
     }
     if (!student.fault.empty()) cases += fault("submission", "readable", "failure", student.fault);
-    if (!logs.empty()) cases += fault("submission", "compiles", "failure", "The compiler refuses a file.");
+    if (!logs.empty()) cases += fault("submission", "compiles", "failure", "A file does not compile.");
     counts.failures =
         static_cast<std::size_t>(!student.fault.empty()) + static_cast<std::size_t>(!logs.empty());
     counts.tests = counts.errors + counts.failures;

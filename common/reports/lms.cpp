@@ -40,8 +40,8 @@ std::string overview(const StudentResult& student) {
     for (const std::string& note : lab.notes)
       text += fmt::format("Lab {}: {}\n", lab.lab.number, clean(note));
   for (const CompilerLog& log : student.logs)
-    text += fmt::format("\nThe compiler refuses {}:\n{}\n", clean(log.file), clean(log.text));
-  if (!student.ignored.empty()) text += "\nNot taken:\n";
+    text += fmt::format("\n{} does not compile:\n{}\n", clean(log.file), clean(log.text));
+  if (!student.ignored.empty()) text += "\nNot used:\n";
   for (const Ignored& ignored : student.ignored)
     text += fmt::format("{}: {}\n", clean(ignored.path), clean(ignored.reason));
   return text;

@@ -54,7 +54,7 @@ std::string facts_list(const std::map<std::string, std::string>& facts, bool wit
     if (name != "command") html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(name), escaped(value));
   if (!html.empty()) html = "<dl class=\"facts\">\n" + html + "</dl>\n";
   if (const auto found = facts.find("command"); with_command && found != facts.end())
-    html += "<p>The command that repeats it:</p>\n" + command_line(found->second);
+    html += "<p>This command grades the same again:</p>\n" + command_line(found->second);
   return html;
 }
 

@@ -55,7 +55,7 @@ Pictures::Pictures(fs::path folder) : folder_(std::move(folder)) {
   std::string name = (fs::temp_directory_path() / "texel_reports_XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr)
     throw Error::failed("cannot make a folder for temporary files", {name},
-                        "set TMPDIR to a folder with free space that you may write to");
+                        "set TMPDIR to a writable folder with free space");
   scratch_ = name;
 }
 
@@ -80,7 +80,7 @@ Picture Pictures::read(const std::string& path, const std::string& view) const {
   std::error_code error;
   if (!fs::is_regular_file(fs::symlink_status(file, error))) return problem("The picture's file is missing.");
   if (fs::file_size(file, error) > kLargestFile)
-    return problem("The picture's file is too large to be shown here.");
+    return problem("The picture's file is too large to show here.");
 
   const bool is_data = file.extension() == ".pfm";
   ImageF values;
@@ -98,8 +98,8 @@ Picture Pictures::read(const std::string& path, const std::string& view) const {
       picture.channels = 3;
     }
     if (std::max(picture.width, picture.height) > kLargestSide)
-      return problem(fmt::format("The picture has {}x{} pixels, which is too large to be shown here.",
-                                 picture.width, picture.height));
+      return problem(
+          fmt::format("The picture has {}x{} pixels, too many to show here.", picture.width, picture.height));
     // As the judge reads it: a stranger's PNG must not unpack to more than it says.
     colours = is_data
                   ? image::shown(values, view)

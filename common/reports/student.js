@@ -196,11 +196,11 @@ class Viewer {
   addControls(both) {
     this.grid.tabIndex = 0;
     this.grid.setAttribute('role', 'group');
-    this.grid.setAttribute('aria-label', 'Pictures. Arrow keys choose a pixel, plus and minus zoom, 0 shows all, ' +
-        'S splits, W goes to the worst pixel.');
+    this.grid.setAttribute('aria-label', 'Pictures. Arrow keys select a pixel, plus and minus zoom, 0 shows everything, ' +
+        'S splits the view, W goes to the worst pixel.');
     const buttons = element('div', {className: 'buttons'},
         this.button('−', 'Zoom out', () => this.zoomBy(0.5)), this.button('+', 'Zoom in', () => this.zoomBy(2)),
-        this.button('Fit', 'Show all of the picture', () => this.zoomBy(0)));
+        this.button('Fit', 'Show the whole picture', () => this.zoomBy(0)));
     const controls = element('div', {className: 'controls'}, buttons);
     if (both) {
       this.splitter = this.slider('Split', 100, (value) => { this.split = value / 100; });
@@ -218,8 +218,8 @@ class Viewer {
     }
     this.root.append(controls);
     if (this.root === document.querySelector('.viewer'))  // said once
-      controls.append(element('p', {className: 'keys', textContent: 'With the pictures in focus (Tab or a click): arrow ' +
-          'keys choose a pixel, with Shift 8 at once; + and − or the wheel zoom, 0 shows all; S splits; W goes to the ' +
+      controls.append(element('p', {className: 'keys', textContent: 'Keys (press Tab or click a picture first): arrow ' +
+          'keys select a pixel, with Shift 8 pixels at a time; + and − or the wheel zoom; 0 shows everything; S splits; W goes to the ' +
           'worst pixel.'}));
   }
 
@@ -349,7 +349,7 @@ class Viewer {
         context.fillRect(border - scale, 0, 2 * scale, height);
       }
       if (name === 'yours')
-        caption.textContent = this.split === 1 ? 'Yours' : this.split === 0 ? 'Expected, in the place of yours' : 'Yours | Expected';
+        caption.textContent = this.split === 1 ? 'Yours' : this.split === 0 ? 'Expected instead of yours' : 'Yours | Expected';
     }
     // The chosen pixel, in a frame that is seen on light and dark.
     const size = width * this.zoom / this.width;
@@ -388,7 +388,7 @@ const near = new IntersectionObserver((entries) => {
     near.unobserve(target);
     new Viewer(target).make().then(() => target.classList.add('ready'), (error) => {
       target.append(element('p', {className: 'problem', textContent:
-        `The pictures cannot be compared here (${error.message}). Take a browser of 2023 or later.`}));
+        `The pictures cannot be compared here (${error.message}). Use a browser from 2023 or later.`}));
     });
   }
 }, {rootMargin: '400px'});

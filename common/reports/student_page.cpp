@@ -127,7 +127,7 @@ std::string lab_section(const LabResult& lab, Pictures& pictures) {
 
 std::string logs_section(const StudentResult& student) {
   if (student.logs.empty()) return "";
-  std::string html = "<section id=\"compiler\" class=\"logs\">\n<h2>The compiler refuses</h2>\n";
+  std::string html = "<section id=\"compiler\" class=\"logs\">\n<h2>Compiler errors</h2>\n";
   for (const CompilerLog& log : student.logs)
     html += fmt::format(
         "<details open><summary><code>{}</code></summary>\n<pre tabindex=\"0\">{}</pre></details>\n",
@@ -141,7 +141,7 @@ std::string ignored_section(const StudentResult& student) {
   for (const Ignored& ignored : student.ignored)
     items += fmt::format("<li><code>{}</code> {}</li>\n", escaped(ignored.path), escaped(ignored.reason));
   return fmt::format(
-      "<section id=\"ignored\">\n<details><summary>{} of the submission not taken</summary>\n<ul>\n{}</ul>\n"
+      "<section id=\"ignored\">\n<details><summary>{} of the submission not used</summary>\n<ul>\n{}</ul>\n"
       "</details>\n</section>\n",
       counted(student.ignored.size(), "file"), items);
 }
@@ -160,8 +160,8 @@ std::string first_thing(const StudentResult& student) {
   if (const StepResult* step = first_failing(student))
     return fmt::format(
         "<div class=\"start failed\"><p>{} <a href=\"#step-{}\">step {}: {}</a></p>\n{}{}</div>\n",
-        student.logs.empty() ? "First to mend:"
-                             : "Mend <a href=\"#compiler\">what the compiler says</a>, then",
+        student.logs.empty() ? "Correct this first:"
+                             : "Correct the <a href=\"#compiler\">compiler's errors</a>, then",
         escaped(step->id), escaped(step->id), escaped(step->title),
         step->message.empty() ? "" : fmt::format("<p>{}</p>\n", escaped(step->message)),
         callout(step->mistake, step->mistake_says));
@@ -187,8 +187,8 @@ std::string student_page(const StudentResult& student, const std::map<std::strin
                                 : fmt::format("{} <small>of {} points</small>", number(student.points()),
                                               number(student.max_points()));
   const char* repeat = student.labs.empty() ? ""
-                                            : "<p class=\"quiet\">Each picture is drawn again by the command "
-                                              "below it, typed in your own tree.</p>\n";
+                                            : "<p class=\"quiet\">The command below a picture draws it again "
+                                              "in your own tree.</p>\n";
   return page(
       student.name,
       fmt::format("<header class=\"masthead student\">\n<div><h1><bdi>{}</bdi></h1>\n<p>{}</p></div>\n"

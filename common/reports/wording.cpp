@@ -83,7 +83,7 @@ std::string cause(const std::string& mistake, const std::string& says) {
 
 std::string distance(const CaseResult& result) {
   if (!std::isfinite(result.error)) return "";
-  return fmt::format("{:.3g} {} off; up to {:.3g} is full marks", result.error, name_of(result.unit()),
+  return fmt::format("{:.3g} {} off; full marks up to {:.3g}", result.error, name_of(result.unit()),
                      result.limit);
 }
 

@@ -51,7 +51,7 @@ const StepResult* first_failing(const StudentResult& student);
 
 /// What is said of a student whom the grader failed.
 inline constexpr const char* kIncident =
-    "The grader could not finish: the fault is its own or the machine's. This is no mark; it will be tried "
+    "The grader could not finish. This is a fault of the grader or its machine, and not a mark. It will try "
     "again.";
 
 }  // namespace texel::grade

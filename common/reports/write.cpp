@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 const std::string& checked(const std::string& id) {
   const bool sound = !id.empty() && id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-_") == id.npos;
   if (!sound)
-    throw Error::failed("'" + id + "' is no id of a student", {}, "give a store that texel grade made");
+    throw Error::failed("'" + id + "' is not a student's id", {}, "use a store that texel grade made");
   return id;
 }
 
@@ -25,7 +25,7 @@ void write(const fs::path& file, const std::string& text) {
   fs::create_directories(file.parent_path(), error);
   if (error)
     throw Error::failed("cannot make the folder: " + error.message(), {file.parent_path().string()},
-                        "choose another folder by --out");
+                        "choose another folder with --out");
   write_file(file, text);
 }
 
@@ -47,7 +47,8 @@ void write_html(const ClassResult& results, const fs::path& folder) {
 void write_format(const std::string& name, const ClassResult& results, const fs::path& folder) {
   const std::vector<std::string> names = {"gradescope", "prairielearn", "junit", "csv"};
   if (std::find(names.begin(), names.end(), name) == names.end())
-    throw Error::usage("there is no format '" + name + "'", "gradescope, prairielearn, junit and csv are");
+    throw Error::usage("there is no format '" + name + "'",
+                       "the formats are gradescope, prairielearn, junit and csv");
   if (name == "csv") {
     write(folder / "class.csv", csv(results));
     return;

@@ -21,7 +21,7 @@ constexpr std::size_t most_copied = 1'000'000;  // the sandbox was ended long be
 
 Error cannot_write(const std::filesystem::path& path) {
   return Error::failed(fmt::format("cannot write: {}", std::strerror(errno)), {path.string()},
-                       "check that the disk has room and the folder can be written");
+                       "check that the folder is writable and the disk has free space");
 }
 
 void copy_file(const Descriptor& from, const std::filesystem::path& to, mode_t mode) {

@@ -94,8 +94,7 @@ pid_t spawn(const Launch& launch, const std::vector<int>& descriptors) {
   ::posix_spawn_file_actions_destroy(&actions);
   ::posix_spawnattr_destroy(&attributes);
   if (error == ENOENT && launch.command[0] == "bwrap")
-    throw sandbox_error("there is no bwrap",
-                        "install bubblewrap, or give --unsafe for programs that you trust");
+    throw sandbox_error("there is no bwrap", "install bubblewrap, or use --unsafe for code that you trust");
   if (error != 0)
     throw sandbox_error(fmt::format("cannot start {}: {}", launch.command[0], std::strerror(error)));
   return child;
@@ -202,7 +201,7 @@ void Process::wait_until_ready(const Descriptor& ready, const Descriptor& info) 
     end();
     drain();
     throw sandbox_error(streams_[1].kept().empty() ? "it does not start" : streams_[1].kept(),
-                        "allow this user to make namespaces, or give --unsafe for programs that you trust");
+                        "allow this user to create namespaces, or use --unsafe for code that you trust");
   }
   std::array<char, 4096> text{};
   const ssize_t got = ::read(info.get(), text.data(), text.size() - 1);
@@ -210,7 +209,7 @@ void Process::wait_until_ready(const Descriptor& ready, const Descriptor& info) 
   const char* found = got > 0 ? std::strstr(text.data(), key) : nullptr;
   first_ = found == nullptr ? -1 : static_cast<pid_t>(std::strtol(found + std::strlen(key), nullptr, 10));
   first_handle_ = Descriptor(first_ <= 0 ? -1 : ::pidfd_open(first_, 0));
-  if (!first_handle_.is_open()) throw sandbox_error("bubblewrap does not name its process");
+  if (!first_handle_.is_open()) throw sandbox_error("bubblewrap does not report its process");
 }
 
 void Process::open_inside() {

@@ -27,15 +27,16 @@ void check(const Confines& confines, const Words& command) {
   const bool as_somebody_else = ::geteuid() == 0;
   const auto check_folder = [](const fs::path& folder) {
     if (!folder.is_absolute() || folder != folder.lexically_normal() || !folder.has_filename())
-      throw Error::usage(fmt::format("'{}' is no absolute path of a folder", folder.string()),
-                         "write it from / on, without . and .. and a / at its end");
+      throw Error::usage(fmt::format("'{}' is not the absolute path of a folder", folder.string()),
+                         "start it with /, and use no '.', no '..' and no / at its end");
     if (!fs::is_directory(folder)) throw sandbox_error("there is no folder " + folder.string());
   };
   for (const fs::path& folder : confines.read_only) {
     check_folder(folder);
     constexpr fs::perms readable = fs::perms::others_read | fs::perms::others_exec;
     if (as_somebody_else && (fs::status(folder).permissions() & readable) != readable)
-      throw sandbox_error(fmt::format("{0} is closed to others; chmod -R o+rX {0}", folder.string()));
+      throw sandbox_error(
+          fmt::format("other users cannot read {0}; type chmod -R o+rX {0}", folder.string()));
   }
   for (const fs::path& folder : confines.writable) check_folder(folder);
 }

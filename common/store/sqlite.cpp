@@ -66,35 +66,35 @@ void Connection::fail(int code) const {
   if (plain == SQLITE_CANTOPEN) {
     const fs::path path(file_), parent = path.has_parent_path() ? path.parent_path() : ".";
     std::error_code unknown;
-    if (fs::is_directory(path, unknown)) throw error("is a folder, no store of grades", "name a file");
+    if (fs::is_directory(path, unknown)) throw error("is a folder, not a store of grades", "name a file");
     if (!fs::is_directory(parent, unknown)) throw error("its folder does not exist", "make it first");
     // SQLite opened it once more for reading, and the reason is that it is not there.
     if (::access(parent.c_str(), W_OK) != 0) plain = SQLITE_READONLY;
   }
   switch (plain) {
     case SQLITE_FULL:
-      throw error("the disk is full", "make room and go on: what was written before is kept");
+      throw error("the disk is full", "free some space and continue: earlier results are kept");
     case SQLITE_READONLY:
     case SQLITE_PERM:
       throw error("the store or its folder cannot be written",
                   "get write permission for both, or choose another folder");
     case SQLITE_CANTOPEN:
       throw error("it or a file beside it cannot be opened",
-                  "see whether they are yours and the disk has room for another file");
+                  "check that you own these files and the disk has free space");
     case SQLITE_NOTADB:
-      throw error("is no store of grades", "name another file, or move this one away");
+      throw error("is not a store of grades", "name another file, or move this one away");
     case SQLITE_CORRUPT:
-      throw error("the store is damaged", "put a copy in its place, or move it away and grade again");
+      throw error("the store is damaged", "replace it by a backup, or move it away and grade again");
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      throw error("another program holds the store", "try again when it has ended");
+      throw error("another program uses the store", "try again when it has ended");
     case SQLITE_CONSTRAINT:
-      throw error(fmt::format("a row does not fit: {}", sqlite3_errmsg(get())),
-                  "this is a fault of the grader");
+      throw error(fmt::format("a row breaks the store's rules: {}", sqlite3_errmsg(get())),
+                  "this is a bug of the grader");
     default:
       throw error(fmt::format("SQLite says: {}{}", sqlite3_errmsg(get()),
                               reason == 0 ? "" : fmt::format(" ({})", std::strerror(reason))),
-                  "see whether the disk is well, then try again");
+                  "check the disk, then try again");
   }
 }
 

@@ -139,15 +139,15 @@ void expect_equal_facts(const Connection& ours, const Connection& theirs) {
   const Facts a = facts_of(ours), b = facts_of(theirs);
   const auto value_in = [](const Facts& facts, const std::string& name) {
     const auto found = facts.find(name);
-    return found == facts.end() ? std::string("not said") : fmt::format("'{}'", found->second);
+    return found == facts.end() ? std::string("not given") : fmt::format("'{}'", found->second);
   };
   Facts all = a;
   all.insert(b.begin(), b.end());
   for (const auto& [name, value] : all)
     if (value_in(a, name) != value_in(b, name))
-      throw Error::usage(fmt::format("{} and {} were graded differently: {} is {} and {}", ours.file(),
-                                     theirs.file(), name, value_in(a, name), value_in(b, name)),
-                         "merge stores that were graded alike");
+      throw Error::usage(fmt::format("{} and {} were graded differently: {} is {} in one and {} in the other",
+                                     ours.file(), theirs.file(), name, value_in(a, name), value_in(b, name)),
+                         "merge only stores with the same course, labs, seed and renderer");
 }
 
 void write_notes(const Connection& connection, const std::string& student, const std::string& lab,
@@ -303,8 +303,8 @@ void prepare(const Connection& connection) {
   const bool is_new = version() == 0 && number("SELECT count(*) FROM sqlite_master") == 0;
   if (!is_new && number("PRAGMA application_id") != kApplication) connection.fail(SQLITE_NOTADB);
   if (version() > kVersion)
-    throw Error::failed(fmt::format("the store is of version {}, later than {}", version(), kVersion),
-                        {connection.file()}, "use the program that made it, or a later one");
+    throw Error::failed(fmt::format("the store has version {}, newer than {}", version(), kVersion),
+                        {connection.file()}, "use the program that made it, or a newer one");
 
   // FULL waits for the disk at every case, so that no result is lost with the power; with NORMAL the last
   // ones would be. Measured: 5 ms a case, a minute for 200 students with 60 cases each (NORMAL: 0.3 ms a
@@ -437,8 +437,7 @@ void Store::put_override(const Override& override) {
       fmt::format("the override of step {} of the student {}", override.step, override.student);
   if (!(override.score >= 0 && override.score <= 1))
     throw Error::usage(fmt::format("{} has the score {}", what, override.score), "give one from 0 to 1");
-  if (override.reason.empty())
-    throw Error::usage(what + " has no reason", "say why, for those who ask later");
+  if (override.reason.empty()) throw Error::usage(what + " has no reason", "add --reason with the reason");
   const std::lock_guard lock(database_->mutex);
   Statement(database_->connection, "INSERT OR REPLACE INTO overrides VALUES (?, ?, ?, ?)", override.student,
             override.step, override.score, override.reason)
@@ -487,8 +486,8 @@ void Store::merge(const Store& other) {
   const auto ours = lines_by_matter(to);
   for (const auto& [matter, theirs] : lines_by_matter(from))
     if (const auto found = ours.find(matter); found != ours.end() && found->second != theirs)
-      throw Error::usage(fmt::format("{} and {} say different things of {}", to.file(), from.file(), matter),
-                         "leave one of them out, or grade that student again");
+      throw Error::usage(fmt::format("{} and {} disagree about {}", to.file(), from.file(), matter),
+                         "leave one of them out, or grade this student again");
 
   for (const Table& table : kTables) {
     Statement row = rows_of(from, table);

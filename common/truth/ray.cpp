@@ -100,7 +100,7 @@ std::optional<Hit> hit_sphere(const Ray& ray, double radius) {
   // An eye on the sphere itself sees its far side: the rounding of where it stands is no hit.
   const double from_middle = middle > half * (1 + 1e-12) ? -half : half;
   if (middle + from_middle <= 0) return std::nullopt;
-  // From the nearest point, so that an eye far away costs no digits of the position.
+  // From the nearest point: an eye far away then costs no digits of the position.
   return Hit{.distance = middle + from_middle,
              .texcoord = sphere_texcoord(nearest + from_middle * ray.direction)};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Lab 1: a picture pasted on a square. An image becomes a texture object, the object is bound to a texture
-// unit, a sampler in the shader reads that unit at interpolated texture coordinates, and a filter decides
-// what lies between and below the texels.
+// Lab 1: a picture on a square. An image becomes a texture object, the object is bound to a texture
+// unit, and a sampler in the shader reads that unit at interpolated texture coordinates. A filter decides
+// which colour a pixel gets between texels, and from many texels.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "app/lab.hpp"
@@ -13,7 +13,7 @@ using namespace texel;
 
 namespace {
 
-// What the parameters' choices mean to OpenGL, in their order.
+// OpenGL's constants for the parameters' choices, in the same order.
 constexpr GLenum kWrapModes[] = {GL_REPEAT, GL_MIRRORED_REPEAT, GL_CLAMP_TO_EDGE};
 constexpr GLenum kMinifyByMethod[] = {GL_NEAREST, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR_MIPMAP_LINEAR,
                                       GL_LINEAR_MIPMAP_LINEAR};
@@ -70,7 +70,7 @@ struct TextureQuad {
     //@end
     set_parameters(p);
 
-    // Encoded arithmetic means that nobody decodes on reading and nobody encodes on writing.
+    // For encoded arithmetic, reading does not decode and writing does not encode.
     if (!p.linear_light) glDisable(GL_FRAMEBUFFER_SRGB);
     glBindVertexArray(vertex_array_.id());
     glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_INT, nullptr);
@@ -82,7 +82,7 @@ struct TextureQuad {
   static app::Truth truth(const Parameters& p, glm::ivec2 size) { return texture_quad_truth(p, size); }
 
  private:
-  /// One attribute in a buffer of its own, `components` floats a vertex.
+  /// One attribute in its own buffer, `components` floats per vertex.
   static void fill_attribute(gl::Attribute attribute, const gl::Buffer& buffer, std::span<const float> values,
                              GLint components) {
     const auto location = static_cast<GLuint>(attribute);
@@ -98,7 +98,7 @@ struct TextureQuad {
     gl::Texture texture;
     glBindTexture(GL_TEXTURE_2D, texture.id());
     //@step 1.4 begin
-    // OpenGL expects each row to begin at a multiple of four bytes; ours lie one behind the other.
+    // By default OpenGL expects each row to begin at a multiple of four bytes. Ours follow without a gap.
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     const gl::Format format = gl::format_of(picture.channels, encoding);
     GLint level = 0;
@@ -106,7 +106,7 @@ struct TextureQuad {
       glTexImage2D(GL_TEXTURE_2D, level++, static_cast<GLint>(format.internal), smaller.width, smaller.height,
                    0, format.external, GL_UNSIGNED_BYTE, smaller.samples.data());
     //@starter
-    // // The full picture alone, and that grey unless it has four channels.
+    // // Only the full picture, and grey unless it has four channels.
     // image::Image8 shown(picture.width, picture.height, 4);
     // std::fill(shown.samples.begin(), shown.samples.end(), std::uint8_t{128});
     // if (picture.channels == 4) shown = picture;
@@ -118,7 +118,7 @@ struct TextureQuad {
     return texture;
   }
 
-  /// How the bound texture is read beyond and between its texels.
+  /// How the bound texture is read between its texels and outside 0 to 1.
   static void set_parameters([[maybe_unused]] const Parameters& p) {
     //@step 1.5 begin
     const GLenum wrap = wrap_mode(p);
@@ -129,11 +129,11 @@ struct TextureQuad {
                                      .wrap_t = wrap,
                                      .anisotropy = anisotropy});
     //@starter
-    // gl::set_sampling(GL_TEXTURE_2D, {});  // whatever is asked for: trilinear, and repeated
+    // gl::set_sampling(GL_TEXTURE_2D, {});  // always trilinear and repeated
     //@end
   }
 
-  // The parameters in OpenGL's words.
+  // The parameters as OpenGL's constants.
   static GLenum wrap_mode(const Parameters& p) { return kWrapModes[static_cast<int>(p.wrap)]; }
   static GLenum minify_filter(const Parameters& p) {
     return p.minify == Minify::by_method ? kMinifyByMethod[static_cast<int>(p.method)]

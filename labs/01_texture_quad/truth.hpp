@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 //@teacher begin
-// The right answer of lab 1: what a pixel should show is the mean of the picture over the pixel's area. The
+// The right answer of lab 1: a pixel should show the mean of the picture over the pixel's area. The
 // picture is taken as the function that the file was made from, without texels, and many rays through each
 // pixel look it up, in double precision and linear light. See common/truth/include/truth/texture.hpp.
 #include "app/colour_truth.hpp"
@@ -18,7 +18,7 @@ inline double wrapped(double s, Wrap wrap) {
   return wrap == Wrap::mirrored && std::fmod(tile, 2) != 0 ? 1 - within : within;
 }
 
-/// Colours in 8-bit steps, as the view `color` has them with one sample in each pixel. Empty for other
+/// Colours in 8-bit levels, as in the view `color` with one sample in each pixel. Empty for other
 /// pictures.
 inline app::Truth texture_quad_truth(const TextureQuadParameters& p, glm::ivec2 size) {
   const auto texture = app::texture_of(p.texture);
@@ -37,7 +37,7 @@ inline app::Truth texture_quad_truth(const TextureQuadParameters& p, glm::ivec2 
 
 }  // namespace texel
 //@starter
-// // The right answer stays with your teacher: here is none.
+// // A student's tree does not contain the right answer.
 // #include "app/measure.hpp"
 // #include "parameters.hpp"
 //

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Lab 2: two pictures on one square. Each is a texture object on a unit of its own, read by a sampler of its
-// own; the fragment shader combines the two colours. What comes out depends on the numbers that it combines:
-// those in the file, which are encoded, or the light that they stand for.
+// Lab 2: two pictures on one square. Each is a texture object on its own unit, read by its own
+// sampler. The fragment shader combines the two colours. The result depends on the values that it combines:
+// the file's encoded values, or the linear light that they stand for.
 #include <fmt/format.h>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -18,7 +18,7 @@ using namespace texel;
 
 namespace {
 
-// What the parameters' choices mean to OpenGL, in their order.
+// OpenGL's constants for the parameters' choices, in the same order.
 constexpr GLenum kMinifyModes[] = {GL_NEAREST,
                                    GL_LINEAR,
                                    GL_NEAREST_MIPMAP_NEAREST,
@@ -45,7 +45,7 @@ struct MultiTexture {
     program.set("clip_from_object", p.camera.clip_from_world(frame.aspect()) * world_from_object);
     [[maybe_unused]] const int second = second_unit(p);
 
-    // Making an object binds it to the active unit, so both are made before either goes to its own. A picture
+    // Making an object binds it to the active unit, so make both before binding each to its own. A picture
     // whose unit is off is not even loaded.
     const gl::Texture* object0 = p.unit0_on ? &texture_object(p, p.texture0, false) : nullptr;
     const bool premultiply = p.method == Method::premultiplied && p.combine == Combine::decal;
@@ -72,7 +72,7 @@ struct MultiTexture {
       // program.set("Tex1", 0);
       //@end
     }
-    // Encoded arithmetic means that nobody decodes on reading and nobody encodes on writing.
+    // For encoded arithmetic, reading does not decode and writing does not encode.
     if (p.method == Method::encoded) glDisable(GL_FRAMEBUFFER_SRGB);
     square_.draw(program);
   }
@@ -93,14 +93,14 @@ struct MultiTexture {
   }
 
  private:
-  /// The unit that the parameter names, or the highest that there is.
+  /// The unit that the parameter names, at most the driver's highest.
   int second_unit(const Parameters& p) {
     GLint count = 0;  // over all stages; each stage may read 16 or more of them
     glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &count);
     notes_ = {};
     if (p.second_unit >= count)
       notes_.warnings.push_back(fmt::format(
-          "this driver's highest texture unit is {}: it is taken in place of {}", count - 1, p.second_unit));
+          "this driver's highest texture unit is {}: it is used instead of {}", count - 1, p.second_unit));
     return std::min(p.second_unit, count - 1);
   }
 
@@ -110,7 +110,7 @@ struct MultiTexture {
     return textures_.get({name, is_linear, premultiply, p.mipmaps}, [&] {
       image::Image8 picture = gl::expand_grey(assets_.texture(name));
       if (premultiply) picture = premultiplied(std::move(picture));
-      // An sRGB format has the sampler decode before it filters.
+      // With an sRGB format the sampler decodes before it filters.
       return upload(picture, is_linear ? image::Encoding::srgb : image::Encoding::linear, p.mipmaps);
     });
   }

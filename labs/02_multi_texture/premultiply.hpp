@@ -4,7 +4,7 @@
 
 namespace texel {
 
-/// Colour times alpha, multiplied in linear light: a texel that is not seen then adds nothing to any average.
+/// Colour times alpha, multiplied in linear light: a transparent texel then adds nothing to an average.
 inline image::Image8 premultiplied(image::Image8 picture) {
   if (picture.channels != 4) return picture;  // opaque
   for (std::size_t i = 0; i < picture.samples.size(); i += 4) {

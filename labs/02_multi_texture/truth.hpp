@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 //@teacher begin
-// The right answer of lab 2: what a pixel should show is the mean, over the pixel's area, of the two
+// The right answer of lab 2: a pixel should show the mean, over the pixel's area, of the two
 // pictures' light combined. The pictures are taken as the functions that the files were made from, without
 // texels, and many rays through each pixel look them up, in double precision. No method does that: each
 // filters the two pictures apart and combines the means, and the mean of a product is not the product of the
@@ -13,7 +13,7 @@
 
 namespace texel {
 
-/// A picture as a function: linear light and straight alpha. Nothing for files of the user's.
+/// A picture as a function: linear light and straight alpha. Nothing for other files.
 inline std::optional<truth::TextureFunction> picture_function(const std::string& name) {
   const auto texture = app::texture_of(name);
   if (!texture) return std::nullopt;
@@ -39,8 +39,8 @@ inline glm::dvec3 combined(const MultiTextureParameters& p, glm::dvec3 first, gl
   return (1.0 - second.a) * first + second.a * light;
 }
 
-/// Colours in 8-bit steps, as the view `color` has them with one sample in each pixel. `method`, filters and
-/// mipmaps have no part in it.
+/// Colours in 8-bit levels, as in the view `color` with one sample in each pixel. `method`, filters and
+/// mipmaps do not matter.
 inline app::Truth multi_texture_truth(const MultiTextureParameters& p, glm::ivec2 size) {
   const truth::TextureFunction white = [](glm::dvec2) { return glm::dvec4(1); };
   const auto first = p.unit0_on ? picture_function(p.texture0) : white;
@@ -59,7 +59,7 @@ inline app::Truth multi_texture_truth(const MultiTextureParameters& p, glm::ivec
 
 }  // namespace texel
 //@starter
-// // The right answer stays with your teacher: here is none.
+// // A student's tree does not contain the right answer.
 // #include "app/measure.hpp"
 // #include "parameters.hpp"
 //

@@ -24,7 +24,7 @@ inline std::string picture_of(const std::string& texture, const Imported& import
   return material != nullptr ? material->color_map : "";
 }
 
-/// The sRGB colour in which part `i` is painted: hues a golden section apart, so that neighbours in the list
+/// The sRGB colour of part `i`: hues a golden section apart, so neighbours in the list
 /// look different.
 inline glm::vec3 part_color(std::size_t i) {
   const auto hue = static_cast<float>(std::fmod(0.618034 * static_cast<double>(i), 1.0));
@@ -39,7 +39,7 @@ inline glm::vec3 tint_of(Tint tint, const std::string& texture, const Imported& 
   return material != nullptr ? material->diffuse : glm::vec3(1);
 }
 
-/// The texel that a coordinate falls on, repeating; linear or as it is encoded.
+/// The texel at a coordinate, repeating; linear or encoded.
 inline glm::vec3 pixel_color(const image::Image8& picture, const glm::vec2& texcoord, bool linear) {
   const glm::vec2 tile = glm::fract(texcoord);
   const int x = std::min(static_cast<int>(tile.x * static_cast<float>(picture.width)), picture.width - 1);

@@ -30,15 +30,15 @@ struct Imported {
   app::Notes notes;
 };
 
-/// The file's materials with their pictures' paths, which are relative to the file. A picture that is not
-/// there is a note and no error.
+/// The file's materials with their pictures' paths, relative to the file. A picture that is
+/// missing is a note, not an error.
 inline void resolve_pictures(Imported& imported, const std::filesystem::path& file) {
   for (mesh::Material& material : imported.materials) {
     if (material.color_map.empty()) continue;
     const std::filesystem::path picture = std::filesystem::absolute(file.parent_path() / material.color_map);
     const bool exists = std::filesystem::exists(picture);
     if (!exists)
-      imported.notes.warnings.push_back(fmt::format("material '{}' names a picture that is not there: {}",
+      imported.notes.warnings.push_back(fmt::format("material '{}' names a picture that does not exist: {}",
                                                     material.name, picture.string()));
     material.color_map = exists ? picture.string() : "";
   }
@@ -70,7 +70,7 @@ inline mesh::Projection mesh_projection(Projection projection) {
   }
 }
 
-/// Reads the file, makes what it lacks, and builds the vertex stream. Errors as mesh::load_obj.
+/// Reads the file, generates what is missing, and builds the vertex stream. Errors as mesh::load_obj.
 inline Imported import_obj(const std::filesystem::path& file, Projection projection, Normals normals,
                            Tint tint) {
   Progress progress(file.filename().string());

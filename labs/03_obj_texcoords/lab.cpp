@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lab 3: a file says which point of a picture belongs to which corner. The importer (import.hpp) turns an
+// Lab 3: a file says which point of a picture belongs to each corner. The importer (import.hpp) turns an
 // OBJ's separate lists of positions, texture coordinates and normals into one stream of vertices; each pixel
 // then reads the picture at its interpolated coordinate.
 #include <map>
@@ -19,7 +19,7 @@ struct ObjTexcoords {
                                          app::View::lod,   app::View::depth,  app::View::mask,
                                          app::View::error};
   static constexpr app::Info info{3, "obj_texcoords", "OBJ with texture coordinates",
-                                  "Read a model with its texture coordinates, or make some.", kViews};
+                                  "Read a model with its texture coordinates, or generate them.", kViews};
   using Parameters = ObjTexcoordsParameters;
 
   explicit ObjTexcoords(const app::Assets& assets) : assets_(assets) {}
@@ -34,7 +34,7 @@ struct ObjTexcoords {
     program.set("light", p.light.direction());
     program.set("longest_side", model.longest_side);
     program.set("color_map", 0);
-    // Encoded arithmetic means that nobody decodes on reading and nobody encodes on writing.
+    // For encoded arithmetic, reading does not decode and writing does not encode.
     if (!p.linear_light) glDisable(GL_FRAMEBUFFER_SRGB);
 
     const std::vector<mesh::Group>& parts = model.imported.parts;
@@ -83,7 +83,7 @@ struct ObjTexcoords {
   };
 
   static ModelKey model_key(const Parameters& p) {
-    // A color buffer is filled at one coordinate for each vertex, so triplanar makes do with box there.
+    // A color buffer has one coordinate per vertex, so triplanar uses box there.
     const bool needs_texcoords = p.method == Method::per_vertex && p.projection == Projection::triplanar;
     return {p.model, needs_texcoords ? Projection::box : p.projection, p.normals, p.tint};
   }
@@ -134,7 +134,7 @@ struct ObjTexcoords {
 
   const gl::Texture& texture(const Parameters& p, const std::string& name) {
     return textures_.get({name, p.flip_v, p.linear_light}, [&] {
-      // Trilinear: Mesa's anisotropic filter goes astray where a projection smears the picture.
+      // Trilinear: Mesa's anisotropic filter fails where a projection smears the picture.
       return gl::make_texture_2d(picture(name, p.flip_v),
                                  p.linear_light ? image::Encoding::srgb : image::Encoding::linear);
     });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What can be chosen in lab 3. Nothing to do for you here.
+// The parameters of lab 3. Nothing to do for you here.
 #pragma once
 #include "app/camera.hpp"
 #include "app/light.hpp"
@@ -9,38 +9,37 @@ namespace texel {
 
 enum class Method { per_vertex, per_fragment };
 inline constexpr params::Item kMethods[] = {
-    {"per-vertex",
-     "The texel at each vertex is read at import, into the color buffer (the report's first step)"},
-    {"per-fragment", "The texture is read at each pixel's interpolated texture coordinate"}};
+    {"per-vertex", "At import, each vertex gets the colour of its texel (the report's first attempt)"},
+    {"per-fragment", "Each pixel reads the texture at its interpolated texture coordinate"}};
 
 enum class Projection { from_file, planar, box, cylindrical, spherical, triplanar };
 inline constexpr params::Item kProjections[] = {
-    {"from-file", "The file's vt; box where it has none"},
-    {"planar", "Along z, as a slide projector does: the sides are smeared"},
-    {"box", "Each triangle along the axis that it faces most: seams, and little stretch"},
+    {"from-file", "The file's vt; box if it has none"},
+    {"planar", "Along z, like a slide projector: the sides are smeared"},
+    {"box", "Each triangle along the axis that it faces most: little stretch, but seams"},
     {"cylindrical", "Around the vertical axis, like a label on a tin: top and bottom are smeared"},
     {"spherical", "By longitude and latitude from the centre: squeezed at the poles"},
     {"triplanar", "Three planar projections blended in the shader by the normal: no seams, no vt needed"}};
 
 enum class Normals { from_file, flat, smooth_area, smooth_angle };
 inline constexpr params::Item kNormals[] = {
-    {"from-file", "The file's vn; smooth-angle where it has none"},
-    {"flat", "Each triangle's own: facets"},
-    {"smooth-area", "The mean of the triangles around, each by its area"},
-    {"smooth-angle", "Each by its angle at the corner: how faces are cut does not matter"}};
+    {"from-file", "The file's vn; smooth-angle if it has none"},
+    {"flat", "Each triangle's own normal: facets"},
+    {"smooth-area", "The mean of the triangles around a vertex, weighted by area"},
+    {"smooth-angle", "The same, weighted by angle: how faces are cut into triangles does not matter"}};
 
 enum class Tint { none, materials, groups, vertices };
 inline constexpr params::Item kTints[] = {
-    {"none", "The picture alone"},
-    {"materials", "Each usemtl in a colour of its own"},
-    {"groups", "Each g and o in a colour of its own"},
-    {"vertices", "Each vertex of the stream: colours run on where triangles share one"}};
+    {"none", "Only the picture"},
+    {"materials", "A colour for each usemtl"},
+    {"groups", "A colour for each g and o"},
+    {"vertices", "A colour for each vertex of the stream: it runs on where triangles share a vertex"}};
 
 enum class Quantity { color, texcoord, normal };
 inline constexpr params::Item kQuantities[] = {
-    {"color", "The lit picture, in 8-bit steps: what all the others come to"},
-    {"texcoord", "The texture coordinate, in texels: what is lost between vertices and at seams"},
-    {"normal", "The normal, in degrees: what flat and smooth normals miss"}};
+    {"color", "The lit picture, in 8-bit levels: the sum of all errors"},
+    {"texcoord", "The texture coordinate, in texels: errors between vertices and at seams"},
+    {"normal", "The normal, in degrees: errors of flat and smooth normals"}};
 
 inline constexpr params::Item kModels[] = {{"gator", "An alligator, six materials"},
                                            {"ship", "An ocean liner, eight materials"},
@@ -52,7 +51,7 @@ inline constexpr params::Item kModels[] = {{"gator", "An alligator, six material
                                            {"quad", "A square"}};
 
 inline constexpr params::Item kTextures[] = {
-    {"material", "The file's own map_Kd; label_grid when it names no picture at all"},
+    {"material", "The file's own map_Kd; label_grid if it names no picture"},
     {"brick", "A brick wall"},
     {"wood", "Wooden planks"},
     {"scales", "A reptile's scales"},
@@ -76,20 +75,21 @@ struct ObjTexcoordsParameters {
   void declare(params::Set& set) {
     set.section("File");
     set.add(model, {"model", "ship", kModels, "The OBJ file"});
-    set.add(projection, {"projection", Projection::from_file, kProjections, "Where vt come from"});
-    set.add(normals, {"normals", Normals::from_file, kNormals, "Where vn come from"});
+    set.add(projection,
+            {"projection", Projection::from_file, kProjections, "Where texture coordinates (vt) come from"});
+    set.add(normals, {"normals", Normals::from_file, kNormals, "Where normals (vn) come from"});
     set.section("Texture");
     set.add(method, {"method", Method::per_fragment, kMethods, "Where the texture is read"});
     set.add(texture, {"texture", "material", kTextures, "The picture on the model (keys K and L)"});
     set.add(texture_scale,
-            {"texture_scale", 1, 0.1, 20, "", "Repeats of the picture", params::Scale::logarithmic});
-    set.add(flip_v, {"flip_v", false, "Take the picture's top row for t = 0: upside down in OpenGL"});
-    set.add(tint, {"tint", Tint::none, kTints, "Paint the parts of the file, or the vertices"});
+            {"texture_scale", 1, 0.1, 20, "", "How often the picture repeats", params::Scale::logarithmic});
+    set.add(flip_v, {"flip_v", false, "Use the picture's top row for t = 0: upside down in OpenGL"});
+    set.add(tint, {"tint", Tint::none, kTints, "Colour the parts of the file, or the vertices"});
     set.add(linear_light, {"linear_light", true,
-                           "Light and filter linear light; off: the encoded values, as the report does"});
+                           "Light and filter in linear light; off: with encoded values, as the report does"});
     set.section("Error");
     set.add(truth,
-            {"truth", Quantity::color, kQuantities, "What the view error compares with the exact one"});
+            {"truth", Quantity::color, kQuantities, "What the view error compares with the exact answer"});
     light.declare<{.ambient = 0.35F, .specular = 0.05F}>(set);
     set.section("Turn");
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});

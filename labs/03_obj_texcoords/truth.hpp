@@ -122,7 +122,7 @@ inline glm::dvec3 exact_light(const app::Light& light, glm::dvec3 albedo, glm::d
   return everywhere + (1.0 - light.ambient) * cosine * albedo + light.specular * std::pow(facing, 48);
 }
 
-/// Degrees, texels or 8-bit steps, as the parameter `truth` says.
+/// Degrees, texels or 8-bit levels, as the parameter `truth` says.
 inline app::Measure obj_texcoords_measure(const ObjTexcoordsParameters& p) {
   constexpr double texels = 512;  // in the width and height of each bundled picture
   switch (p.truth) {
@@ -177,7 +177,7 @@ inline app::Truth obj_texcoords_truth(const ObjTexcoordsParameters& p, glm::ivec
 
 }  // namespace texel
 //@starter
-// // The right answer stays with your teacher: here is none.
+// // A student's tree does not contain the right answer.
 // #include "app/measure.hpp"
 // #include "parameters.hpp"
 //

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Lab 4: a texture all around a cube. A vertex holds one texture coordinate and one normal. Three faces meet
-// at a cube's corner and each wants another, so eight shared vertices cannot give every face its own copy of
-// the picture, nor its own light. Either the picture is stretched over them, or the vertices are split.
+// Lab 4: a texture around a cube. A vertex has one texture coordinate and one normal. Three faces meet
+// at a cube's corner, and each needs another pair: eight shared vertices cannot give every face its own copy
+// of the picture, nor its own light. Either the picture is stretched over them, or the vertices are split.
 #include <fmt/format.h>
 
 #include "app/lab.hpp"
@@ -21,13 +21,13 @@ namespace {
 
 constexpr float kHalfSize = 0.577F;  // the corners at distance 1
 
-/// Any model with one vertex for each point in space: of its faces' texture coordinates the last one stays
+/// Any model with one vertex for each point in space. Of its faces' texture coordinates the last one is kept
 /// (before), or one copy is drawn around the whole model by longitude and latitude (stretched).
 mesh::Mesh shared_vertices(const mesh::Mesh& model, Method method) {
   mesh::Mesh shared;
   shared.positions = model.positions;
   shared.indices = model.indices;
-  shared = mesh::weld(shared);  // vertices have nothing but a position left, so equal positions become one
+  shared = mesh::weld(shared);  // vertices have only positions now: equal positions become one vertex
   shared.texcoords.resize(shared.vertex_count());
   for (std::size_t i = 0; i < shared.indices.size(); ++i) {
     const std::uint32_t vertex = shared.indices[i];
@@ -38,8 +38,8 @@ mesh::Mesh shared_vertices(const mesh::Mesh& model, Method method) {
   return shared;
 }
 
-/// The cube with vertices of its own for each face: where the two triangles of a face have equal corners they
-/// share a vertex, and no other triangles do.
+/// The cube with separate vertices for each face. Where the two triangles of a face have equal corners, they
+/// share a vertex; other triangles do not.
 mesh::Mesh split_cube() {
   //@step 4.4 begin
   const mesh::ObjData data = mesh::cube_by_face(kHalfSize);
@@ -69,7 +69,7 @@ mesh::Mesh wrapped_cube(Method method) {
   return split_cube();
 }
 
-/// What the wrapping costs, and how wrong it is in the two ways that the report names.
+/// The cost of the wrapping, and its two errors that the report names.
 std::vector<std::string> figures(const mesh::Mesh& mesh) {
   const std::size_t bytes_a_vertex = 2 * sizeof(glm::vec3) + sizeof(glm::vec2);
   std::vector<std::string> lines = mesh::describe_stretch(mesh);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What can be chosen in lab 4. Nothing to do for you here.
+// The parameters of lab 4. Nothing to do for you here.
 #pragma once
 #include "app/camera.hpp"
 #include "app/light.hpp"
@@ -10,22 +10,22 @@ namespace texel {
 
 enum class Method { before, stretched, split, weld };
 inline constexpr params::Item kMethods[] = {
-    {"before", "One vertex a corner of the cube, the report's first table: four faces are smeared"},
+    {"before", "One vertex per corner of the cube, the report's first table: four faces are smeared"},
     {"stretched",
-     "One vertex a corner of the cube, the report's workaround: one copy drawn around all sides"},
-    {"split", "Each face has vertices of its own: 24 for the cube, three a triangle for other models"},
-    {"weld", "One vertex for each distinct set of position, texcoord and normal: only what must split does"}};
+     "One vertex per corner of the cube, the report's workaround: one copy stretched around all sides"},
+    {"split", "Each face has its own vertices: 24 for the cube; other models have three per triangle"},
+    {"weld", "One vertex for each distinct position, texcoord and normal: as few as possible"}};
 
 enum class Normals { by_method, shared, face };
 inline constexpr params::Item kNormals[] = {
-    {"by-method", "Shared where vertices are shared (before, stretched), else the model's own"},
+    {"by-method", "Shared if vertices are shared (before, stretched), else the model's own"},
     {"shared", "One normal for all faces that meet at a point: smooth, and wrong at a cube's edge"},
-    {"face", "Each triangle's own: its vertices cannot be shared with one that faces elsewhere"}};
+    {"face", "Each triangle's own: triangles that face different ways cannot share vertices"}};
 
 enum class Quantity { texcoord, normal };
 inline constexpr params::Item kQuantities[] = {
-    {"texcoord", "The texture coordinate, in texels from where each face has a copy of its own"},
-    {"normal", "The normal, in degrees from the face's"}};
+    {"texcoord", "The texture coordinate, in texels; right means a copy of the picture on each face"},
+    {"normal", "The normal, in degrees from the face's normal"}};
 
 inline constexpr params::Item kTextures[] = {{"label_grid", "Cells with letters: shows every flip and swap"},
                                              {"brick", "A brick wall (the report)"},
@@ -46,15 +46,16 @@ struct CubeWrapParameters {
 
   void declare(params::Set& set) {
     set.section("Wrapping");
-    set.add(method, {"method", Method::weld, kMethods, "Which faces share a vertex, and so a texcoord"});
+    set.add(method,
+            {"method", Method::weld, kMethods, "Which faces share a vertex and its texture coordinate"});
     set.add(normals, {"normals", Normals::by_method, kNormals, "Which faces share a normal"});
     set.add(model, {"model", "cube", app::kModels, "What is wrapped"});
     set.add(texture, {"texture", "label_grid", kTextures, "The picture on it (keys K and L)"});
     set.add(texture_scale,
-            {"texture_scale", 1, 0.1, 20, "", "Repeats of the picture", params::Scale::logarithmic});
+            {"texture_scale", 1, 0.1, 20, "", "How often the picture repeats", params::Scale::logarithmic});
     set.section("Error");
     set.add(truth,
-            {"truth", Quantity::texcoord, kQuantities, "What the view error compares with the exact one"});
+            {"truth", Quantity::texcoord, kQuantities, "What the view error compares with the exact answer"});
     light.declare<{}>(set);
     set.section("Turn");
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});

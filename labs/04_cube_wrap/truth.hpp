@@ -35,7 +35,7 @@ inline app::Truth cube_wrap_truth(const CubeWrapParameters& p, glm::ivec2 size) 
 
 }  // namespace texel
 //@starter
-// // The right answer stays with your teacher: here is none.
+// // A student's tree does not contain the right answer.
 // #include "app/measure.hpp"
 // #include "parameters.hpp"
 //

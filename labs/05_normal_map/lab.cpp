@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lab 5: a normal map. Each texel holds a normal in the frame of the surface: tangent T where s grows,
-// bitangent B where t grows, normal N. Lighting happens in world space, so each pixel needs that frame; how
-// the frame is made is what the methods differ in.
+// bitangent B where t grows, normal N. Lighting happens in world space, so each pixel needs that frame. The
+// methods differ in how they make it.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "app/lab.hpp"
@@ -16,8 +16,8 @@ struct NormalMap {
   static constexpr app::View kViews[] = {app::View::color,    app::View::normal, app::View::tangent,
                                          app::View::texcoord, app::View::depth,  app::View::mask,
                                          app::View::error};
-  static constexpr app::Info info{5, "normal_map", "Normal map", "Give a flat surface the light of a relief.",
-                                  kViews};
+  static constexpr app::Info info{5, "normal_map", "Normal map",
+                                  "Light a flat surface as if it were a relief.", kViews};
   using Parameters = NormalMapParameters;
 
   explicit NormalMap(const app::Assets& assets) : assets_(assets) {}
@@ -32,7 +32,7 @@ struct NormalMap {
     });
     const glm::mat4 world_from_object = glm::scale(app::turn_about_y(p.turn), glm::vec3(1, p.stretch, 1));
     //@step 5.7 begin
-    // A normal stays perpendicular to its surface under the inverse transpose of what moves the surface.
+    // Under the inverse transpose of the surface's matrix a normal stays perpendicular to the surface.
     const glm::mat3 normal_from_object = glm::transpose(glm::inverse(glm::mat3(world_from_object)));
     //@starter
     // const glm::mat3 normal_from_object = glm::mat3(world_from_object);
@@ -47,7 +47,7 @@ struct NormalMap {
     gl::bind(0, GL_TEXTURE_2D, color_map);
     program.set("color_map", 0);
     if (p.normal_mapping && p.method != Method::per_vertex) {
-      // Numbers, not colours: stored linear, so that 128 means 128/255 and nothing is decoded.
+      // Numbers, not colours: stored linear. So 128 means 128/255, and nothing is decoded.
       gl::bind(1, GL_TEXTURE_2D, textures_.get({"normal " + normal_map_name(p), p.filter}, [&] {
         return gl::make_texture_2d(assets_.normal_map(normal_map_name(p)), image::Encoding::linear, sampling);
       }));
@@ -82,7 +82,7 @@ struct NormalMap {
     app::Notes notes;
   };
 
-  /// The model with the tangents of the method, which only some of them keep in the vertices.
+  /// The model with the method's tangents. Only some methods store them in the vertices.
   gl::MeshBuffers& buffers_for(const Parameters& p) {
     const bool reads_map = p.method == Method::per_vertex && p.normal_mapping;
     const MeshKey key{
@@ -99,8 +99,8 @@ struct NormalMap {
     return drawn.buffers;
   }
 
-  /// The report's first attempt: the map's normal at each vertex's texture coordinate, in place of the
-  /// vertex's own.
+  /// The report's first attempt: the map's normal at each vertex's texture coordinate replaces the
+  /// vertex's normal.
   static std::vector<glm::vec3> normals_at_vertices(const mesh::Mesh& mesh, const image::Image8& map,
                                                     const Parameters& p) {
     std::vector<glm::vec3> normals;

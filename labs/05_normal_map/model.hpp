@@ -11,7 +11,7 @@
 
 namespace texel {
 
-/// The model with its texture; and with its tangents, where they have a formula and that is asked for.
+/// The model with its texture coordinates, and with exact tangents if they have a formula and are wanted.
 inline app::Model textured_model(const app::Assets& assets, const NormalMapParameters& p) {
   app::Model model = app::load_model(assets, p.model, p.tessellation);
   if (p.method == Method::analytic) {
@@ -24,7 +24,7 @@ inline app::Model textured_model(const app::Assets& assets, const NormalMapParam
   return model;
 }
 
-/// How tangents are made for the vertices; nothing where the shader makes them, or needs none.
+/// How tangents are made for the vertices; nothing if the shader makes them or needs none.
 inline std::optional<mesh::TangentMethod> kept_tangents(Method method) {
   switch (method) {
     case Method::averaged:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What can be chosen in lab 5. Nothing to do for you here.
+// The parameters of lab 5. Nothing to do for you here.
 #pragma once
 #include "app/camera.hpp"
 #include "app/light.hpp"
@@ -22,14 +22,14 @@ enum class Method {
   analytic
 };
 inline constexpr params::Item kMethods[] = {
-    {"per-vertex", "The map is read once a vertex, into the normal buffer (the report's first attempt)"},
-    {"raw", "The map's normal as it is, without a frame (report 3.4): wrong as soon as the model turns"},
-    {"screen-axes", "Frame from dFdx and dFdy of the position (report 3.3): follows the screen, not u and v"},
+    {"per-vertex", "The map is read once per vertex and replaces its normal (the report's first attempt)"},
+    {"raw", "The map's normal without a frame (report 3.4): wrong as soon as the model turns"},
+    {"screen-axes", "Frame from dFdx and dFdy of the position (report 3.3): follows the screen, not s and t"},
     {"cotangent", "Frame from derivatives of position and texcoord in each pixel: needs no tangents"},
     {"averaged", "T and B of each triangle, averaged per vertex and interpolated, not orthogonal (slides)"},
     {"gram-schmidt", "Averaged tangents made orthogonal to the normal, with the sign of the bitangent"},
     {"angle-weighted", "The same, each triangle weighted by its angle at the vertex"},
-    {"mikktspace", "Mikkelsen's rules, as the programs that bake normal maps have them"},
+    {"mikktspace", "Mikkelsen's rules, which programs that bake normal maps use"},
     {"analytic", "Exact tangents of sphere and torus; mikktspace elsewhere, exact on flat faces"}};
 
 enum class Decode { standard, exact_flat };
@@ -39,8 +39,8 @@ inline constexpr params::Item kDecodes[] = {
 
 enum class Filter { anisotropic, bilinear };
 inline constexpr params::Item kFilters[] = {
-    {"anisotropic", "Up to 8 samples along a long footprint, in two mipmap levels: how, the driver decides"},
-    {"bilinear", "Four texels of the full picture, as OpenGL says exactly: what steps are checked with"}};
+    {"anisotropic", "Up to 8 samples along a long footprint, in two mipmap levels; the driver decides how"},
+    {"bilinear", "Four texels of the full picture, exactly as OpenGL defines it; steps are checked with it"}};
 
 inline constexpr params::Item kTextures[] = {{"brick", "A brick wall"},
                                              {"wood", "Wooden planks"},
@@ -50,7 +50,7 @@ inline constexpr params::Item kTextures[] = {{"brick", "A brick wall"},
                                              {"checker", "Black and white squares"}};
 
 inline constexpr params::Item kNormalMaps[] = {
-    {"matching", "The map of the same surface as the texture, flat where there is none"},
+    {"matching", "The map that belongs to the texture; flat if there is none"},
     {"brick", "Bricks and mortar"},
     {"wood", "Grain and joints"},
     {"scales", "Overlapping scales"},
@@ -74,8 +74,9 @@ struct NormalMapParameters {
   void declare(params::Set& set) {
     set.section("Normal mapping");
     set.add(normal_mapping,
-            {"normal_mapping", true, "Light the map's normals; off: the surface's own (key M)"});
-    set.add(method, {"method", Method::mikktspace, kMethods, "In which frame the map's normals are read"});
+            {"normal_mapping", true, "Light with the map's normals; off: with the surface's own (key M)"});
+    set.add(method,
+            {"method", Method::mikktspace, kMethods, "The frame in which the map's normals are read"});
     set.add(decode, {"decode", Decode::standard, kDecodes, "How a colour becomes a normal"});
     set.add(bump_strength,
             {"bump_strength", 1, 0, 4, "", "Steepness of the relief: multiplies the normal's x and y"});
@@ -85,12 +86,12 @@ struct NormalMapParameters {
     set.section("Textures");
     set.add(texture, {"texture", "brick", kTextures, "Colour of the surface (keys K and L)"});
     set.add(normal_map, {"normal_map", "matching", kNormalMaps, "Relief of the surface"});
-    set.add(filter, {"filter", Filter::anisotropic, kFilters, "How both pictures are read"});
+    set.add(filter, {"filter", Filter::anisotropic, kFilters, "How both textures are filtered"});
     set.add(texture_scale,
-            {"texture_scale", 1, 0.1, 20, "", "Repeats of the texture", params::Scale::logarithmic});
+            {"texture_scale", 1, 0.1, 20, "", "How often the texture repeats", params::Scale::logarithmic});
     set.add(layout.shear, {"texture_shear", 0, -2, 2, "",
-                           "Leans the texture: s grows by so much of t; 1 is 45 degrees on a square"});
-    set.add(layout.stretch, {"texture_stretch", 1, 0.1, 10, "", "Repeats along s alone: squeezes the texture",
+                           "Shears the texture: adds this much of t to s; 1 is 45 degrees on a square"});
+    set.add(layout.stretch, {"texture_stretch", 1, 0.1, 10, "", "Repeats along s only: squeezes the texture",
                              params::Scale::logarithmic});
     set.add(layout.mirror, {"mirror", false, "s runs the other way, so the frame is left-handed"});
     set.section("Model");
@@ -99,10 +100,10 @@ struct NormalMapParameters {
             {"segments", 0, 0, 256, "",
              "Squares along the longer side; 0: sphere 64, torus 96, cube and quad 1. Not for files"});
     set.add(tessellation.jitter,
-            {"jitter", 0, 0, 1, "", "Slides the vertices along the exact surface: irregular triangles"});
+            {"jitter", 0, 0, 1, "", "Moves the vertices along the exact surface: irregular triangles"});
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});
     set.add(stretch,
-            {"stretch", 1, 0.25, 4, "", "Scales the model along y: normals do not move as points do"});
+            {"stretch", 1, 0.25, 4, "", "Scales the model along y; normals do not move like points"});
     light.declare<{.yaw = 70, .pitch = 35, .ambient = 0.2F, .specular = 0.2F}>(set);
     camera.declare<{.yaw = 32, .pitch = 24, .distance = 3}>(set);
   }

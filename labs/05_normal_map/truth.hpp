@@ -50,7 +50,7 @@ inline app::Truth normal_map_truth(const NormalMapParameters& p, const std::stri
 
 }  // namespace texel
 //@starter
-// // The right answer stays with your teacher: here is none.
+// // A student's tree does not contain the right answer.
 // #include "app/measure.hpp"
 // #include "parameters.hpp"
 //

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lab 6: a cube map. A sphere can wear one picture, found by two angles, with a seam at the back and a pinch
-// at each pole; or six pictures on the faces of a cube, found by the direction alone, with neither.
+// Lab 6: a cube map. A sphere can show one picture, found by two angles, with a seam at the back and a pinch
+// at each pole. Or it shows six pictures on the faces of a cube, found by the direction, with neither.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "app/lab.hpp"
@@ -17,8 +17,8 @@ struct CubeMap {
   static constexpr app::View kViews[] = {app::View::color,    app::View::normal, app::View::direction,
                                          app::View::texcoord, app::View::lod,    app::View::depth,
                                          app::View::mask,     app::View::error};
-  static constexpr app::Info info{
-      6, "cube_map", "Cube map", "Dress a sphere in six pictures, without a seam and without poles.", kViews};
+  static constexpr app::Info info{6, "cube_map", "Cube map",
+                                  "Cover a sphere with six pictures, without seams or poles.", kViews};
   using Parameters = CubeMapParameters;
 
   explicit CubeMap(const app::Assets& assets) : assets_(assets) {}
@@ -64,8 +64,8 @@ struct CubeMap {
     });
   }
 
-  /// A cube map of six pictures, +X -X +Y -Y +Z -Z. The specification lays each face out as one sees it from
-  /// outside the cube, top row first; 2D textures begin at the bottom.
+  /// A cube map of six pictures, +X -X +Y -Y +Z -Z. In the specification each face is seen from
+  /// outside the cube, top row first. 2D textures begin at the bottom.
   static gl::Texture upload(const std::array<image::Image8, 6>& faces, [[maybe_unused]] bool mipmapped) {
     gl::Texture texture;
     glBindTexture(GL_TEXTURE_CUBE_MAP, texture.id());
@@ -79,7 +79,7 @@ struct CubeMap {
         gl::upload_level(face, static_cast<int>(level), levels[level], image::Encoding::srgb);
     }
     //@starter
-    // // The front's picture on every face, and in one size only.
+    // // The front's picture on every face, and only its full size.
     // for (GLenum face = GL_TEXTURE_CUBE_MAP_POSITIVE_X; face <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z; ++face)
     //   gl::upload_level(face, 0, faces[4], image::Encoding::srgb);
     // glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What can be chosen in lab 6. Nothing to do for you here.
+// The parameters of lab 6. Nothing to do for you here.
 #pragma once
 #include "app/camera.hpp"
 #include "app/environment.hpp"
@@ -9,35 +9,36 @@ namespace texel {
 
 enum class Mapping { sphere_2d, cube };
 inline constexpr params::Item kMappings[] = {
-    {"sphere-2d", "One picture by two angles: a seam at the back, and the poles pinch it"},
+    {"sphere-2d", "One picture by two angles: a seam at the back, and pinched at the poles"},
     {"cube", "Six pictures by the direction of the normal"}};
 
 enum class Method { worksheet, nearest, linear, linear_seamless, mipmapped };
 inline constexpr params::Item kMethods[] = {
     {"worksheet", "Left picture on +X, right on -X, all flipped on upload, nearest when minified"},
     {"nearest", "One texel"},
-    {"linear", "Four texels of one face: the edges of the cube show where the picture is enlarged"},
+    {"linear", "Four texels of one face: the cube's edges are visible if the picture is enlarged"},
     {"linear-seamless", "Four texels, from the neighbouring faces too"},
     {"mipmapped", "The same in the two nearest mipmap levels"}};
 
 enum class Faces { by_method, specification, sides_swapped, upside_down };
 inline constexpr params::Item kFaces[] = {
-    {"by-method", "The worksheet's order for its method, else the specification's"},
+    {"by-method", "The worksheet's order for the method worksheet, else the specification's"},
     {"specification", "Each picture on its own face, top row first"},
     {"sides-swapped", "The left picture on +X and the right one on -X"},
     {"upside-down", "Each picture on its own face, bottom row first"}};
 
 enum class SeamMethod { naive, select, wrapped, analytic };
 inline constexpr params::Item kSeamMethods[] = {
-    {"naive", "Differences of the coordinates: at the seam they say that a pixel covers the whole picture"},
+    {"naive", "Differences of the coordinates: at the seam a pixel seems to cover the whole picture"},
     {"select", "Counts u from -1/2 or from 0, whichever does not jump here"},
     {"wrapped", "Takes the difference of u the short way round"},
     {"analytic", "Derivative of the formula instead of differences"}};
 
 enum class TruthOf { color, level };
 inline constexpr params::Item kTruths[] = {
-    {"color", "The mean of the pictures' function over the pixel, in 8-bit steps"},
-    {"level", "The level of detail by the exact derivative, in levels; not at the rim, where it has no end"}};
+    {"color", "The mean of the pictures' function over the pixel, in 8-bit levels"},
+    {"level",
+     "The level of detail by the exact derivative, in levels; not at the rim, where it is infinite"}};
 
 inline constexpr params::Item kPictures[] = {
     {"label_grid", "Cells with letters: shows every flip and swap"},
@@ -63,11 +64,11 @@ struct CubeMapParameters {
     set.section("Cube map");
     set.add(cube_map, {"cube_map", "scene", app::kCubeMaps, "The six pictures (keys K and L)"});
     set.add(method, {"method", Method::mipmapped, kMethods, "How the cube map is uploaded and filtered"});
-    set.add(faces, {"faces", Faces::by_method, kFaces, "Which picture lies on which face, and how"});
+    set.add(faces, {"faces", Faces::by_method, kFaces, "Which picture is on which face, and which way up"});
     set.section("Picture by angles");
-    set.add(picture, {"picture", "label_grid", kPictures, "The one picture of mapping sphere-2d"});
+    set.add(picture, {"picture", "label_grid", kPictures, "The picture for mapping sphere-2d"});
     set.add(seam_method, {"seam_method", SeamMethod::analytic, kSeamMethods,
-                          "How the level of detail is found where u jumps (mapping sphere-2d)"});
+                          "How the level of detail is found where u jumps (for mapping sphere-2d)"});
     set.section("Error");
     set.add(truth, {"truth", TruthOf::color, kTruths, "What the view error compares with"});
     set.section("Sphere");

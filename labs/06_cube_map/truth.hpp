@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 //@teacher begin
-// The right answer of lab 6: what a pixel should show is the mean, over the pixel's area, of what the sphere
-// wears. That is taken as the function that the files were made from, without texels: of the direction for a
+// The right answer of lab 6: a pixel should show the mean, over the pixel's area, of the sphere's
+// colour. That is taken as the function that the files were made from, without texels: of the direction for a
 // cube map, of the worksheet's two angles for one picture. Many rays through each pixel meet the exact
 // sphere, in double precision and linear light. And the level of detail should be that of the formula's
 // derivative. See common/truth/include/truth/cube_map.hpp.
@@ -16,7 +16,7 @@
 namespace texel {
 
 /// The colour that the sphere has in a direction of its own space, linear light. Nothing for the landscape
-/// and for files of the user's: their formulas are not known.
+/// and for other files: their formulas are not known.
 using SphereColour = std::function<glm::dvec3(glm::dvec3 direction)>;
 inline std::optional<SphereColour> sphere_colour(const CubeMapParameters& p) {
   if (p.mapping == Mapping::cube) {
@@ -46,7 +46,7 @@ inline std::optional<double> texels_across(const CubeMapParameters& p) {
 }
 
 /// Levels of detail, as the view `lod` has them. Nothing at the sphere's rim, the outermost hundredth of its
-/// pixels: there the footprint has no end, and the triangles decide.
+/// pixels: there the footprint is infinite, and the triangles decide.
 inline app::Truth level_truth(const CubeMapParameters& p, glm::ivec2 size) {
   constexpr double kRim = 0.1;  // cosine between ray and normal
   const auto texels = texels_across(p);
@@ -70,7 +70,7 @@ inline app::Truth level_truth(const CubeMapParameters& p, glm::ivec2 size) {
   };
 }
 
-/// Colours in 8-bit steps, as the view `color` has them with one sample in each pixel.
+/// Colours in 8-bit levels, as in the view `color` with one sample in each pixel.
 inline app::Truth color_truth(const CubeMapParameters& p, glm::ivec2 size) {
   const auto wears = sphere_colour(p);
   if (!wears) return {};
@@ -93,7 +93,7 @@ inline app::Truth cube_map_truth(const CubeMapParameters& p, glm::ivec2 size) {
 
 }  // namespace texel
 //@starter
-// // The right answer stays with your teacher: here is none.
+// // A student's tree does not contain the right answer.
 // #include "app/measure.hpp"
 // #include "parameters.hpp"
 //

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lab 7: the environment behind the scene. A quad fills the picture in clip space, and a matrix takes each of
-// its points back to the direction in which the camera sees it. The rest is to keep the quad behind
+// Lab 7: the environment behind the scene. A quad fills the picture in clip space, and a matrix turns each of
+// its points into the direction in which the camera sees it. The other task is to keep the quad behind
 // everything.
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -17,7 +17,7 @@ struct EnvironmentLab {
   static constexpr app::View kViews[] = {app::View::color, app::View::direction, app::View::depth,
                                          app::View::mask, app::View::error};
   static constexpr app::Info info{7, "environment", "Environment",
-                                  "Surround the scene with a cube map, behind everything.", kViews};
+                                  "Surround the scene with a cube map behind everything.", kViews};
   using Parameters = EnvironmentParameters;
 
   explicit EnvironmentLab(const app::Assets& assets) : environment_(assets), quad_(make_quad()) {}
@@ -79,7 +79,7 @@ struct EnvironmentLab {
                                                Real{p.near_plane}, Real{p.far_plane});
     const Matrix view(p.camera.view_from_world());
     //@step 7.2 begin
-    // What surrounds the scene is far away: the camera's place does not matter, only where it looks.
+    // The surroundings are far away: only the camera's rotation matters, not its position.
     const Matrix rotation{glm::mat<3, 3, Real>(view)};
     //@starter
     // const Matrix rotation = view;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What can be chosen in lab 7. Nothing to do for you here.
+// The parameters of lab 7. Nothing to do for you here.
 #pragma once
 #include "app/camera.hpp"
 #include "app/environment.hpp"
@@ -9,10 +9,11 @@ namespace texel {
 
 enum class Method { inverse_by_factors, inverse_of_product, unproject, analytic_ray };
 inline constexpr params::Item kMethods[] = {
-    {"inverse-by-factors", "Rotation and projection, each inverted by itself (worksheet)"},
-    {"inverse-of-product", "inverse(projection * rotation of the view): one inverse, of a worse matrix"},
+    {"inverse-by-factors", "Rotation and projection are inverted separately (worksheet)"},
+    {"inverse-of-product",
+     "inverse(projection * rotation of the view): one inverse, of a worse-conditioned matrix"},
     {"unproject", "A point of the quad in world space by inverse(projection * view), minus the eye"},
-    {"analytic-ray", "Field of view and aspect ratio, turned by the camera: nothing is inverted"}};
+    {"analytic-ray", "From field of view and aspect ratio, rotated by the camera: nothing is inverted"}};
 
 enum class Plane { near_plane, far_plane };
 inline constexpr params::Item kPlanes[] = {{"near", "z = -1: the near plane"},
@@ -25,8 +26,10 @@ inline constexpr params::Item kPrecisions[] = {{"float", "32 bits: 24 for the di
 enum class DepthMethod { test_off, plane_0999, far_plane };
 inline constexpr params::Item kDepthMethods[] = {
     {"test-off", "Drawn first, without the depth test (worksheet)"},
-    {"plane-0999", "At z = 0.999, tested: hides all that is farther, and that may be nearly everything"},
-    {"far-plane", "Last, at z = w with less-or-equal: behind everything, and only where nothing else is"}};
+    {"plane-0999",
+     "At z = 0.999 with the depth test: hides everything farther away, which may be nearly everything"},
+    {"far-plane",
+     "Drawn last, at z = w with less-or-equal: behind everything, and only where nothing else is"}};
 
 struct EnvironmentParameters {
   Method method{};
@@ -42,10 +45,10 @@ struct EnvironmentParameters {
     set.section("Background");
     set.add(cube_map, {"cube_map", "scene", app::kCubeMaps, "What surrounds the scene (keys K and L)"});
     set.add(method, {"method", Method::analytic_ray, kMethods, "How a pixel finds its direction"});
-    set.add(plane,
-            {"plane", Plane::near_plane, kPlanes, "Which points of the quad the matrix takes to directions"});
-    set.add(precision,
-            {"precision", Precision::double_precision, kPrecisions, "In which the matrix is inverted"});
+    set.add(plane, {"plane", Plane::near_plane, kPlanes,
+                    "Which points of the quad the matrix turns into directions"});
+    set.add(precision, {"precision", Precision::double_precision, kPrecisions,
+                        "The precision in which the matrix is inverted"});
     set.add(depth_method, {"depth_method", DepthMethod::far_plane, kDepthMethods,
                            "How the background stays behind the spheres"});
     set.section("Projection");

@@ -3,7 +3,7 @@
 //@teacher begin
 // The right answer of lab 7: the direction in which each pixel of the background looks. In double precision,
 // from the field of view and the camera's angles alone: there is no matrix in it to be inverted, and near and
-// far play no part. See common/truth/include/truth/environment.hpp.
+// far do not matter. See common/truth/include/truth/environment.hpp.
 #include <algorithm>
 
 #include "app/truth_scene.hpp"
@@ -14,7 +14,7 @@
 namespace texel {
 
 /// Unit vectors in the world, as the view `direction` has them. Where a sphere stands there is no answer:
-/// what is seen there is its triangles' normals, which are the business of labs 6 and 8.
+/// one sees its triangles' normals, which are tested in labs 6 and 8.
 inline app::Truth environment_truth(const EnvironmentParameters& p, glm::ivec2 size) {
   const truth::Camera camera = app::truth_camera(p.camera, size);
   return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
@@ -30,7 +30,7 @@ inline app::Truth environment_truth(const EnvironmentParameters& p, glm::ivec2 s
 
 }  // namespace texel
 //@starter
-// // The right answer stays with your teacher: here is none.
+// // A student's tree does not contain the right answer.
 // #include "app/measure.hpp"
 // #include "parameters.hpp"
 //

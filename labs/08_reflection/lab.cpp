@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lab 8: a mirror ball. The ray from the eye is reflected at the surface, and its direction looked up in the
-// cube map. What is left is to get the ray and the normal right; then glass is only a second ray away.
+// Lab 8: a mirror ball. The ray from the eye is reflected at the surface, and its direction is looked up in
+// the cube map. The task is to get the ray and the normal right. Glass then needs only a second ray.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "app/environment.hpp"
@@ -28,14 +28,14 @@ struct Reflection {
     const glm::mat4 turned = app::turn_about_y(p.turn) * tilted;
     const glm::mat4 world_from_object = glm::scale(turned, glm::vec3(1, p.stretch, 1));
     //@teacher begin
-    // The inverse transpose of a rotation is itself; of a scale it is the reciprocal, so that the normals of
-    // a stretched ball turn away from the axis while its edges turn towards it.
+    // The inverse transpose of a rotation is the rotation itself; of a scale it is the reciprocal. So the
+    // normals of a stretched ball turn away from the axis while its edges turn towards it.
     const glm::mat3 rotation_and_scale(world_from_object);
     const glm::mat3 normal_from_object = p.normal_matrix == NormalMatrix::inverse_transpose
                                              ? glm::transpose(glm::inverse(rotation_and_scale))
                                              : rotation_and_scale;
     //@starter
-    // // Normals do not follow the stretch as points do (lab 5).
+    // // Normals do not move like points when the ball is stretched (lab 5).
     // const float along_y = p.normal_matrix == NormalMatrix::inverse_transpose ? 1 / p.stretch : p.stretch;
     // const glm::mat3 normal_from_object(glm::scale(turned, glm::vec3(1, along_y, 1)));
     //@end
@@ -63,7 +63,7 @@ struct Reflection {
   static app::Truth truth(const Parameters& p, glm::ivec2 size) { return reflection_truth(p, size); }
 
  private:
-  /// The cube map's six pictures as one, which is looked up by angles or as a mirror ball shows it.
+  /// The cube map's six pictures as one picture, by two angles or as a mirror ball shows them.
   gl::Texture picture(const Parameters& p) const {
     std::array<image::Image8, 6> faces = assets_.cube_map(p.cube_map);
     if (p.lookup == Lookup::sphere_map)

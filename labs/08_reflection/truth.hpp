@@ -29,7 +29,7 @@ inline app::Truth reflection_truth(const ReflectionParameters& p, glm::ivec2 siz
 
 }  // namespace texel
 //@starter
-// // The right answer stays with your teacher: here is none.
+// // A student's tree does not contain the right answer.
 // #include "app/measure.hpp"
 // #include "parameters.hpp"
 //

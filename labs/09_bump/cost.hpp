@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a frame costs by itself: too little to be seen in the time of a picture, so that the benchmark asks
-// the CPU's twin of the shader's function for many. Nothing to do for you here.
+// The cost of a frame alone is too small to see in the time of a picture. So the benchmark runs
+// the same function on the CPU many times. Nothing to do for you here.
 #pragma once
 
 #include "app/lab.hpp"

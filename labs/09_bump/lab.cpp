@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lab 9: a bumpy mirror ball. A normal map bends the normals, and with them what the mirror shows. A sphere
-// has no tangents of its own: the frame is built in each pixel from the normal alone, in one of seven ways.
+// has no given tangents: each pixel builds its frame from the normal alone, in one of seven ways.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "app/environment.hpp"
@@ -17,8 +17,8 @@ struct Bump {
   static constexpr app::View kViews[] = {app::View::color,     app::View::normal,   app::View::tangent,
                                          app::View::direction, app::View::texcoord, app::View::depth,
                                          app::View::mask,      app::View::error};
-  static constexpr app::Info info{9, "bump", "Bump mapping", "Bend the mirror ball's normals by a picture.",
-                                  kViews};
+  static constexpr app::Info info{9, "bump", "Bump mapping",
+                                  "Bend the mirror ball's normals with a normal map.", kViews};
   using Parameters = BumpParameters;
 
   explicit Bump(const app::Assets& assets) : assets_(assets), environment_(assets) {}
@@ -35,7 +35,7 @@ struct Bump {
     program.set("eye", p.camera.eye());
     program.set("cube_map", 0);
     if (p.normal_mapping) {
-      // Numbers, not colours: stored linear, so that nothing is decoded. Unit 0 has the cube map.
+      // Numbers, not colours: stored linear, and nothing is decoded. Unit 0 has the cube map.
       gl::bind(1, GL_TEXTURE_2D, normal_maps_.get({p.normal_map, p.mip_filter == MipFilter::none}, [&] {
         return gl::make_texture_2d(
             assets_.normal_map(p.normal_map), image::Encoding::linear,

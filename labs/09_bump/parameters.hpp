@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What can be chosen in lab 9. Nothing to do for you here.
+// The parameters of lab 9. Nothing to do for you here.
 #pragma once
 #include "app/camera.hpp"
 #include "app/environment.hpp"
@@ -10,24 +10,25 @@ namespace texel {
 
 enum class Method { rotate_to_normal, sign_corrected, duff, hughes_moller, cross_up, uv_aligned, blinn };
 inline constexpr params::Item kMethods[] = {
-    {"rotate-to-normal", "Frisvad 2012, and the result is not made unit (worksheet): imprecise near -z"},
+    {"rotate-to-normal",
+     "Frisvad 2012, without making the result a unit vector (worksheet): imprecise near -z"},
     {"sign-corrected", "The same with |n.z|, mirrored for the other half: precise everywhere"},
     {"duff", "Duff et al. 2017: one formula for both halves"},
     {"hughes-moller", "Hughes and Moeller 1999: swaps two components, one square root"},
-    {"cross-up", "At right angles to n and to +y: along u, but there is none at the poles"},
-    {"uv-aligned", "Tangent where u grows: the only one that turns the bumps as the texture runs"},
-    {"blinn", "Blinn 1978: the map's slopes as a height field on this very sphere"}};
+    {"cross-up", "Tangent perpendicular to n and to +y: along u, but undefined at the poles"},
+    {"uv-aligned", "Tangent where u grows: the bumps follow the texture everywhere"},
+    {"blinn", "Blinn 1978: the map's slopes as a height field on this sphere"}};
 
 enum class Incident { constant_eye, per_fragment };
-inline constexpr params::Item kIncidents[] = {
-    {"constant-eye", "Minus the eye's position, for every pixel (worksheet)"},
-    {"per-fragment", "From the eye to the point that is seen"}};
+inline constexpr params::Item kIncidents[] = {{"constant-eye", "-eye for every pixel (worksheet)"},
+                                              {"per-fragment", "From the eye to the visible point"}};
 
 enum class MipFilter { plain, toksvig, none };
 inline constexpr params::Item kMipFilters[] = {
-    {"plain", "Averaged normals as they come: from afar the relief is gone, and the mirror smooth"},
-    {"toksvig", "The shorter the average, the rougher the mirror: it reads a smaller level of the cube map"},
-    {"none", "There are no averages: four texels of the full map, and noise from afar"}};
+    {"plain", "Averaged normals as they are: from far away the relief is gone and the mirror smooth"},
+    {"toksvig",
+     "The shorter the averaged normal, the rougher the mirror: reads a smaller level of the cube map"},
+    {"none", "No averages, four texels of the full map: noise from far away"}};
 
 inline constexpr params::Item kNormalMaps[] = {{"bump", "Smooth bumps"},
                                                {"brick", "Bricks and mortar"},
@@ -58,8 +59,8 @@ struct BumpParameters {
     set.add(bump_strength,
             {"bump_strength", 0.4, 0, 100, "", "Steepness of the relief: multiplies the normal's x and y"});
     set.add(repeats,
-            {"repeats", 2, 1, 64, "", "How often the map runs around the ball and from pole to pole"});
-    set.add(mip_filter, {"mip_filter", MipFilter::plain, kMipFilters, "What becomes of averaged normals"});
+            {"repeats", 2, 1, 64, "", "How often the map repeats around the ball, and from pole to pole"});
+    set.add(mip_filter, {"mip_filter", MipFilter::plain, kMipFilters, "How averaged normals are used"});
     set.section("Mirror");
     set.add(cube_map, {"cube_map", "scene", app::kCubeMaps, "What is reflected (keys K and L)"});
     set.add(incident,

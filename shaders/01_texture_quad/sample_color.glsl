@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Steps 1.3 and 1.6. The colour of a pixel: what the texture holds at the interpolated coordinate. The filter is the
-// sampler's; only supersampling is done here.
+// Steps 1.3 and 1.6. The colour of a pixel: the texture's colour at the interpolated coordinate. The sampler filters;
+// only supersampling is done here.
 
 // One sample.
 vec4 look_up(sampler2D color_map, vec2 texcoord) {
@@ -11,7 +11,7 @@ vec4 look_up(sampler2D color_map, vec2 texcoord) {
   //@end
 }
 
-// Four samples in the middles of the pixel's quarters. Each covers half the width, so it takes half the gradient.
+// Four samples in the middles of the pixel's quarters. Each covers half the width and takes half the gradient.
 vec4 look_up_four(sampler2D color_map, vec2 texcoord) {
   //@step 1.6 begin
   vec2 dx = dFdx(texcoord), dy = dFdy(texcoord);

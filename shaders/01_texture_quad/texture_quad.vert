@@ -1,6 +1,6 @@
 #version 330 core
 // SPDX-License-Identifier: MIT
-// The texture coordinate of each corner goes to the rasteriser, which interpolates it for every pixel between.
+// Passes each corner's texture coordinate to the rasteriser, which interpolates it for every pixel.
 in vec3 position;
 in vec2 texcoord;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Step 2.3. Two colours become one. `first`: the colour times the first picture; `second`: the second picture with its
-// alpha, which is 1 where it is opaque.
+// Step 2.3. Combines two colours. `first`: the colour times the first picture. `second`: the second picture with its
+// alpha; alpha is 1 where it is opaque.
 vec3 combine(vec3 first, vec4 second) {
   //@step 2.3 begin
 #if COMBINE == COMBINE_MULTIPLY
@@ -10,7 +10,7 @@ vec3 combine(vec3 first, vec4 second) {
 #elif COMBINE == COMBINE_ADD
   return first + second.rgb;
 #elif METHOD == METHOD_PREMULTIPLIED
-  // Porter and Duff's "over": the colour has been multiplied by its alpha already, before it was filtered.
+  // Porter and Duff's "over": the colour was multiplied by its alpha before filtering.
   return second.rgb + (1.0 - second.a) * first;
 #else
   return mix(first, second.rgb, second.a);

@@ -23,7 +23,7 @@ vec3 color() {
 #endif
 }
 
-// The level of the first picture that is read; two pictures of different size have different levels at one pixel.
+// The level of the first picture. Two pictures of different size have different levels at a pixel.
 float level() {
 #if UNIT0_ON
   return level_of_detail(fragment_texcoord, vec2(textureSize(Tex0, 0)));

@@ -1,6 +1,6 @@
 #version 330 core
 // SPDX-License-Identifier: MIT
-// Each vertex hands on its texture coordinate, or the colour that was read there at import.
+// Passes on each vertex's texture coordinate, or the colour that was read there at import.
 in vec3 position;
 in vec3 normal;
 

@@ -8,7 +8,7 @@ in vec2 fragment_texcoord;
 
 vec2 surface_texcoord() { return fragment_texcoord; }
 
-// What lies between two vertices is not the picture but a blend of two texels.
+// Between two vertices there is no picture, only a blend of their texels.
 vec3 surface_color() { return vertex_color; }
 
 #elif PROJECTION == PROJECTION_TRIPLANAR
@@ -29,13 +29,13 @@ vec2 along_z() {
   return vec2(across, object_coordinate.y) + 0.5;
 }
 
-// How much each axis counts: the more the surface faces it. The power keeps the blend to where two are nearly even.
+// The weight of each axis: large if the surface faces it. The power limits the blend to nearly equal weights.
 vec3 axis_weights() {
   vec3 weights = pow(abs(normalize(object_normal)), vec3(6.0));
   return weights / (weights.x + weights.y + weights.z);
 }
 
-// That of the axis that counts most.
+// The picture along the axis with the largest weight.
 vec2 surface_texcoord() {
   vec3 weights = axis_weights();
   if (weights.z >= weights.x && weights.z >= weights.y) return along_z();

@@ -1,6 +1,6 @@
 #version 330 core
 // SPDX-License-Identifier: MIT
-// Each vertex hands on the one texture coordinate and the one normal that it has.
+// Each vertex passes on its one texture coordinate and its one normal.
 in vec3 position;
 in vec3 normal;
 in vec2 texcoord;

@@ -1,6 +1,6 @@
 #version 330 core
 // SPDX-License-Identifier: MIT
-// Lights the normal that the map says, in the frame that the surface has here.
+// Lights the surface with the map's normal, in the surface's frame at this pixel.
 in vec3 world_position;
 in vec3 world_normal;
 in vec2 fragment_texcoord;

@@ -6,7 +6,7 @@
 in vec4 world_tangent;
 in vec3 world_bitangent;
 
-// Three interpolated vectors, each made unit again; nothing makes them orthogonal (slides).
+// Three interpolated vectors, made unit vectors again, but not orthogonal (slides).
 mat3 tangent_frame() {
   return mat3(normalize(world_tangent.xyz), normalize(world_bitangent), normalize(world_normal));
 }
@@ -14,11 +14,11 @@ mat3 tangent_frame() {
 #elif STORED_TANGENT
 in vec4 world_tangent;
 
-// Step 5.5. The frame from the interpolated normal and tangent; w says on which side of them B lies.
+// Step 5.5. The frame from the interpolated normal and tangent. The sign w says on which side B lies.
 mat3 tangent_frame() {
   //@step 5.5 begin
 #if METHOD == METHOD_MIKKTSPACE
-  // Baking programs interpolate without making unit vectors again, so that decoding must not either.
+  // Baking programs interpolate and do not make unit vectors again. Decoding must do the same.
   vec3 N = world_normal;
   vec3 T = world_tangent.xyz;
 #else
@@ -33,8 +33,8 @@ mat3 tangent_frame() {
 }
 
 #elif NORMAL_MAPPING && METHOD == METHOD_SCREEN_AXES
-// As the report prints it (section 3.3). dFdx of a position points along the screen's x axis and not along the
-// texture's s; and a position that is in view or world space already is turned by the model matrix once more.
+// As the report prints it (section 3.3). dFdx of a position points along the screen's x axis, not along the
+// texture's s. Also, a position already in view or world space is multiplied by the model matrix again.
 mat3 tangent_frame() {
   vec3 xTangent = dFdx(world_position);
   vec3 yTangent = dFdy(world_position);
@@ -46,8 +46,8 @@ mat3 tangent_frame() {
 }
 
 #else
-// Step 5.6. The frame from how position and texture coordinate change from this pixel to its neighbours: the two
-// vectors T and B in the plane for which, but for one factor, T . dp = ds and B . dp = dt hold along both steps.
+// Step 5.6. The frame from how position and texture coordinate change between this pixel and its neighbours. In the
+// plane, T and B fulfil T . dp = ds and B . dp = dt for both neighbours, up to one common factor.
 // C. Schueler, "Normal Mapping Without Precomputed Tangents", ShaderX 5 (2006).
 mat3 tangent_frame() {
   vec3 N = normalize(world_normal);

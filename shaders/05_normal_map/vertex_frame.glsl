@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which tangents a vertex hands on: those that the method reads, and no others. A tangent lies in the surface, so it
-// moves as the surface does.
+// A vertex passes on only the tangents that the method reads. A tangent lies in the surface, so it
+// moves with the surface.
 #include "methods.glsl"
 
 #if STORED_TANGENT || STORED_BITANGENT

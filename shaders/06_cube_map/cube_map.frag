@@ -1,6 +1,6 @@
 #version 330 core
 // SPDX-License-Identifier: MIT
-// A sphere with one picture by two angles, or with six pictures by the direction itself.
+// A sphere with one picture, found by two angles, or with six pictures, found by the direction itself.
 #include "look_up.glsl"
 #include "seam.glsl"
 #include "lib/cube_coordinates.glsl"
@@ -13,7 +13,7 @@ uniform sampler2D color_map;
 uniform samplerCube cube_map;
 
 void main() {
-  // Interpolated normals are too short between the vertices. The angles would not mind, but their derivatives do.
+  // Interpolated normals are too short between the vertices. This does not change the angles, but their derivatives.
   vec3 direction = normalize(object_normal);
 #if VIEW == VIEW_NORMAL
   picture = vec4(normalize(world_normal), 1.0);

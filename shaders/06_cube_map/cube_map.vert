@@ -1,6 +1,6 @@
 #version 330 core
 // SPDX-License-Identifier: MIT
-// The texture belongs to the sphere: it is looked up by the normal in object space, and turns with the sphere.
+// The texture turns with the sphere: it is looked up with the normal in object space.
 in vec3 position;
 in vec3 normal;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a pixel reads the picture on the sphere, and how large an area. The area decides the mipmap level; behind the
-// sphere, where u jumps from -1/2 to 1/2, neighbours seem to be a whole picture apart.
+// Where a pixel reads the picture on the sphere, and how large an area. The area decides the mipmap level. At the back
+// of the sphere u jumps from -1/2 to 1/2: there neighbours seem to be a whole picture apart.
 #include "lib/sphere_coordinates.glsl"
 
 struct Footprint {
@@ -13,8 +13,8 @@ Footprint sphere_footprint(vec3 n) {
   vec2 texcoord = sphere_texcoord(n);
   //@step 6.4 begin
 #if SEAM_METHOD == SEAM_METHOD_SELECT
-  // The same place counted from 0 to 1: that one jumps in front. Take it only where it clearly changes less, since
-  // elsewhere rounding would decide, and neighbours would differ by 1 after all.
+  // The same place counted from 0 to 1 jumps in front. Take it only where it clearly changes less:
+  // elsewhere rounding would decide, and neighbours would differ by 1.
   // M. Tarini, "Cylindrical and Toroidal Parameterizations Without Vertex Seams", JGT 16 (2012).
   float other = fract(texcoord.x);
   if (fwidth(other) < fwidth(texcoord.x) - 0.001) texcoord.x = other;

@@ -1,6 +1,6 @@
 #version 330 core
 // SPDX-License-Identifier: MIT
-// What the camera sees beyond all objects: the cube map in the direction of the pixel.
+// What the camera sees behind all objects: the cube map in the direction of the pixel.
 #include "background_depth.glsl"
 #include "lib/picture.glsl"
 

@@ -1,7 +1,7 @@
 #version 330 core
 // SPDX-License-Identifier: MIT
-// The quad is in clip space already. Its directions are linear in clip space, so that interpolating them between the
-// corners is exact as long as nobody makes them unit here.
+// The quad is already in clip space. Its directions are linear there: interpolating them between the
+// corners is exact, if they are not made unit vectors here.
 #include "background_depth.glsl"
 #include "lib/view_ray.glsl"
 

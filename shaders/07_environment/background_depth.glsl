@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the quad lies in the depth buffer, with w = 1: z from -1 (near plane) to 1 (far plane).
+// The quad's place in the depth buffer, with w = 1: z from -1 (near plane) to 1 (far plane).
 uniform float near;
 uniform float far;
 
@@ -9,8 +9,8 @@ const float kBackgroundZ = 1.0;
 const float kBackgroundZ = 0.999;  // the worksheet's
 #endif
 
-// At which distance along the view axis an object has that depth: the projection's z / w, solved for the distance. With
-// near = 0.0001 and far = 100 nearly all of the range is used up in front of the eye, and 0.999 is 0.2 units away.
+// The distance along the view axis at which an object has this depth: z / w, solved for the distance. With
+// near = 0.0001 and far = 100 nearly the whole range lies just in front of the eye: 0.999 is 0.2 units away.
 float background_distance() {
   return 2.0 * near * far / ((1.0 - kBackgroundZ) * far + (1.0 + kBackgroundZ) * near);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What surrounds the ball in a direction of any length, linear RGB: in six pictures, or in one.
+// The surroundings' linear RGB in a direction of any length, from six pictures or from one.
 #include "lib/sphere_coordinates.glsl"
 
 uniform samplerCube cube_map;
@@ -9,8 +9,8 @@ vec3 environment(vec3 direction) {
 #if LOOKUP == LOOKUP_CUBE
   return texture(cube_map, direction).rgb;
 #elif LOOKUP == LOOKUP_SPHERE_MAP
-  // Where a mirror ball, seen from far away on the +z axis, reflects towards it: its normal there is halfway between d and
-  // +z (OpenGL 2.1 specification, section 2.11.4). Towards -z that is the rim, all around.
+  // A mirror ball, seen from far away on the +z axis, reflects d where its normal is halfway between d and
+  // +z (OpenGL 2.1 specification, section 2.11.4). For d = -z that is the whole rim.
   vec3 d = normalize(direction);
   float m = 2.0 * sqrt(max(dot(d.xy, d.xy) + (d.z + 1.0) * (d.z + 1.0), 1e-12));
   return texture(picture_map, d.xy / m + 0.5).rgb;

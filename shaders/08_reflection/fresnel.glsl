@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Step 8.4. Which part of unpolarised light is reflected where two dielectrics meet. cos_i: cosine of the angle between
-// ray and normal, 0 to 1; eta: index of refraction here divided by that beyond; the ray does have a refracted one.
+// Step 8.4. The share of unpolarised light that is reflected between two dielectrics. cos_i: cosine of the angle of
+// ray and normal, 0 to 1. eta: this side's index of refraction over the other side's. A refracted ray exists here.
 float fresnel(float cos_i, float eta) {
   //@step 8.4 begin
   float cos_t = sqrt(max(1.0 - eta * eta + eta * eta * cos_i * cos_i, 0.0));
   if (cos_i <= 0.0) return 1.0;  // along the surface; between equal media the quotients below would be 0 / 0
 #if SURFACE == SURFACE_SCHLICK
-  // C. Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994. Its cosine is that in the thinner
-  // medium, so that it too reaches 1 where total reflection begins.
+  // C. Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994. Take the cosine in the thinner
+  // medium. Then Schlick's formula, too, reaches 1 where total reflection begins.
   float r0 = (eta - 1.0) / (eta + 1.0);
   r0 *= r0;
   return r0 + (1.0 - r0) * pow(max(1.0 - min(cos_i, cos_t), 0.0), 5.0);

@@ -11,7 +11,7 @@ struct Rays {
   float reflectance;  // which part of the light is reflected
 };
 
-// Step 8.2. The direction in which the view ray arrives.
+// Step 8.2. The direction of the view ray that arrives at the surface.
 vec3 incident_ray(vec3 position) {
 #if METHOD == METHOD_CONSTANT_EYE
   return -eye;  // right for one point only: the one in front of the eye (worksheet)
@@ -34,7 +34,7 @@ vec3 reflected_ray(vec3 incident, vec3 normal) {
 }
 
 // Step 8.3. Bends a unit ray at a surface whose unit normal is on the ray's side (Snell's law). eta: index of refraction
-// here divided by that beyond. (0, 0, 0): none, all light is reflected.
+// on this side over that on the other. Returns (0, 0, 0) if there is no refracted ray: all light is reflected.
 vec3 refracted_ray(vec3 incident, vec3 normal, float eta) {
   //@step 8.3 begin
   float cos_i = -dot(normal, incident);

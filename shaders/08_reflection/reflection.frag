@@ -1,6 +1,6 @@
 #version 330 core
 // SPDX-License-Identifier: MIT
-// The colour of a ball of mirror or glass: what surrounds it, in the directions in which light goes on.
+// The colour of a mirror or glass ball: its surroundings, in the directions of reflected and refracted light.
 #include "environment.glsl"
 #include "rays.glsl"
 #include "surface_normal.glsl"

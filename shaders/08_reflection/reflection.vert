@@ -1,6 +1,6 @@
 #version 330 core
 // SPDX-License-Identifier: MIT
-// Position and normal of each vertex; the rays too where they are computed once a vertex.
+// Position and normal of each vertex; also the rays, if they are computed per vertex.
 in vec3 position;
 in vec3 normal;
 

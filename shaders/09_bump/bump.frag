@@ -1,6 +1,6 @@
 #version 330 core
 // SPDX-License-Identifier: MIT
-// What a bumpy mirror shows: coordinates, map, frame, reflection.
+// A bumpy mirror: coordinates, map, frame, reflection.
 #include "coordinates.glsl"
 #include "frame.glsl"
 #include "map_normal.glsl"

@@ -1,6 +1,6 @@
 #version 330 core
 // SPDX-License-Identifier: MIT
-// The relief belongs to the ball: its frame is built from the normal in object space, and turns with the ball.
+// The relief turns with the ball: its frame is built from the normal in object space.
 in vec3 position;
 in vec3 normal;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // An orthonormal frame around a unit vector n: columns T, B and N = n, right-handed. Any two vectors perpendicular to n
-// will do for lighting alone; a relief needs those in which u and v run.
+// are good enough for lighting. A relief needs those along u and v.
 
 #if METHOD == METHOD_ROTATE_TO_NORMAL
 // J. R. Frisvad, "Building an Orthonormal Basis from a 3D Unit Vector Without Normalization", JGT 16 (2012), listing 3:
@@ -37,7 +37,7 @@ mat3 frame_at(vec3 n) {
 }
 
 #elif METHOD == METHOD_CROSS_UP
-// Step 9.3, first place. T at right angles to n and to the axis. At the poles these are parallel: not a number.
+// Step 9.3, first place. T is perpendicular to n and to the axis. At the poles these are parallel: T is NaN.
 mat3 frame_at(vec3 n) {
   //@step 9.3 begin
   vec3 T = normalize(cross(n, vec3(0.0, 1.0, 0.0)));
@@ -48,8 +48,8 @@ mat3 frame_at(vec3 n) {
 }
 
 #else
-// Step 9.3, second place. T along the circle of latitude, where u grows (to -x on the side that faces +z); B along the
-// meridian, where v grows (down). At the poles u has no direction: any will do; and nearer to them the squares in
+// Step 9.3, second place. T runs along the circle of latitude, where u grows (to -x at +z). B runs along the
+// meridian, where v grows (down). At the poles u has no direction: any T is right. Near the poles the squares in
 // length() lose digits.
 mat3 frame_at(vec3 n) {
   //@step 9.3 begin
@@ -68,9 +68,9 @@ vec3 bent_normal(vec3 n, vec3 m) {
   return frame_at(n) * m;  // averaged normals are too short, and nobody minds (worksheet)
 #elif METHOD == METHOD_BLINN
   // The map's slopes -dh/du = m.x / m.z and -dh/dv, per length of the map; along v the map is as long as half a meridian.
-  // The circle of latitude is 2 sin(angle from the pole) times that, so the slope along it is so much smaller: the
-  // surface gradient of J. F. Blinn, "Simulation of Wrinkled Surfaces", SIGGRAPH 1978, section 2. At the poles no slope
-  // but 0 is possible.
+  // The circle of latitude is 2 sin(angle from the pole) times as long. Slopes along it are smaller by this factor: the
+  // surface gradient of J. F. Blinn, "Simulation of Wrinkled Surfaces", SIGGRAPH 1978, section 2. At the poles only
+  // slope 0 is possible.
   float longer = 2.0 * length(n.xz);
   return normalize(frame_at(n) * vec3(m.x / max(longer, 1e-3), m.y, m.z));
 #else

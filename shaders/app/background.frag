@@ -1,6 +1,6 @@
 #version 330 core
 // SPDX-License-Identifier: MIT
-// What surrounds the scene, in the direction of each pixel.
+// The surroundings in the direction of each pixel.
 #include "lib/picture.glsl"
 
 in vec3 direction;

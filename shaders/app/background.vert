@@ -1,6 +1,6 @@
 #version 330 core
 // SPDX-License-Identifier: MIT
-// A quad that fills the picture at the far plane: z = w gives depth 1, whatever near and far are (lab 7).
+// A quad that fills the picture at the far plane: z = w gives depth 1 for any near and far (lab 7).
 #include "lib/view_ray.glsl"
 
 in vec3 position;

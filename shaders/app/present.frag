@@ -1,6 +1,6 @@
 #version 330 core
 // SPDX-License-Identifier: MIT
-// Shows the values of a data view as colours (sRGB-encoded). Not a number is magenta: it must not look like black.
+// Shows the values of a data view as sRGB colours. NaN is magenta: it must not look like black.
 uniform sampler2D values;
 uniform int view;  // app::View
 
@@ -9,7 +9,7 @@ out vec4 picture;
 const int kNormal = 1, kTangent = 2, kTexcoord = 3, kDirection = 4, kLod = 5, kDepth = 6, kMask = 7;
 const vec3 kBackground = vec3(0.20, 0.22, 0.25);
 
-// Dark violet over green to yellow, for levels: t from 0 to 1, lightness grows with it.
+// A colour for t from 0 to 1: from dark violet through green to yellow; lightness grows with t.
 vec3 heat(float t) {
   t = clamp(t, 0.0, 1.0);
   return clamp(vec3(0.27 + t * (-0.35 + t * 1.06), 0.02 + t * (1.15 - t * 0.27), 0.33 + t * (0.98 - t * 1.20)), 0.0, 1.0);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Which face of a cube map a direction meets, and where: what texture(samplerCube, direction) does inside (OpenGL 3.3
+// Which face of a cube map a direction meets, and where, as texture(samplerCube, direction) finds it (OpenGL 3.3
 // core specification, section 3.8.10, table 3.17).
 #include "lib/level_of_detail.glsl"
 
-// Columns: the directions in which s, t and the distance to the face grow. The longest component names the face.
+// Columns: the directions in which s, t and the distance to the face grow. The largest component selects the face.
 mat3 cube_face_axes(vec3 direction) {
   vec3 size = abs(direction);
   vec3 side = mix(vec3(-1.0), vec3(1.0), greaterThanEqual(direction, vec3(0.0)));
@@ -18,7 +18,7 @@ vec2 cube_texcoord(vec3 direction) {
   return 0.5 + 0.5 * p.xy / p.z;
 }
 
-// The level of detail of a cube map whose faces have `size` texels a side. The derivative stays on one face, so that
+// The level of detail of a cube map whose faces have `size` texels a side. The derivative stays on one face:
 // there is no jump from face to face.
 float cube_level_of_detail(vec3 direction, float size) {
   mat3 axes = cube_face_axes(direction);

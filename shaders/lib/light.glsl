@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Linear light that a surface of colour `albedo` sends to the eye: some from everywhere, the rest from one far light,
+// Linear light that a surface of colour `albedo` sends to the eye: ambient light, light from one far source,
 // and a highlight (J. Blinn, "Models of light reflection for computer synthesized pictures", 1977).
 // normal, to_eye: unit vectors in world space, as is the uniform `light`.
 vec3 lit(vec3 albedo, vec3 normal, vec3 to_eye) {

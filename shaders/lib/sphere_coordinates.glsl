@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Texture coordinates of a sphere from the direction in which a point lies, and how they change from pixel to pixel.
+// Texture coordinates of a sphere from a point's direction, and how they change from pixel to pixel.
 const float PI = 3.14159265358979;
 
-// Step 6.1. Longitude and distance from the north pole, as fractions of a full and of a half turn. n: any length but
-// zero. u is 0 at +z, falls to -1/2 towards +x and on to the back, and jumps there to 1/2; v is 0 at +y and 1 at -y.
-// A picture whose bottom row comes first is turned by 180 degrees: u runs left, v down (the worksheet's formula).
+// Step 6.1. Longitude and angle from the north pole, as fractions of a full and of a half turn. n: any length except
+// zero. u is 0 at +z, falls past +x to -1/2 at the back, and jumps there to 1/2. v is 0 at +y and 1 at -y.
+// The worksheet's formula: u runs left, v down. So a picture with the bottom row first is turned by 180 degrees.
 vec2 sphere_texcoord(vec3 n) {
   //@step 6.1 begin
   float u = atan(n.x, n.z) / (-2.0 * PI);
@@ -15,13 +15,13 @@ vec2 sphere_texcoord(vec3 n) {
   //@end
 }
 
-// The difference of two neighbours' coordinates, the short way round: across the seam u differs by nearly 1, although
+// The difference of two neighbours' coordinates, the short way round. Across the seam u differs by nearly 1, but
 // the two points lie side by side.
 vec2 wrapped_difference(vec2 difference) {
   return vec2(difference.x - round(difference.x), difference.y);
 }
 
-// How sphere_texcoord changes where n changes by dn: its derivative, by the chain rule. No seam, since it takes no
+// The change of sphere_texcoord if n changes by dn: its derivative, by the chain rule. It has no seam: it takes no
 // difference of two angles.
 vec2 sphere_gradient(vec3 n, vec3 dn) {
   float r2 = max(dot(n.xz, n.xz), 1e-12), r = sqrt(r2);  // at a pole u has no derivative: a large one is near enough

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The direction in world space in which the camera sees a point of the picture; ndc: -1 to 1 each. Not of unit length,
-// so that it may be interpolated: it is linear in ndc. No matrix is inverted and near and far do not matter.
+// but linear in ndc: it may be interpolated. No matrix is inverted, and near and far do not matter.
 uniform mat3 world_from_view;
 uniform float field_of_view;  // vertical
 uniform float aspect;         // width / height

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// error: the default is none of the items
+// error: the default is not one of the items
 #include "params/set.hpp"
 
 using namespace texel::params;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// error: two items have one name
+// error: two items have the same name
 #include "params/set.hpp"
 
 using namespace texel::params;

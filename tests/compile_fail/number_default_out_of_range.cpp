@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// error: the default lies outside of the range
+// error: the default is outside the range
 #include "params/set.hpp"
 
 using namespace texel::params;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// error: a logarithmic range is positive
+// error: a logarithmic range must be positive
 #include "params/set.hpp"
 
 using namespace texel::params;

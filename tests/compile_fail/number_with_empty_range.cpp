@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// error: a range runs from the least value to a greater one
+// error: a range goes from a smaller to a larger value
 #include "params/set.hpp"
 
 using namespace texel::params;

@@ -460,7 +460,7 @@ TEST_P(Recording, says_that_a_unit_has_no_texture) {
   program.set("map", 5);
   Recorder recorder;
   square_.draw(program);
-  EXPECT_TRUE(warns_of(recorder.take(), "reads unit 5, where no texture is bound"));
+  EXPECT_TRUE(warns_of(recorder.take(), "reads unit 5, but no texture is bound there"));
 }
 
 TEST_P(Recording, says_that_nothing_is_drawn) {

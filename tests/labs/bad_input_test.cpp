@@ -59,7 +59,7 @@ TEST_P(BadArguments, name_what_there_is) {
   for (const char* size : {"0x64", "64", "64x", "64x64x64", "-64x64", "99999x64", "axb"})
     expect_no_snapshot(fmt::format("--size {}", size), kUsage, {"--size", "WIDTHxHEIGHT", "1 to 16384"});
   expect_no_snapshot("--assets /nonexistent", kFailed, {"/nonexistent", "--assets"});
-  expect_no_snapshot("one two three", kUsage, {"there is no place for '"});
+  expect_no_snapshot("one two three", kUsage, {"unexpected argument '"});
 }
 
 TEST_P(BadArguments, name_the_file_that_cannot_be_written) {
@@ -187,12 +187,12 @@ TEST_F(BadFile, obj) {
   expect(corners + "f 1 2 99999999999999999999\n", {"bad.obj:4"});
   expect("v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", {"bad.obj:1"});
   expect("v 0 0 1e308\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", {"bad.obj:1"});
-  expect(corners, {"no face of three corners"});
+  expect(corners, {"no face with three corners"});
   expect(corners + "f 1 2 x\n", {"bad.obj:4"});
   expect("v 0 0\n", {"bad.obj:1"});
   // A face of one or two corners is left out.
-  expect(corners + "f 1\n", {"no face of three corners"});
-  expect(corners + "f 1 2\n", {"no face of three corners"});
+  expect(corners + "f 1\n", {"no face with three corners"});
+  expect(corners + "f 1 2\n", {"no face with three corners"});
   expect_path_refused("lab05_normal_map", "/nonexistent/none.obj", "/nonexistent/none.obj", kFailed, {});
   expect_path_refused("lab05_normal_map", "/tmp", "/tmp", kFailed, {"folder"});
 }

@@ -65,7 +65,7 @@ std::vector<Model> degenerate_models() {
       {"plane", plane + kCorners + kFaces},
       {"needles", needles + kCorners + kFaces},
       {"mixed", mixed + kCorners + kFaces, "points and lines"},
-      {"far", cube(1e-3, 1e6) + kCorners + kFaces, "as 32-bit floats have it"},
+      {"far", cube(1e-3, 1e6) + kCorners + kFaces, "in 32-bit floats"},
       {"too_far", cube(5, 1e6) + kCorners + kFaces, "32-bit floats are 0.0625 apart"},
       {"tiny", cube(1e-30) + kCorners + kFaces},
       {"enormous", cube(1e38) + kCorners + kFaces},

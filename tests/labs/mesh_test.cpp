@@ -67,7 +67,7 @@ TEST_P(Models, of_which_nothing_is_seen_are_warned_of) {
     const Stats stats = stats_of(lab(), fmt::format("{} --yaw 90 --pitch 0 --view {}",
                                                     shell_word((folder_ / "plane.obj").string()), view));
     EXPECT_EQ(stats.triangles, 1);
-    EXPECT_TRUE(has(fmt::format("{}", fmt::join(stats.warnings, "\n")), "nothing is seen")) << view;
+    EXPECT_TRUE(has(fmt::format("{}", fmt::join(stats.warnings, "\n")), "nothing is visible")) << view;
   }
 }
 

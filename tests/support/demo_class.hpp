@@ -162,11 +162,12 @@ inline grade::ClassResult demo_class(const std::filesystem::path& folder) {
   };
   add("index", "Index Page", "10231").labs = demo_results(5);
   add("ada-half", "Ada Half", "10232").labs =
-      demo_results(2, "normal-green-flipped", "Green is turned round: these maps are +Y up.");
+      demo_results(2, "normal-green-flipped", "Green is inverted: in these maps green points up (+Y).");
   add("ben-nothing", "Ben Nothing", "10233").labs = demo_results(-1);
 
   grade::StudentResult& broken = add("cleo-broken", "Cleo Broken", "10234");
-  broken.labs = demo_results(1, "normal-green-flipped", "Green is turned round: these maps are +Y up.");
+  broken.labs =
+      demo_results(1, "normal-green-flipped", "Green is inverted: in these maps green points up (+Y).");
   broken.logs = {{"shaders/05_normal_map/decode_normal.glsl",
                   "shaders/05_normal_map/decode_normal.glsl:7:3: error: `colour' undeclared\n"
                   "    7 |   return colour * 2.0 - 1.0;\n      |          ^~~~~~\n"

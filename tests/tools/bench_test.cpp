@@ -132,8 +132,8 @@ TEST_F(LabOutput, is_compared_with_an_earlier_report) {
   const std::vector<std::string> lines =
       differences(then, now, {});  // 2.5 % are borne, times are not compared
   ASSERT_EQ(lines.size(), 2U);
-  EXPECT_EQ(lines[0], "lab 05_normal_map, flat, slow: mean error 1.2 and not 1 degrees");
-  EXPECT_EQ(lines[1], "lab 05_normal_map, round, slow: is not in the report");
+  EXPECT_EQ(lines[0], "lab 05_normal_map, flat, slow: mean error 1.2, not 1 degrees");
+  EXPECT_EQ(lines[1], "lab 05_normal_map, round, slow: is missing in the report");
 }
 
 TEST_F(LabOutput, is_compared_where_the_driver_decides_with_the_same_renderer_only) {

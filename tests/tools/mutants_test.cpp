@@ -66,7 +66,8 @@ TEST_F(MutantEngine, tells_what_the_tests_notice_from_what_they_do_not) {
   EXPECT_EQ(result.exit_code, 1) << result.errors;  // 50 % are fewer than 90
   EXPECT_TRUE(has(result.output, "caught by Clamp.keeps_small_numbers")) << result.output;
   EXPECT_TRUE(has(result.output, "SURVIVED")) << result.output;
-  EXPECT_TRUE(has(result.output, "survived: wrong-limit (clamp.cpp): no reason is known")) << result.output;
+  EXPECT_TRUE(has(result.output, "survived: wrong-limit (clamp.cpp): the catalogue gives no reason"))
+      << result.output;
   EXPECT_TRUE(has(result.output, "1 of 2 caught (50 %); 0 survive for a reason")) << result.output;
   EXPECT_EQ(read_file(folder_ / "tree/clamp.cpp"), kSource) << "only the copy is changed";
   EXPECT_EQ(read_file(folder_ / "work/tree/clamp.cpp"), kSource) << "and changed back";

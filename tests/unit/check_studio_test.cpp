@@ -71,8 +71,7 @@ class StudioTest : public testing::Test {
 TEST_F(StudioTest, blames_the_picture_at_which_the_program_died_and_has_the_others_drawn) {
   EXPECT_EQ(draw_all({"a", "b", "dies", "c", "d"}), "a b c d");
   EXPECT_EQ(faulty(), "dies.png");
-  EXPECT_EQ(drawn_.faults["dies.png"],
-            "The program crashed here: it read or wrote where nothing is (SIGSEGV)");
+  EXPECT_EQ(drawn_.faults["dies.png"], "The program crashed here: it read or wrote invalid memory (SIGSEGV)");
   EXPECT_TRUE(drawn_.said.empty());
   EXPECT_EQ(drawn_.notes.size(), 1U);
 }
@@ -81,7 +80,7 @@ TEST_F(StudioTest, starts_a_program_that_dies_four_times_at_the_most) {
   EXPECT_EQ(draw_all({"a", "dies1", "dies2", "b", "dies3", "dies4", "c"}), "a b");
   EXPECT_EQ(faulty(), "c.png dies1.png dies2.png dies3.png dies4.png");
   EXPECT_EQ(drawn_.faults["c.png"],
-            "Not drawn: the program was ended or died several times before this one's turn came");
+            "Not drawn: the program crashed or was stopped several times before this case");
 }
 
 TEST_F(StudioTest, passes_on_what_the_program_says_of_a_picture) {
@@ -114,7 +113,8 @@ TEST(Renderers, are_named_and_a_gpu_gets_advice) {
   EXPECT_EQ(renderer_note("softpipe", "softpipe"), "Drawn by softpipe.");
   EXPECT_EQ(renderer_note("softpipe", ""), "Drawn by softpipe.");
   EXPECT_EQ(renderer_note("softpipe", "llvmpipe"),
-            "Drawn by softpipe here, expected by llvmpipe. The limits have room for both: docs/accuracy.md.");
+            "Your pictures are drawn by softpipe, the expected ones by llvmpipe. The limits allow for both: "
+            "docs/accuracy.md.");
   const std::string gpu = renderer_note("Radeon", "llvmpipe");
   EXPECT_NE(gpu.find("Drawn by Radeon, which seems to be a GPU"), gpu.npos) << gpu;
   EXPECT_NE(gpu.find("LIBGL_ALWAYS_SOFTWARE=1"), gpu.npos) << gpu;

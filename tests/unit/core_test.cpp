@@ -136,7 +136,7 @@ TEST(Processors, are_those_of_the_machine_or_as_many_as_TEXEL_THREADS_says) {
   for (const char* wrong : {"0", "-1", "two", "2 ", "1.5", "1025", "99999999999"})
     EXPECT_EQ(error_of([&] { with(wrong); }, Exit::usage),
               "TEXEL_THREADS is '" + std::string(wrong) +
-                  "', which is no number of threads; set it to 1 to 1024, or to nothing");
+                  "', not a number of threads; set it to a number from 1 to 1024, or unset it");
   ::unsetenv("TEXEL_THREADS");
 }
 

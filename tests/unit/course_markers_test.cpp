@@ -106,10 +106,11 @@ TEST(Markers, that_do_not_fit_are_errors_with_their_line) {
   EXPECT_TRUE(fault_of("a\n//@end\n").starts_with("f.cpp:2: 'end' without 'begin'"))
       << fault_of("a\n//@end\n");
   EXPECT_TRUE(fault_of("//@starter\n").starts_with("f.cpp:1: 'starter' does not follow 'begin'"));
-  EXPECT_TRUE(
-      fault_of("//@step 1.1 begin\n//@step 1.2 begin\n").starts_with("f.cpp:2: a step begins within"));
+  EXPECT_TRUE(fault_of("//@step 1.1 begin\n//@step 1.2 begin\n")
+                  .starts_with("f.cpp:2: a step begins inside another"));
   EXPECT_TRUE(fault_of("\n//@step 1.1 begin\n//@starter\n").starts_with("f.cpp:2: this step has no end"));
-  EXPECT_TRUE(fault_of("//@step 1.1 begin\na\n//@end\n").starts_with("f.cpp:3: this step has no part for"));
+  EXPECT_TRUE(
+      fault_of("//@step 1.1 begin\na\n//@end\n").starts_with("f.cpp:3: this step has no '//@starter' part"));
   EXPECT_TRUE(fault_of("//@step one begin\n").starts_with("f.cpp:1: there is no marker '//@step one begin'"));
   EXPECT_TRUE(fault_of("  //@stepp 1.1 begin\n").starts_with("f.cpp:1: there is no marker"));
   EXPECT_EQ(fault_of("text //@end in a line is no marker\n"), "none");

@@ -77,7 +77,7 @@ TEST_F(MutantFile, refuses_what_is_missing_empty_or_unknown) {
   EXPECT_EQ(refusal("[[mutant]]\nname = \"a\"\nfile = \"b\"\nwhat = \"\"\n"),
             "1:1: 'what' is missing or empty");
   EXPECT_EQ(refusal("[[mutant]]\nname = \"a\"\nfile = \"b\"\nwhat = \"c\"\n"),
-            "1:1: 'by' is missing; write by = \"\" to take the text away");
+            "1:1: 'by' is missing; write by = \"\" to remove the text");
   EXPECT_EQ(refusal(kMutant + "stop = \"5.1\"\n"), "7:8: there is no key 'stop'; did you mean 'step'?");
   EXPECT_EQ(refusal(kMutant + "[[mutants]]\n"), "7:1: there is no key 'mutants'; did you mean 'mutant'?");
 }
@@ -95,14 +95,14 @@ TEST_F(MutantFile, refuses_a_value_that_cannot_be) {
     return text.replace(at, text.find('\n', at) - at, key + " = \"" + value + "\"");
   };
   EXPECT_EQ(refusal(with("name", "No factor")),
-            "2:8: 'No factor' is no mutant's name; use lower-case letters, digits and '-'");
+            "2:8: 'No factor' is not a valid mutant name; use lower-case letters, digits and '-'");
   for (const char* file : {"/etc/passwd", "../other", "shaders/../../other"})
     EXPECT_EQ(refusal(with("file", file)), "3:8: '" + std::string(file) +
-                                               "' is no path below the project's root; write it as "
+                                               "' is not a path below the project's root; write it as "
                                                "shaders/lib/light.glsl");
   for (const char* step : {"5", "5.", ".1", "5.1.2", "5.a"})
     EXPECT_EQ(refusal(kMutant + "step = \"" + step + "\"\n"),
-              "7:8: '" + std::string(step) + "' is no step; write it as 5.1");
+              "7:8: '" + std::string(step) + "' is not a step; write it as 5.1");
   EXPECT_EQ(refusal(with("by", "2.0 * x")), "5:6: the replacement changes nothing");
 }
 
@@ -138,7 +138,7 @@ TEST_F(MutantFile, has_equivalents_too) {
   EXPECT_EQ(refusal(kMutant + equivalent),
             "7:1: two equivalents are called 'no-factor'; the other one is at " + first_.string() + ":1");
   EXPECT_EQ(refusal(equivalent.replace(equivalent.find("no-f"), 4, "No f")),
-            "2:8: 'No factor' is no equivalent's name; use lower-case letters, digits and '-'");
+            "2:8: 'No factor' is not a valid equivalent name; use lower-case letters, digits and '-'");
 }
 
 TEST_F(MutantFile, refuses_a_catalogue_without_mutants) {
@@ -151,12 +151,13 @@ TEST_F(MutantFile, changes_the_one_place_that_it_names) {
   write_file(first_, kMutant);
   const Mutant mutant = read_catalogue(first_.parent_path()).at(0);
   EXPECT_EQ(mutated(mutant, "y = 2.0 * x;"), "y = x;");
-  EXPECT_EQ(message([&] { mutated(mutant, "y = 2 * x;"); }),
-            "1:1: 'no-factor' does not apply: its text is not in shaders/lib/light.glsl; copy the text from "
-            "the file as it is now");
+  EXPECT_EQ(
+      message([&] { mutated(mutant, "y = 2 * x;"); }),
+      "1:1: 'no-factor' does not apply: its text is not in shaders/lib/light.glsl; copy the current text "
+      "from the file");
   EXPECT_EQ(message([&] { mutated(mutant, "2.0 * x + 2.0 * x"); }),
-            "1:1: 'no-factor' does not apply: its text is more than once in shaders/lib/light.glsl; take "
-            "more of what stands around it");
+            "1:1: 'no-factor' does not apply: its text occurs more than once in shaders/lib/light.glsl; add "
+            "more of the text around it");
 }
 
 }  // namespace

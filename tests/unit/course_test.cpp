@@ -90,7 +90,7 @@ TEST(LabFile, refuses_a_wrong_type_with_its_line) {
   EXPECT_EQ(refusal(kHead + "[[look]]\nname = \"a\"\ncaption = \"A\"\nhero = 1\n"),
             "7:8: 'hero' is true or false");
   EXPECT_EQ(refusal(kHead + "[[look]]\nname = \"a\"\ncaption = \"A\"\nset = { a = [1] }\n"),
-            "7:13: a parameter's value is a text, number or boolean");
+            "7:13: a parameter's value must be a text, number or boolean");
   EXPECT_EQ(refusal(kHead + "look = 1\n"), "4:8: looks are written as [[look]] tables");
 }
 
@@ -175,18 +175,17 @@ TEST(LabFile, has_the_look_in_which_one_sees_a_step) {
 TEST(LabFile, refuses_steps_and_cases_that_do_not_fit) {
   EXPECT_EQ(refusal(kHead + kStep), "4:1: no case judges step '5.1'");
   EXPECT_EQ(refusal(kHead + replaced(kStep, "5.1", "5.2") + kCase),
-            "5:6: step '5.2' stands where '5.1' belongs");
+            "5:6: this is step '5.2', but the next one must be '5.1'");
   EXPECT_EQ(refusal(kHead + kStep + "needs = [\"5.3\"]\n" + kCase),
             "9:9: there is no step '5.3' before this one");
   EXPECT_EQ(refusal(kHead + replaced(kStep, "[\"Look\", \"Twice\"]", "[]") + kCase),
-            "8:9: a step has one to three hints");
+            "8:9: a step must have one to three hints");
   EXPECT_EQ(refusal(kHead + replaced(kStep, "points = 2", "points = -2") + kCase),
-            "7:10: 'points' is a number from 0 up");
+            "7:10: 'points' must be a number, 0 or larger");
   EXPECT_EQ(refusal(kHead + kStep + replaced(kCase, "5.1", "5.9")), "11:8: there is no step '5.9'");
   EXPECT_EQ(refusal(kHead + kStep + kCase + kCase), "15:8: two cases are called 'flat'");
-  EXPECT_EQ(
-      refusal(kHead + kStep + kCase + "hidden = { yaw = [3, 3] }\n"),
-      "14:18: 'yaw' is drawn from a range [least, most] of numbers, or from a list of two texts or more");
+  EXPECT_EQ(refusal(kHead + kStep + kCase + "hidden = { yaw = [3, 3] }\n"),
+            "14:18: 'yaw' must be a range [least, most] of numbers, or a list of two texts or more");
 }
 
 TEST(LabFile, may_need_steps_of_this_lab_and_of_earlier_ones_but_no_later_ones) {
@@ -219,7 +218,7 @@ TEST(Labs, have_the_steps_that_others_need) {
       EXPECT_EQ(error.exit_code(), Exit::failed);
       EXPECT_EQ(error.place().file, file.path().string());
       EXPECT_EQ(error.what(),
-                file.path().string() + ": step '5.1' needs '" + step + "', and no lab has that step");
+                file.path().string() + ": step '5.1' needs step '" + step + "', but no lab has it");
     }
   }
 }
@@ -227,8 +226,9 @@ TEST(Labs, have_the_steps_that_others_need) {
 TEST(LabFile, refuses_a_case_of_the_benchmark_that_varies_nothing_or_has_a_name_twice) {
   const std::string bench = "[[bench]]\ncase = \"a\"\nteaches = \"A\"\n";
   EXPECT_EQ(refusal(kHead + bench),
-            "4:1: 'vary' is a table { parameter = [values], … }; [] for all values of a choice");
-  EXPECT_EQ(refusal(kHead + bench + "vary = { method = \"all\" }\n"), "7:19: 'method' is a list of values");
+            "4:1: 'vary' must be a table { parameter = [values], … }; [] stands for all values of a choice");
+  EXPECT_EQ(refusal(kHead + bench + "vary = { method = \"all\" }\n"),
+            "7:19: 'method' must be a list of values");
   EXPECT_EQ(refusal(kHead + bench + "vary = { a = [] }\n" + bench + "vary = { a = [] }\n"),
             "8:1: two cases are called 'a'");
 }
@@ -237,7 +237,7 @@ TEST(LabFile, refuses_a_name_that_is_taken_or_no_file_name) {
   const std::string look = "[[look]]\nname = \"a\"\ncaption = \"A\"\n";
   EXPECT_EQ(refusal(kHead + look + look), "7:1: two looks are called 'a'");
   EXPECT_EQ(refusal(kHead + "[[look]]\nname = \"../a\"\ncaption = \"A\"\n"),
-            "4:1: '../a' is no picture's name; use lower-case letters, digits, '_' and '-'");
+            "4:1: '../a' is not a valid picture name; use lower-case letters, digits, '_' and '-'");
 }
 
 TEST(LabFile, refuses_what_is_missing_or_broken) {

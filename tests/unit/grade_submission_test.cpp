@@ -137,7 +137,7 @@ TEST(ReadClass, keeps_a_student_whose_file_cannot_be_unpacked) {
   const auto entries = class_of({"jane.rar"});
   const Entry& entry = entries.begin()->second;
   EXPECT_EQ(entry.kind, Entry::Kind::other);
-  EXPECT_EQ(unpack(entry, allowed).fault, "is neither a folder nor a .zip or .tar.gz file");
+  EXPECT_EQ(unpack(entry, allowed).fault, "is not a folder, a .zip or a .tar.gz file");
 }
 
 TEST(ReadClass, follows_no_link_and_throws_for_a_missing_folder) {
@@ -175,10 +175,10 @@ TEST(Unpack, takes_allowed_files_and_lists_the_others) {
     EXPECT_EQ(submission.files, (std::map<std::string, std::string>{{"labs/05_normal_map/lab.cpp", "mine"}}));
     EXPECT_EQ(submission.ignored.size(), 6U);
     EXPECT_TRUE(has(reason_of(submission, "CMakeLists.txt"), "no"));
-    EXPECT_TRUE(
-        has(reason_of(submission, "labs/05_normal_map/lab.toml"), "not a file in which a lab has steps"));
+    EXPECT_TRUE(has(reason_of(submission, "labs/05_normal_map/lab.toml"), "not a file with steps"));
     EXPECT_TRUE(has(reason_of(submission, "more.zip"), "archive"));
-    EXPECT_TRUE(has(reason_of(submission, "shaders/05_normal_map/Tangent_Frame.glsl"), "capital"));
+    EXPECT_TRUE(
+        has(reason_of(submission, "shaders/05_normal_map/Tangent_Frame.glsl"), "upper and lower case"));
     EXPECT_TRUE(has(reason_of(submission, ".git/config"), "hidden"));
   }
 }
@@ -375,7 +375,7 @@ TEST(Unpack, takes_a_folder_and_follows_nothing_in_it) {
   EXPECT_EQ(reason_of(submission, "my work/shaders/05_normal_map/tangent_frame.glsl"),
             "is a device, pipe or socket");
   EXPECT_EQ(reason_of(submission, "my work/large.txt"), "is larger than 1024 KiB");
-  EXPECT_EQ(reason_of(submission, "my work/.git"), "is hidden or the system's");
+  EXPECT_EQ(reason_of(submission, "my work/.git"), "is hidden or belongs to the system");
   UnpackLimits few;
   few.entries = 3;
   EXPECT_TRUE(has(unpack(entry, allowed, few).fault, "more than 3 files"));

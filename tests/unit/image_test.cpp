@@ -206,12 +206,12 @@ TEST(Load, refuses_a_jpeg_whose_tables_do_not_fit) {
   huffman[huffman.find("\xff\xc4") + 5 + 12] = '\xff';  // 256 codes with the one that there is
   EXPECT_FALSE(has(load_error(folder, "a.jpg", huffman), "impossible"));
   huffman[huffman.find("\xff\xc4") + 5 + 13] = '\x01';
-  EXPECT_TRUE(has(load_error(folder, "a.jpg", huffman), "impossible JPEG tables"));
-  EXPECT_TRUE(has(load_error(folder, "a.jpg", "\xff" + huffman), "impossible JPEG tables"));
+  EXPECT_TRUE(has(load_error(folder, "a.jpg", huffman), "invalid JPEG tables"));
+  EXPECT_TRUE(has(load_error(folder, "a.jpg", "\xff" + huffman), "invalid JPEG tables"));
   std::string sampling = test::jpeg_16x16(false);
   sampling[sampling.find("\x01\x22") + 1] = '\x32';  // three across, of which two are no whole part
   sampling[sampling.find("\x02\x11") + 1] = '\x21';
-  EXPECT_TRUE(has(load_error(folder, "a.jpg", sampling), "impossible JPEG tables"));
+  EXPECT_TRUE(has(load_error(folder, "a.jpg", sampling), "invalid JPEG tables"));
 }
 
 TEST(Load, names_the_file_and_the_remedy_when_it_is_no_picture) {

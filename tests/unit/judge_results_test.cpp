@@ -119,7 +119,7 @@ TEST(StepResult, fails_with_nothing_where_nothing_was_judged) {
   const StepResult result = step_result(named_step("1.1"), {}, {});
   EXPECT_EQ(result.status, Status::failed);
   EXPECT_EQ(result.score, 0);
-  EXPECT_EQ(result.message, "Nothing of this step was judged.");
+  EXPECT_EQ(result.message, "No case of this step was judged.");
 }
 
 TEST(StepResult, is_skipped_when_a_needed_step_failed_or_was_skipped) {
@@ -128,7 +128,7 @@ TEST(StepResult, is_skipped_when_a_needed_step_failed_or_was_skipped) {
                                           {{"1.1", {Status::passed}}, {"1.2", {status}}});
     EXPECT_EQ(result.status, Status::skipped);
     EXPECT_EQ(result.score, 0.5);
-    EXPECT_EQ(result.message, "This step builds on step 1.2, which did not pass yet.");
+    EXPECT_EQ(result.message, "This step needs step 1.2, which has not passed yet.");
   }
   EXPECT_EQ(step_result(named_step("1.3", {"1.2"}), {}, {{"1.2", {Status::failed}}}).status, Status::skipped);
 }
@@ -165,7 +165,7 @@ TEST(LabResults, point_from_a_step_that_nothing_explains_to_the_later_one_that_m
   };
   const std::vector<StepResult> unexplained = steps_of(judged_in("01_quad", "1.1", "a", 0));
   EXPECT_EQ(unexplained[0].message,
-            "message of a The cause may lie in step 1.3, whose pictures show a known mistake.");
+            "message of a The cause may be in step 1.3: its pictures show a known mistake.");
   EXPECT_EQ(unexplained[1].status, Status::skipped);
   EXPECT_EQ(unexplained[2].status, Status::failed);
   EXPECT_EQ(unexplained[2].message, "message of c");
@@ -197,7 +197,7 @@ TEST(LabResults, find_the_first_missing_step_through_others_and_in_other_labs) {
   EXPECT_EQ(results[1].steps.at(0).status, Status::passed);
   // 2.2 needs 2.1, which passed, and so 1.1, which did not.
   EXPECT_EQ(results[1].steps.at(1).status, Status::skipped);
-  EXPECT_EQ(results[1].steps.at(1).message, "This step builds on step 1.1, which did not pass yet.");
+  EXPECT_EQ(results[1].steps.at(1).message, "This step needs step 1.1, which has not passed yet.");
   EXPECT_EQ(results[1].steps.at(2).status, Status::failed);
 }
 
@@ -206,7 +206,7 @@ TEST(LabResults, name_the_cause_and_not_a_step_that_was_skipped_for_it) {
       "01_quad", {named_step("1.1"), named_step("1.2", {"1.1"}), named_step("1.3", {"1.2", "1.1"})})};
   const std::vector<LabResult> results = lab_results(labs, {});
   EXPECT_EQ(results.at(0).steps.at(1).status, Status::skipped);
-  EXPECT_EQ(results.at(0).steps.at(2).message, "This step builds on step 1.1, which did not pass yet.");
+  EXPECT_EQ(results.at(0).steps.at(2).message, "This step needs step 1.1, which has not passed yet.");
 }
 
 TEST(LabResults, have_the_public_cases_first_in_the_labs_order) {

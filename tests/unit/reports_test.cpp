@@ -151,7 +151,7 @@ TEST_F(Reports, for_gradescope_have_a_test_a_step_that_sum_up_to_the_score) {
   EXPECT_EQ(results["tests"][0]["status"], "passed");
   EXPECT_EQ(results["tests"][4]["status"], "failed");
   EXPECT_EQ(results["tests"][4]["tags"], (json{"failed", "normal-green-flipped"}));
-  EXPECT_TRUE(has(results["tests"][4]["output"], "This looks like: normal green flipped. Green is turned"));
+  EXPECT_TRUE(has(results["tests"][4]["output"], "This looks like: normal green flipped. Green is inverted"));
   EXPECT_TRUE(has(results["tests"][4]["output"], "shaders/05_normal_map/tangent_frame.glsl:42"));
 }
 
@@ -571,8 +571,8 @@ TEST_F(Reports, show_no_mark_where_the_grader_was_at_fault) {
 
 TEST_F(Reports, name_the_first_failing_step_its_cause_place_and_hint) {
   const std::string html = page(student("ada-half"));
-  EXPECT_TRUE(has(html, "First to mend: <a href=\"#step-5.2\">step 5.2: Build the tangent frame</a>"));
-  EXPECT_TRUE(has(html, "This looks like: <b>normal green flipped</b>. Green is turned round"));
+  EXPECT_TRUE(has(html, "Correct this first: <a href=\"#step-5.2\">step 5.2: Build the tangent frame</a>"));
+  EXPECT_TRUE(has(html, "This looks like: <b>normal green flipped</b>. Green is inverted"));
   EXPECT_TRUE(has(html, "<code>shaders/05_normal_map/tangent_frame.glsl:42</code>"));
   EXPECT_TRUE(has(html, "<details class=\"hint\"><summary>Hint</summary><p>T, B and N are"));
   EXPECT_TRUE(
@@ -603,7 +603,7 @@ TEST_F(Reports, count_a_mistake_once_a_student_and_not_in_steps_that_wait) {
   // Ada, Cleo and the hostile student, though each of them shows it in several steps.
   EXPECT_EQ(counted_as("normal-green-flipped"), "3");
   EXPECT_EQ(counted_as("tangent-not-orthogonal"), "1");
-  EXPECT_TRUE(has(html, "Changed by the last regrading"));
+  EXPECT_TRUE(has(html, "Changed since the last grading"));
   EXPECT_TRUE(has(html, "<td class=\"number\">25 %</td>"));
 }
 

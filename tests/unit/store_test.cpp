@@ -233,12 +233,15 @@ TEST(Store, refuses_a_score_that_is_none_and_a_student_that_is_unknown) {
   store.put_student(student_of("jane"), "");
   for (const double score : {-0.01, 1.01, std::nan("")}) {
     const std::string error = failure_of([&] { store.put("jane", case_of("1.1", "a", score)); });
-    EXPECT_TRUE(has(error, "3: ") && has(error, "a row does not fit")) << score << " " << error;
+    EXPECT_TRUE(has(error, "3: ") && has(error, "a row breaks the store's rules")) << score << " " << error;
   }
-  EXPECT_TRUE(has(failure_of([&] { store.put("john", case_of("1.1", "a", 1)); }), "a row does not fit"));
-  EXPECT_TRUE(has(failure_of([&] { store.put_notes("john", "01_quad", {"a"}); }), "a row does not fit"));
-  EXPECT_TRUE(has(failure_of([&] { store.put_incident("john", "01_quad", "a"); }), "a row does not fit"));
-  EXPECT_TRUE(has(failure_of([&] { store.put_log("john", {"a", "b"}); }), "a row does not fit"));
+  EXPECT_TRUE(
+      has(failure_of([&] { store.put("john", case_of("1.1", "a", 1)); }), "a row breaks the store's rules"));
+  EXPECT_TRUE(
+      has(failure_of([&] { store.put_notes("john", "01_quad", {"a"}); }), "a row breaks the store's rules"));
+  EXPECT_TRUE(
+      has(failure_of([&] { store.put_incident("john", "01_quad", "a"); }), "a row breaks the store's rules"));
+  EXPECT_TRUE(has(failure_of([&] { store.put_log("john", {"a", "b"}); }), "a row breaks the store's rules"));
   EXPECT_EQ(store.dump(), "students\tjane\t\tname of jane\t\t\n");
 }
 
@@ -611,9 +614,9 @@ TEST(Merge, of_shards_says_what_one_store_of_all_says) {
 TEST(Merge, refuses_stores_that_contradict_each_other_and_leaves_them) {
   const std::map<std::string, std::function<void(Store&)>> contradictions = {
       {"the student jane", [](Store& s) { s.put("jane", case_of("1.1", "a", 0.25)); }},
-      {"different things of the student jane", [](Store& s) { s.put("jane", case_of("1.2", "new", 1)); }},
-      {"of the student jane", [](Store& s) { s.put_student(student_of("jane"), "another"); }},
-      {"things of the student jane",
+      {"disagree about the student jane", [](Store& s) { s.put("jane", case_of("1.2", "new", 1)); }},
+      {"about the student jane", [](Store& s) { s.put_student(student_of("jane"), "another"); }},
+      {"about the student jane",
        [](Store& s) {
          s.put_log("jane", {"b", "another"});
        }},
@@ -623,15 +626,15 @@ TEST(Merge, refuses_stores_that_contradict_each_other_and_leaves_them) {
        [](Store& s) {
          s.put_override({"jane", "1.2", 0.5, "another"});
        }},
-      {"graded differently: seed is '1' and '2'",
+      {"graded differently: seed is '1' in one and '2' in",
        [](Store& s) {
          s.put_facts({{"seed", "2"}});
        }},
-      {"new is not said and ''",
+      {"new is not given in one and '' in",
        [](Store& s) {
          s.put_facts({{"new", ""}, {"seed", "1"}});
        }},
-      {"seed is '1' and not said", [](Store& s) { s.put_facts({}); }}};
+      {"seed is '1' in one and not given in", [](Store& s) { s.put_facts({}); }}};
   for (const auto& [what, contradict] : contradictions) {
     const Folder folder;
     Store a(folder / "a");
@@ -667,7 +670,7 @@ TEST(Store, that_cannot_be_says_why_and_leaves_what_is_there) {
 
   EXPECT_TRUE(has(open(folder / "none/store"), "its folder does not exist; make it first"));
   fs::create_directory(folder / "folder");
-  EXPECT_TRUE(has(open(folder / "folder"), "is a folder, no store of grades"));
+  EXPECT_TRUE(has(open(folder / "folder"), "is a folder, not a store of grades"));
   EXPECT_TRUE(fs::is_empty(folder / "folder"));
 
   // Shorter than SQLite's magic word, than its header, than its pages, and longer.
@@ -675,7 +678,7 @@ TEST(Store, that_cannot_be_says_why_and_leaves_what_is_there) {
     const std::string text(size, 'x');
     write_file(folder / "text", text);
     const std::string error = open(folder / "text");
-    EXPECT_TRUE(has(error, "3: " + (folder / "text").string() + ": is no store of grades; ")) << error;
+    EXPECT_TRUE(has(error, "3: " + (folder / "text").string() + ": is not a store of grades; ")) << error;
     EXPECT_TRUE(read_file(folder / "text") == text) << size;
   }
   EXPECT_EQ(std::distance(fs::directory_iterator((folder / "x").parent_path()), {}), 2)
@@ -695,8 +698,8 @@ TEST(Store, leaves_databases_of_other_programs_and_later_versions) {
   { const Store store(folder / "later"); }
   run_sql(folder / "later", "PRAGMA user_version = 2");
   const std::map<std::string, std::string> errors = {
-      {"other", "is no store of grades"},
-      {"later", "the store is of version 2, later than 1; use the program"}};
+      {"other", "is not a store of grades"},
+      {"later", "the store has version 2, newer than 1; use the program"}};
   for (const auto& [name, says] : errors) {
     const std::string before = read_file(folder / name);
     const std::string error = failure_of([&] { Store store(folder / name); });
@@ -718,7 +721,8 @@ TEST(Store, says_that_it_is_damaged) {
   std::fill(bytes.begin() + 20'000, bytes.end(), '\xAA');
   write_file(folder / "store", bytes);
   const std::string error = failure_of([&] { (void)Store(folder / "store").dump(); });
-  EXPECT_TRUE(has(error, "3: " + (folder / "store").string() + ": the store is damaged; put a copy"))
+  EXPECT_TRUE(
+      has(error, "3: " + (folder / "store").string() + ": the store is damaged; replace it by a backup"))
       << error;
 }
 
@@ -752,7 +756,8 @@ TEST(Store, keeps_what_was_put_when_the_disk_is_full_and_goes_on_when_there_is_r
                        still_there);
   });
   if (said == kNoMount) GTEST_SKIP() << said;
-  const std::string full = "3: " + (folder / "store").string() + ": the disk is full; make room and go on";
+  const std::string full =
+      "3: " + (folder / "store").string() + ": the disk is full; free some space and continue";
   EXPECT_TRUE(said.starts_with(full)) << said;
   EXPECT_TRUE(has(said, "|" + full)) << said;
   EXPECT_TRUE(has(said, "|3: " + (folder / "another").string() + ": the disk is full")) << said;
@@ -779,8 +784,8 @@ TEST(Store, says_that_the_disk_is_full_when_it_is_opened) {
   });
   if (said == kNoMount) GTEST_SKIP() << said;
   const std::string file = "3: " + (folder / "store").string();
-  EXPECT_TRUE(said.starts_with(file + ": the disk is full; make room")) << said;
-  EXPECT_TRUE(has(said, "|" + file + ": it or a file beside it cannot be opened; see whether")) << said;
+  EXPECT_TRUE(said.starts_with(file + ": the disk is full; free some space")) << said;
+  EXPECT_TRUE(has(said, "|" + file + ": it or a file beside it cannot be opened; check that")) << said;
   EXPECT_TRUE(said.ends_with("|true")) << said;
 }
 

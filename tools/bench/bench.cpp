@@ -72,8 +72,7 @@ Exit bench(const BenchOptions& options) {
   std::vector<course::Lab> labs = chosen_labs(options.labs);
   std::erase_if(labs, [](const course::Lab& lab) { return lab.bench.empty(); });
   if (options.from.empty() && !std::all_of(labs.begin(), labs.end(), knows_truth)) {
-    fmt::print(
-        "Nothing is measured: methods are compared with the right answers, which this tree does not hold.\n");
+    fmt::print("Nothing is measured: this tree does not contain the right answers to compare with.\n");
     return Exit::holds;
   }
   const BenchReport report = options.from.empty() ? measure(labs, options) : read_report_json(options.from);
@@ -85,7 +84,7 @@ Exit bench(const BenchOptions& options) {
     if (then.renderer != report.renderer)
       for (const course::Lab& lab : labs)
         for (const std::string& method : lab.driver_methods)
-          fmt::print("lab {}, {}: the driver's, which was {}; not compared\n", lab.number, method,
+          fmt::print("lab {}, {}: not compared, it depends on the driver, which was {}\n", lab.number, method,
                      then.renderer);
     const std::vector<std::string> lines = differences(then, report, labs);
     for (const std::string& line : lines) fmt::print("{}\n", line);

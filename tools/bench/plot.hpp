@@ -24,7 +24,7 @@ struct Plot {
 };
 
 /// The whole picture as an <svg> element, 960 units wide. Its colours are the page's custom properties --ink,
-/// --quiet, --line and --card, with light ones to fall back on, so that it is a file of its own as well.
+/// --quiet, --line and --card, with light defaults: the plot also works as a separate file.
 std::string svg(const Plot& plot);
 
 }  // namespace texel::tools

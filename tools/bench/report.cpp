@@ -208,8 +208,7 @@ std::string markdown_row(const Row& row) {
 
 /// What the sources say, and what measuring it gave.
 std::string claims(const std::vector<LabResults>& labs) {
-  std::string out = "\n## What the sources say, put to the test\n\n" +
-                    markdown_row({"lab", "says", "found", "see"}) +
+  std::string out = "\n## What the sources say, tested\n\n" + markdown_row({"lab", "says", "found", "see"}) +
                     markdown_row({"---", "---", "---", "---"});
   for (const LabResults& lab : labs)
     for (const course::Claim& claim : lab.lab.claims)
@@ -285,7 +284,8 @@ std::string bench_page(const std::vector<LabResults>& labs, const std::string& r
       "lab "
       "on its easy and hard cases: how far it is from the exact answer, and what a frame costs. Further left "
       "is "
-      "cheaper, further down is closer to the truth; nothing beats a filled dot in both. Measured on {}.</p>"
+      "cheaper, further down is closer to the truth. No method is both cheaper and closer than a filled dot. "
+      "Measured on {}.</p>"
       "</div>\n<nav><ol>\n",
       kGalleryStyle, kBenchStyle, html_escaped(renderer));
   for (const LabResults& lab : labs)
@@ -309,13 +309,15 @@ std::string bench_markdown(const std::vector<LabResults>& labs, const std::strin
       "# Speed against error\n\n"
       "Every method of every lab on its easy and hard cases: how far it is from the exact answer in double "
       "precision,\nand what a frame costs, as `./run accuracy` measured on {}.\n"
-      "`./run bench` measures on your machine and writes `out/bench/index.html`, where the plots tell more "
-      "when "
-      "hovered.\n\n"
+      "`./run bench` measures on your machine and writes `out/bench/index.html`: point at a dot there to see "
+      "more.\n\n"
       "A filled dot, ● in the tables, is on the Pareto front: no other method of the case is cheaper and as "
-      "close, or closer and as cheap.\nColours are ranked by the rms of their error, all else by the mean.\n"
-      "`frame` is the median of interleaved rounds, `ratio` that to the cheapest of the case with half the "
-      "distance of its quartiles;\ncosts within that (3 % at least) and errors within 2 % count as equal. "
+      "close, or closer and as cheap.\nColours are ranked by the rms of their error, everything else by the "
+      "mean.\n"
+      "`frame` is the median of interleaved rounds. `ratio` is that time over the time of the case's "
+      "cheapest method, ± half the "
+      "distance of its quartiles.\nCosts within that distance (at least 3 %) and errors within 2 % count as "
+      "equal. "
       "`memory` holds vertices, indices and textures.\n",
       renderer);
   out += claims(labs);

@@ -313,7 +313,7 @@ BenchReport read_report_json(const std::filesystem::path& file) {
     }
     return report;
   } catch (const Json::exception& error) {
-    throw Error::failed(error.what(), {file.string()}, "write it with texel bench --json");
+    throw Error::failed(error.what(), {file.string()}, "write the file with texel bench --json");
   }
 }
 
@@ -334,14 +334,14 @@ std::vector<std::string> differences(const BenchReport& then, const BenchReport&
       return r.lab == result.lab && r.case_name == result.case_name && r.method == result.method;
     });
     if (old == then.results.end()) {
-      lines.push_back(name + ": is not in the report");
+      lines.push_back(name + ": is missing in the report");
     } else if (const double apart = std::abs(result.error() - old->error());
                apart > kUnits && apart > kPart * old->error()) {
-      lines.push_back(fmt::format("{}: {} error {:.4g} and not {:.4g} {}", name, result.error_name(),
+      lines.push_back(fmt::format("{}: {} error {:.4g}, not {:.4g} {}", name, result.error_name(),
                                   result.error(), old->error(), result.unit));
     } else if ((result.non_finite > 0) != (old->non_finite > 0)) {
       lines.push_back(
-          fmt::format("{}: {} pixels are not finite and not {}", name, result.non_finite, old->non_finite));
+          fmt::format("{}: {} pixels are not finite, not {}", name, result.non_finite, old->non_finite));
     }
   }
   return lines;

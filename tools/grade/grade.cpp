@@ -20,11 +20,11 @@ namespace fs = std::filesystem;
 void read_shard(const std::string& text, grade::GradeOptions& options) {
   const int read = std::sscanf(text.c_str(), "%u/%u", &options.shard, &options.shards);
   if (read != 2 || fmt::format("{}/{}", options.shard, options.shards) != text)
-    throw Error::usage(fmt::format("'{}' is no shard", text), "write it as 1/4");
+    throw Error::usage(fmt::format("'{}' is not a shard", text), "write it as 1/4");
 }
 
-/// One line over the other on a terminal, one below the other in a log; on standard error, since what is
-/// asked for goes to the other.
+/// On a terminal each line replaces the one before; in a log it follows it. Uses standard error, because the
+/// results go to standard output.
 void say(const std::string& line) {
   static const bool is_terminal = ::isatty(STDERR_FILENO) != 0;
   std::fprintf(stderr, is_terminal ? "\r\033[K%s" : "%s\n", line.c_str());
@@ -36,9 +36,10 @@ void print_class(const grade::ClassResult& results) {
   for (const grade::StudentResult& student : results.students) width = std::max(width, student.id.size());
   for (const grade::StudentResult& student : results.students)
     fmt::print("{:<{}}  {:>6.2f} of {:g}{}\n", student.id, width, student.points(), student.max_points(),
-               !student.incident.empty() ? "  NOT GRADED IN FULL, to be tried again: " + student.incident
-               : student.fault.empty()   ? ""
-                                         : "  " + student.fault);
+               !student.incident.empty()
+                   ? "  NOT GRADED IN FULL, grade again with --resume: " + student.incident
+               : student.fault.empty() ? ""
+                                       : "  " + student.fault);
 }
 
 /// Every report of the results in a folder.
@@ -74,8 +75,9 @@ Exit grade_class(const GradeCommand& command) {
              summary.cases, summary.seconds,
              static_cast<double>(summary.cases) / std::max(summary.seconds, 1e-3));
   if (summary.incidents > 0)
-    throw Error::failed(fmt::format("{} students could not be graded in full", summary.incidents), {},
-                        "it is no fault of theirs: see above, then run the same with --resume");
+    throw Error::failed(
+        fmt::format("{} students could not be graded in full", summary.incidents), {},
+        "it is not the students' fault: read the messages above, then run the same command with --resume");
   return Exit::holds;
 }
 
@@ -85,7 +87,7 @@ Exit grade_merge(const GradeMergeCommand& command) {
   grade::Store store(grade::store_file(command.out));
   for (const fs::path& part : command.parts) {
     if (!fs::exists(grade::store_file(part)))
-      throw Error::failed("holds no results", {part.string()}, "name folders that 'texel grade' wrote");
+      throw Error::failed("contains no results", {part.string()}, "name folders that 'texel grade' wrote");
     store.merge(grade::Store(grade::store_file(part)));
     for (const char* folder : {"pictures", "references"})
       if (fs::exists(part / folder))
@@ -98,7 +100,8 @@ Exit grade_merge(const GradeMergeCommand& command) {
 
 Exit grade_override(const GradeOverrideCommand& command) {
   if (!fs::exists(grade::store_file(command.out)))
-    throw Error::failed("holds no results", {command.out.string()}, "name a folder that 'texel grade' wrote");
+    throw Error::failed("contains no results", {command.out.string()},
+                        "name a folder that 'texel grade' wrote");
   const grade::ClassResult results = grade::read_results(command.out, course_root());
   std::vector<std::string> students, steps;
   for (const grade::StudentResult& student : results.students) {

@@ -83,7 +83,7 @@ std::string outcome(const MutantResult& result) {
     case Fate::caught:
       return "caught by " + result.by;
     case Fate::survived:
-      return result.mutant.survives.empty() ? "SURVIVED" : "survived, as the catalogue says";
+      return result.mutant.survives.empty() ? "SURVIVED" : "survived, as the catalogue expects";
     case Fate::broken:
       break;
   }
@@ -119,8 +119,9 @@ class Record {
 void say_survivors(const std::vector<MutantResult>& results) {
   for (const MutantResult& result : results)
     if (result.fate == Fate::survived)
-      say(fmt::format("survived: {} ({}): {}", result.mutant.name, result.mutant.file,
-                      result.mutant.survives.empty() ? "no reason is known" : result.mutant.survives));
+      say(fmt::format(
+          "survived: {} ({}): {}", result.mutant.name, result.mutant.file,
+          result.mutant.survives.empty() ? "the catalogue gives no reason" : result.mutant.survives));
 }
 
 }  // namespace
@@ -161,7 +162,7 @@ Exit mutants(const MutantsOptions& options) {
                   duration_text(stopwatch.milliseconds() / 1000)));
   if (total.broken > 0)
     throw Error::failed(fmt::format("{} mutants do not apply or do not compile", total.broken), {},
-                        "mend the catalogue");
+                        "correct the catalogue in tests/mutants");
   return total.percent() >= kWanted ? Exit::holds : Exit::differs;
 }
 

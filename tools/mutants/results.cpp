@@ -75,7 +75,7 @@ double Score::percent() const {
 }
 
 std::string Score::text() const {
-  // Rounded down, so that it never says 90 % where the limit of 90 % is missed.
+  // Rounded down: it never says 90 % if the limit of 90 % is missed.
   return fmt::format("{} of {} caught ({} %)", caught, all - broken, static_cast<int>(percent()));
 }
 
@@ -108,7 +108,7 @@ std::vector<MutantResult> read_report(const std::filesystem::path& file,
           {*mutant, static_cast<Fate>(fate - kFates.begin()), entry.at("by"), entry.at("seconds")});
     }
   } catch (const Json::exception&) {
-    throw Error::failed("is no report of mutants", {file.string()}, "remove it");
+    throw Error::failed("is not a report of mutants", {file.string()}, "remove the file");
   }
   return results;
 }

@@ -160,10 +160,10 @@ void Suite::prepare() const {
       shell(fmt::format("cd {0} && cmake --preset release -B build/release "
                         "-D TEXEL_TESTS=ON -D TEXEL_WARNINGS_AS_ERRORS=OFF >{1} 2>&1",
                         quoted(tree_), quoted(log)));
-  if (status != 0) throw Error::failed("cmake failed; this is its log", {log.string()});
+  if (status != 0) throw Error::failed("cmake failed; see its log", {log.string()});
   const fs::path build_log = logs_ / "build.log";
   if (!build({}, build_log))
-    throw Error::failed("the tree does not build; this is the log", {build_log.string()});
+    throw Error::failed("the tree does not build; see the log", {build_log.string()});
 }
 
 bool Suite::build(const std::set<std::string>& targets, const fs::path& log) const {
@@ -184,7 +184,7 @@ void Suite::run(const std::vector<int>& numbers, const std::string& options, con
                   "-I 0,0,0,{} --parallel {} --timeout {} --output-on-failure --output-junit {} {} >{} 2>&1",
                   quoted(tree_), fmt::join(numbers, ","), processors(), kTimeoutSeconds, quoted(xml), options,
                   quoted(log)));
-  if (!fs::exists(xml)) throw Error::failed("ctest failed; this is its log", {log.string()});
+  if (!fs::exists(xml)) throw Error::failed("ctest failed; see its log", {log.string()});
 }
 
 void Suite::list() {
@@ -223,7 +223,7 @@ void Suite::measure(bool again) {
         found != runs.end() && found->second.status == "run" && !test.name.starts_with("MutantCatalogue.");
     if (found != runs.end()) test.seconds = found->second.seconds;
     if (found != runs.end() && found->second.status == "fail")
-      fmt::print(stderr, "texel: {} fails without any mutant and is left out\n", short_name(test.name));
+      fmt::print(stderr, "texel: {} fails even without a mutant and is left out\n", short_name(test.name));
   }
   if (std::none_of(tests_.begin(), tests_.end(), [](const Test& test) { return test.is_used; }))
     throw Error::failed("no test passes in the unchanged tree", {(logs_ / "unchanged.log").string()});

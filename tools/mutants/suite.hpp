@@ -62,7 +62,7 @@ class Suite {
  private:
   /// Builds these targets, or all when there are none; false when that fails.
   [[nodiscard]] bool build(const std::set<std::string>& targets, const std::filesystem::path& log) const;
-  /// Runs the tests of these numbers, with ctest's options besides; JUnit's XML goes into `xml`.
+  /// Runs the tests of these numbers, with more options of ctest; JUnit's XML goes into `xml`.
   void run(const std::vector<int>& numbers, const std::string& options, const std::filesystem::path& xml,
            const std::filesystem::path& log) const;
   void list();

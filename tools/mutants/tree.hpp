@@ -7,7 +7,7 @@
 
 namespace texel::tools {
 
-/// A copy of a source tree in which mutants are made, so that nobody's work is touched.
+/// A copy of a source tree in which mutants are made. The original stays as it is.
 class Tree {
  public:
   /// `root`: the tree; `copy`: the folder for its copy. Throws Error (exit 2) when the copy would hold the

@@ -137,7 +137,7 @@ Exit renderers(const RenderersCommand& command) {
       faults.insert(faults.end(), passed.begin(), passed.end());
     } else if (!command.judge_only) {
       const std::string drawn = grade::draw_by(renderer, tree, out);
-      print_now(fmt::format("{}: {}", renderer.name, drawn.empty() ? "not here" : "drawn"));
+      print_now(fmt::format("{}: {}", renderer.name, drawn.empty() ? "not on this machine" : "drawn"));
       if (drawn.empty()) continue;
       const std::vector<std::string> failed = run_tests(renderer, out / drawn / kTolerances);
       print_now(fmt::format("{}: tested, {} failed", renderer.name, failed.size()));
@@ -161,14 +161,14 @@ Exit renderers(const RenderersCommand& command) {
       for (const course::GradedCase& one : lab.cases)
         for (const auto& [group, error] : row.by)
           if (lab.number == row.lab && one.name == row.name && one.limit < 3 * error) {
-            print_now(fmt::format("lab {}, {}: the limit {:g} leaves no room for {:.3g} by {}", row.lab,
-                                  row.name, one.limit, error, group));
+            print_now(fmt::format("lab {}, {}: the limit {:g} is too small for the difference {:.3g} of {}",
+                                  row.lab, row.name, one.limit, error, group));
             holds = false;
           }
   for (const RendererReport::Row& row : report.tests)
     if (row.room(1) < 3) {
-      print_now(fmt::format("{}: {} leaves room for {:.2g} times what renderers differ by", row.name,
-                            row.unit, row.room(1)));
+      print_now(fmt::format("{}: {} leaves room for {:.2g} times the spread between renderers, not for 3",
+                            row.name, row.unit, row.room(1)));
       holds = false;
     }
   return holds ? Exit::holds : Exit::differs;

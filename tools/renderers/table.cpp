@@ -82,8 +82,8 @@ The anisotropic filter is the driver's, and Mesa changed it between 22 and 25 an
 const std::string kTestsHead = R"(
 ### Tests that hold a limit, by the share of it that is used
 
-Each row is an assertion of a test that draws: 0.2 says that the value came to a fifth of its limit, at most.
-The room is the way from the least share to 1, by the distance from the least to the largest. It is at least 3.
+Each row is an assertion in a test that draws. 0.2 means: the value was at most a fifth of its limit.
+The room is (1 - smallest share) / (largest share - smallest share). It is at least 3.
 
 )";
 

@@ -13,7 +13,7 @@ namespace texel::tools {
 
 std::string Hints::next(const course::Step& step) {
   nlohmann::json shown = nlohmann::json::object();
-  // A file that is broken is as good as none: all that is lost is how many hints were shown.
+  // A broken file counts as none. Only the number of shown hints is lost.
   if (std::filesystem::exists(file_)) shown = nlohmann::json::parse(read_file(file_), nullptr, false);
   if (!shown.is_object()) shown = nlohmann::json::object();
   const auto known = shown.find(step.id);
@@ -26,7 +26,7 @@ std::string Hints::next(const course::Step& step) {
   std::string text = fmt::format("Step {}: {}\n", step.id, step.title);
   for (std::size_t i = 0; i < count; ++i)
     text += fmt::format("  hint {} of {}: {}\n", i + 1, step.hints.size(), step.hints[i]);
-  if (before == step.hints.size()) text += "  There are no more.\n";
+  if (before == step.hints.size()) text += "  This was the last hint.\n";
   return text;
 }
 

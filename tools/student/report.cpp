@@ -133,9 +133,7 @@ std::string progress_report(const std::vector<LabResult>& labs, bool colours) {
     points += lab.points(), most += lab.max_points();
     if (next == nullptr && next_step(lab) != nullptr) next = &lab;
   }
-  text += fmt::format(
-      "  {:g} of {:g} points; # is a step that is done, - one to do, . one that waits for others\n", points,
-      most);
+  text += fmt::format("  {:g} of {:g} points; # done, - to do, . waits for another step\n", points, most);
   if (next != nullptr)
     text += fmt::format("next: {} {}   ./run watch {}\n", next_step(*next)->id, next_step(*next)->title,
                         next->lab.number);

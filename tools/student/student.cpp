@@ -36,7 +36,7 @@ const grade::StepResult* next_of(const std::vector<grade::LabResult>& labs) {
   return nullptr;
 }
 
-/// Whether a step of these labs is no longer as it was at first.
+/// Whether a step of these labs was changed by the student.
 bool is_begun(const std::vector<grade::LabResult>& labs) {
   const std::set<std::string> untouched = grade::untouched_steps(own_tree());
   return std::any_of(labs.begin(), labs.end(), [&](const grade::LabResult& lab) {
@@ -102,8 +102,8 @@ Exit reset(const std::string& step) {
   step_called(step);
   const fs::path root = course_root();
   if (!fs::exists(root / course::kFirstTexts))
-    throw Error::usage("this is the course's own tree, whose steps are solved",
-                       "'texel starter --out DIR' writes a tree in which they are not");
+    throw Error::usage("this is the course's own tree: its steps are solved",
+                       "write a student's tree with 'texel starter --out DIR'");
   bool changed = false;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / course::kFirstTexts)) {
     if (!entry.is_regular_file()) continue;
@@ -118,11 +118,11 @@ Exit reset(const std::string& step) {
       kept = fmt::format("{}.before-reset-{}", (root / file).string(), i);
     write_file(kept, own);
     write_file(root / file, text);
-    fmt::print("{}: step {} is as it was at first; yours is in {}\n", file, step,
+    fmt::print("{}: step {} has its starting code again; your code is in {}\n", file, step,
                kept.lexically_relative(root).generic_string());
     changed = true;
   }
-  if (!changed) fmt::print("step {} is as it was at first\n", step);
+  if (!changed) fmt::print("step {} already has its starting code\n", step);
   return Exit::holds;
 }
 

@@ -99,7 +99,7 @@ class Watch {
     if (ran.exit_code == 0) return true;
     const std::size_t begin = ran.output.find("error:");
     const std::size_t line = begin == std::string::npos ? 0 : ran.output.rfind('\n', begin) + 1;
-    fmt::print("It does not compile. The first message, and what follows:\n{}\n",
+    fmt::print("Your code does not compile. The messages from the first error on:\n{}\n",
                ran.output.substr(line, 2000));
     return false;
   }
@@ -120,7 +120,7 @@ class Watch {
     } catch (const Error& error) {  // a marker that was spoilt, say: mended by the next save
       fmt::print("{}\n", error.what());
     }
-    fmt::print("Save a file to check again; h: a hint, q: end.\n");
+    fmt::print("Save a file to check again; h: show a hint, q: quit.\n");
     std::fflush(stdout);
   }
 

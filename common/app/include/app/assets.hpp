@@ -10,7 +10,7 @@
 namespace texel::app {
 
 /// The files that the labs read: pictures, models, shaders. A bundled one is named without folder and ending
-/// ("brick"); anything with a '/' or a '.' is a path to a file of the user's.
+/// ("brick"); a name with a '/' or a '.' is the path of any other file.
 class Assets {
  public:
   /// `root` holds assets/ and shaders/. Empty: TEXEL_ROOT, else beside the program, else the source tree.

@@ -11,8 +11,8 @@ struct Look {
   float yaw = 30, pitch = 20, distance = 3, field_of_view = 45;
 };
 
-/// A camera that circles the origin, y up. Its values are parameters, so that a snapshot can have any look;
-/// in the window the mouse turns them.
+/// A camera that circles the origin, y up. Its values are parameters: a snapshot can have any look,
+/// and in the window the mouse changes them.
 struct OrbitCamera {
   float yaw{}, pitch{}, field_of_view{};  ///< degrees
   float distance{};                       ///< from the origin, world units
@@ -22,8 +22,7 @@ struct OrbitCamera {
     set.section("Camera");
     set.add(yaw, {"yaw", look.yaw, -360, 360, "degrees",
                   "Camera's angle around the vertical axis; 0 looks along -z"});
-    set.add(pitch,
-            {"pitch", look.pitch, -89, 89, "degrees", "Camera's height as an angle above the horizon"});
+    set.add(pitch, {"pitch", look.pitch, -89, 89, "degrees", "Camera's angle above the horizon"});
     set.add(distance, {"distance", look.distance, 0.2, 100, "units", "Camera's distance from the origin",
                        params::Scale::logarithmic});
     set.add(field_of_view,

@@ -12,7 +12,7 @@
 
 namespace texel::app {
 
-/// The function of one of the bundled pictures; nothing where the file is not the picture of one.
+/// The function of one of the bundled pictures; nothing for other files.
 inline std::optional<procedural::Texture> texture_of(const std::string& name) {
   if (name == "brick_32") return procedural::Texture::brick;
   if (name == "label_npot") return procedural::Texture::label_grid;
@@ -21,19 +21,19 @@ inline std::optional<procedural::Texture> texture_of(const std::string& name) {
   return std::nullopt;
 }
 
-/// What a place of the picture shows: linear-light RGB and alpha 1, or zero beside the object.
+/// The colour at a place of the picture: linear-light RGB and alpha 1, or zero beside the object.
 using ColourAt = std::function<glm::dvec4(glm::dvec2 window)>;
 
 /// The colour that a pixel should have: the mean of the object's light over the pixel (a box filter), in
-/// steps of the 8-bit picture, sRGB-encoded and not rounded; light above 1 is clipped after the mean. Nothing
-/// where the pixel's middle misses the object.
+/// levels of the 8-bit picture, sRGB-encoded and not rounded; light above 1 is clipped after the mean.
+/// Nothing where the pixel's middle misses the object.
 ///
 /// A few samples are enough where the picture is smooth, and a hundred are slow everywhere. So 16 are taken,
-/// and 128 where the means of the earlier and of the later half differ by two steps or more, or two samples
-/// by so much that the halves may agree by chance. In the mean of fields much smaller than a pixel, black and
-/// white, 128 leave 6 to 10 steps on average.
+/// and 128 where the means of the earlier and of the later half differ by two levels or more, or two samples
+/// by so much that the halves may agree by chance. For black and white fields much smaller than a pixel
+/// 128 samples leave an error of 6 to 10 levels on average.
 inline std::optional<glm::dvec3> mean_in_steps(const ColourAt& colour, glm::dvec2 middle) {
-  constexpr double agree = 2, chance = 64;  // steps
+  constexpr double agree = 2, chance = 64;  // levels
   const glm::dvec4 in_the_middle = colour(middle);
   if (in_the_middle.a == 0) return std::nullopt;
   const auto steps = [](glm::dvec3 light) {

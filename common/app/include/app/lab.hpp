@@ -34,17 +34,17 @@
 ///     };
 ///     int main(int argc, char** argv) { return app::run<TextureQuad>(argc, argv); }
 ///
-/// A lab that knows the right answer has the view `error` and besides:
+/// A lab that knows the right answer has the view `error`, and also:
 ///
 ///       static app::Measure measure(const Parameters& parameters);
 ///       static app::Truth truth(const Parameters& parameters, glm::ivec2 size);
 ///
-/// Labs that take any OBJ file have `const mesh::Mesh& mesh(const Parameters&)`; those with something to say
-/// of it `const app::Notes& notes() const`; those whose methods differ before the first frame
+/// Labs that take any OBJ file have `const mesh::Mesh& mesh(const Parameters&)`. Labs with notes on it have
+/// `const app::Notes& notes() const`. Labs whose methods differ before the first frame have
 /// `app::Preparation preparation(const Parameters&)`.
 namespace texel::app {
 
-/// What a lab says of itself.
+/// A lab's name, title and lesson.
 struct Info {
   int number;
   const char* name;    ///< "normal_map", as in the program's name and the shaders' folder
@@ -56,7 +56,7 @@ struct Info {
   [[nodiscard]] std::string program() const;  ///< "lab05_normal_map"
 };
 
-/// What a lab draws one picture with. The target is bound and cleared, the depth test and sRGB encoding are
+/// A lab draws one picture with this. The target is bound and cleared, the depth test and sRGB encoding are
 /// on.
 class Frame {
  public:
@@ -70,13 +70,13 @@ class Frame {
   [[nodiscard]] const Assets& assets() const { return assets_; }
 
   /// The program of `stem`.vert and `stem`.frag below shaders/, in use. Choices and toggles are constants in
-  /// it (METHOD, METHOD_NEAREST, NORMAL_MAPPING, VIEW, VIEW_NORMAL …), so that what is off costs nothing;
+  /// it (METHOD, METHOD_NEAREST, NORMAL_MAPPING, VIEW, VIEW_NORMAL …): what is off costs nothing;
   /// numbers are uniforms of the parameter's name, already set, angles in radians. Throws Error with the
   /// shader's file and line.
   gl::Program& program(const std::string& stem) { return program(stem + ".vert", stem + ".frag"); }
   gl::Program& program(const std::string& vertex, const std::string& fragment);
 
-  /// Throws Error when a program that was used reads a uniform that nobody set.
+  /// Throws Error when a used program reads a uniform that was not set.
   void check() const;
 
  private:
@@ -88,7 +88,7 @@ class Frame {
   std::vector<const gl::Program*> used_;
 };
 
-/// What the present look needs once, before its first frame, for so many elements: the benchmark times it.
+/// What the current look needs once, before its first frame, for this many elements. The benchmark times it.
 struct Preparation {
   const char* element;  ///< "triangle"
   std::size_t elements;
@@ -100,10 +100,10 @@ class AnyLab {
  public:
   virtual ~AnyLab() = default;
   [[nodiscard]] virtual const Info& info() const = 0;
-  /// The pictures that it draws in this tree: without `error` where no right answers are, as in a student's.
+  /// The pictures that it draws in this tree: without `error` in a student's, which has no right answers.
   [[nodiscard]] virtual std::span<const View> views() const = 0;
   [[nodiscard]] virtual params::Set& parameters() = 0;
-  /// Makes the lab anew at the next draw, so that its files are read again.
+  /// Makes the lab again at the next draw, which reads its files again.
   virtual void forget() = 0;
   virtual void draw(Frame& frame) = 0;
   /// The vertex stream as drawn, for --mesh; null when the lab has none.
@@ -112,9 +112,9 @@ class AnyLab {
   [[nodiscard]] virtual std::optional<Measure> measure() const = 0;
   /// The right answer for the present parameters in a picture of `size` pixels; empty where there is none.
   [[nodiscard]] virtual Truth truth(glm::ivec2 size) const = 0;
-  /// Nothing when the lab's methods differ in the frame alone.
+  /// Nothing when the lab's methods differ only in the frame.
   virtual std::optional<Preparation> preparation(const Assets& assets) = 0;
-  /// What the lab has to say of its input, for --stats and the panel.
+  /// The lab's notes on its input, for --stats and the panel.
   [[nodiscard]] virtual Notes notes() const = 0;
 };
 
@@ -197,7 +197,7 @@ int run(int argc, char** argv) {
   return run(lab, argc, argv);
 }
 
-/// Keeps what was made for the last few keys, so that a picture or mesh is loaded when a parameter first
+/// Keeps what was made for the last few keys. A picture or mesh is loaded when a parameter first
 /// selects it, and not in every frame.
 template <class Key, class Value>
 class Cache {

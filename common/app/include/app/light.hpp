@@ -12,7 +12,7 @@ struct Lighting {
   float yaw = 48, pitch = 42, ambient = 0.25F, specular = 0;
 };
 
-/// One far light and what comes from everywhere, as parameters; shaders/lib/light.glsl does the arithmetic.
+/// One far light and ambient light, as parameters; shaders/lib/light.glsl does the arithmetic.
 struct Light {
   float light_yaw{}, light_pitch{};  ///< degrees
   float ambient{}, specular{};
@@ -25,7 +25,7 @@ struct Light {
     set.add(light_pitch,
             {"light_pitch", lighting.pitch, -90, 90, "degrees", "Direction to the light above the horizon"});
     set.add(ambient, {"ambient", lighting.ambient, 0, 1, "",
-                      "Light that comes from everywhere; 1: the picture alone"});
+                      "Light from everywhere; 1 shows the picture without shading"});
     set.add(specular, {"specular", lighting.specular, 0, 1, "", "Strength of the highlight"});
   }
 

@@ -12,12 +12,12 @@ namespace texel::app {
 using course::Unit;
 using course::View;
 
-/// What of a lab's picture is compared with which truth.
+/// Which view of a lab is compared with which truth.
 struct Measure {
   View view;          ///< the data view that holds it; color for steps
   Unit unit;          ///< degrees, texels, steps or levels
   const char* truth;  ///< what it is compared with, in a few words: "height field on the exact surface"
-  double scale = 1;   ///< a difference in the view is so many units: texels in a texture's width
+  double scale = 1;   ///< units for a difference of 1 in the view: texels in a texture's width
   /// Texture coordinates a whole number apart are the same place: on a surface that closes, where a triangle
   /// may lie a pixel off on the other side of the seam. The difference is then taken the short way round.
   bool repeats = false;
@@ -25,8 +25,8 @@ struct Measure {
 
 /// What the view should show at a place of the picture, in pixels from its lower left corner, from the
 /// analytic answer in double precision: a unit vector for degrees, (s, t) for texels, 8-bit values (not
-/// rounded) for steps, a level in x. Nothing beside the object. May be called by several threads at a time.
-/// An empty function where the lab's parameters leave the analytic world (an OBJ file).
+/// rounded) for colours, a level in x. Nothing beside the object. May be called by several threads at a time.
+/// An empty function if there is no analytic answer (an OBJ file).
 using Truth = std::function<std::optional<glm::dvec3>(glm::dvec2 window)>;
 
 /// The truth at the middle of each pixel: RGBA, alpha 1 where there is one and it is finite.

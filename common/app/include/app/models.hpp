@@ -10,7 +10,7 @@
 
 namespace texel::app {
 
-/// The built-in models, for a parameter `model`; a path to an OBJ file is taken as well.
+/// The built-in models, for a parameter `model`; the path of an OBJ file works too.
 inline constexpr params::Item kModels[] = {{"cube", "Six faces, each with its own copy of the texture"},
                                            {"sphere", "64 x 32 quads, exact normals"},
                                            {"torus", "96 x 48 quads, exact normals"},
@@ -18,7 +18,7 @@ inline constexpr params::Item kModels[] = {{"cube", "Six faces, each with its ow
                                            {"gator", "An alligator"},
                                            {"quad", "A square that faces +z"}};
 
-/// A mesh that is ready to be drawn, and what was mended on the way.
+/// A mesh that is ready to be drawn, and what was repaired in it.
 struct Model {
   mesh::Mesh mesh;
   Notes notes;
@@ -35,8 +35,8 @@ struct Tessellation {
   bool operator==(const Tessellation&) const = default;
 };
 
-/// Where float32 has lost the mesh's shape (mesh::lost_shape), says why in the notes and on standard error:
-/// the picture is blank, and a program that asks for it sees no panel.
+/// If float32 has lost the mesh's shape (mesh::lost_shape), says why in the notes and on standard error:
+/// the picture is blank, and a snapshot has no panel that would show the notes.
 void warn_of_lost_shape(const mesh::Mesh& mesh, const std::string& file, Notes& notes);
 
 /// A built-in model or an OBJ file, centred, its farthest vertex at distance 1. Normals (smooth, by angle)

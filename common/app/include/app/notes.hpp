@@ -5,7 +5,7 @@
 
 namespace texel::app {
 
-/// What a lab has to say of its input.
+/// A lab's notes on its input.
 struct Notes {
   std::vector<std::string> warnings;  ///< what is wrong with it: repairs, missing files
   std::vector<std::string> facts;     ///< what was generated, and figures worth knowing

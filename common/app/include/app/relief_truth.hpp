@@ -21,9 +21,9 @@ namespace texel::app {
 /// For a parameter `truth`.
 enum class ReliefTruth { height_field, baked_map };
 inline constexpr params::Item kReliefTruths[] = {
-    {"height-field", "The relief as a height on the surface: its slope is taken per length in the world"},
+    {"height-field", "The relief is a height on the surface: its slope is per length in the world"},
     {"baked-map",
-     "The relief's slope per texture width, however long that is: what baking programs agreed on"}};
+     "The relief's slope is per texture width, of any length: the convention of baking programs"}};
 
 /// What the error is counted from, in a few words.
 inline const char* name_of(ReliefTruth truth) {
@@ -33,7 +33,7 @@ inline const char* name_of(ReliefTruth truth) {
 
 //@teacher begin
 /// (dh/ds, dh/dt) of a bundled normal map's relief at a texture coordinate; both h and (s, t) in texture
-/// widths. Nothing for a file of the user's, of which only the pixels are known.
+/// widths. Nothing for other files: only their pixels are known.
 using HeightGradient = std::function<glm::dvec2(glm::dvec2 texcoord)>;
 inline std::optional<HeightGradient> height_gradient(const std::string& normal_map) {
   using procedural::HeightField;
@@ -56,7 +56,7 @@ struct Relief {
   ReliefTruth truth;
   HeightGradient gradient;
   double strength;  ///< multiplies its slopes
-  double width;     ///< as a height field it is as high as if a texture width were so many world units long
+  double width;     ///< for a height field: world units in a texture width
 
   /// Its unit normal at a point of the surface whose slope there is that of the relief at `texcoord`.
   [[nodiscard]] glm::dvec3 normal(const truth::SurfacePoint& point, glm::dvec2 texcoord) const {
@@ -67,7 +67,7 @@ struct Relief {
 
   /// The mean of the normals that a pixel covers, at unit length: a texture filter gives no more than that.
   /// The pixel sees the parallelogram around `texcoord` that the derivatives at the middle span; `point` is
-  /// what the ray meets there. Nothing where the parallelogram has no end, as at a sphere's poles.
+  /// what the ray meets there. Nothing where the parallelogram is infinite, as at a sphere's poles.
   [[nodiscard]] std::optional<glm::dvec3> mean_normal(const truth::PixelRay& pixel,
                                                       const truth::SurfacePoint& point,
                                                       glm::dvec2 texcoord) const {

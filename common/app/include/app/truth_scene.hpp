@@ -7,7 +7,7 @@
 #include "app/measure.hpp"
 #include "truth/ray.hpp"
 
-/// What the labs' truths have in common: the scene's numbers in double precision.
+/// The scene of the labs' truths: its numbers in double precision.
 namespace texel::app {
 
 /// The camera of a picture of `size` pixels.

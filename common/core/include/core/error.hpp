@@ -9,7 +9,7 @@ namespace texel {
 /// Exit codes of every program: a contract with the scripts that call us.
 enum class Exit { holds = 0, differs = 1, usage = 2, failed = 3 };
 
-/// Where something is wrong; 0 for a line or column that is not known.
+/// Where something is wrong. An unknown line or column is 0.
 struct Place {
   std::string file;
   int line = 0;

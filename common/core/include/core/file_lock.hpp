@@ -21,7 +21,7 @@ class FileLock {
       : file_(::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644)) {
     if (file_ < 0)
       throw Error::failed(fmt::format("cannot be opened: {}", std::strerror(errno)), {file.string()},
-                          "name a folder that can be written");
+                          "name a writable folder");
     if (::flock(file_, LOCK_EX | (at_once ? LOCK_NB : 0)) != 0) {
       ::close(file_);
       throw Error::failed("another process works here", {file.string()}, "wait for its end");

@@ -11,12 +11,12 @@ namespace texel {
 /// A whole file as bytes. Throws Error (exit 3) that says whether it is missing, a folder or unreadable.
 std::string read_file(const std::filesystem::path& path);
 
-/// Writes a whole file: beside its place under a temporary name, then renamed, so that no half file is ever
-/// seen and an existing one survives a failure. A link is followed; a device or pipe is written to as it is.
+/// Writes a whole file under a temporary name beside it, then renames it. There is never a half file,
+/// and an existing file survives a failure. Links are followed. Devices and pipes are written to directly.
 /// Throws Error (exit 3) when the folder is missing or the disk full.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// A file's bytes mapped read-only into memory; a small file's are read, which takes half the time.
+/// A file's bytes, mapped read-only into memory. A small file is read instead: that takes half the time.
 class MappedFile {
  public:
   explicit MappedFile(const std::filesystem::path& path);

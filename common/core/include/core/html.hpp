@@ -5,7 +5,7 @@
 
 namespace texel {
 
-/// Text as it stands in HTML or XML, within elements and within attributes in quotes.
+/// Text escaped for HTML or XML, for elements and for attributes in quotes.
 std::string html_escaped(std::string_view text);
 
 }  // namespace texel

@@ -8,8 +8,8 @@
 
 namespace texel {
 
-/// Makes room in an empty vector, and asks the system to back it with pages of megabytes where it has such:
-/// handing out pages of 4 KiB one by one took a fifth of the time of reading a large mesh. For little memory
+/// Reserves room in an empty vector, and asks the system to back it with pages of megabytes:
+/// pages of 4 KiB, handed out one by one, took a fifth of the time of reading a large mesh. For little memory
 /// this is `reserve`.
 template <class Value>
 void reserve_large(std::vector<Value>& values, std::size_t count) {

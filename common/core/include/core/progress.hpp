@@ -7,8 +7,8 @@
 
 namespace texel {
 
-/// Says on standard error what is being done with a file, in one line that is written anew, once that has
-/// taken half a second. Any thread may speak.
+/// Shows on standard error what is being done with a file, in one line that is overwritten, once the work has
+/// taken half a second. Any thread may call it.
 class Progress {
  public:
   explicit Progress(std::string file) : file_(std::move(file)) {}

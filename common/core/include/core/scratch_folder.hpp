@@ -4,8 +4,8 @@
 
 namespace texel {
 
-/// A new empty folder in the system's place for temporary files, removed at the end with all that is in it.
-/// Throws Error (exit 3) when there is none to be had.
+/// A new empty folder among the system's temporary files. The destructor removes it with its content.
+/// Throws Error (exit 3) when it cannot be made.
 class ScratchFolder {
  public:
   ScratchFolder();

@@ -5,13 +5,13 @@
 
 namespace texel {
 
-/// What a stage has taken: by the clock on the wall, and of the main thread's processor alone. Milliseconds.
+/// The time of a stage in milliseconds: wall-clock time, and processor time of the main thread.
 struct StageTime {
   double wall = 0, processor = 0;
 };
 
-/// While it lives, time counts for the stage of that name; a stage begun inside another does not count for
-/// the outer one. Only the main thread is watched: what others do beside it costs nobody's time.
+/// While it lives, time counts for the stage of that name. A stage inside another does not count for
+/// the outer one. Only the main thread is measured: work of other threads counts for no stage.
 class Stage {
  public:
   /// `name` must live as long as this: a literal.

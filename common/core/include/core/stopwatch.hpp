@@ -16,7 +16,7 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// A time that was measured or is left, in words: "12 s", from 90 seconds on "2 min".
+/// A time as text: "12 s", from 90 seconds on "2 min".
 std::string duration_text(double seconds);
 
 }  // namespace texel

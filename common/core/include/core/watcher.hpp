@@ -6,11 +6,11 @@
 
 namespace texel {
 
-/// Notices edited files by their time and size, and folders in which a file came or went. Editors that write
-/// beside and rename are noticed too.
+/// Notices edited files by their time and size, and folders in which a file appeared or vanished. Also
+/// works with editors that write another file and rename it.
 class Watcher {
  public:
-  /// Which of `files` are not as they were at the last call (a file seen for the first time is not changed).
+  /// Which of `files` changed since the last call. A file seen for the first time is not changed.
   std::vector<std::filesystem::path> changed(const std::vector<std::filesystem::path>& files);
 
  private:

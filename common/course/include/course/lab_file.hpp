@@ -61,7 +61,7 @@ struct BenchCase : Case {
   std::vector<Variation> variations;  ///< at least one
 };
 
-/// What one of the sources says, put to the test.
+/// What one of the sources says, and what measuring it gave.
 struct Claim {
   std::string source, says, found, see;
 };
@@ -83,8 +83,8 @@ struct Lab {
 
 /// Reads a lab.toml. Throws Error (exit 3) with file and line for broken TOML, an unknown key, a wrong type,
 /// a missing or empty text, a name that is taken or no file name, a step or case that does not fit the
-/// others, and a `lab` that is not the name of the file's folder. Whether a step of an earlier lab exists
-/// that one of this lab needs is not known yet.
+/// others, and a `lab` that is not the name of the file's folder. It does not know whether steps of earlier
+/// labs exist that this lab needs.
 Lab read_lab(const std::filesystem::path& file);
 
 /// Every `NN_name/lab.toml` below `folder`, by number. Throws Error (exit 3) when there is none, when a step

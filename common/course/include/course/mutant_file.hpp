@@ -25,7 +25,7 @@
 namespace texel::course {
 
 struct Mutant {
-  bool is_right = false;  ///< an equivalent: nobody may object to it
+  bool is_right = false;  ///< an equivalent: tests and grader must accept it
   std::string name;       ///< lower-case letters, digits and '-'
   std::string file;       ///< relative, with '/'
   std::string what, by;
@@ -36,9 +36,9 @@ struct Mutant {
 };
 
 /// Reads one file of a catalogue, the mutants before the equivalents. Throws Error (exit 3) with file and
-/// line for broken TOML, an unknown key, a wrong type, a missing or empty text, a name that is taken or has
-/// other signs, a file that is no path below the root, a step that is not like 5.1, and a replacement that
-/// changes nothing.
+/// line for broken TOML, an unknown key, a wrong type, a missing or empty text, a name that is used twice or
+/// has other signs, a file that is no path below the root, a step that is not like 5.1, and a replacement
+/// that changes nothing.
 std::vector<Mutant> read_mutants(const std::filesystem::path& file);
 
 /// Every .toml file of the folder, by name. Throws Error (exit 3) when there is nothing in them, when two
@@ -46,7 +46,7 @@ std::vector<Mutant> read_mutants(const std::filesystem::path& file);
 std::vector<Mutant> read_catalogue(const std::filesystem::path& folder);
 
 /// The catalogue of threats, `tests/threats/*.toml`: changes that do harm or cheat, in tables [[threat]],
-/// which read_mutants refuses, so that nobody runs them outside the grader's sandbox by mistake. They have no
+/// which read_mutants refuses: nobody can run them outside the grader's sandbox by mistake. They have no
 /// `survives`; `says` is what must happen. Otherwise as read_catalogue.
 std::vector<Mutant> read_threats(const std::filesystem::path& folder);
 

@@ -5,7 +5,7 @@
 
 #include "course/case.hpp"
 
-/// What a student writes, and by which pictures it is judged: the tables [[step]] and [[case]] of a lab.toml.
+/// What a student writes, and the pictures that judge it: the tables [[step]] and [[case]] of a lab.toml.
 ///
 ///     [[step]]
 ///     id = "5.1"                                    # as the markers in the sources have it
@@ -27,7 +27,7 @@
 ///     why = "0.05 between OSMesa and EGL"           # where the limit comes from
 ///     hidden = { turn = [-180, 180], normal_map = ["brick", "wood"] }   # optional
 ///
-/// A hidden parameter takes a value that nobody knows beforehand, drawn from the course's secret seed: a
+/// A hidden parameter has a value that students cannot know, drawn from the course's secret seed: a
 /// number between two, or one of several words.
 namespace texel::course {
 
@@ -36,7 +36,7 @@ struct Step {
   double points = 1;
   std::vector<std::string> needs;  ///< earlier steps, of this lab or an earlier one
   std::vector<std::string> hints;
-  Case see;  ///< the look in which one sees it: its settings and view
+  Case see;                            ///< the look in which one sees it: its settings and view
   std::vector<std::string> seen_with;  ///< later steps of this lab, without which one does not see it
 };
 

@@ -15,14 +15,14 @@ enum class ContextKind {
   egl      ///< EGL without a surface (EGL_MESA_platform_surfaceless)
 };
 
-/// What a software renderer's shader compiler aims at; the pictures are the same, bit by bit.
+/// The goal of a software renderer's shader compiler. The pictures are the same, bit by bit.
 enum class Shaders {
   quick_to_compile,  ///< on llvmpipe in half the time, and they draw 1.1 to 1.6 times as long
   quick_to_draw
 };
 
-/// An OpenGL 3.3 core context. All drawing goes into framebuffer objects, so that the three kinds give the
-/// same.
+/// An OpenGL 3.3 core context. All drawing goes into framebuffer objects: the three kinds give the
+/// same pictures.
 class Context {
  public:
   virtual ~Context() = default;
@@ -36,14 +36,14 @@ class Context {
   /// GL_RENDERER and GL_VERSION.
   [[nodiscard]] std::string renderer() const;
   [[nodiscard]] std::string version() const;
-  /// Both without what changes no pixel: "llvmpipe (LLVM 15.0.6), Mesa 22.3.6".
+  /// Both, without parts that change no pixel: "llvmpipe (LLVM 15.0.6), Mesa 22.3.6".
   [[nodiscard]] std::string name() const;
-  /// What the driver called an error since the last call (KHR_debug, else glGetError). Empty in a right
-  /// program.
+  /// What the driver reported as an error since the last call (KHR_debug, else glGetError). Empty in a
+  /// correct program.
   [[nodiscard]] std::vector<std::string> take_errors();
 
  protected:
-  /// Before the driver is loaded, which reads then what its shader compiler is to aim at.
+  /// Called before the driver is loaded: it then reads the goal of its shader compiler.
   explicit Context(Shaders shaders);
   void load(void* (*get_address)(const char*));
 

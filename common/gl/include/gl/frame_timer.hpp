@@ -7,8 +7,8 @@
 
 namespace texel::gl {
 
-/// How long drawing takes: on hardware by a timer query; on a software renderer, whose queries only time the
-/// call, by the clock from an idle driver to glFinish.
+/// How long drawing takes. On hardware a timer query measures it. On a software renderer queries only time
+/// the call: there the clock measures from an idle driver to glFinish.
 class FrameTimer {
  public:
   /// `renderer` is the context's GL_RENDERER.

@@ -43,7 +43,7 @@ class Program {
   void use() const { glUseProgram(id_); }
 
   /// Sets a uniform of the program, which must be in use. A name that its source does not mention throws
-  /// Error; one that this variant does not read is passed over. A sampler is set by the number of its texture
+  /// Error. One that this variant does not read is ignored. A sampler is set to the number of its texture
   /// unit.
   void set(std::string_view name, int value);
   void set(std::string_view name, float value);
@@ -70,20 +70,20 @@ class Program {
   std::vector<Attribute> attributes_;
 };
 
-/// Compiles programs once: a variant is known by its files and those of the defines that they mention.
+/// Compiles each program once. A variant is identified by its files and by the defines that they mention.
 class ProgramCache {
  public:
   explicit ProgramCache(std::filesystem::path shader_root) : root_(std::move(shader_root)) {}
 
   Program& get(const std::string& vertex, const std::string& fragment,
                const std::vector<Define>& defines = {});
-  /// The same for those who ask in every frame: `settings` is equal where the defines are, and these are
-  /// wanted only when it is new.
+  /// The same, fast enough for every frame. `settings` is equal if the defines are; the defines are
+  /// only asked for when it is new.
   Program& get(const std::string& vertex, const std::string& fragment, const std::string& settings,
                const std::function<std::vector<Define>()>& defines);
   /// Forgets everything, so that edited files are read again.
   void clear();
-  /// Every file that was read, and the folders in which more are looked for, for a watcher.
+  /// For a watcher: every file that was read, and the folders in which files are searched.
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
   [[nodiscard]] std::size_t size() const { return programs_.size(); }
 

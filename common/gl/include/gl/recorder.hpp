@@ -9,8 +9,8 @@
 
 namespace texel::gl {
 
-/// What a frame drew, read from OpenGL itself at each draw call: not what a lab says of itself. Nothing is
-/// counted by a query: llvmpipe compiles every shader anew for one (200 ms), and it waits for each draw call.
+/// What a frame drew, read from OpenGL itself at each draw call, not from the lab. Nothing is
+/// counted by a query: for that llvmpipe compiles every shader again (200 ms) and waits for each draw call.
 struct Record {
   struct AttributeUse {
     std::string name;
@@ -28,12 +28,12 @@ struct Record {
   int draw_calls = 0;
   std::vector<AttributeUse> attributes;
   std::vector<TextureUse> textures;
-  /// Why something is not seen: incomplete mipmaps, a unit without a texture, an attribute that nothing
+  /// Why something is invisible: incomplete mipmaps, a unit without a texture, an attribute that nothing
   /// reads, …
   std::vector<std::string> warnings;
 };
 
-/// While it lives, every glDrawArrays and glDrawElements is recorded: it puts itself before the function
+/// While it lives, it records every glDrawArrays and glDrawElements: it replaces the function
 /// pointers that glad loaded. One at a time.
 class Recorder {
  public:

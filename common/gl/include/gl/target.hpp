@@ -14,9 +14,9 @@ class Target {
  public:
   enum class Kind { colour, data };
 
-  /// `samples` above 1 draws multisampled (at most what the driver offers) and resolves. Depth and samples,
-  /// which nobody reads after resolve(), are those of `other` where that has the same kind, size and samples:
-  /// two pictures drawn in turn then take the room of one, and stay in the processor's caches (a fifth of lab
+  /// `samples` above 1 draws multisampled (at most the driver's maximum) and resolves. If `other` has the
+  /// same kind, size and samples, both share depth and samples, which nobody reads after resolve(): two
+  /// pictures drawn in turn then need the memory of one, and stay in the processor's caches (a fifth of lab
   /// 1's time).
   Target(Kind kind, int width, int height, int samples, const Target* other = nullptr);
 
@@ -36,8 +36,8 @@ class Target {
   /// The resolved picture in memory; RGBA.
   [[nodiscard]] image::Image8 read8() const;
   [[nodiscard]] image::ImageF read_float() const;
-  /// Whether every pixel of the resolved picture is `colour`, RGBA in linear light, within a step of 8 bits.
-  /// The middle row is asked first: in most pictures something stands there.
+  /// Whether every pixel of the resolved picture is `colour`, RGBA in linear light, within one 8-bit level.
+  /// The middle row is checked first: most pictures have something there.
   [[nodiscard]] bool shows_only(const glm::vec4& colour) const;
   /// Replaces the resolved picture of a colour target by one in memory, RGBA of the same size.
   void write8(const image::Image8& image) const;

@@ -14,7 +14,7 @@ struct Sampling {
   float anisotropy = 1;  ///< at most what the driver offers; 1 is off
 };
 
-/// The formats in which an image of so many channels lies in memory and on the GPU.
+/// The formats in memory and on the GPU of an image with this many channels.
 struct Format {
   GLenum internal;  ///< GL_SRGB8, GL_RG8, …
   GLenum external;  ///< GL_RED, GL_RG, GL_RGB, GL_RGBA

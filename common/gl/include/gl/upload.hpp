@@ -2,11 +2,11 @@
 #pragma once
 #include "gl/texture.hpp"
 
-/// What lab 1 does by hand: pictures on their way into textures, and textures into units.
+/// What lab 1 does by hand: uploading pictures into textures, and binding textures to units.
 namespace texel::gl {
 
-/// Binds a texture to the active unit for the length of a scope, so that making one disturbs no unit: a
-/// texture that is bound while it is made would else take the place of the one that the next draw call reads.
+/// Binds a texture to the active unit until the end of the scope. Making a texture then disturbs no unit: a
+/// new texture would else replace the one that the next draw call reads.
 class ScopedBinding {
  public:
   ScopedBinding(GLenum target, const Texture& texture);
@@ -19,7 +19,7 @@ class ScopedBinding {
   GLint before_ = 0;
 };
 
-/// Uploads one level of the bound texture; rows are tightly packed, whatever their length.
+/// Uploads one level of the bound texture; rows of any length are tightly packed.
 void upload_level(GLenum target, int level, const image::Image8& image, image::Encoding encoding);
 
 /// A 2D texture with its mipmaps (image/mipmaps.hpp: averaged in linear light). No unit's binding is changed.

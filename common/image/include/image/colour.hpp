@@ -24,9 +24,9 @@ float from_encoding8(std::uint8_t sample, Encoding encoding = Encoding::srgb);
 std::uint8_t to_encoding8(float linear, Encoding encoding = Encoding::srgb);
 
 /// A heat map, sRGB-encoded R, G and B in 0..1: near black at t = 0 over violet, red and orange to pale
-/// yellow at t = 1, clamped outside. Lightness grows evenly and equal steps of t are equal distances in OKLab
-/// (B. Ottosson, "A perceptual color space for image processing", 2020). NaN gives pure green, which no t
-/// has.
+/// yellow at t = 1, clamped outside. Lightness grows evenly: equal distances in t are equal in OKLab
+/// (B. Ottosson, "A perceptual color space for image processing", 2020). NaN gives pure green, which no other
+/// t gives.
 std::array<float, 3> heat(float t);
 
 }  // namespace texel::image

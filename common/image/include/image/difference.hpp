@@ -27,17 +27,17 @@ enum class Unit {
 
 /// What pictures are compared by. Both float and 8-bit pictures take the first two.
 struct Comparing {
-  /// Only pixels whose first channel here is above 0 count. Of the pictures' size.
+  /// Only pixels whose first channel here is above 0 count. It has the pictures' size.
   const Image8* mask = nullptr;
 
-  /// Forgives what one pixel more or less at an edge costs, where renderers may differ by right. A pixel then
+  /// Allows an edge to lie one pixel off, as between two right renderers. A pixel then
   /// counts with the smallest difference to any of the 3x3 pixels around it in the other picture, taken from
-  /// either picture; the worse of the two counts, so that a line that only one of them has is not forgiven.
+  /// either picture. The worse of the two counts: a line in only one of the pictures is not forgiven.
   /// This holds only at edges: where in either picture the pixel differs from one of its neighbours by more
-  /// than an eighth of the whole range, which is 32 steps of 8 bits, 22.5 degrees, or an eighth of the spread
-  /// of the finite values; and for differences of more than half that much. And only as an exception: when
-  /// more than a tenth of all edge pixels would be forgiven, the picture was moved, not rasterised otherwise,
-  /// and nothing is.
+  /// than an eighth of the whole range, which is 32 8-bit levels, 22.5 degrees, or an eighth of the spread
+  /// of the finite values; and only for differences of more than half that much. It is an exception: when
+  /// more than a tenth of all edge pixels would be forgiven, the picture was moved, not rasterised
+  /// differently, and nothing is forgiven.
   bool edge_tolerance = false;
 
   Unit unit = Unit::own;
@@ -46,7 +46,7 @@ struct Comparing {
   double texture_width = 1, texture_height = 1;
 };
 
-/// Compares R, G and B in 8-bit steps; grey counts as R = G = B and alpha is left out. The percentile is the
+/// Compares R, G and B in 8-bit levels; grey counts as R = G = B, and alpha is ignored. The percentile is the
 /// nearest rank: of n pixels sorted upwards the value at rank ceil(0.99 n). Throws Error (exit 3) when the
 /// sizes differ or the mask leaves no pixel.
 Difference compare(const Image8& reference, const Image8& image, const Comparing& comparing = {});
@@ -54,12 +54,12 @@ Difference compare(const Image8& reference, const Image8& image, const Comparing
 /// Compares float pictures in the given unit. A pixel with NaN or infinity in either picture is counted in
 /// `non_finite` and left out. For directions (3 or 4 channels) the angle is
 /// atan2(|a x b|, a . b), exact for small angles too; a pixel that is (0, 0, 0) in both is background and
-/// left out, in one only it is 180 degrees off. When no pixel is left the figures are 0. Throws Error (exit
-/// 3) when the sizes or channels differ, directions have fewer than 3 channels, or texture coordinates
+/// left out; in only one picture it is 180 degrees off. When no pixel is left the figures are 0. Throws Error
+/// (exit 3) when the sizes or channels differ, directions have fewer than 3 channels, or texture coordinates
 /// fewer than 2.
 Difference compare(const ImageF& reference, const ImageF& image, const Comparing& comparing = {});
 
-/// Each pixel's largest difference as an RGB picture by `heat`: `full_scale` steps (or units) and more have
+/// Each pixel's largest difference as an RGB picture by `heat`: `full_scale` levels (or units) and more have
 /// the hottest colour; 0 takes the largest difference found. Pixels that `compare` leaves out as non-finite
 /// are green, masked ones and background coldest. Errors as `compare`.
 Image8 heatmap(const Image8& reference, const Image8& image, double full_scale = 0,

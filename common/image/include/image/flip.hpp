@@ -9,10 +9,10 @@ namespace texel::image {
 /// The paper's viewer: 0.7 m before a display that is 0.7 m wide and has 3840 pixels, 67.02 pixels a degree.
 inline constexpr double default_pixels_per_degree = 3840 * std::numbers::pi / 180;
 
-/// FLIP for pictures of low dynamic range: for each pixel how much a viewer sees who alternates between the
-/// two, 0 (nothing) to 1. Colours are filtered as the eye does, then compared; a difference in edges or
+/// FLIP for pictures of low dynamic range: how much a viewer sees at each pixel when alternating between the
+/// two, 0 (nothing) to 1. Colours are filtered like in the eye, then compared. A difference in edges or
 /// points raises the error. Symmetric in the two pictures. R, G and B are sRGB-encoded, grey counts as R = G
-/// = B, alpha is left out; beyond the border the picture goes on as its border pixels. `pixels_per_degree` of
+/// = B, alpha is ignored; beyond the border the border pixels are repeated. `pixels_per_degree` of
 /// visual angle is 1 to 1000. One channel, within 1e-4 of the same in double precision. Throws Error (exit 3)
 /// when the sizes differ or the pictures are empty, and Error (usage) beyond 1 to 1000 pixels a degree.
 /// Source: P. Andersson, J. Nilsson, T. Akenine-Moeller, M. Oskarsson, K. Astrom, M. D. Fairchild, "FLIP: A
@@ -20,8 +20,8 @@ inline constexpr double default_pixels_per_degree = 3840 * std::numbers::pi / 18
 ImageF flip_errors(const Image8& reference, const Image8& image,
                    double pixels_per_degree = default_pixels_per_degree);
 
-/// An error map in few numbers. A weighted percentile counts each pixel as much as its error: half of all
-/// error lies in pixels with an error of the weighted median or less, so that a large background without
+/// An error map in a few numbers. A weighted percentile weights each pixel by its error: half of all
+/// error lies in pixels with at most the error of the weighted median. A large background without
 /// error does not count. 0 when there is no error.
 struct FlipFigures {
   double mean = 0;

@@ -8,7 +8,7 @@
 namespace texel::image {
 
 /// A picture in memory: `channels` interleaved samples a pixel, rows tightly packed, **row 0 is the bottom
-/// row** as OpenGL wants its textures.
+/// row** as in OpenGL's textures.
 template <class Sample>
 struct Image {
   int width = 0;     ///< pixels
@@ -37,7 +37,7 @@ struct Image {
   bool operator==(const Image&) const = default;
 };
 
-using Image8 = Image<std::uint8_t>;    ///< 0..255, sRGB-encoded colour or linear data: the user says which
+using Image8 = Image<std::uint8_t>;    ///< 0..255, sRGB-encoded colour or linear data: the caller knows which
 using Image16 = Image<std::uint16_t>;  ///< 0..65535
 using ImageF = Image<float>;           ///< any value, linear
 

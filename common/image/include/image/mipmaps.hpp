@@ -11,8 +11,8 @@ namespace texel::image {
 /// odd
 /// ("polyphase box", N. Guertin, "Non-power-of-two mipmapping", NVIDIA 2005); levels are rounded to
 /// 8 bits only when stored, not on the way. With `Encoding::srgb` colour is averaged in linear light and
-/// alpha (the last of 2 or 4 channels) as it is. Alpha is straight and does not weigh the colour, as in
-/// glGenerateMipmap and in samplers: where transparent texels must not bleed, premultiply first.
+/// alpha (the last of 2 or 4 channels) without decoding. Alpha is straight and does not weight the colour, as
+/// in glGenerateMipmap and in samplers. If transparent texels must not bleed, premultiply first.
 std::vector<Image8> mip_chain(const Image8& image, Encoding encoding);
 
 }  // namespace texel::image

@@ -28,8 +28,8 @@ void save_png(const std::filesystem::path& path, const Image8& image, std::span<
 /// Throws Error (exit 3) when the file is missing, not a PNG or broken.
 std::vector<Text> read_png_text(const std::filesystem::path& path);
 
-/// Writes a little-endian portable float map: 1 channel as `Pf`, 3 as `PF`; of 2 channels the third is 0, of
-/// 4 the last is left out. NaN and infinity are kept. Throws Error (exit 3) as `save_png` does.
+/// Writes a little-endian portable float map: 1 channel as `Pf`, 3 as `PF`. With 2 channels the third is 0,
+/// with 4 the last is ignored. NaN and infinity are kept. Throws Error (exit 3) as `save_png` does.
 void save_pfm(const std::filesystem::path& path, const ImageF& image);
 
 }  // namespace texel::image

@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 
 /// Orthonormal frames around a unit vector n in 32-bit floats, as a shader builds them in each pixel: the
-/// twins of shaders/09_bump/frame.glsl, statement for statement. The columns are T, B and N = n; all are
+/// same as shaders/09_bump/frame.glsl, statement for statement. The columns are T, B and N = n; all are
 /// right-handed, cross(T, B) = N. "Error" is the largest entry of |transpose(F) F - I|; that of n itself, up
 /// to 2e-7 for a vector that was made unit in floats, is a part of it. Nothing is thrown.
 namespace texel::math {
@@ -20,7 +20,7 @@ inline glm::mat3 frisvad(const glm::vec3& n) {
 }
 
 /// The same for n.z >= 0; for the other half the frame of (n.x, n.y, -n.z), mirrored. It is Duff's frame,
-/// written otherwise.
+/// in other words.
 inline glm::mat3 sign_corrected(const glm::vec3& n) {
   const float side = n.z < 0 ? -1.0F : 1.0F;
   const float a = 1 / (1 + std::abs(n.z)), b = -n.x * n.y * a;

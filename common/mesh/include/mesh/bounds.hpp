@@ -18,9 +18,9 @@ struct Bounds {
 
 Bounds bounds(const Mesh& mesh);
 
-/// Why hardly anything is seen of a model, or its shape is lost, since float32 has 7 digits: "" where all is
-/// well. That is where all vertices lie at one point, where the triangles have no area beside the model's
-/// size, and so far from the origin that there are fewer than 1024 floats along it, which is coarser than
+/// Says why a model is nearly invisible or has lost its shape in float32's 7 digits; "" if all is
+/// well. Reasons: all vertices lie at one point; the triangles have no area compared with the model's
+/// size; or it is so far from the origin that fewer than 1024 floats lie along it, which is coarser than
 /// pixels.
 std::string lost_shape(const Mesh& mesh);
 

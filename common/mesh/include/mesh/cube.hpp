@@ -6,7 +6,7 @@
 #include "mesh/mesh.hpp"
 #include "mesh/obj.hpp"
 
-/// The report's cube of eight shared vertices, and what gives each of its faces its own copy of the texture.
+/// The report's cube of eight shared vertices, and the cube whose faces each have a copy of the texture.
 /// Corner order: front bottom left, front upper left, front upper right, front bottom right, then the same at
 /// the back (left and right as seen from the front); the front is +z.
 namespace texel::mesh {
@@ -18,11 +18,11 @@ using CubeTexcoords = std::array<glm::vec2, 8>;
 extern const CubeTexcoords cube_before;
 
 /// The report's workaround (section 3.1): every face is covered, but the front is turned by 180 degrees, the
-/// back mirrored, and of each other face one triangle is mirrored.
+/// back mirrored, and one triangle of each other face is mirrored.
 extern const CubeTexcoords cube_stretched;
 
-/// The report's cube: 8 vertices, 12 triangles; the normals point away from the centre, since a shared vertex
-/// has one only.
+/// The report's cube: 8 vertices, 12 triangles. The normals point away from the centre, because a shared
+/// vertex has only one.
 Mesh cube_shared(const CubeTexcoords& texcoords, float half_size = 1.0f);
 
 /// The same cube as an exporter writes it: 8 v, 4 vt, 6 vn, each face with the whole texture upright seen

@@ -22,16 +22,16 @@ inline std::uint32_t value_bits(float x) {
   return std::bit_cast<std::uint32_t>(x + 0.0f);
 }
 
-/// Numbers distinct things 0, 1, 2, … in order of first appearance. The things lie with the caller, who gives
-/// their hash and compares them; the table (open addressing, linear probing, at most half full) holds 8 bytes
-/// a slot. Expected constant time for each call.
+/// Numbers distinct things 0, 1, 2, … in order of first appearance. The caller keeps the things, gives
+/// their hashes and compares them. The table (open addressing, linear probing, at most half full) needs 8
+/// bytes a slot. Expected constant time for each call.
 class DistinctTable {
  public:
   explicit DistinctTable(std::size_t expected = 0) { resize(std::bit_ceil(2 * expected + 16)); }
 
   [[nodiscard]] std::uint32_t size() const { return size_; }
 
-  /// The number of the thing with this hash for which `same(number)` holds, or size() as it was, now taken.
+  /// The number of the thing with this hash for which `same(number)` is true; a new thing gets size().
   template <class Same>
   std::uint32_t number(std::uint64_t hash, Same same) {
     if (2 * (std::size_t{size_} + 1) > slots_.size()) grow();

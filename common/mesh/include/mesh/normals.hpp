@@ -8,13 +8,13 @@
 
 namespace texel::mesh {
 
-/// How much a triangle counts in the normal of its corner.
+/// How a triangle is weighted in the normal of its corner.
 enum class Weighting {
   area,   ///< by its area (Gouraud's plain sum of cross products)
   angle,  ///< by the corner's angle (Thuermer and Wuethrich 1998): how faces are cut does not matter
 };
 
-/// What a vertex gets whose triangles have no area.
+/// The normal of a vertex whose triangles have no area.
 inline constexpr glm::vec3 fallback_normal{0.0f, 1.0f, 0.0f};
 
 /// The unit normal of the triangle a b c on the side from which it runs counter-clockwise; zero when it has
@@ -25,8 +25,8 @@ glm::vec3 face_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c
 /// Tangents are emptied. Triangles without area take fallback_normal.
 void flat_normals(Mesh& mesh);
 
-/// Gives every vertex the weighted mean of the normals of all triangles at its position, so that vertices
-/// which are split for their texture coordinates stay smooth. Triangles without area add nothing. Tangents
+/// Gives every vertex the weighted mean of the normals of all triangles at its position. So vertices
+/// that are split for their texture coordinates stay smooth. Triangles without area add nothing. Tangents
 /// are emptied. Expected linear time.
 void smooth_normals(Mesh& mesh, Weighting weighting);
 
@@ -35,7 +35,7 @@ void smooth_normals(Mesh& mesh, Weighting weighting);
 /// when the file has no smoothing groups. Returns the number of corners that got one.
 std::size_t generate_missing_normals(ObjData& data, Weighting weighting);
 
-/// Takes all normals away, as if the file had no vn.
+/// Removes all normals, as if the file had no vn.
 void remove_normals(ObjData& data);
 
 }  // namespace texel::mesh

@@ -21,7 +21,7 @@ struct Corner {
   friend bool operator==(const Corner&, const Corner&) = default;
 };
 
-/// What `newmtl` says that we use. Paths are as written, with '/' for '\', relative to the MTL file.
+/// The part of a `newmtl` that we use. Paths are as written, with '/' for '\', relative to the MTL file.
 struct Material {
   std::string name;
   glm::vec3 diffuse{1.0f};  ///< Kd, as written
@@ -41,7 +41,7 @@ struct SmoothingRun {
   std::uint32_t first_triangle = 0;
 };
 
-/// What was met in a file beside plain triangles. Nothing of it stops the import.
+/// What a file had besides plain triangles. Nothing here stops the import.
 struct ObjReport {
   std::uint64_t lines = 0;                 ///< as an editor counts them
   std::uint64_t faces = 0;                 ///< `f` lines, dropped ones too

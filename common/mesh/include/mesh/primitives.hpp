@@ -6,13 +6,13 @@
 
 /// Analytic shapes with exact normals and texture coordinates; object space, right-handed, y up,
 /// counter-clockwise seen from outside. Computed in double and rounded once. Sizes are in world units, counts
-/// are clamped to the least that makes a surface. Tangents are left empty: fill them with the exact ones
+/// are clamped to the smallest that make a surface. Tangents are left empty: fill them with the exact ones
 /// below or by a method of tangents.hpp.
 namespace texel::mesh {
 
 /// Vertices slide along the exact surface, each by up to +-amount/2 of a cell in s and in t; below an amount
-/// of 1/2 no triangle can turn over. Texture coordinates and normals stay exact. The way is a hash of the
-/// vertex's place in the grid, so the same seed gives the same mesh and both copies of a seam's vertex slide
+/// of 1/2 no triangle can turn over. Texture coordinates and normals stay exact. The move is a hash of the
+/// vertex's place in the grid: the same seed gives the same mesh, and both copies of a seam's vertex move
 /// alike. A plane's border and a sphere's poles stay where they are.
 struct Jitter {
   float amount = 0.0f;
@@ -38,7 +38,7 @@ Mesh cube_split(float half_size = 1.0f, int cells = 1, Jitter jitter = {});
 Mesh sphere(int rings, int segments, float radius = 1.0f, Jitter jitter = {});
 
 /// A torus about the y axis: position = ((R + r cos b) sin a, r sin b, (R + r cos b) cos a) with a = 2 pi s
-/// and b = 2 pi t, so s runs as on the sphere and t = 0 is the outer equator. `segments` steps in s, `sides`
+/// and b = 2 pi t. So s runs as on the sphere, and t = 0 is the outer equator. `segments` quads in s, `sides`
 /// in t (at least 3); seams doubled.
 Mesh torus(float major, float minor, int segments, int sides, Jitter jitter = {});
 

@@ -8,16 +8,16 @@
 
 namespace texel::mesh {
 
-/// How evenly a texture lies on a mesh. The stretch is how far one step in the texture reaches on the
+/// How evenly a texture lies on a mesh. The stretch is how far a small move in the texture reaches on the
 /// surface, relative to what it would reach if the same texture area were spread evenly: 1 is perfect
 /// (P. Sander, J. Snyder, S. Gortler, H. Hoppe, "Texture Mapping Progressive Meshes", SIGGRAPH 2001,
-/// section 3). Triangles without texture area are stretched without end: they are counted and stand in no
-/// other figure, nor do triangles without an area in space.
+/// section 3). Triangles without texture area have infinite stretch: they are only counted, and are in no
+/// other figure. Triangles without an area in space are ignored.
 struct Stretch {
-  double l2 = 0;          ///< root mean square over directions and, by area, over the surface
-  double l_infinity = 0;  ///< the greatest anywhere
-  double mean_shear = 0;  ///< by area: degrees by which the directions of s and t miss a right angle
-  double max_shear = 0;   ///< degrees, 0 to 90
+  double l2 = 0;                          ///< root mean square over directions and, by area, over the surface
+  double l_infinity = 0;                  ///< the greatest anywhere
+  double mean_shear = 0;                  ///< by area: degrees between a right angle and the angle of s and t
+  double max_shear = 0;                   ///< degrees, 0 to 90
   std::uint32_t zero_area_triangles = 0;  ///< their three texture coordinates lie on a line: smeared
   std::uint32_t mirrored_triangles = 0;   ///< the texture reads backwards seen from outside
 };

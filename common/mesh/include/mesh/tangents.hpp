@@ -15,8 +15,8 @@ enum class TangentMethod {
   /// The averaged T made orthogonal to the normal, the side of B kept in w (Lengyel, "Foundations of Game
   /// Engine Development 2", section 7.5). The first method that splits mirrored vertices.
   gram_schmidt,
-  /// As gram_schmidt, but each triangle's unit T and B count by the angle of its corner, so that how a face
-  /// is cut into triangles does not matter (Thuermer and Wuethrich 1998, there for normals).
+  /// As gram_schmidt, but each triangle's unit T and B are weighted by the angle at its corner. How a face
+  /// is cut into triangles then does not matter (Thuermer and Wuethrich 1998, there for normals).
   angle_weighted,
   /// The rules of M. S. Mikkelsen, "Simulation of Wrinkled Surfaces Revisited" (2008), and of the MikkTSpace
   /// reference code, to the last bit: corners of equal position, normal and texcoord are one; triangles
@@ -29,7 +29,7 @@ enum class TangentMethod {
   mikktspace,
 };
 
-/// What compute_tangents met.
+/// What compute_tangents found.
 struct TangentReport {
   std::uint32_t degenerate_triangles = 0;  ///< no area in texture or space: they add nothing
   /// Had no triangle with a direction: any unit vector orthogonal to n, with mikktspace mostly (1, 0, 0).
@@ -37,7 +37,7 @@ struct TangentReport {
   std::uint32_t split_vertices = 0;  ///< added where the texture is mirrored or groups meet
 };
 
-/// T: what one step in s moves on the triangle, B: one step in t; as long as the texture's width and height.
+/// T and B: the moves on the triangle when s or t grows by 1, as long as the texture's width and height.
 struct TriangleFrame {
   glm::vec3 tangent{0.0f};
   glm::vec3 bitangent{0.0f};
@@ -53,14 +53,14 @@ TriangleFrame triangle_frame(const std::array<glm::vec3, 3>& positions,
 glm::vec4 orthonormalize(const glm::vec3& normal, const glm::vec3& tangent, const glm::vec3& bitangent);
 
 /// Twice the signed area in texture space: positive when the texture is not mirrored, and exactly 0 when the
-/// three texture coordinates lie on a line but for rounding (area below 1e-7 of the product of two edges).
+/// three texture coordinates lie on a line up to rounding (area below 1e-7 of the product of two edges).
 double texture_area(const std::array<glm::vec2, 3>& texcoords);
 
 /// Fills tangents (and bitangents for `averaged`, else empties them) from positions, normals and texcoords.
-/// Where triangles of both turns meet at a vertex, all methods but `averaged` append a vertex for the later
-/// one; the order of vertices and triangles is else kept. Expected linear time. The result does not depend on
-/// the number of `threads`; 0 takes as many as the processor has cores, and one for a small mesh. Throws
-/// Error (exit 3) when the mesh has no normals or no texture coordinates.
+/// Where mirrored and other triangles share a vertex, all methods except `averaged` append a vertex for the
+/// later kind. Else the order of vertices and triangles stays. Expected linear time. The result does not
+/// depend on the number of `threads`; 0 takes as many as the processor has cores, and one for a small mesh.
+/// Throws Error (exit 3) when the mesh has no normals or no texture coordinates.
 TangentReport compute_tangents(Mesh& mesh, TangentMethod method, unsigned threads = 0);
 
 }  // namespace texel::mesh

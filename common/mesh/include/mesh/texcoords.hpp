@@ -18,12 +18,12 @@ enum class Projection {
 
 /// Where the direction from the centre meets the unit square: s = longitude / 2 pi in [0, 1), 0 at +z and 1/4
 /// at +x; t = latitude / pi + 1/2. The texture reads the right way round from outside (as on sphere() of
-/// primitives.hpp). (0, 1/2) for no direction.
+/// primitives.hpp). (0, 1/2) at the centre itself.
 glm::vec2 spherical_texcoord(const glm::vec3& from_center);
 
 /// Replaces the texture coordinates. Vertices are duplicated where triangles need different ones: in `box`
-/// where neighbours face other axes; in the round projections at the seam, where a triangle goes on past s =
-/// 1, and on the axis, where s has no value and each triangle takes the mean of its other corners. Tangents
+/// where neighbours face other axes. In the round projections at the seam, where a triangle continues past s
+/// = 1, and on the axis, where s has no value and each triangle takes the mean of its other corners. Tangents
 /// are emptied. Linear time. A triangle through which the axis passes keeps a stretch of at least half the
 /// texture.
 void generate_texcoords(Mesh& mesh, Projection projection);
@@ -37,8 +37,8 @@ struct TextureLayout {
   bool operator==(const TextureLayout&) const = default;
 };
 
-/// Lays the texture anew. t stays, so that s grows along the same line as before: tangents that are there
-/// stay exact, turned round when mirrored; bitangents, which lean, are emptied.
+/// Changes the layout. t stays, and s grows along the same line as before: existing tangents
+/// stay exact, and are inverted when mirrored. Bitangents would lean; they are emptied.
 void lay_texture(Mesh& mesh, const TextureLayout& layout);
 
 }  // namespace texel::mesh

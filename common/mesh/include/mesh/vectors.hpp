@@ -6,7 +6,7 @@
 
 namespace texel::mesh {
 
-/// `v` at unit length, or zero where it has no direction (zero or not finite). In double, so that lengths of
+/// `v` at unit length, or zero where it has no direction (zero or not finite). In double: lengths of
 /// 1e-30 and 1e30 do not vanish or overflow when squared.
 inline glm::vec3 unit_or_zero(const glm::dvec3& v) {
   const double squared = glm::dot(v, v);
@@ -17,7 +17,7 @@ inline bool is_zero(const glm::vec3& v) {
   return v == glm::vec3(0.0f);
 }
 
-/// The angle between two directions in radians, 0..pi; exact for slivers too, where an arc cosine is not; 0
+/// The angle between two directions in radians, 0..pi. Exact also for slivers, unlike the arc cosine. 0
 /// when one is zero.
 inline double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
@@ -30,7 +30,7 @@ inline std::array<double, 3> corner_angles(const std::array<glm::vec3, 3>& p) {
 }
 
 /// Some unit vector orthogonal to the unit vector `n`: the cross product with the axis that is farthest from
-/// it, so never near zero.
+/// it, and is never near zero.
 inline glm::vec3 any_orthogonal(const glm::vec3& n) {
   const glm::vec3 size = glm::abs(n);
   const glm::vec3 axis = size.x <= size.y && size.x <= size.z ? glm::vec3(1.0f, 0.0f, 0.0f)

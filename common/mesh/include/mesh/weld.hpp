@@ -18,15 +18,15 @@ namespace texel::mesh {
 Mesh weld(ObjData data);
 
 /// Merges vertices that are equal in every attribute (by value: -0 is +0), in order of first use; vertices
-/// that no triangle uses go. Expected linear time.
+/// that no triangle uses are removed. Expected linear time.
 Mesh weld(const Mesh& mesh);
 
 /// Gives each triangle three vertices of its own, in order: positions[i] belongs to the i-th index.
 Mesh split(const Mesh& mesh);
 
-/// Duplicates vertices so that all corners of a vertex have the same label: the first label met keeps the
+/// Duplicates vertices until all corners of a vertex have the same label. The first label keeps the
 /// vertex, each further one gets a copy of it, appended. `labels` has one for each index, no_index for
-/// corners that do not care. Returns the label of each vertex (no_index for those without one). Expected
+/// corners without one. Returns the label of each vertex (no_index for those without one). Expected
 /// linear time.
 std::vector<std::uint32_t> split_by_label(Mesh& mesh, std::span<const std::uint32_t> labels);
 

@@ -49,7 +49,7 @@ consteval void check_items(std::span<const Item> items) {
     if (std::string_view(items[i].name).empty() || std::string_view(items[i].help).empty())
       throw "an item needs a name and a line of help";
     for (std::size_t j = 0; j < i; ++j)
-      if (std::string_view(items[i].name) == items[j].name) throw "two items have one name";
+      if (std::string_view(items[i].name) == items[j].name) throw "two items have the same name";
   }
 }
 
@@ -77,9 +77,9 @@ struct Number {
                    const char* help_, Scale scale_ = Scale::linear)
       : name(name_), unit(unit_), help(help_), initial(initial_), least(least_), most(most_), scale(scale_) {
     detail::check(name, help);
-    if (!(least < most)) throw "a range runs from the least value to a greater one";
-    if (!(least <= initial && initial <= most)) throw "the default lies outside of the range";
-    if (scale == Scale::logarithmic && !(least > 0)) throw "a logarithmic range is positive";
+    if (!(least < most)) throw "a range goes from a smaller to a larger value";
+    if (!(least <= initial && initial <= most)) throw "the default is outside the range";
+    if (scale == Scale::logarithmic && !(least > 0)) throw "a logarithmic range must be positive";
   }
 };
 
@@ -93,7 +93,7 @@ struct Choice {
       : name(name_), help(help_), initial(initial_), items(items_) {
     detail::check(name, help);
     detail::check_items(items);
-    if (static_cast<std::size_t>(initial) >= items.size()) throw "the default is none of the items";
+    if (static_cast<std::size_t>(initial) >= items.size()) throw "the default is not one of the items";
   }
 };
 
@@ -107,7 +107,7 @@ struct File {
     detail::check_items(items);
     bool found = false;
     for (const Item& item : items) found = found || std::string_view(item.name) == initial;
-    if (!found) throw "the default is none of the items";
+    if (!found) throw "the default is not one of the items";
   }
 };
 

@@ -2,8 +2,8 @@
 #pragma once
 #include "procedural/dual.hpp"
 
-/// Where a point lies in a pattern: which brick, plank or scale, and how far inside. Height fields and
-/// colours are both made from these, so that they fit each other. Lengths are in texture widths; all repeat
+/// A point's place in a pattern: which brick, plank or scale, and how far inside. Height fields and
+/// colours are both made from these and match each other. Lengths are in texture widths; all repeat
 /// on the unit square.
 namespace texel::procedural {
 

@@ -4,19 +4,19 @@
 
 namespace texel::procedural {
 
-/// Distance from (x, y) to the nearest stroke of a line of writing. A capital is 6 high and 4 wide, the next
+/// Distance from (x, y) to the nearest stroke of a line of text. A capital is 6 high and 4 wide, the next
 /// one begins 6 further right; the line's lower left corner is the origin. Known are A-Z, 0-9, point, + and
 /// -, and the small letters s, t, u and v; anything else is a space.
 double distance_to_text(std::string_view text, double x, double y);
 
-/// Whether (x, y) lies on a line of writing whose strokes reach so far to each side of their middle. Much
+/// Whether (x, y) lies on a line of text whose strokes reach this far to each side of their middle. Much
 /// faster than the distance: most points are near no character.
 bool in_text(std::string_view text, double x, double y, double half_stroke);
 
 /// Distance from (x, y) to the line segment from (x0, y0) to (x1, y1), which must differ.
 double distance_to_segment(double x, double y, double x0, double y0, double x1, double y1);
 
-/// The width of a line of writing in the same unit.
+/// The width of a line of text in the same unit.
 inline double text_width(std::string_view text) {
   return 6.0 * static_cast<double>(text.size()) - 2.0;
 }

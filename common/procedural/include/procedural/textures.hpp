@@ -3,7 +3,7 @@
 #include <array>
 #include <glm/vec4.hpp>
 
-/// Colour textures as functions, so that a picture of any size, and the true colour at any point, can be had.
+/// Colour textures as functions: they give a picture of any size, and the true colour at any point.
 namespace texel::procedural {
 
 enum class Texture {
@@ -28,7 +28,7 @@ inline constexpr std::array<Texture, 11> textures{Texture::brick,      Texture::
 const char* name(Texture texture);
 
 /// The colour at (u, v), repeating on the unit square: linear-light RGB and straight alpha, each in 0..1. All
-/// are opaque but the decal.
+/// are opaque except the decal.
 glm::dvec4 colour(Texture texture, double u, double v);
 
 }  // namespace texel::procedural

@@ -3,10 +3,10 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
-/// The answer in double precision, from the analytic surface and written apart from every method that is
-/// compared with it. Unless a function says otherwise: right-handed, y up, angles in radians, lengths in
-/// world units, colours in linear light, no errors thrown; functions are accurate to a few roundings of
-/// double, and the tests say how many.
+/// The right answer in double precision, from the analytic surface. It shares no code with the methods
+/// that are compared with it. Unless a function says otherwise: right-handed, y up, angles in radians,
+/// lengths in world units, colours in linear light, no errors thrown; functions are accurate to a few
+/// roundings of double, and the tests say how many.
 namespace texel::truth {
 
 /// The angle between two directions of any length, 0 to pi: atan2(|a x b|, a . b), which keeps its accuracy

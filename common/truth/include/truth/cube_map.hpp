@@ -16,11 +16,11 @@ struct DirectionGradient {
 };
 
 /// How the coordinate (s, t) changes on the face that the direction (of any length) looks up, by the quotient
-/// rule. A neighbour that looks up another face counts as lying in the plane of this one, so no edge is seen.
+/// rule. A neighbour on another face counts as lying in the plane of this one: edges are invisible.
 TexcoordGradient face_gradient(glm::dvec3 direction, const DirectionGradient& change);
 
-/// The level of detail of a cube map's lookup with faces of `size` texels: log2 of the longer step in texels.
-/// Source: OpenGL 3.3 core specification, "Scale Factor and Level of Detail".
+/// The level of detail of a lookup in a cube map with faces of `size` texels: log2 of the longer gradient in
+/// texels. Source: OpenGL 3.3 core specification, "Scale Factor and Level of Detail".
 double cube_level_of_detail(glm::dvec3 direction, const DirectionGradient& change, double size);
 
 /// The worksheet's coordinate of a direction of any length: u = atan(x, z) / -2 pi, v = the angle from +y /

@@ -10,7 +10,7 @@
 namespace texel::truth {
 
 /// The unit direction in the world that is seen through a place of the picture (pixels from the lower left
-/// corner). There are no near and far planes in it, so none can disturb it.
+/// corner). It does not depend on the near and far planes.
 glm::dvec3 background_direction(const Camera& camera, glm::dvec2 window);
 
 /// The same for a place in normalised device coordinates, -1..1.
@@ -26,8 +26,8 @@ double ndc_depth(double distance, double near, double far);
 /// The distance at which the buffer holds this depth: near far / (far - depth (far - near)).
 double distance_at_depth(double depth, double near, double far);
 
-/// How much farther a point must lie to be held as a different depth by a buffer of `bits` bits: the distance
-/// that one step of 1 / (2^bits - 1) means there. Infinite where the next step lies beyond infinity. About
+/// How much farther a point must lie to get another depth in a buffer of `bits` bits: the distance
+/// that one unit of 1 / (2^bits - 1) means there. Infinite where the next depth lies beyond infinity. About
 /// d^2 / near / 2^bits when far is large.
 double depth_step(double distance, double near, double far, int bits = 24);
 

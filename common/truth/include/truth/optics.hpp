@@ -6,8 +6,8 @@
 #include "truth/cube_map.hpp"
 #include "truth/ray.hpp"
 
-/// Rays at a smooth boundary. Incident rays point **towards** the surface, as GLSL's reflect and refract have
-/// them; normals have unit length.
+/// Rays at a smooth boundary. Incident rays point **towards** the surface, as in GLSL's reflect and refract;
+/// normals have unit length.
 namespace texel::truth {
 
 /// i - 2 (n . i) n: of the incident ray's length, on either side of the surface.
@@ -23,12 +23,12 @@ glm::dvec3 reflected_derivative(glm::dvec3 incident, glm::dvec3 d_incident, glm:
 /// from either side of the normal.
 std::optional<glm::dvec3> refracted(glm::dvec3 incident, glm::dvec3 normal, double n_from, double n_to);
 
-/// The part of unpolarised light that a boundary between two clear media reflects, 0..1, by the angle of
+/// The share of unpolarised light that a boundary between two clear media reflects, 0..1, by the angle of
 /// incidence: the mean of Fresnel's two polarisations (Born and Wolf, Principles of Optics, section 1.5.2). 1
 /// on total internal reflection. `cosine` is that between incident ray and normal, 0..1; its sign is dropped.
 double fresnel(double cosine, double n_from, double n_to);
 
-/// The angle of incidence from which on all light is reflected, when n_from > n_to.
+/// The critical angle: from this angle of incidence on, all light is reflected (n_from > n_to).
 double critical_angle(double n_from, double n_to);
 
 /// What a pixel of a mirroring sphere sees.
@@ -41,7 +41,7 @@ struct MirrorPoint {
 };
 
 /// The mirror at a pixel's ray: a sphere placed in the world, so an ellipsoid under a non-uniform scale.
-/// Nothing where the ray passes it. From inside, the far wall is met and its outward normal kept.
+/// Nothing where the ray misses it. From inside, the ray meets the far wall; its normal points outwards.
 std::optional<MirrorPoint> mirror_point(const PixelRay& pixel, const Placement& world_from_object = {},
                                         double radius = 1);
 

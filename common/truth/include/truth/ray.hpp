@@ -11,7 +11,7 @@ namespace texel::truth {
 
 struct Ray {
   glm::dvec3 origin;
-  glm::dvec3 direction;  ///< any length but zero; distances along the ray count in it
+  glm::dvec3 direction;  ///< any length except zero; distances along the ray are multiples of it
 };
 
 /// The labs' camera: it circles the origin and looks at it, y up. Angles in **degrees**, as the labs'
@@ -34,10 +34,10 @@ struct PixelRay {
 
 /// The ray from the eye through `window`: pixels from the lower left corner, so (x + 1/2, y + 1/2) is the
 /// middle of pixel (x, y) of a picture whose row 0 is at the bottom (gl_FragCoord). Uses no matrix, so near
-/// and far planes have no part in it.
+/// and far planes do not matter.
 PixelRay pixel_ray(const Camera& camera, glm::dvec2 window);
 
-/// The ray seen from the object. Its direction is not made unit, so that distances are those in the world.
+/// The ray in object space. Its direction is not made a unit vector: distances stay those of the world.
 Ray object_ray(const Ray& world_ray, const Placement& world_from_object);
 
 /// Where a ray meets a surface for the first time in front of its origin.
@@ -54,7 +54,7 @@ std::optional<Hit> hit_quad(const Ray& ray, double half_size = 0.7);
 std::optional<Hit> hit_cube(const Ray& ray, double half_size = 1);
 
 /// The sphere of sphere(); from inside too. Everything is measured from the point of the ray that is nearest
-/// to the centre, so that a small sphere far away keeps its accuracy (Haines, Guenther and Akenine-Moeller,
+/// to the centre: a small sphere far away keeps its accuracy (Haines, Guenther and Akenine-Moeller,
 /// "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019, chapter 7).
 std::optional<Hit> hit_sphere(const Ray& ray, double radius = 1);
 

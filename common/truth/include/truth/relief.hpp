@@ -15,20 +15,20 @@
 namespace texel::truth {
 
 /// The gradient of a height along the surface: the vector in the tangent plane whose dot product with any
-/// step on the surface is the change of height; (h_s cross(dt, n) + h_t cross(n, ds)) / dot(n, cross(ds,
-/// dt)). `height_gradient` is (dh/ds, dh/dt) in world units per texture width: procedural::height's du and dv
-/// times the world length that its texture widths stand for. The result is a slope, without unit. Not finite
-/// where ds and dt are parallel or vanish. Source: M. S. Mikkelsen, "Bump Mapping Unparametrized Surfaces on
-/// the GPU" (2010) and "Surface Gradient-Based Bump Mapping Framework" (JCGT 9(3), 2020).
+/// small move on the surface is the change of height; (h_s cross(dt, n) + h_t cross(n, ds)) / dot(n,
+/// cross(ds, dt)). `height_gradient` is (dh/ds, dh/dt) in world units per texture width: procedural::height's
+/// du and dv times the world length of a texture width. The result is a slope, without unit. Not finite where
+/// ds and dt are parallel or vanish. Source: M. S. Mikkelsen, "Bump Mapping Unparametrized Surfaces on the
+/// GPU" (2010) and "Surface Gradient-Based Bump Mapping Framework" (JCGT 9(3), 2020).
 glm::dvec3 surface_gradient(const SurfacePoint& point, glm::dvec2 height_gradient);
 
-/// The height field's normal, normalize(n - strength * gradient): the limit of a relief that is shallow
-/// against the surface's radius of curvature. Blinn's bump mapping ("Simulation of Wrinkled Surfaces", 1978)
-/// is the same formula multiplied out.
+/// The height field's normal, normalize(n - strength * gradient): the limit for a relief that is shallow
+/// compared with the surface's radius of curvature. Blinn's bump mapping ("Simulation of Wrinkled Surfaces",
+/// 1978) is the same formula multiplied out.
 glm::dvec3 relief_normal(const SurfacePoint& point, glm::dvec2 height_gradient, double strength = 1);
 
-/// The normal of the surface that is really moved by strength * height along its normal, with the terms in
-/// the height that Blinn left out: how far the line above is from a displaced mesh. `height` in world units.
+/// The normal of the surface that is really displaced by strength * height along its normal, with the terms
+/// in the height (world units) that Blinn left out: it shows how far his normal is from a displaced mesh.
 glm::dvec3 displaced_normal(const SurfacePoint& point, double height, glm::dvec2 height_gradient,
                             double strength = 1);
 

@@ -10,10 +10,10 @@
 
 namespace texel::truth {
 
-/// What a surface is at one texture coordinate. The derivatives are by the texture coordinate (s, t) and in
-/// closed form. The normal points out of the surface whichever way the texture runs, so cross(ds, dt) has the
-/// opposite sign where the texture is mirrored. The derivatives of the normal hold what the second
-/// derivatives of the position would tell: the curvature.
+/// A surface at one texture coordinate. The derivatives are by the texture coordinate (s, t) and in
+/// closed form. The normal always points out of the surface: cross(ds, dt) has the
+/// opposite sign where the texture is mirrored. The derivatives of the normal give the curvature, as the
+/// second derivatives of the position would.
 struct SurfacePoint {
   glm::dvec3 position;
   glm::dvec3 ds, dt;                ///< derivatives of the position, world units per texture width
@@ -59,7 +59,7 @@ struct TexcoordMap {
   [[nodiscard]] glm::dvec2 parameter(glm::dvec2 texcoord) const;
 };
 
-/// The texture leans by `angle`: the lines of equal s turn by it where s and t of the surface are at right
+/// Shears the texture by `angle`: the lines of equal s turn by it where s and t of the surface are at right
 /// angles and of equal length. Positive angles lean the lines towards smaller s as t grows.
 TexcoordMap sheared(double angle);
 
@@ -79,22 +79,22 @@ struct Placement {
   glm::dvec3 offset{0};
 };
 
-/// The surface in world space. The normal goes by the inverse transpose, which keeps it perpendicular and
+/// The surface in world space. The normal is multiplied by the inverse transpose and stays perpendicular and
 /// outward.
 Surface placed(Surface surface, const Placement& world_from_object);
 
-/// The directions by which a normal map's texel (x, y, z) is read.
+/// The axes of a normal map's texel (x, y, z).
 struct Frame {
   glm::dvec3 tangent, bitangent, normal;  ///< unit length
   double handedness;                      ///< -1 where the texture is mirrored, else +1
 };
 
-/// T where s grows, B where t grows, both in the surface: the texture's own directions, at right angles only
+/// T where s grows, B where t grows, both in the surface. They are at right angles only
 /// where the parameterisation is orthogonal.
 Frame parametric_frame(const SurfacePoint& point);
 
 /// The frame of MikkTSpace, which bakers share: T is ds without its part along the normal, at unit length,
-/// and B = handedness * cross(N, T), so at right angles always; under shear B is not where t grows. Source:
+/// and B = handedness * cross(N, T): always at right angles. Under shear t does not grow along B. Source:
 /// M. S. Mikkelsen, "Simulation of Wrinkled Surfaces Revisited" (2008).
 Frame orthonormal_frame(const SurfacePoint& point);
 

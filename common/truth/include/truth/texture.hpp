@@ -16,7 +16,7 @@ using TextureFunction = std::function<glm::dvec4(glm::dvec2 texcoord)>;
 /// procedural::colour as such a function: repeats on the unit square.
 TextureFunction texture_function(procedural::Texture texture);
 
-/// A texture of texels; row 0 at the bottom (t = 0). What the texels mean is the user's: linear light for the
+/// A texture of texels; row 0 at the bottom (t = 0). The caller decides what they mean: linear light for the
 /// course's colour.
 struct Bitmap {
   int width = 0, height = 0;
@@ -31,7 +31,7 @@ struct Bitmap {
 /// The function's value at the middle of each texel.
 Bitmap sampled(const TextureFunction& function, int width, int height);
 
-/// What lies beyond 0..1 (GL_REPEAT, GL_MIRRORED_REPEAT, GL_CLAMP_TO_EDGE).
+/// What coordinates outside 0..1 read (GL_REPEAT, GL_MIRRORED_REPEAT, GL_CLAMP_TO_EDGE).
 enum class Wrap { repeat, mirrored, clamp };
 
 /// The texel that holds the coordinate: index floor(s * width). On the border of two texels, the one with the
@@ -43,8 +43,8 @@ glm::dvec4 nearest(const Bitmap& bitmap, glm::dvec2 texcoord, Wrap wrap = Wrap::
 /// Source: the same.
 glm::dvec4 bilinear(const Bitmap& bitmap, glm::dvec2 texcoord, Wrap wrap = Wrap::repeat);
 
-/// The level of detail of an isotropic mipmap lookup: log2 of the longer of the two steps, measured in texels
-/// of a base level of `size` texels. Not clamped; minus infinity for no step. Source: the same,
+/// The level of detail of an isotropic mipmap lookup: log2 of the longer of the two gradients, measured in
+/// texels of a base level of `size` texels. Not clamped; minus infinity if both are 0. Source: the same,
 /// "Scale Factor and Level of Detail".
 double level_of_detail(const TexcoordGradient& gradient, glm::dvec2 size);
 
