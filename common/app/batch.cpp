@@ -128,8 +128,8 @@ void draw_batch(Canvas& canvas, AnyLab& lab, const Assets& assets, const Batch& 
         canvas.draw(one.view, pixels(one.size), samples);
         snapshot = take_snapshot(canvas, lab, one.view, pixels(one.size), file);
       }
-    } catch (const Error& error) {
-      fault = error;
+    } catch (const Error& thrown) {
+      fault = thrown;
     }
     const double own_milliseconds = stopwatch.milliseconds();
     finish_writing();

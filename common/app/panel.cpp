@@ -221,6 +221,7 @@ void pixel_row(const char* name, const glm::dvec3& value, int components, const 
 /// How a value of the view is written; 8-bit steps for colours.
 void pixel_row(const char* name, View view, const glm::dvec3& value) {
   switch (view) {
+    case View::mesh:  // no picture
     case View::lod:
     case View::depth:
     case View::mask:

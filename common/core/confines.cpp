@@ -97,7 +97,9 @@ Outcome run_plainly(const Confines& confines, const std::vector<std::string>& co
   if (outcome.signal == SIGXFSZ) outcome.limit = Limit::disk;
   outcome.output = output.first(limits.kept_output), outcome.errors = errors.first(limits.kept_output);
   outcome.output_bytes = output.bytes(), outcome.error_bytes = errors.bytes();
-  if (outcome.output_bytes + outcome.error_bytes > limits.output) outcome.limit = Limit::output;
+  if (outcome.output_bytes + outcome.error_bytes > limits.output ||
+      std::max(outcome.output_bytes, outcome.error_bytes) >= limits.disk)
+    outcome.limit = Limit::output;
   return outcome;
 }
 

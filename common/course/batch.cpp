@@ -61,9 +61,9 @@ void reject_other_keys(const Json& json, const std::vector<std::string>& keys) {
 
 /// Reads each entry; an error counts to it.
 template <class Entry, class Read>
-std::vector<Entry> read_each(const Json& list, const char* what, Read read) {
+std::vector<Entry> read_each(const Json& list, const char* what, const char* several, Read read) {
   std::vector<Entry> entries;
-  if (!list.is_array()) throw Error::usage(fmt::format("the {} list must be a list", what));
+  if (!list.is_array()) throw Error::usage(fmt::format("it must be a list of {}", several));
   for (const Json& entry : list) try {
       entries.push_back(read(entry));
     } catch (const Json::exception& error) {
@@ -136,7 +136,7 @@ std::string to_batch(const std::vector<Case>& cases) {
 
 std::vector<Case> parse_batch(const std::string& list) {
   std::set<std::string> files;
-  return read_each<Case>(parse(list), "entry", [&](const Json& json) {
+  return read_each<Case>(parse(list), "entry", "entries", [&](const Json& json) {
     Case one = parse_entry(json);
     if (!files.insert(one.file).second)
       throw Error::usage(fmt::format("two entries are called '{}'", one.file));
@@ -161,7 +161,7 @@ BenchList parse_bench(const std::string& list) {
   const Json json = parse(list);
   if (!json.is_object() || !json.contains("cases"))
     throw Error::usage("it must be an object {seconds, cases}");
-  return {json.value("seconds", 2.0), read_each<BenchCase>(json["cases"], "case", parse_bench_case)};
+  return {json.value("seconds", 2.0), read_each<BenchCase>(json["cases"], "case", "cases", parse_bench_case)};
 }
 
 std::string to_json(const std::vector<Drawing>& drawings) {

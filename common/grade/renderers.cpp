@@ -103,7 +103,8 @@ std::vector<Renderer> known_renderers(const fs::path& rsqrt_library) {
       {"llvmpipe_rsqrt_low", "egl", "llvmpipe", rsqrt("low")},
       {"softpipe_osmesa", "osmesa", "softpipe", {{"GALLIUM_DRIVER", "softpipe"}}},
       {"softpipe_egl", "egl", "softpipe", {{"GALLIUM_DRIVER", "softpipe"}}},
-      {"zink_egl", "egl", "zink", {{"MESA_LOADER_DRIVER_OVERRIDE", "zink"}}},
+      // It complains on standard error where that variable is missing.
+      {"zink_egl", "egl", "zink", {{"MESA_LOADER_DRIVER_OVERRIDE", "zink"}, {"XDG_RUNTIME_DIR", "/tmp"}}},
       {"hardware_egl", "egl", "", {{"LIBGL_ALWAYS_SOFTWARE", "0"}, {"__EGL_VENDOR_LIBRARY_FILENAMES", ""}}}};
 }
 

@@ -108,8 +108,8 @@ std::string readable_log(std::string text, const fs::path& sources, const fs::pa
 
 }  // namespace
 
-Workshop::Workshop(BuiltTree tree, fs::path cache, Run run)
-    : tree_(std::move(tree)), cache_(std::move(cache)), run_(run) {
+Workshop::Workshop(BuiltTree tree, fs::path cache, Run how)
+    : tree_(std::move(tree)), cache_(std::move(cache)), run_(how) {
   if (!fs::exists(tree_.build / "build.ninja"))
     throw Error::failed("is not a Ninja build", {tree_.build.string()},
                         "build the course first: ./run build");

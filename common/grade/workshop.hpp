@@ -29,9 +29,9 @@ struct Program {
 /// called by several threads and processes at a time.
 class Workshop {
  public:
-  /// `run` compiles and links: in a sandbox that sees the tree, what nobody trusts. Throws Error (exit 3)
+  /// `how` compiles and links: in a sandbox that sees the tree, for what nobody trusts. Throws Error (exit 3)
   /// when the build folder is none of Ninja's.
-  Workshop(BuiltTree tree, std::filesystem::path cache, Run run);
+  Workshop(BuiltTree tree, std::filesystem::path cache, Run how);
 
   /// The lab's program with the changed C++ files, by path in the tree; others are passed over. Throws Error
   /// (exit 3) for faults of the machine.

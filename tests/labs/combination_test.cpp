@@ -68,7 +68,7 @@ TEST(CombinationOfLab2, gives_the_number_that_its_formula_does) {
       const image::Image8 picture = image::load8(folder / fmt::format("{} {}.png", combine, method));
       // Rounding, and the driver's own curve on writing: measured 0.65. Premultiplied, the texel is rounded
       // once more.
-      const double tolerance = method == "premultiplied" ? 1.2 : 0.8;
+      const double tolerance = method == "premultiplied" ? 1.5 : 1.0;
       for (int channel = 0; channel < 3; ++channel)
         EXPECT_WITHIN(picture.at(64, 64, channel), combined(combine, channel, method != "encoded"), tolerance)
             << combine << " " << method << " " << channel;

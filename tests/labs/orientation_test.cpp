@@ -228,7 +228,8 @@ void expect_six_sides(const std::string& lab, const Settings& common, double dis
     const Camera camera{double(yaw), double(pitch), distance, fov};
     const double right = difference(picture, left_out, expected, camera, false);
     const double mirrored = difference(picture, left_out, expected, camera, true);
-    const double limit = part == Part::background ? 5 : 14;
+    // Measured 11.1 in a ball that mirrors by llvmpipe, 13.6 by softpipe; mirrored by mistake 59.
+    const double limit = part == Part::background ? 5 : 20;
     EXPECT_BELOW(right, limit) << lab << flags(common) << " --yaw " << yaw << " --pitch " << pitch;
     EXPECT_ABOVE(mirrored, 3 * right) << lab << flags(common) << " --yaw " << yaw << " --pitch " << pitch;
   }

@@ -73,34 +73,40 @@ TEST(LookupOfLab8, shows_the_same_surroundings_in_one_picture_as_in_six) {
   // In 8-bit steps over a picture of 256x256: measured 0.4, with its middle or its axis elsewhere 31 and
   // more.
   EXPECT_BELOW(mean("sphere-map"), 1);
-  // 0.11, with a coarse level along the seam 0.25.
-  EXPECT_BELOW(mean("equirectangular"), 0.18);
+  // 0.11 by llvmpipe and 0.14 by softpipe, with a coarse level along the seam 0.25.
+  EXPECT_BELOW(mean("equirectangular"), 0.19);
+}
+
+/// How far neighbours in a row are apart, in the mean: the finer the detail, the more.
+double detail(const image::Image8& picture) {
+  double sum = 0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 1; x < picture.width; ++x)
+      for (int c = 0; c < 3; ++c) sum += std::abs(picture.at(x, y, c) - picture.at(x - 1, y, c));
+  return sum / static_cast<double>(picture.samples.size());
 }
 
 TEST(RoughMirrorOfLab9, is_rough_where_a_pixel_covers_many_bumps_and_smooth_where_there_are_none) {
   const TemporaryFolder folder("rough");
   // So near that a pixel is less than a texel of the cube map: drivers agree on its level.
-  const Settings flat = {{"normal_map", "flat"}, {"field_of_view", "5"}},
-                 far = {{"repeats", "32"}, {"distance", "5"}, {"field_of_view", "20"}};
-  std::vector<Shot> shots;
-  for (const char* filter : {"plain", "toksvig"}) {
-    shots.push_back(
-        {fmt::format("flat_{}", filter), flat + Settings{{"mip_filter", filter}}, "color", "256x256"});
-    shots.push_back(
-        {fmt::format("far_{}", filter), far + Settings{{"mip_filter", filter}}, "color", "256x256"});
-  }
-  draw("lab09_bump", shots, folder);
-  // The mean difference that Toksvig's filter makes, in 8-bit steps.
-  const auto made = [&](const char* look) {
-    const auto load = [&](const char* filter) {
-      return image::load8(folder / fmt::format("{}_{}.png", look, filter));
-    };
-    return image::compare(load("plain"), load("toksvig")).mean;
-  };
-  // Measured 0; where rounding counts as roughness 19.
-  EXPECT_BELOW(made("flat"), 3);
-  // Measured 1.3; without the roughness 0.24.
-  EXPECT_ABOVE(made("far"), 0.7);
+  const Settings flat = {{"normal_map", "flat"}, {"field_of_view", "5"}};
+  draw("lab09_bump",
+       {{"plain", flat, "color", "256x256"},
+        {"toksvig", flat + Settings{{"mip_filter", "toksvig"}}, "color", "256x256"},
+        {"far",
+         {{"repeats", "64"},
+          {"bump_strength", "1"},
+          {"distance", "5"},
+          {"field_of_view", "20"},
+          {"mip_filter", "toksvig"}},
+         "color",
+         "256x256"}},
+       folder);
+  const auto load = [&](const char* name) { return image::load8(folder / fmt::format("{}.png", name), 3); };
+  // In 8-bit steps. Measured 0; where rounding counts as roughness 19.
+  EXPECT_BELOW(image::compare(load("plain"), load("toksvig")).mean, 3);
+  // Measured 6.2; without the roughness 11.3.
+  EXPECT_BELOW(detail(load("far")), 9);
 }
 
 TEST(GlassOfLab8, reflects_four_percent_where_one_looks_straight_at_it) {

@@ -345,18 +345,18 @@ TEST_F(SandboxTest, works_for_a_normal_user_too) {
 
 TEST(RunPlainly, limits_time_and_output_and_kills_the_process_group) {
   Confines confines = small_sandbox();
-  const auto guest = [&](const char* what, const std::string& where) {
-    return run_plainly(confines, {SANDBOX_GUEST, what, where});
+  const auto run_guest_plainly = [&](const char* what, const std::string& where) {
+    return run_plainly(confines, {guest, what, where});
   };
-  EXPECT_EQ(guest("print", "hello").output, "hello\n");
-  EXPECT_EQ(guest("exit", "7").exit_code, 7);
+  EXPECT_EQ(run_guest_plainly("print", "hello").output, "hello\n");
+  EXPECT_EQ(run_guest_plainly("exit", "7").exit_code, 7);
   confines.limits.wall_seconds = 0.2;
-  EXPECT_EQ(guest("sleep", own("plain")).limit, Limit::wall);
+  EXPECT_EQ(run_guest_plainly("sleep", own("plain")).limit, Limit::wall);
   EXPECT_TRUE(soon([] { return !runs(own("plain")); }));
   confines.limits.wall_seconds = 20;
-  EXPECT_EQ(guest("flood", "").limit, Limit::output);
+  EXPECT_EQ(run_guest_plainly("flood", "").limit, Limit::output);
   confines.limits.cpu_seconds = 1;
-  EXPECT_EQ(guest("spin", "").limit, Limit::cpu);
+  EXPECT_EQ(run_guest_plainly("spin", "").limit, Limit::cpu);
 }
 
 TEST(RunPlainly, is_not_what_one_gets_without_bubblewrap) {

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "bench/results.hpp"
+#include "check/check.hpp"
 #include "commands.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"

@@ -36,8 +36,8 @@ struct Step {
   double points = 1;
   std::vector<std::string> needs;  ///< earlier steps, of this lab or an earlier one
   std::vector<std::string> hints;
-  Case see;                            ///< the look in which one sees it: its settings and view
-  std::vector<std::string> seen_with;  ///< later steps of this lab, without which one does not see it
+  Case see = {};                            ///< the look in which one sees it: its settings and view
+  std::vector<std::string> seen_with = {};  ///< later steps of this lab, without which one does not see it
 };
 
 /// A parameter whose value is drawn from the secret seed.

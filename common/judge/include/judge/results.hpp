@@ -3,6 +3,7 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "course/lab_file.hpp"
@@ -35,6 +36,9 @@ CaseStatus case_status_of(const std::string& name);
 
 /// One case of one student: the student's picture or vertex stream beside the reference.
 struct CaseResult : course::Case {
+  CaseResult() = default;
+  explicit CaseResult(course::Case of) : Case(std::move(of)) {}
+
   CaseStatus status = CaseStatus::failed;
   double score = 0;  ///< 0 (as wrong as the starter) to 1 (within the limit)
   double error = std::numeric_limits<double>::quiet_NaN();  ///< as `limit`; NaN: nothing can be compared
