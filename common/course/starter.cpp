@@ -23,9 +23,16 @@ constexpr const char* kGiven[] = {
     "tools",         "vcpkg.json"};
 
 /// What of it the student does not get: the right answers, and what makes or proves the course.
-constexpr const char* kWithheld[] = {"assets/make/", "common/app/include/app/colour_truth.hpp",
+constexpr const char* kWithheld[] = {"common/grade/",
+                                     "common/reports/",
+                                     "common/sandbox/",
+                                     "common/store/",
+                                     "tools/course/",
+                                     "assets/make/",
+                                     "common/app/include/app/colour_truth.hpp",
                                      "common/app/include/app/shape_truth.hpp",
-                                     "common/app/include/app/truth_scene.hpp", "common/truth/"};
+                                     "common/app/include/app/truth_scene.hpp",
+                                     "common/truth/"};
 
 bool is_withheld(const std::string& path) {
   return std::any_of(std::begin(kWithheld), std::end(kWithheld),

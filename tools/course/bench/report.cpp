@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
+#include "bench/embedded.hpp"
 #include "core/html.hpp"
-#include "embedded.hpp"
 
 namespace texel::tools {
 namespace {
@@ -287,7 +287,7 @@ std::string bench_page(const std::vector<LabResults>& labs, const std::string& r
       "cheaper, further down is closer to the truth. No method is both cheaper and closer than a filled dot. "
       "Measured on {}.</p>"
       "</div>\n<nav><ol>\n",
-      kGalleryStyle, kBenchStyle, html_escaped(renderer));
+      kPageStyle, kBenchStyle, html_escaped(renderer));
   for (const LabResults& lab : labs)
     out += fmt::format("<li><a href=\"#{0}\"><b>{1}</b> {2}</a></li>\n", lab.lab.folder, lab.lab.number,
                        html_escaped(lab.lab.title));

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "course/course_commands.hpp"
 #include "grade/course_tree.hpp"
 
 namespace texel::tools {

@@ -7,8 +7,9 @@
 #include "core/files.hpp"
 #include "core/stopwatch.hpp"
 #include "course/batch.hpp"
+#include "course/course_commands.hpp"
+#include "course/renderers/table.hpp"
 #include "processes.hpp"
-#include "renderers/table.hpp"
 #include "report.hpp"
 
 namespace texel::tools {

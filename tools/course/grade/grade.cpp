@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "commands.hpp"
+#include "course/course_commands.hpp"
 #include "reports/reports.hpp"
 #include "store/store.hpp"
 

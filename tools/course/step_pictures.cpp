@@ -9,6 +9,7 @@
 #include "core/parallel.hpp"
 #include "core/scratch_folder.hpp"
 #include "course/batch.hpp"
+#include "course/course_commands.hpp"
 #include "grade/stage.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mutants/results.hpp"
+#include "course/mutants/results.hpp"
 
 #include <fmt/format.h>
 

@@ -9,9 +9,10 @@
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "core/stopwatch.hpp"
-#include "mutants/results.hpp"
-#include "mutants/suite.hpp"
-#include "mutants/tree.hpp"
+#include "course/course_commands.hpp"
+#include "course/mutants/results.hpp"
+#include "course/mutants/suite.hpp"
+#include "course/mutants/tree.hpp"
 
 namespace texel::tools {
 namespace {

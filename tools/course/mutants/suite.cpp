@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mutants/suite.hpp"
+#include "course/mutants/suite.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -8,14 +8,15 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "bench/results.hpp"
 #include "check/check.hpp"
 #include "commands.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "core/process.hpp"
-#include "renderers/table.hpp"
+#include "course/bench/results.hpp"
+#include "course/course_commands.hpp"
+#include "course/renderers/table.hpp"
 
 namespace texel::tools {
 namespace {
@@ -129,7 +130,8 @@ Exit renderers(const RenderersCommand& command) {
                                command.cache.empty() ? root / "build/grade" : command.cache, chosen_labs({})};
   make_folder(out);
   std::vector<std::string> faults;
-  for (const grade::Renderer& renderer : grade::known_renderers(course_build() / "tools/librsqrt.so")) {
+  for (const grade::Renderer& renderer :
+       grade::known_renderers(course_build() / "tools/course/librsqrt.so")) {
     if (!command.only.empty() &&
         std::find(command.only.begin(), command.only.end(), renderer.name) == command.only.end())
       continue;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "commands.hpp"
+#include "course/course_commands.hpp"
 #include "course/starter.hpp"
 #include "grade/course_tree.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mutants/tree.hpp"
+#include "course/mutants/tree.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "renderers/table.hpp"
+#include "course/renderers/table.hpp"
 
 #include <fmt/format.h>
 
