@@ -119,7 +119,8 @@ TEST(CourseTree, does_not_let_its_solutions_be_reset) {
 }
 
 TEST_F(StudentTree, has_no_solution_no_truth_and_no_test) {
-  for (const char* folder : {"tests", "common/truth", "assets/make", "docs/accuracy"})
+  for (const char* folder : {"tests", "common/truth", "common/grade", "common/sandbox", "common/store",
+                             "common/reports", "tools/course", "assets/make", "docs/accuracy"})
     EXPECT_FALSE(fs::exists(root_ / folder)) << folder;
   for (const char* given :
        {"labs/05_normal_map/README.md", "docs/student.md", "docs/pictures/05_normal_map.png",

@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: MIT
+# shellcheck shell=bash
+# The part of ./run that a student's tree does not have: grading, tests, measurements, and what is generated.
+
+packages+=(libarchive-dev libsodium-dev libsqlite3-dev bubblewrap)
+format_packages=(clang-format)
+test_packages=(libgtest-dev libtinyobjloader-dev xvfb xauth xdotool x11-utils imagemagick chromium)
+bench_packages=(libbenchmark-dev libosmesa6-dev libtinyobjloader-dev xvfb xauth)
+all_packages=(clang-tidy parallel)
+
+course_help() {
+  cat <<'TEXT'
+
+For teachers and makers of the course:
+./run starter DIR      write the tree that students start with; see docs/student.md
+./run grade CLASS [..] grade a class: a folder with one folder or archive per student; see docs/instructor.md
+./run test [--all]     check the formatting, build, run all tests, and run the parsers' tests with sanitizers;
+                       --all adds clang-tidy for the libraries below common/app, a class with all wrong and all
+                       hostile solutions, and the last commit on bare machines of three releases (hours)
+./run bench [N] [args] measure the cost and the error of each method of each lab, into out/bench/index.html
+./run accuracy         the same, into docs/accuracy.md, its plots and docs/accuracy.json
+./run performance      compare the programs with hand-written floor programs, and kernels with plain versions and other
+                       libraries; writes docs/performance.md (about half an hour)
+./run renderers [args] draw all cases with every renderer of this machine into out/renderers. Each limit must be three
+                       times the spread. Without args it writes docs/renderers.json and the end of docs/accuracy.md.
+                       To include machines with another Mesa, copy their folders into out/renderers first
+./run mutants [args]   make small wrong changes in a copy of the tree, and check that the tests notice
+./run format           format the C++ files
+./run assets           generate the textures, cube maps and models again
+./run expected [N ..]  draw the expected pictures of check again, with the solutions
+./run docs             write docs/pictures.md and the pictures of README and handouts again
+TEXT
+}
+
+# Grades the course's own solutions like a student's work. They need no sandbox.
+grade_solutions() {
+  say "Grading the solutions"
+  rm -rf "$root/out/solutions" "$root/out/grades"
+  mkdir -p "$root/out/solutions/solution"
+  cp -r "$root"/{common,labs,shaders} "$root/out/solutions/solution"
+  texel grade "$root/out/solutions" --out "$root/out/grades" --unsafe
+}
+
+sources() { find "$root"/{cmake,common,labs,tools,tests,assets} -name '*.?pp' -print0; }
+
+# Each version of clang-format breaks some lines differently.
+check_format() {
+  local wanted=14 version
+  version=$(clang-format --version | sed -E 's/.*version ([0-9]+).*/\1/')
+  if [[ $version != "$wanted" ]]; then
+    say "The formatting is not checked: this needs clang-format $wanted, and here is $version"
+    return
+  fi
+  say "Checking the formatting"
+  sources | xargs -0 -n 16 -P "$(nproc)" clang-format --dry-run -Werror || fail 1 "some files are not formatted; ./run format fixes that"
+}
+
+run_tests() { # preset
+  say "Testing (preset $1)"
+  (cd "$root" && ctest --preset "$1" --parallel "$(nproc)") || fail 1 "tests of the preset $1 failed"
+}
+
+run_all_tests() {
+  local all=${1:-}
+  [[ $# == 0 || $# == 1 && $all == --all ]] || fail 2 "./run test takes only --all"
+  need "${packages[@]}" "${format_packages[@]}" "${test_packages[@]}"
+  check_format
+  if [[ $all == --all ]]; then
+    need "${all_packages[@]}"
+    configure tidy
+    # clang-tidy 14 does not understand the labs' consteval parameters that come from a template's.
+    build tidy texel_{core,params,course,image,mesh,judge,check,sandbox,store,reports,grade,procedural,gl}
+    export TEXEL_TEST_ALL=1
+  fi
+  # The driver's cache of compiled shaders starts empty, as on a new machine. Then all tests share it.
+  rm -rf "$root/build/shaders"
+  export MESA_SHADER_CACHE_DISABLE=false MESA_SHADER_CACHE_DIR=$root/build/shaders
+  configure release -D TEXEL_TESTS=ON
+  build release all
+  run_tests release
+  configure asan-ubsan -D TEXEL_TESTS=ON
+  build asan-ubsan tests/all
+  run_tests asan-ubsan
+  if [[ $all == --all ]]; then
+    local try=$root/tests/machines/try
+    { "$try" bookworm --user && "$try" trixie && "$try" sid; } || fail 1 "a bare machine failed"
+  fi
+  say "All tests passed after $SECONDS s"
+}
+
+run_bench() { # arguments of texel bench
+  build_programs
+  say "Measuring"
+  texel bench --out "$root/out/bench" "$@"
+}
+
+run_performance() { # arguments of performance
+  need "${packages[@]}" "${bench_packages[@]}"
+  configure release -D TEXEL_BENCH=ON
+  build release labs/all tests/bench/all
+  say "Measuring"
+  # Without -noreset the display restarts after its last window, and the next window must wait.
+  xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' "$root/build/release/bin/performance" "$@"
+}
+
+run_mutants() { # arguments of texel mutants
+  need "${packages[@]}" "${test_packages[@]}"
+  build_release texel
+  texel mutants "$@"
+}
+
+make_assets() {
+  build_release assets/all
+  say "Making the assets"
+  "$root/build/release/bin/make_assets" --out "$root/assets" "$@"
+}
+
+renew_docs() {
+  build_programs
+  draw_gallery --heroes "$root/docs/pictures"
+  say "Drawing each step before and after"
+  texel starter --pictures "$root/docs/pictures/steps"
+  texel gallery --list >"$root/docs/pictures.md.part"
+  mv "$root/docs/pictures.md.part" "$root/docs/pictures.md"
+}
+
+# Runs one of these commands and ends; returns if there is none of that name.
+course_command() { # command, arguments
+  local command=$1
+  shift
+  case $command in
+    test) run_all_tests "$@" ;;
+    bench) run_bench "$@" ;;
+    expected | grade)
+      build_programs >&2
+      texel "$command" "$@"
+      ;;
+    starter)
+      [[ $# -ge 1 && $1 != -* ]] || fail 2 "where to? Type ./run starter DIR with a new folder"
+      build_programs
+      texel starter --out "$@"
+      ;;
+    accuracy) run_bench --json "$root/docs/accuracy.json" --markdown "$root/docs/accuracy.md" ;;
+    performance)
+      if (($#)); then run_performance "$@"; else run_performance --markdown "$root/docs/performance.md"; fi
+      ;;
+    renderers)
+      (($#)) || set -- --json "$root/docs/renderers.json" --markdown "$root/docs/accuracy.md"
+      need "${packages[@]}" "${test_packages[@]}"
+      configure release -D TEXEL_TESTS=ON
+      build release all rsqrt
+      texel renderers --out "$root/out/renderers" "$@"
+      ;;
+    mutants) run_mutants "$@" ;;
+    format)
+      need "${format_packages[@]}"
+      sources | xargs -0 clang-format -i
+      ;;
+    assets) make_assets "$@" ;;
+    docs) renew_docs ;;
+    *) return 0 ;;
+  esac
+  exit 0
+}
