@@ -35,11 +35,14 @@ class Drawings {
  public:
   explicit Drawings(const std::filesystem::path& folder) : file_(folder / course::kDrawingsFile) { save(); }
 
-  void add(const course::Case& one, double milliseconds) { add({one.file, true, {}, milliseconds}); }
+  void add(const course::Case& one, double milliseconds) { add({one.file, true, {}, {}, milliseconds}); }
   void add(const course::Case& one, const Error& fault) {
     ++faults_;
     std::fprintf(stderr, "%s: %s\n", one.file.c_str(), fault.what());
-    add({one.file, false, fault.what(), 0});
+    // Without the folder: the same file lies elsewhere for everybody.
+    const Place& place = fault.place();
+    const std::string file = std::filesystem::path(place.file).filename();
+    add({one.file, false, fault.what(), place.line > 0 ? fmt::format("{}:{}", file, place.line) : file, 0});
   }
   [[nodiscard]] std::size_t faults() const { return faults_; }
 

@@ -115,6 +115,9 @@ std::optional<CommandLine> read_command_line(AnyLab& lab, int argc, char** argv)
                  "Folder with assets/ and shaders/ [TEXEL_ROOT, else beside the program]");
   app.add_flag("--list-parameters", line.list_parameters, "Print every parameter with its range and help");
   app.add_flag("--list-views", line.list_views, "Print the names of the pictures that this lab draws");
+  app.add_flag(
+      "--print-shader", line.print_shader,
+      "Print the shaders as they are compiled; comments say where each constant and uniform comes from");
   app.add_flag("--json", line.json, "Print --list-parameters as JSON");
   for (const params::Parameter& p : lab.parameters())
     app.add_option("--" + p.flag(), values[std::string(p.name)], describe(p))->group("Parameters");

@@ -18,7 +18,7 @@ struct CommandLine {
   double error_scale = 0;
   int samples = 4;
   int frames = 0;
-  bool list_parameters = false, list_views = false, json = false;
+  bool list_parameters = false, list_views = false, print_shader = false, json = false;
   bool turn_given = false;  ///< the user chose how far the model is turned: it does not turn by itself
 };
 

@@ -21,24 +21,6 @@ std::string constant(std::string_view name) {
   return result;
 }
 
-/// The constants of all choices and toggles and of the view.
-std::vector<gl::Define> constants(const params::Set& parameters, View view) {
-  std::vector<gl::Define> defines;
-  for (const params::Parameter& p : parameters) {
-    if (p.type != Type::choice && p.type != Type::toggle) continue;
-    const std::string name = constant(p.name);
-    defines.push_back({name, fmt::format("{}", static_cast<int>(p.value()))});
-    if (p.type != Type::choice) continue;
-    for (std::size_t i = 0; i < p.items.size(); ++i)
-      defines.push_back({fmt::format("{}_{}", name, constant(p.items[i].name)), fmt::format("{}", i)});
-  }
-  defines.push_back({"VIEW", fmt::format("{}", static_cast<int>(view))});
-  for (int i = 0; i <= static_cast<int>(View::error); ++i)
-    defines.push_back(
-        {fmt::format("VIEW_{}", constant(name_of(static_cast<View>(i)))), fmt::format("{}", i)});
-  return defines;
-}
-
 /// What `constants` depends on.
 std::string settings(const params::Set& parameters, View view) {
   std::string text = std::to_string(static_cast<int>(view));
@@ -49,6 +31,28 @@ std::string settings(const params::Set& parameters, View view) {
 }
 
 }  // namespace
+
+std::vector<gl::Define> constants(const params::Set& parameters, View view) {
+  std::vector<gl::Define> defines;
+  for (const params::Parameter& p : parameters) {
+    if (p.type != Type::choice && p.type != Type::toggle) continue;
+    const std::string name = constant(p.name);
+    defines.push_back(
+        {name, fmt::format("{}", static_cast<int>(p.value())), fmt::format("--{} {}", p.flag(), p.text())});
+    if (p.type != Type::choice) continue;
+    for (std::size_t i = 0; i < p.items.size(); ++i)
+      defines.push_back({fmt::format("{}_{}", name, constant(p.items[i].name)), fmt::format("{}", i),
+                         fmt::format("--{} {}", p.flag(), p.items[i].name)});
+  }
+  defines.push_back(
+      {"VIEW", fmt::format("{}", static_cast<int>(view)), fmt::format("--view {}", name_of(view))});
+  for (int i = 0; i <= static_cast<int>(View::error); ++i) {
+    const char* name = name_of(static_cast<View>(i));
+    defines.push_back(
+        {fmt::format("VIEW_{}", constant(name)), fmt::format("{}", i), fmt::format("--view {}", name)});
+  }
+  return defines;
+}
 
 std::string Info::folder() const {
   return fmt::format("{:02}_{}", number, name);

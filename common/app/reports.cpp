@@ -89,6 +89,21 @@ std::string to_json(AnyLab& lab, const ErrorFigures& figures) {
   return dump(json);
 }
 
+std::string shaders_as_text(const gl::ProgramCache& programs, const params::Set& parameters, View view) {
+  const auto origin = [&](const std::string& uniform) {
+    const params::Parameter* p = parameters.find(uniform);
+    if (p == nullptr) return std::string("set in the lab's draw()");
+    return fmt::format("--{}: {}{}", p->flag(), p->help, p->unit == "degrees" ? " (here in radians)" : "");
+  };
+  std::string text;
+  for (const gl::Program* program : programs.programs()) {
+    if (program->name().starts_with("app/")) continue;  // shows data views
+    for (const gl::ShaderSource* source : {&program->vertex(), &program->fragment()})
+      text += source->readable(constants(parameters, view), origin) + "\n";
+  }
+  return text;
+}
+
 std::string parameters_as_text(const params::Set& parameters) {
   std::string text;
   for (const params::Parameter& p : parameters) {

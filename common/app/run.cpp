@@ -100,6 +100,10 @@ void run_headless(AnyLab& lab, const Assets& assets, const CommandLine& line) {
     write_report(line.measure, to_json(lab, *canvas.error_figures()));
   }
   if (!line.bench.empty()) write_report(line.report, run_bench(canvas, lab, bench));
+  if (line.print_shader) {
+    canvas.draw(view, size, line.samples);
+    print(shaders_as_text(canvas.programs(), lab.parameters(), view));
+  }
   if (line.frames > 0) time_frames(canvas, view, size, line.samples, line.frames);
   if (line.snapshot.empty() && line.stats.empty()) return;
 
@@ -132,7 +136,7 @@ void run_as_asked(AnyLab& lab, const CommandLine& line) {
   const Assets assets(line.assets);
   const bool headless = !line.snapshot.empty() || !line.batch.empty() || !line.stats.empty() ||
                         !line.mesh.empty() || !line.measure.empty() || !line.bench.empty() ||
-                        (line.frames > 0 && line.context != "window");
+                        line.print_shader || (line.frames > 0 && line.context != "window");
   if (headless)
     run_headless(lab, assets, line);
   else if (line.context == "osmesa" || line.context == "egl")

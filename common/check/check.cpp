@@ -71,8 +71,8 @@ class LabCheck {
         if (one.step != step.id) continue;
         results.push_back(judged(one));
         if (results.back().passed()) continue;
-        const Failed drawn{picture_bytes(own_ / one.file), said_of(one)};
-        if (!drawn.picture.empty() || !drawn.said.empty()) failed[one.name] = drawn;
+        const Failed drawn{picture_bytes(own_ / one.file), refused_of(one)};
+        if (!drawn.picture.empty() || !drawn.refused.empty()) failed[one.name] = drawn;
       }
       const Mistake* known =
           untouched_.contains(step.id) ? nullptr : recognise(mistakes, plan_, step.id, failed);
@@ -94,7 +94,7 @@ class LabCheck {
                 [&](std::size_t i) { drawn[i] = draw(studio_, parts[i], own_ / fmt::format("{}", i)); });
     for (std::size_t i = 0; i < parts.size(); ++i) {
       faults_.merge(drawn[i].faults);
-      said_.merge(drawn[i].said);
+      refused_.merge(drawn[i].refused);
       const fs::path folder = own_ / fmt::format("{}", i);
       if (!fs::exists(folder)) continue;
       for (const fs::directory_entry& file : fs::directory_iterator(folder))
@@ -103,9 +103,9 @@ class LabCheck {
     }
   }
 
-  [[nodiscard]] std::string said_of(const Case& one) const {
-    const auto said = said_.find(one.file);
-    return said == said_.end() ? "" : said->second;
+  [[nodiscard]] std::string refused_of(const Case& one) const {
+    const auto refused = refused_.find(one.file);
+    return refused == refused_.end() ? "" : refused->second;
   }
 
   [[nodiscard]] CaseResult judged(const Case& one) const {
@@ -125,8 +125,8 @@ class LabCheck {
   const std::set<std::string>& untouched_;
   fs::path expected_, own_;
   Studio studio_;
-  std::map<std::string, std::string> faults_;  ///< why a picture is missing, by its file
-  std::map<std::string, std::string> said_;    ///< as Drawn has it
+  std::map<std::string, std::string> faults_;   ///< why a picture is missing, by its file
+  std::map<std::string, std::string> refused_;  ///< as Drawn has it
 };
 
 /// What drew the expected pictures, or "".

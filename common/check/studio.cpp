@@ -7,7 +7,6 @@
 #include <array>
 #include <csignal>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
@@ -72,24 +71,15 @@ std::string end_of(const Outcome& outcome) {
   return fmt::format("The program ended with exit code {} and drew nothing", outcome.exit_code);
 }
 
-/// Why the program did not draw its cases, by file, as it says itself. Nobody may trust what it wrote.
-std::map<std::string, std::string> reasons(const fs::path& out) {
+/// What the program itself says of its cases, by file. Nobody may trust what it wrote.
+std::map<std::string, course::Drawing> drawings_in(const fs::path& out) {
   constexpr std::uintmax_t most = 1U << 20U;
-  std::map<std::string, std::string> all;
+  std::map<std::string, course::Drawing> all;
   const fs::path file = out / course::kDrawingsFile;
   if (!fs::is_regular_file(fs::symlink_status(file)) || fs::file_size(file) > most) return all;
-  for (const course::Drawing& drawing : course::parse_drawings(read_file(file)))
-    if (!drawing.is_drawn) all[drawing.file] = plain_lines(drawing.message);
+  for (const course::Drawing& drawing : course::parse_drawings(read_file(file))) all[drawing.file] = drawing;
   fs::remove(file);
   return all;
-}
-
-std::string without_folders(const std::string& reason) {
-  constexpr std::size_t most = 500;  // a hostile line may be as long as all that is kept
-  std::istringstream words(reason.substr(0, std::min(reason.find('\n'), most)));
-  std::string text;
-  for (std::string word; words >> word;) text += (text.empty() ? "" : " ") + word.substr(word.rfind('/') + 1);
-  return text;
 }
 
 }  // namespace
@@ -117,12 +107,13 @@ Drawn draw(const Studio& studio, const std::vector<Case>& cases, const fs::path&
   for (int start = 0; start < kMostStarts && timeouts < kMostTimeouts && !left.empty(); ++start) {
     fs::remove_all(work);
     const Outcome outcome = run(studio, left, work, out);
-    const std::map<std::string, std::string> why = reasons(out);
+    const std::map<std::string, course::Drawing> drawings = drawings_in(out);
     std::vector<Case> missing;
     for (const Case& one : left) {
       if (fs::is_regular_file(fs::symlink_status(out / one.file))) continue;
-      if (const auto reason = why.find(one.file); reason != why.end())
-        drawn.faults[one.file] = reason->second, drawn.said[one.file] = without_folders(reason->second);
+      if (const auto said = drawings.find(one.file); said != drawings.end() && !said->second.is_drawn)
+        drawn.faults[one.file] = plain_lines(said->second.message),
+        drawn.refused[one.file] = plain_text(said->second.place);
       else
         missing.push_back(one);
     }

@@ -170,6 +170,7 @@ std::string to_json(const std::vector<Drawing>& drawings) {
     list.push_back({{"name", one.file},
                     {"status", one.is_drawn ? "drawn" : "failed"},
                     {"message", one.message},
+                    {"place", one.place},
                     {"milliseconds", one.milliseconds}});
   return list.dump(1) + "\n";
 }
@@ -186,7 +187,8 @@ std::vector<Drawing> parse_drawings(const std::string& text) {
   };
   for (const Json& entry : json) {
     if (!entry.is_object()) continue;
-    Drawing one{text_at(entry, "name"), text_at(entry, "status") == "drawn", text_at(entry, "message"), 0};
+    Drawing one{text_at(entry, "name"), text_at(entry, "status") == "drawn", text_at(entry, "message"),
+                text_at(entry, "place"), 0};
     if (const auto time = entry.find("milliseconds"); time != entry.end() && time->is_number())
       one.milliseconds = time->get<double>();
     if (!one.file.empty()) drawings.push_back(std::move(one));

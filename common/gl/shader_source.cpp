@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <sstream>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
@@ -114,6 +115,32 @@ std::string ShaderSource::text(const std::vector<Define>& defines) const {
   std::string text = version_;
   for (const Define& define : defines) text += fmt::format("#define {} {}\n", define.name, define.value);
   return text + body_;
+}
+
+std::string ShaderSource::readable(const std::vector<Define>& defines,
+                                   const std::function<std::string(const std::string&)>& origin) const {
+  std::string text = version_;
+  for (const Define& define : defines)
+    if (mentions(define.name))
+      text += fmt::format("#define {} {}  // {}\n", define.name, define.value, define.origin);
+  std::istringstream lines(body_);
+  std::size_t shown = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("#line ")) {
+      // A new file, or the rest of one after an include.
+      const auto file = static_cast<std::size_t>(std::stoi(line.substr(6)) / kLinesPerFile);
+      if (file != shown)
+        text += fmt::format("// ---- shaders/{}\n", files_[file - 1].lexically_relative(root_).string());
+      shown = file;
+      continue;
+    }
+    std::istringstream words(line);
+    std::string first, type, name;
+    words >> first >> type >> name;
+    if (first == "uniform") line += "  // " + origin(name.substr(0, name.find_first_of(";[")));
+    text += line + "\n";
+  }
+  return text;
 }
 
 bool ShaderSource::mentions(std::string_view token) const {

@@ -32,10 +32,10 @@ std::string processor() {
 }
 
 /// The ending of a file that stands in place of a picture: what the program said instead of drawing it.
-constexpr const char* kSaid = ".said";
+constexpr const char* kRefused = ".refused";
 
-std::string said_instead_of(const fs::path& picture) {
-  const fs::path file = picture.string() + kSaid;
+std::string refused_instead_of(const fs::path& picture) {
+  const fs::path file = picture.string() + kRefused;
   return fs::exists(file) ? read_file(file) : "";
 }
 
@@ -103,7 +103,8 @@ fs::path CourseSide::draw_changed(const LabPlan& plan, const std::string& name, 
     own = slot.get();
   }
   const std::scoped_lock lock(*own);
-  const fs::path folder = folder_of(plan) / "mutants" / fingerprint({name, file, text, kSaid}).substr(0, 32);
+  const fs::path folder =
+      folder_of(plan) / "mutants" / fingerprint({name, file, text, kRefused}).substr(0, 32);
   if (fs::exists(folder)) return folder;
   const fs::path fresh = cache_ / fmt::format("mutant-{}-{}-{}", ::getpid(), plan.lab.number, name);
   fs::remove_all(fresh);
@@ -122,7 +123,8 @@ fs::path CourseSide::draw_changed(const LabPlan& plan, const std::string& name, 
                [&](const Case& one) { return one.step == step; });
   const Drawn drawn = draw(studio, cases, fresh / "out");
   fs::create_directories(fresh / "out");
-  for (const auto& [picture, said] : drawn.said) write_file(fresh / "out" / (picture + kSaid), said);
+  for (const auto& [picture, refused] : drawn.refused)
+    write_file(fresh / "out" / (picture + kRefused), refused);
   fs::create_directories(folder.parent_path());
   std::error_code exists;
   fs::rename(fresh / "out", folder, exists);
@@ -154,7 +156,7 @@ double CourseSide::worthless(const LabPlan& plan, const Case& of) {
 
 Failed CourseSide::failed_by(const LabPlan& plan, const course::Mutant& mutant, const Case& of) {
   const fs::path picture = drawn_by(plan, mutant) / of.file;
-  return {picture_bytes(picture), said_instead_of(picture)};
+  return {picture_bytes(picture), refused_instead_of(picture)};
 }
 
 fs::path CourseSide::drawn_by(const LabPlan& plan, const course::Mutant& mutant) {
@@ -168,8 +170,8 @@ Mistake CourseSide::mistake_of(const LabPlan& plan, const course::Mutant& mutant
   for (const Case& of : plan.cases) {
     if (of.step != mutant.step) continue;
     Samples samples = sampled(of, read_file(expected(plan, of).reference), picture_bytes(drawn / of.file));
-    samples.said = said_instead_of(drawn / of.file);
-    if (!samples.samples.empty() || !samples.said.empty()) mistake.cases[of.name] = std::move(samples);
+    samples.refused = refused_instead_of(drawn / of.file);
+    if (!samples.samples.empty() || !samples.refused.empty()) mistake.cases[of.name] = std::move(samples);
   }
   return mistake;
 }

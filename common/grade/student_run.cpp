@@ -102,9 +102,10 @@ JudgedLab StudentRun::judge(const LabPlan& plan, const std::vector<Case>& cases,
       if (one.step != step.id) continue;
       results.push_back(judged(plan, one, program, drawn, out));
       if (results.back().passed()) continue;
-      const auto said = drawn.said.find(one.file);
-      const Failed wrong{picture_bytes(out / one.file), said == drawn.said.end() ? "" : said->second};
-      if (!wrong.picture.empty() || !wrong.said.empty()) failed[one.name] = wrong;
+      const auto refused = drawn.refused.find(one.file);
+      const Failed wrong{picture_bytes(out / one.file),
+                         refused == drawn.refused.end() ? "" : refused->second};
+      if (!wrong.picture.empty() || !wrong.refused.empty()) failed[one.name] = wrong;
     }
     const Mistake* mistake = failed.empty() || untouched_.contains(step.id)
                                  ? nullptr

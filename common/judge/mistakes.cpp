@@ -97,14 +97,14 @@ void spread(const Values& of, const std::vector<std::size_t>& indices, std::size
 /// A failed case, its picture read once for all mistakes that it is held against.
 struct Read {
   const Case* of;
-  std::string said;
+  std::string refused;
   Values values;
 };
 
-/// Which part of the samples the picture has; 0 for what is no picture of that size. What was said is the
+/// Which part of the samples the picture has; 0 for what is no picture of that size. What it refused is the
 /// same or is not.
 double share_of_samples(const Samples& samples, const Read& failed) {
-  if (!samples.said.empty() || !failed.said.empty()) return samples.said == failed.said ? 1 : 0;
+  if (!samples.refused.empty() || !failed.refused.empty()) return samples.refused == failed.refused ? 1 : 0;
   const Values& values = failed.values;
   if (values.count == 0 || values.count != samples.count) return 0;
   std::size_t same = 0;
@@ -138,7 +138,7 @@ const Mistake* recognise(const std::vector<Mistake>& mistakes, const LabPlan& pl
   std::vector<Read> read;
   for (const Case& of : plan.cases)
     if (const auto one = failed.find(of.name); one != failed.end())
-      read.push_back({&of, one->second.said, parse_values(of, one->second.picture)});
+      read.push_back({&of, one->second.refused, parse_values(of, one->second.picture)});
   const Mistake* best = nullptr;
   double most = 0;
   for (const Mistake& mistake : mistakes) {

@@ -23,8 +23,8 @@ std::string to_json(const std::vector<Mistake>& mistakes) {
     nlohmann::ordered_json one{{"name", mistake.name}, {"step", mistake.step}, {"says", mistake.says}};
     for (const auto& [name, samples] : mistake.cases) {
       nlohmann::ordered_json& place = one["cases"][name];
-      if (!samples.said.empty()) {
-        place["said"] = samples.said;
+      if (!samples.refused.empty()) {
+        place["refused"] = samples.refused;
         continue;
       }
       place["count"] = samples.count;
@@ -45,10 +45,10 @@ std::vector<Mistake> parse_mistakes(const std::string& text, const std::string& 
     for (const nlohmann::json& one : nlohmann::json::parse(text)) {
       Mistake mistake{one.at("name"), one.at("step"), one.at("says"), {}};
       for (const auto& [name, place] : one.at("cases").items()) {
-        Samples samples{place.value("said", std::string()), 0, {}};
-        samples.count = samples.said.empty() ? place.at("count").get<std::size_t>() : 0;
+        Samples samples{place.value("refused", std::string()), 0, {}};
+        samples.count = samples.refused.empty() ? place.at("count").get<std::size_t>() : 0;
         for (const nlohmann::json& row :
-             samples.said.empty() ? place.at("samples") : nlohmann::json::array()) {
+             samples.refused.empty() ? place.at("samples") : nlohmann::json::array()) {
           Samples::Sample sample{row.at(0), {}};
           for (std::size_t i = 1; i < row.size(); ++i) sample.values.push_back(number(row[i]));
           samples.samples.push_back(std::move(sample));

@@ -2,6 +2,7 @@
 // What every lab says of itself: the contract with people, scripts and the grader.
 #include <algorithm>
 #include <set>
+#include <sstream>
 
 #include "image/load.hpp"
 #include "image/save.hpp"
@@ -91,6 +92,35 @@ TEST_P(Interface, holds_only_what_the_scene_needs) {
   EXPECT_NEAR(sum, stats.stages["total"], 1e-6);
   EXPECT_NE(stats.renderer, "");
   EXPECT_NE(stats.version, "");
+}
+
+TEST_P(Interface, prints_its_shaders_with_where_each_constant_and_uniform_comes_from) {
+  const Result result = run_lab(lab(), "--print-shader --size 64x64");
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(result.errors, "");
+  EXPECT_TRUE(has(result.output, "// ---- shaders/" + lab().substr(3) + "/")) << result.output;
+  EXPECT_FALSE(has(result.output, "#line "));
+  std::set<std::string> flags;
+  for (const Parameter& p : parameters_of(lab())) flags.insert(p.flag());
+  std::istringstream lines(result.output);
+  int constants = 0, uniforms = 0, of_the_lab = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t comment = line.find("  // ");
+    const std::string origin = comment == line.npos ? "" : line.substr(comment + 5);
+    const std::string flag = origin.substr(0, origin.find_first_of(" :"));
+    if (line.starts_with("#define ") && flag.starts_with("--")) {
+      EXPECT_TRUE(flag == "--view" || flags.contains(flag)) << line;
+      ++constants;
+    }
+    if (!line.starts_with("uniform ")) continue;
+    ++uniforms;
+    if (origin == "set in the lab's draw()")
+      ++of_the_lab;
+    else
+      EXPECT_TRUE(flags.contains(flag)) << line;
+  }
+  EXPECT_GT(constants, 1);
+  EXPECT_GT(uniforms, of_the_lab);
 }
 
 TEST_P(Interface, writes_into_a_snapshot_how_it_was_made) {

@@ -23,8 +23,8 @@ for name in $(grep -o '"name": *"[^"]*"' "$list" | cut -d '"' -f 4); do
   case $name in
     dies*) kill -s SEGV $$ ;;
     fails*)
-      text='/somewhere/lab.frag:3: no such function'
-      echo "[{\"name\": \"$name\", \"status\": \"failed\", \"message\": \"$text\"}]" >"$out/results.json"
+      said='"status": "failed", "message": "/somewhere/lab.frag:3: no such function", "place": "lab.frag:3"'
+      echo "[{\"name\": \"$name\", $said}]" >"$out/results.json"
       ;;
     asks*) printenv TEXEL_THREADS >"$out/$name" ;;
     *) echo drawn >"$out/$name" ;;
@@ -72,7 +72,7 @@ TEST_F(StudioTest, blames_the_picture_at_which_the_program_died_and_has_the_othe
   EXPECT_EQ(draw_all({"a", "b", "dies", "c", "d"}), "a b c d");
   EXPECT_EQ(faulty(), "dies.png");
   EXPECT_EQ(drawn_.faults["dies.png"], "The program crashed here: it read or wrote invalid memory (SIGSEGV)");
-  EXPECT_TRUE(drawn_.said.empty());
+  EXPECT_TRUE(drawn_.refused.empty());
   EXPECT_EQ(drawn_.notes.size(), 1U);
 }
 
@@ -87,7 +87,7 @@ TEST_F(StudioTest, passes_on_what_the_program_says_of_a_picture) {
   EXPECT_EQ(draw_all({"a", "fails", "b"}), "a b");
   EXPECT_EQ(faulty(), "fails.png");
   EXPECT_EQ(drawn_.faults["fails.png"], "/somewhere/lab.frag:3: no such function");
-  EXPECT_EQ(drawn_.said["fails.png"], "lab.frag:3: no such function");
+  EXPECT_EQ(drawn_.refused["fails.png"], "lab.frag:3");
 }
 
 // Else a program might die at a picture while the one before is not yet written.

@@ -232,6 +232,24 @@ TEST(LabResults, leave_out_cases_of_other_labs_and_steps) {
   EXPECT_EQ(results[0].steps[0].status, Status::passed);
 }
 
+TEST(LabResults, do_not_depend_on_what_messages_say) {
+  const std::vector<course::Lab> labs = {
+      lab_with("01_quad", {named_step("1.1"), named_step("1.2", {"1.1"}), named_step("1.3", {"1.2"})})};
+  std::vector<CaseResult> cases = {judged_in("01_quad", "1.1", "a", 0), judged_in("01_quad", "1.2", "b", 0.5),
+                                   looks_like(judged_in("01_quad", "1.3", "c", 0), "mirrored")};
+  settle(cases[0], {false, 9, 1, "Off."}, "", true);
+  const std::vector<StepResult> before = lab_results(labs, cases).at(0).steps;
+  EXPECT_EQ(before[0].cases[0].status, CaseStatus::untouched);
+  EXPECT_EQ(before[1].status, Status::skipped) << "1.1 was not begun";
+  for (CaseResult& one : cases) one.message = "Other words.", one.mistake_says = "Others.";
+  const std::vector<StepResult> after = lab_results(labs, cases).at(0).steps;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_EQ(after[i].status, before[i].status) << before[i].id;
+    EXPECT_EQ(after[i].score, before[i].score) << before[i].id;
+    EXPECT_EQ(after[i].mistake, before[i].mistake) << before[i].id;
+  }
+}
+
 TEST(Points, are_those_of_the_steps_times_their_scores) {
   const std::vector<LabResult> labs =
       lab_results({lab_with("01_quad", {named_step("1.1", {}, 2), named_step("1.2", {}, 3)})},

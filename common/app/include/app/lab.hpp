@@ -56,6 +56,9 @@ struct Info {
   [[nodiscard]] std::string program() const;  ///< "lab05_normal_map"
 };
 
+/// The constants in a lab's shaders: of all choices and toggles, and of the view.
+std::vector<gl::Define> constants(const params::Set& parameters, View view);
+
 /// A lab draws one picture with this. The target is bound and cleared, the depth test and sRGB encoding are
 /// on.
 class Frame {

@@ -30,9 +30,9 @@ struct Studio {
 /// The reasons why files are missing, by the file's name, and remarks on the whole.
 struct Drawn {
   std::map<std::string, std::string> faults;
-  /// Of those, what the lab's program itself said: their first lines, without folders, since the same file
-  /// lies elsewhere for everybody. Not that it died or never ended, as it does by many mistakes.
-  std::map<std::string, std::string> said;
+  /// Of those that the lab's program refused to draw: the file and line that it blames, as "cube.obj:9", or
+  /// "". Not of those at which it died or never ended, as it does by many mistakes.
+  std::map<std::string, std::string> refused;
   std::vector<std::string> notes;
 };
 

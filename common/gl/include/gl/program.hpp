@@ -61,6 +61,8 @@ class Program {
   void check_uniforms() const;
   /// "05_normal_map/normal_map.frag", for messages.
   [[nodiscard]] std::string name() const;
+  [[nodiscard]] const ShaderSource& vertex() const { return *vertex_; }
+  [[nodiscard]] const ShaderSource& fragment() const { return *fragment_; }
 
  private:
   Uniform* to_set(std::string_view name, std::initializer_list<GLenum> types);
@@ -81,6 +83,8 @@ class ProgramCache {
   /// only asked for when it is new.
   Program& get(const std::string& vertex, const std::string& fragment, const std::string& settings,
                const std::function<std::vector<Define>()>& defines);
+  /// All that were compiled.
+  [[nodiscard]] std::vector<const Program*> programs() const;
   /// Forgets everything, so that edited files are read again.
   void clear();
   /// For a watcher: every file that was read, and the folders in which files are searched.

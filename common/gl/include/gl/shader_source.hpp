@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace texel::gl {
 
-/// `#define name value`, put behind the #version line.
+/// `#define name value`, put behind the #version line. `origin` says where it comes from, for people.
 struct Define {
-  std::string name, value;
+  std::string name, value, origin = {};
 };
 
 /// One shader with its includes expanded: the text for the compiler, and the files that it came from.
@@ -26,6 +27,10 @@ class ShaderSource {
 
   /// The text with `defines` behind its #version line.
   [[nodiscard]] std::string text(const std::vector<Define>& defines) const;
+  /// The same for people: each constant and uniform has a comment that says where it comes from, and comments
+  /// name the files in place of line marks. `origin` knows a uniform by its name.
+  [[nodiscard]] std::string readable(const std::vector<Define>& defines,
+                                     const std::function<std::string(const std::string&)>& origin) const;
   /// Is `token` used anywhere in it, as a whole word?
   [[nodiscard]] bool mentions(std::string_view token) const;
   [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
