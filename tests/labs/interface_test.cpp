@@ -105,7 +105,7 @@ TEST_P(Interface, prints_its_shaders_with_where_each_constant_and_uniform_comes_
   std::istringstream lines(result.output);
   int constants = 0, uniforms = 0, of_the_lab = 0;
   for (std::string line; std::getline(lines, line);) {
-    const std::size_t comment = line.find("  // ");
+    const std::size_t comment = line.rfind("  // ");
     const std::string origin = comment == line.npos ? "" : line.substr(comment + 5);
     const std::string flag = origin.substr(0, origin.find_first_of(" :"));
     if (line.starts_with("#define ") && flag.starts_with("--")) {
