@@ -9,6 +9,7 @@
 #include <sys/resource.h>
 #include <sys/vfs.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 extern "C" {
 #include <sys/pidfd.h>  // has no linkage of its own before glibc 2.37
