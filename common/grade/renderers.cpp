@@ -196,10 +196,11 @@ std::vector<Spread> spreads(const CourseTree& tree, const fs::path& drawn, const
       in_parallel(processors(), lab.cases.size(), [&](std::size_t i) {
         const course::Case& of = lab.cases[i];
         const fs::path folder = fs::path(seed) / lab.lab.folder;
-        const ExpectedFiles expected =
-            of.hidden ? ExpectedFiles{drawn / reference / folder / of.file,
-                                      drawn / reference / folder / "mask" / (of.name + ".png")}
-                      : kept(tree, lab, of);
+        ExpectedFiles expected = kept(tree, lab, of);
+        if (of.hidden) {
+          expected.reference = drawn / reference / folder / of.file;
+          if (!of.is_mesh()) expected.mask = drawn / reference / folder / "mask" / (of.name + ".png");
+        }
         const auto place = std::find_if(all.begin(), all.end(), [&](const Spread& spread) {
           return spread.lab == lab.lab.number && spread.name == of.name;
         });

@@ -144,7 +144,7 @@ TEST(StepPictures, are_of_the_present_code) {
           image::compare(image::load8(kPictures / name), image::load8(drawn / name));
       // softpipe is up to 2.1 off in the mean (a mirror), llvmpipe on other processors 0. A half of another
       // stage is 9 off or more in lab 9.
-      EXPECT_LE(off.mean, 3) << name << ": ./run docs renews it";
+      EXPECT_LE(off.mean, 6.5) << name << ": ./run docs renews it";
     }
 }
 

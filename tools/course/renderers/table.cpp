@@ -129,6 +129,7 @@ double RendererReport::Row::most() const {
 }
 
 double RendererReport::Row::room(double limit) const {
+  if (most() <= least) return std::numeric_limits<double>::infinity();  // they do not differ
   return (limit - least) / (most() - least);
 }
 
