@@ -13,7 +13,7 @@ namespace texel::grade {
 
 /// Some of the values of a picture or vertex stream: of pixels, row by row from the bottom, or of vertices.
 struct Samples {
-  std::string refused;       ///< where the program refuses to draw (Drawn::refused): then there are no samples
+  std::string refused;    ///< where the program refuses to draw (Drawn::refused): then there are no samples
   std::size_t count = 0;  ///< of all pixels or vertices
   struct Sample {
     std::size_t index = 0;
@@ -36,7 +36,7 @@ Samples sampled(const course::Case& of, std::string_view reference, std::string_
 /// What was drawn in a case and is wrong, or why nothing was.
 struct Failed {
   std::string picture;  ///< the file's bytes, or ""
-  std::string refused;     ///< Drawn::refused
+  std::string refused;  ///< Drawn::refused
 };
 
 /// The mistake of the step that has most of what all its failed cases show, or none.
