@@ -93,14 +93,14 @@ void walk(const std::string& text, const std::string& file, MarkerLine on_marker
   if (part != Kind::end) throw Error::failed("this step has no end", begun, kRemedy);
 }
 
-constexpr std::string_view marker = "//@step";
+constexpr std::string_view kMarker = "//@step";
 
 bool has_marker(std::string_view text) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string_view line = text.substr(0, end);
     const std::size_t begin = line.find_first_not_of(" \t");
-    if (begin != std::string_view::npos && line.substr(begin).starts_with(marker)) return true;
+    if (begin != std::string_view::npos && line.substr(begin).starts_with(kMarker)) return true;
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return false;
