@@ -207,11 +207,7 @@ std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>
   if (!renderer.empty())
     for (LabResult& lab : results)
       lab.notes.push_back(renderer_note(renderer, expected_by(tree.source, lab.lab)));
-  const std::map<std::string, Place> places = course::step_places(tree.source);
-  for (LabResult& lab : results)
-    for (StepResult& step : lab.steps)
-      if (const auto place = places.find(step.id); place != places.end())
-        step.file = place->second.file, step.line = place->second.line;
+  put_places(results, course::step_places(tree.source));
   return results;
 }
 

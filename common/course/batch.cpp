@@ -172,7 +172,8 @@ std::string to_json(const std::vector<Drawing>& drawings) {
                     {"message", one.message},
                     {"place", one.place},
                     {"milliseconds", one.milliseconds}});
-  return list.dump(1) + "\n";
+  // A compiler's message may quote any bytes of a file.
+  return list.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::vector<Drawing> parse_drawings(const std::string& text) {

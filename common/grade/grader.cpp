@@ -176,10 +176,7 @@ ClassResult read_results(const fs::path& folder, const fs::path& course) {
     std::erase_if(student.labs, [&](const LabResult& lab) {
       return chosen.find(fmt::format(" {} ", lab.lab.number)) == std::string::npos;
     });
-    for (LabResult& lab : student.labs)
-      for (StepResult& step : lab.steps)
-        if (const auto place = places.find(step.id); place != places.end())
-          step.file = place->second.file, step.line = place->second.line;
+    put_places(student.labs, places);
   }
   return results;
 }

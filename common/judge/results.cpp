@@ -143,6 +143,13 @@ void settle(CaseResult& result, const Verdict& verdict, const std::string& fault
     result.message = "This step is still as the starter has it. " + result.message;
 }
 
+void put_places(std::vector<LabResult>& labs, const std::map<std::string, Place>& places) {
+  for (LabResult& lab : labs)
+    for (StepResult& step : lab.steps)
+      if (const auto place = places.find(step.id); place != places.end())
+        step.file = place->second.file, step.line = place->second.line;
+}
+
 const CaseResult* telling_case(const StepResult& step) {
   const auto share = [](const CaseResult& one) {
     return std::isnan(one.error) ? HUGE_VAL : one.error / std::max(one.limit, 1e-12);

@@ -79,16 +79,21 @@ StepResult parse_step(const Json& json) {
   return step;
 }
 
+/// Folders may have names that are no UTF-8.
+std::string text_of(const Json& json) {
+  return json.dump(1, ' ', false, Json::error_handler_t::replace);
+}
+
 }  // namespace
 
 std::string to_json(const LabResult& lab) {
-  return json_of(lab).dump(1);
+  return text_of(json_of(lab));
 }
 
 std::string to_json(const std::vector<LabResult>& labs) {
   Json list = Json::array();
   for (const LabResult& lab : labs) list.push_back(json_of(lab));
-  return list.dump(1);
+  return text_of(list);
 }
 
 std::vector<StepResult> parse_steps(const std::string& json) {

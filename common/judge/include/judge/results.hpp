@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/error.hpp"
 #include "course/lab_file.hpp"
 #include "judge/judge.hpp"
 
@@ -81,6 +82,9 @@ struct LabResult {
   [[nodiscard]] double points() const;      ///< reached
   [[nodiscard]] double max_points() const;  ///< to be reached
 };
+
+/// Fills in where each step is written, by its id.
+void put_places(std::vector<LabResult>& labs, const std::map<std::string, Place>& places);
 
 /// The case that says most about a step: of those that failed, or of all, the one with the largest share of
 /// its limit; one where nothing can be compared before all others. Null when it has none.

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// The files between the tools and a lab's program.
+#include "course/batch.hpp"
+
+#include <gtest/gtest.h>
+
+namespace texel::course {
+namespace {
+
+TEST(Drawings, are_the_same_when_they_were_written_and_read) {
+  const std::vector<Drawing> drawings = {
+      {"a.png", true, "", "", 12.5},
+      {"b.ply", false, "cube.obj:9: \"no\" number\nand more", "cube.obj:9", 0}};
+  EXPECT_EQ(parse_drawings(to_json(drawings)), drawings);
+}
+
+TEST(Drawings, hold_whatever_bytes_a_message_quotes) {
+  const std::vector<Drawing> read =
+      parse_drawings(to_json(std::vector<Drawing>{{"a.png", false, "#error caf\xe9 \xff", "x.frag:3", 0}}));
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_EQ(read[0].message, "#error caf\uFFFD \uFFFD");
+  EXPECT_EQ(read[0].place, "x.frag:3");
+}
+
+TEST(Drawings, of_a_program_that_nobody_trusts_are_only_what_fits) {
+  for (const char* text : {"", "{", "3", "{\"name\": \"a.png\"}", "[3, null, [], {}, {\"name\": 7}]"})
+    EXPECT_TRUE(parse_drawings(text).empty()) << text;
+  const std::vector<Drawing> read = parse_drawings(
+      R"([{"name": "a.png", "status": 1, "message": ["x"], "milliseconds": "y"}, {"name": "b.png", "status": "drawn"}])");
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[0], (Drawing{"a.png", false, "", "", 0}));
+  EXPECT_TRUE(read[1].is_drawn);
+  const std::string lengthy(5000, 'x');
+  EXPECT_EQ(
+      parse_drawings(to_json(std::vector<Drawing>{{"a.png", false, lengthy, "", 0}})).at(0).message.size(),
+      2000U);
+}
+
+TEST(Batch, is_the_same_when_it_was_written_and_read) {
+  Case picture, mesh;
+  picture.name = "bumps", picture.file = "bumps.pfm", picture.view = View::normal, picture.size = {64, 48};
+  picture.settings = {{"turn", "30"}, {"normal_map", "brick"}};
+  mesh.name = "torus", mesh.file = "torus.ply", mesh.view = View::mesh;
+  EXPECT_EQ(parse_batch(to_batch({picture, mesh})), (std::vector<Case>{picture, mesh}));
+}
+
+TEST(Bench, is_the_same_when_it_was_written_and_read) {
+  BenchCase one;
+  one.name = "jittered torus", one.size = {32, 16};
+  one.settings = {{"model", "torus"}};
+  one.variations = {{"method", {}}, {"segments", {"8", "16"}}};
+  const BenchList read = parse_bench(to_json(BenchList{0.5, {one}}));
+  EXPECT_EQ(read.seconds, 0.5);
+  ASSERT_EQ(read.cases.size(), 1U);
+  EXPECT_EQ(read.cases[0].name, one.name);
+  EXPECT_EQ(read.cases[0].size, one.size);
+  EXPECT_EQ(read.cases[0].settings, one.settings);
+  EXPECT_EQ(read.cases[0].variations, one.variations);
+}
+
+}  // namespace
+}  // namespace texel::course
