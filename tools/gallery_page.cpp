@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
 
 #include "core/html.hpp"
 #include "embedded.hpp"
@@ -31,6 +36,32 @@ std::string anchor(const course::Lab& lab, const course::Look& look) {
   return lab.folder + "-" + look.name;
 }
 
+/// The values of the settings that choose a method, as "averaged", or "default".
+std::vector<std::string> methods_of(const course::Look& look) {
+  std::vector<std::string> methods;
+  for (const course::Setting& setting : look.settings)
+    if (setting.parameter.ends_with("method")) methods.push_back(setting.value);
+  if (methods.empty()) methods.emplace_back("default");
+  return methods;
+}
+
+/// Whether two pictures show the same, apart from one parameter.
+bool is_pair(const course::Look& a, const course::Look& b) {
+  if (a.view != b.view || a.size != b.size || a.settings == b.settings) return false;
+  std::set<std::string> different;
+  for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)})
+    for (const course::Setting& setting : from->settings)
+      if (std::ranges::count(to->settings, setting) == 0) different.insert(setting.parameter);
+  return different.size() == 1;
+}
+
+/// The picture that a reader would put beside this one, or null.
+const course::Look* partner(const course::Lab& lab, const course::Look& look) {
+  for (const course::Look& other : lab.looks)
+    if (is_pair(look, other)) return &other;
+  return nullptr;
+}
+
 std::string hero(const course::Lab& lab, const course::Look& look) {
   return fmt::format("<a href=\"#{}\"><img src=\"{}\" alt=\"{}\" {}><span><b>{}</b> {}</span></a>\n",
                      anchor(lab, look), picture(lab, look), html_escaped(look.caption), size_attributes(look),
@@ -43,13 +74,19 @@ std::string figure(const course::Lab& lab, const course::Look& look) {
   const std::string view = look.view == course::View::color
                                ? ""
                                : fmt::format("<span class=\"view\">{} view</span>", name_of(look.view));
+  const course::Look* other = partner(lab, look);
+  const std::string pair = other == nullptr ? "" : fmt::format(" data-pair=\"{}\"", anchor(lab, *other));
+  const std::string compare =
+      other == nullptr ? ""
+                       : fmt::format("<button type=\"button\" class=\"compare\">Compare with: {}</button>",
+                                     html_escaped(other->caption));
   return fmt::format(
-      "<figure id=\"{}\">\n"
+      "<figure id=\"{}\" data-view=\"{}\" data-methods=\"{}\"{}>\n"
       "<a class=\"open\" href=\"{}\"><img src=\"{}\" alt=\"{}\" {} loading=\"lazy\">{}</a>\n"
-      "<figcaption><p class=\"caption\">{}</p>{}{}</figcaption>\n</figure>\n",
-      anchor(lab, look), picture(lab, look), picture(lab, look), html_escaped(look.caption),
-      size_attributes(look), view, html_escaped(look.caption), source,
-      command_line(course::command(lab, look)));
+      "<figcaption><p class=\"caption\">{}</p>{}{}{}</figcaption>\n</figure>\n",
+      anchor(lab, look), name_of(look.view), fmt::join(methods_of(look), " "), pair, picture(lab, look),
+      picture(lab, look), html_escaped(look.caption), size_attributes(look), view, html_escaped(look.caption),
+      source, compare, command_line(course::command(lab, look)));
 }
 
 std::string section(const course::Lab& lab) {
@@ -64,8 +101,33 @@ std::string section(const course::Lab& lab) {
   return html + "</div>\n</section>\n";
 }
 
+/// A choice of one of the values; the first stands for all.
+std::string choice(const char* id, const char* label, const std::map<std::string, std::string>& values) {
+  std::string options;
+  for (const auto& [value, text] : values)
+    options += fmt::format("<option value=\"{}\">{}</option>", value, html_escaped(text));
+  return fmt::format("<label>{1} <select id=\"{0}\"><option value=\"\">all</option>{2}</select></label>\n",
+                     id, label, options);
+}
+
+std::string filters(const std::vector<course::Lab>& labs) {
+  std::map<std::string, std::string> numbers, views, methods;
+  for (const course::Lab& lab : labs) {
+    numbers[fmt::format("lab{}", lab.number)] = fmt::format("{} {}", lab.number, lab.title);
+    for (const course::Look& look : lab.looks) {
+      views[name_of(look.view)] = name_of(look.view);
+      for (const std::string& method : methods_of(look)) methods[method] = method;
+    }
+  }
+  return "<form class=\"filters\">\n" + choice("lab", "Lab", numbers) + choice("view", "View", views) +
+         choice("method", "Method", methods) + "<output></output>\n</form>\n";
+}
+
 constexpr const char* kLightbox =
-    "<dialog id=\"lightbox\" aria-label=\"Picture\">\n<img alt=\"\">\n"
+    "<dialog id=\"lightbox\" aria-label=\"Picture\">\n"
+    "<div class=\"stage\"><img alt=\"\"><img class=\"over\" alt=\"\" hidden></div>\n"
+    "<label class=\"split\" hidden><span></span><input type=\"range\" min=\"0\" max=\"100\" value=\"50\" "
+    "aria-label=\"How much of each picture is shown\"><span></span></label>\n"
     "<div class=\"bar\"><button type=\"button\" data-step=\"-1\" aria-label=\"Previous "
     "picture\">&#8592;</button>\n"
     "<p><b></b><span></span></p>\n"
@@ -94,9 +156,10 @@ std::string gallery_page(const std::vector<course::Lab>& labs, const std::string
       "drawn by the command below it, typed in the project&#8217;s folder. Without <code>--snapshot</code> "
       "the same "
       "command opens that look in a window.</p>\n</header>\n"
-      "<div class=\"heroes\">\n{}</div>\n<nav aria-label=\"Labs\"><ol>\n{}</ol></nav>\n<main>\n{}</main>\n"
+      "<div class=\"heroes\">\n{}</div>\n<nav aria-label=\"Labs\"><ol>\n{}</ol></nav>\n<main>\n{}{}</main>\n"
       "<footer><p>Drawn by {}.</p></footer>\n{}<script>\n{}</script>\n</body>\n</html>\n",
-      kGalleryStyle, heroes, contents, sections, html_escaped(renderer), kLightbox, kGalleryScript);
+      kGalleryStyle, heroes, contents, filters(labs), sections, html_escaped(renderer), kLightbox,
+      kGalleryScript);
 }
 
 }  // namespace texel::tools

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <regex>
 
 #include "../labs/labs.hpp"
 #include "core/error.hpp"
@@ -155,17 +156,37 @@ TEST_F(LabOutput, that_is_none_is_an_error_of_its_file) {
   EXPECT_THROW(read_report_json(folder_ / "missing.json"), Error);
 }
 
-TEST(Plot, joins_dots_that_would_cover_each_other_and_escapes_its_texts) {
-  const Plot plot{"x",
-                  "y",
-                  {{"a <b>", {{1, 1, "1", "one", true}, {1.001, 1, "2", "two", true}, {9, 0, "3", "three"}}}},
-                  {}};
+TEST(Plot, escapes_its_texts_and_draws_an_error_of_nothing) {
+  const Plot plot{
+      "x", "y", {{"a <b>", {{1, 1, 0, true, "one", "first"}, {9, 0, 1, false, "two", "second"}}, {}}}};
   const std::string picture = svg(plot);
   EXPECT_TRUE(has(picture, "a &lt;b&gt;"));
-  EXPECT_TRUE(has(picture, ">1 2</text>"));
-  EXPECT_TRUE(has(picture, ">3</text>"));  // an error of nothing stands on the lower edge
+  EXPECT_TRUE(has(picture, ">one</text>"));
+  EXPECT_TRUE(has(picture, ">two</text>"));  // on the lower edge
   EXPECT_FALSE(has(picture, "nan"));
   EXPECT_FALSE(has(picture, "inf"));
+}
+
+/// Where each label of a panel begins, from the left and from above.
+std::vector<std::pair<double, double>> places(const std::string& panel, const std::string& label) {
+  std::vector<std::pair<double, double>> all;
+  const std::regex text("<text x=\"([0-9.-]+)\" y=\"([0-9.-]+)\"[^>]*>" + label + "</text>");
+  for (std::sregex_iterator found(panel.begin(), panel.end(), text), end; found != end; ++found)
+    all.emplace_back(std::stod((*found)[1]), std::stod((*found)[2]));
+  return all;
+}
+
+TEST(Plot, has_no_label_upon_another_one) {
+  Plot plot{"x", "y", {{"a", {}, {}}}};
+  for (int i = 0; i < 9; ++i)  // nine methods that cost the same, and are equally wrong
+    plot.panels[0].points.push_back({1 + 1e-3 * i, 1, 0, i < 3, "method", "title"});
+  const auto found = places(panel_svgs(plot)[0], "method");
+  EXPECT_EQ(found.size(), 9U);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)  // six letters of 6.3 units, and the height of a line
+      EXPECT_TRUE(std::abs(found[i].first - found[j].first) > 37 ||
+                  std::abs(found[i].second - found[j].second) > 11)
+          << i << " and " << j;
 }
 
 TEST(TexelBench, refuses_a_lab_that_there_is_not_and_a_file_that_is_none) {

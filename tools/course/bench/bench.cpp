@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "core/files.hpp"
+#include "core/parallel.hpp"
 #include "core/stopwatch.hpp"
 #include "course/batch.hpp"
 #include "course/course_commands.hpp"
@@ -67,6 +68,35 @@ void write_markdown(const std::vector<LabResults>& labs, const std::string& rend
                  renderers_markdown(read_renderers(course_root() / "docs/renderers.json"), course_labs()));
 }
 
+/// Draws what the page shows of each result, all labs at the same time.
+void draw_pictures(const std::vector<LabResults>& labs, const fs::path& out) {
+  fmt::print(stderr, "drawing the page's pictures\n");
+  std::vector<Command> commands;
+  for (const LabResults& lab : labs) {
+    std::vector<course::Case> cases;
+    for (const course::BenchCase& bench : lab.lab.bench)
+      for (const BenchResult& result : lab.results)
+        if (result.case_name == bench.name)
+          for (course::Case& picture : pictures_of(bench, result)) cases.push_back(std::move(picture));
+    const fs::path folder = out / kPictures / lab.lab.folder, list = folder / "batch.json";
+    make_folder(folder);
+    write_file(list, course::to_batch(cases));
+    commands.push_back({program_of(lab.lab), "--batch", list.string(), "--out", folder.string()});
+  }
+  run_all(commands, static_cast<int>(processors()), [&](std::size_t i, int status) {
+    if (status != 0)
+      throw Error::failed("could not draw the pictures of " + labs[i].lab.program(), {},
+                          "see its message above");
+  });
+}
+
+void write_page(const std::vector<LabResults>& labs, const std::string& renderer, const fs::path& out) {
+  draw_pictures(labs, out);
+  const fs::path page = out / "index.html";
+  write_file(page, bench_page(labs, renderer));
+  fmt::print("\nplots: {}\n", page.string());
+}
+
 }  // namespace
 
 Exit bench(const BenchOptions& options) {
@@ -93,13 +123,9 @@ Exit bench(const BenchOptions& options) {
                options.against.string());
     return lines.empty() ? Exit::holds : Exit::differs;
   }
-  if (!options.from.empty() && options.markdown.empty() && options.json.empty())
+  if (options.from.empty() || (options.markdown.empty() && options.json.empty())) {
     for (const LabResults& lab : results) fmt::print("{}", terminal_table(lab));
-  if (options.from.empty()) {
-    for (const LabResults& lab : results) fmt::print("{}", terminal_table(lab));
-    const fs::path page = options.out / "index.html";
-    write_file(page, bench_page(results, report.renderer));
-    fmt::print("\nplots: {}\n", page.string());
+    write_page(results, report.renderer, options.out);
   }
   return Exit::holds;
 }

@@ -123,52 +123,71 @@ std::string error_label(const BenchResult& result) {
   return fmt::format("{} error, {}", result.error_name(), result.unit);
 }
 
+/// The files of a result's pictures, as the page names them.
+std::vector<std::string> pictures(const Section& section, const BenchResult& result) {
+  std::vector<std::string> files;
+  for (const course::Case& picture : pictures_of(*section.bench, result))
+    files.push_back(fmt::format("{}/{}/{}", kPictures, result.lab, picture.file));
+  return files;
+}
+
 /// Error against the number that varies; one line for each combination of the others.
 Plot number_plot(const Section& section, int number) {
   const auto at = static_cast<std::size_t>(number);
   Plot plot;
-  plot.x_label = section.bench->variations[at].parameter + " (" + section.name + ")";
+  plot.x_label = section.bench->variations[at].parameter;
   plot.y_label = error_label(*section.results.front());
+  Plot::Panel& panel = plot.panels.emplace_back();
+  panel.name = section.name;
+  std::vector<std::string> names;  // of the lines
   for (const BenchResult* result : section.results) {
     std::vector<std::string> values = result->values();
     const double x = std::stod(values[at]);
+    if (!(x > 0)) continue;
     values.erase(values.begin() + number);
-    const std::string name =
-        values.empty() ? section.bench->variations[at].parameter : fmt::format("{}", fmt::join(values, ", "));
-    auto series = std::find_if(plot.series.begin(), plot.series.end(),
-                               [&](const Plot::Series& s) { return s.name == name; });
-    if (series == plot.series.end()) series = plot.series.insert(plot.series.end(), {name, {}, true});
-    if (x > 0) series->points.push_back({x, result->error(), "", hover(*result), true});
+    const std::string name = fmt::format("{}", fmt::join(values, ", "));
+    const auto line = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+    if (line == names.size()) {
+      names.push_back(name);
+      panel.lines.push_back({{}, line});
+    }
+    panel.lines[line].points.push_back(panel.points.size());
+    panel.points.push_back({x, result->error(), line, true, "", hover(*result), pictures(section, *result)});
   }
+  for (std::size_t line = 0; line < names.size(); ++line)  // at its last dot
+    panel.points[panel.lines[line].points.back()].label = names[line];
   return plot;
 }
 
-void add_to_cost_plots(std::vector<std::pair<std::string, Plot>>& found, const Section& section) {
+/// Cases over the same parameters, with errors in the same unit, share a plot and its axes.
+struct CostPlot {
+  std::string parameter, unit;
+  std::vector<std::string> methods;  ///< in the order of their colours
+  Plot plot;
+};
+
+void add_to_cost_plots(std::vector<CostPlot>& found, const Section& section) {
   const BenchResult& first = *section.results.front();
-  const std::string key = first.parameter + "\n" + first.unit;
-  auto plot = std::find_if(found.begin(), found.end(), [&](const auto& p) { return p.first == key; });
-  if (plot == found.end()) {
-    Plot made;
-    made.x_label = "milliseconds a frame";
-    made.y_label = error_label(first);
-    made.legend = {"filled: on the Pareto front", ""};
-    plot = found.insert(found.end(), {key, std::move(made)});
-  }
-  std::vector<std::string>& legend = plot->second.legend;
-  Plot::Series series{section.name, {}, true};
+  auto same = std::find_if(found.begin(), found.end(), [&](const CostPlot& p) {
+    return p.parameter == first.parameter && p.unit == first.unit;
+  });
+  if (same == found.end())
+    same = found.insert(same,
+                        {first.parameter, first.unit, {}, {"milliseconds a frame", error_label(first), {}}});
+  Plot::Panel panel{section.name, {}, {{}}, section.bench->hard};
   for (const BenchResult* result : section.results) {
     if (!result->cost) continue;
-    std::size_t number = 0;  // of the method among the plot's
-    for (std::size_t i = 2; i < legend.size(); ++i)
-      if (legend[i].substr(legend[i].find(' ') + 1) == result->method) number = i - 1;
-    if (number == 0) {
-      number = legend.size() - 1;
-      legend.push_back(fmt::format("{} {}", number, result->method));
-    }
-    series.points.push_back(
-        {result->cost->ns / 1e6, result->error(), fmt::format("{}", number), hover(*result), result->pareto});
+    std::vector<std::string>& methods = same->methods;
+    const auto known = std::find(methods.begin(), methods.end(), result->method);
+    const auto number = static_cast<std::size_t>(known - methods.begin());
+    if (known == methods.end()) methods.push_back(result->method);
+    if (result->pareto) panel.lines[0].points.push_back(panel.points.size());
+    panel.points.push_back({result->cost->ns / 1e6, result->error(), number, result->pareto, result->method,
+                            hover(*result), pictures(section, *result)});
   }
-  if (!series.points.empty()) plot->second.series.push_back(std::move(series));
+  std::sort(panel.lines[0].points.begin(), panel.lines[0].points.end(),
+            [&](std::size_t a, std::size_t b) { return panel.points[a].x < panel.points[b].x; });
+  if (!panel.points.empty()) same->plot.panels.push_back(std::move(panel));
 }
 
 /// Text with its `words` as code.
@@ -256,7 +275,7 @@ std::string terminal_table(const LabResults& lab) {
 }
 
 std::vector<Plot> plots(const LabResults& lab) {
-  std::vector<std::pair<std::string, Plot>> cost_plots;
+  std::vector<CostPlot> cost_plots;
   std::vector<Plot> number_plots;
   for (const Section& section : sections(lab)) {
     if (section.bench == nullptr) continue;
@@ -266,9 +285,32 @@ std::vector<Plot> plots(const LabResults& lab) {
       add_to_cost_plots(cost_plots, section);
   }
   std::vector<Plot> all;
-  for (auto& [key, plot] : cost_plots)
-    if (!plot.series.empty()) all.push_back(std::move(plot));
+  for (CostPlot& cost : cost_plots)
+    if (!cost.plot.panels.empty()) all.push_back(std::move(cost.plot));
   all.insert(all.end(), number_plots.begin(), number_plots.end());
+  return all;
+}
+
+std::vector<course::Case> pictures_of(const course::BenchCase& bench, const BenchResult& result) {
+  constexpr int kSide = 200;
+  std::string name;
+  for (const char c : bench.name + "-" + result.method) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+    name += plain ? c : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : '-';
+  }
+  course::Case one = bench;
+  const int longer = std::max(bench.size.width, bench.size.height);
+  one.size = {std::max(1, bench.size.width * kSide / longer),
+              std::max(1, bench.size.height * kSide / longer)};
+  const std::vector<std::string> parameters = result.parameters(), values = result.values();
+  for (std::size_t i = 0; i < parameters.size(); ++i) one.settings.push_back({parameters[i], values[i]});
+
+  std::vector<course::Case> all;
+  for (const course::View view : {course::View::color, course::View::error}) {
+    one.view = view;
+    one.file = fmt::format("{}-{}.png", name, name_of(view));
+    all.push_back(one);
+  }
   return all;
 }
 
@@ -284,7 +326,8 @@ std::string bench_page(const std::vector<LabResults>& labs, const std::string& r
       "lab "
       "on its easy and hard cases: how far it is from the exact answer, and what a frame costs. Further left "
       "is "
-      "cheaper, further down is closer to the truth. No method is both cheaper and closer than a filled dot. "
+      "cheaper, further down is closer to the truth. A filled dot is on the Pareto front: no method is both "
+      "cheaper and closer. Point at a dot to see its picture, and where its error is. "
       "Measured on {}.</p>"
       "</div>\n<nav><ol>\n",
       kPageStyle, kBenchStyle, html_escaped(renderer));
@@ -296,7 +339,10 @@ std::string bench_page(const std::vector<LabResults>& labs, const std::string& r
     out +=
         fmt::format("<section class=\"bench\" id=\"{}\"><h2>{} {}</h2>\n<p class=\"choice\">{}</p>\n",
                     lab.lab.folder, lab.lab.number, html_escaped(lab.lab.title), with_code(lab.lab.choice));
-    for (const Plot& plot : plots(lab)) out += "<div class=\"scroll plot\">" + svg(plot) + "</div>\n";
+    out += "<div class=\"plots\">\n";
+    for (const Plot& plot : plots(lab))
+      for (const std::string& panel : panel_svgs(plot)) out += panel;
+    out += "</div>\n";
     for (const Section& section : sections(lab)) out += html_table(lab, section);
     out += "</section>\n";
   }

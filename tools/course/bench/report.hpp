@@ -22,11 +22,17 @@ std::vector<LabResults> by_lab(const std::vector<course::Lab>& labs, const Bench
 /// A table as the terminal shows it.
 std::string terminal_table(const LabResults& lab);
 
-/// Error against cost, one plot for each unit and set of parameters that vary; and error against the number,
-/// for each case over one.
+/// Error against cost, one plot for each unit and set of parameters that vary, with a panel for each case;
+/// and error against the number, for each case over one.
 std::vector<Plot> plots(const LabResults& lab);
 
-/// The whole page as HTML, which names nothing outside of itself.
+/// The folder of the page's pictures, beside the page. Each lab has one below it.
+inline constexpr const char* kPictures = "pictures";
+
+/// The pictures that the page shows of a result: the colours, and the error of each pixel.
+std::vector<course::Case> pictures_of(const course::BenchCase& bench, const BenchResult& result);
+
+/// The whole page as HTML. It names the pictures, and nothing else outside of itself.
 std::string bench_page(const std::vector<LabResults>& labs, const std::string& renderer);
 
 /// docs/accuracy.md, whose plots are `folder`/NN_name-1.svg …

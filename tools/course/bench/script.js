@@ -1,4 +1,4 @@
-// A dot that is hovered or focused tells its figures at once; the others step back.
+// A dot that is hovered or focused shows its figures and its pictures at once; the others step back.
 const tip = document.createElement("div");
 tip.className = "tip";
 tip.setAttribute("role", "status");
@@ -10,13 +10,25 @@ for (const dot of document.querySelectorAll(".dot")) {
   const figures = title.textContent;
   title.remove();
   dot.setAttribute("aria-label", figures);
+  const pictures = (dot.dataset.pictures || "").split(" ").filter(Boolean);
   const show = () => {
-    const box = dot.getBoundingClientRect();
-    tip.textContent = figures;
+    const row = document.createElement("div");
+    for (const file of pictures) {
+      const image = new Image();
+      image.src = file;
+      image.alt = "";
+      image.onload = place;
+      row.append(image);
+    }
+    tip.replaceChildren(row, figures);
     tip.hidden = false;
+    dot.ownerSVGElement.classList.add("asked");
+    place();
+  };
+  const place = () => {
+    const box = dot.getBoundingClientRect();
     tip.style.left = `${Math.max(8, Math.min(box.right + 10, innerWidth - tip.offsetWidth - 8))}px`;
     tip.style.top = `${Math.max(8, Math.min(box.bottom + 8, innerHeight - tip.offsetHeight - 8))}px`;
-    dot.ownerSVGElement.classList.add("asked");
   };
   const hide = () => {
     tip.hidden = true;
