@@ -72,6 +72,16 @@ Exit check(const CheckOptions& options);
 /// `texel progress`: all labs at a glance.
 Exit progress(const std::string& context);
 
+struct SeeOptions {
+  std::string step;           ///< "5.1"
+  std::filesystem::path out;  ///< a .png; out/see/STEP.png if empty
+  std::string context = "auto";
+};
+
+/// `texel see STEP`: writes a picture of the step's case that says most: the student's, the expected one, and
+/// where they differ.
+Exit see(const SeeOptions& options);
+
 struct WatchOptions {
   int lab = 0;
   std::string context = "auto";

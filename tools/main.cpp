@@ -66,6 +66,7 @@ void add_gallery(CLI::App& app, GalleryOptions& options, bool& list) {
 /// What the student's commands take.
 struct StudentCommands {
   CheckOptions check;
+  SeeOptions see;
   WatchOptions watch;
   HintOptions hint;
   std::string progress_context = "auto", reset;
@@ -80,6 +81,11 @@ void add_student(CLI::App& app, StudentCommands& all) {
   check->add_flag("--unless-begun", all.check.unless_begun,
                   "Exit code 0 also if no step of these labs is begun");
   add_context(check, all.check.context);
+  CLI::App* see = app.add_subcommand(
+      "see", "Write one picture of a step: yours, the expected one, and where they differ");
+  see->add_option("STEP", all.see.step, "A step as 5.1")->required();
+  see->add_option("--out", all.see.out, "The .png to write [out/see/STEP.png]");
+  add_context(see, all.see.context);
   CLI::App* watch = app.add_subcommand("watch", "Check a lab after every save; h shows a hint, q quits");
   watch->add_option("LAB", all.watch.lab, "The lab's number")->required()->check(CLI::Range(1, 99));
   add_context(watch, all.watch.context);
@@ -133,6 +139,7 @@ Exit run(int argc, char** argv) {
   if (app.got_subcommand("list")) return list();
   if (app.got_subcommand("compare")) return compare(compare_options);
   if (app.got_subcommand("check")) return check(student.check);
+  if (app.got_subcommand("see")) return see(student.see);
   if (app.got_subcommand("watch")) return watch(student.watch);
   if (app.got_subcommand("hint")) return hint(student.hint);
   if (app.got_subcommand("reset")) return reset(student.reset);

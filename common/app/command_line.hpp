@@ -15,6 +15,7 @@ struct CommandLine {
   std::string view = "color";
   std::filesystem::path snapshot, batch, out, stats, measure, bench, report = "-", mesh, save_config, assets;
   std::string context = "auto";
+  std::string see;  ///< a step that the window shows first: "5.1"
   double error_scale = 0;
   int samples = 4;
   int frames = 0;

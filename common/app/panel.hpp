@@ -45,6 +45,9 @@ enum class Action { none, copy_command_line, save_config, load_config, snapshot,
 /// The section "Steps": each with its figure; its cases, which set the look when they are picked; its hints.
 void steps_section(AnyLab& lab, WindowState& state);
 
+/// Sets the look of the step's case that says most, and shows that case's pictures.
+void pick_step(AnyLab& lab, WindowState& state, const grade::StepResult& step);
+
 /// Over the picture: the pictures of the case that was picked. As draw_overlay.
 void draw_case(WindowState& state, glm::vec2 size, float scale);
 

@@ -95,6 +95,10 @@ void steps_section(AnyLab& lab, WindowState& state) {
   if (state.steps->is_running() && !steps.empty()) ImGui::TextColored(kDim, "checking again");
 }
 
+void pick_step(AnyLab& lab, WindowState& state, const grade::StepResult& step) {
+  if (const grade::CaseResult* telling = grade::telling_case(step)) pick(lab, state, step, *telling);
+}
+
 void draw_case(WindowState& state, glm::vec2 size, float scale) {
   if (!state.case_pictures) return;
   CasePictures& pictures = *state.case_pictures;

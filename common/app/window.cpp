@@ -77,6 +77,7 @@ class Window {
         canvas_(context_, assets, lab) {
     state_.view = find_view(lab, line.view);
     state_.paused = line.turn_given;
+    see_ = line.see;
     state_.config_file = lab.info().program() + ".toml";
     const std::filesystem::path root = assets.shader_root().parent_path();
     if (std::filesystem::exists(root / "labs" / lab.info().folder() / "expected"))
@@ -245,7 +246,17 @@ class Window {
   void follow_steps() {
     if (!state_.steps) return;
     if (inspected_once_ && !std::exchange(steps_begun_, true)) state_.steps->request();
-    if (!state_.steps->poll() || !state_.case_pictures) return;
+    if (!state_.steps->poll()) return;
+    for (const grade::StepResult& step : state_.steps->steps())
+      if (step.id == see_) {
+        pick_step(lab_, state_, step);
+        see_.clear();
+      }
+    if (!see_.empty() && !state_.steps->steps().empty()) {
+      state_.message = fmt::format("this lab has no step {}", see_);
+      see_.clear();
+    }
+    if (!state_.case_pictures) return;
     for (const grade::StepResult& step : state_.steps->steps())
       for (const grade::CaseResult& one : step.cases)
         if (one.name == state_.case_pictures->name) {
@@ -486,6 +497,7 @@ class Window {
   Look drawn_;
   bool inspected_once_ = false;
   bool steps_begun_ = false;
+  std::string see_;  ///< the step that is shown as soon as it is checked, or ""
   std::filesystem::path own_program_;
   float scale_ = 1;
   Drag drag_ = Drag::none;

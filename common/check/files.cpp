@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/files.hpp"
+#include "image/load.hpp"
 
 namespace texel::grade {
 namespace {
@@ -27,6 +28,15 @@ Verdict judge(const course::Case& of, const ExpectedFiles& expected, const fs::p
 std::string picture_bytes(const fs::path& picture) {
   if (!fs::is_regular_file(fs::symlink_status(picture)) || fs::file_size(picture) > kMostBytes) return {};
   return read_file(picture);
+}
+
+image::Compared compared(const CaseResult& one) {
+  if (one.is_mesh()) throw Error::failed("this case compares vertices, not pictures");
+  if (one.picture.empty()) throw Error::failed("your picture is missing: " + one.message);
+  if (one.view == course::View::color)
+    return image::compared(image::load8(one.picture, 3), image::load8(one.reference, 3));
+  return image::compared(image::load_pfm(one.picture), image::load_pfm(one.reference), name_of(one.view),
+                         one.unit() == course::Unit::degrees ? image::Unit::degrees : image::Unit::own);
 }
 
 }  // namespace texel::grade

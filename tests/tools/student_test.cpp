@@ -10,6 +10,7 @@
 #include <chrono>
 #include <filesystem>
 #include <set>
+#include <sstream>
 #include <thread>
 
 #include "../support/json.hpp"
@@ -21,6 +22,7 @@
 #include "course/lab_file.hpp"
 #include "course/markers.hpp"
 #include "course/mutant_file.hpp"
+#include "image/load.hpp"
 
 namespace texel {
 namespace {
@@ -212,6 +214,50 @@ TEST_F(StudentTree, keeps_its_pictures_when_another_tree_is_checked) {
   const std::string before = read_file(picture);
   EXPECT_EQ(in_course("check 9").exit_code, 0);
   EXPECT_EQ(read_file(picture), before);
+}
+
+TEST_F(StudentTree, shows_a_step_beside_the_expected_picture) {
+  const fs::path file = root_ / "out/see/6.2.png";
+  const Result result = texel("see 6.2");
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_TRUE(has(result.output, file.string())) << result.output;
+  const image::Image8 wrong = image::load8(file, 3);
+  // Three squares with gaps between them. Expected and difference are no pictures of one colour.
+  ASSERT_EQ(wrong.width, 3 * wrong.height + 2 * 6);
+  const auto part = [](const image::Image8& whole, int number) {
+    std::set<int> values;
+    std::string bytes;
+    for (int y = 0; y < whole.height; ++y)
+      for (int x = 0; x < whole.height; ++x) {
+        const int value = whole.at(number * (whole.height + 6) + x, y, 1);
+        values.insert(value);
+        bytes += static_cast<char>(value);
+      }
+    return std::pair(bytes, values.size());
+  };
+  EXPECT_NE(part(wrong, 0).first, part(wrong, 1).first);
+  EXPECT_GT(part(wrong, 1).second, 10U);
+  EXPECT_GT(part(wrong, 2).second, 1U);
+
+  // In the course's own tree they are the same, and nothing differs.
+  const fs::path solved = *folder_ / "solved.png";
+  EXPECT_EQ(in_course("see 6.2 --out " + shell_word(solved.string())).exit_code, 0);
+  const image::Image8 right = image::load8(solved, 3);
+  EXPECT_EQ(part(right, 1).first, part(wrong, 1).first);
+  EXPECT_EQ(part(right, 2).second, 1U);
+
+  EXPECT_EQ(texel("see 6.9").exit_code, 2);
+  const Result vertices = texel("see 4.1");
+  EXPECT_EQ(vertices.exit_code, 0);
+  EXPECT_TRUE(has(vertices.output, "./run lab 4")) << vertices.output;
+}
+
+TEST_F(StudentTree, fits_eighty_columns) {
+  for (const char* command : {"check 6", "see 6.2", "progress"}) {
+    std::istringstream lines(texel(command).output);
+    for (std::string line; std::getline(lines, line);)
+      EXPECT_TRUE(line.size() <= 80 || has(line, root_.string())) << line;  // a path is not cut
+  }
 }
 
 TEST_F(StudentTree, says_where_a_shader_does_not_compile) {

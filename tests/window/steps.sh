@@ -41,4 +41,8 @@ cp "$source_root/shaders/05_normal_map/decode_normal.glsl" "$shader"
 check 'mended, all steps are done again' eventually shows_done
 
 check 'Esc quits with exit code 0' quits_with 0
+
+check 'the window opens at a step' open_lab lab05_normal_map --see 5.1
+check 'and shows its pictures' eventually white_line
+check 'Esc quits with exit code 0' quits_with 0
 check 'nothing stands on standard error' test ! -s "$work/errors"

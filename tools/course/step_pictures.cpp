@@ -11,6 +11,7 @@
 #include "course/batch.hpp"
 #include "course/course_commands.hpp"
 #include "grade/stage.hpp"
+#include "image/compared.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
 #include "processes.hpp"
@@ -21,7 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr course::Size kSize = {200, 200};
-constexpr int kGap = 6;  ///< pixels between before and after
 
 /// The file of the look by which one sees the step.
 std::string file_of(const course::Step& step, const char* when) {
@@ -60,25 +60,13 @@ std::map<grade::Solved, Looks> looks_by_stage(const grade::CourseTree& tree, con
   return stages;
 }
 
-/// Both side by side, with a white gap.
-image::Image8 joined(const image::Image8& left, const image::Image8& right) {
-  image::Image8 both(left.width + kGap + right.width, left.height, 3);
-  std::fill(both.samples.begin(), both.samples.end(), std::uint8_t{255});
-  const auto row = static_cast<std::ptrdiff_t>(left.width) * 3;
-  for (int y = 0; y < both.height; ++y) {
-    std::copy_n(&left.at(0, y), row, &both.at(0, y));
-    std::copy_n(&right.at(0, y), row, &both.at(left.width + kGap, y));
-  }
-  return both;
-}
-
 image::Image8 step_picture(const fs::path& before, const fs::path& after) {
   const image::Image8 right = image::load8(after, 3);
-  if (fs::exists(before)) return joined(image::load8(before, 3), right);
+  if (fs::exists(before)) return image::side_by_side({image::load8(before, 3), right});
   // Without the step the lab may refuse to draw. The student sees a message, and an empty window.
   image::Image8 empty(right.width, right.height, 3);
   std::fill(empty.samples.begin(), empty.samples.end(), std::uint8_t{128});
-  return joined(empty, right);
+  return image::side_by_side({empty, right});
 }
 
 void draw_steps(const grade::CourseTree& tree, const course::Lab& lab, const fs::path& folder) {

@@ -2,6 +2,7 @@
 #include "report.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -37,9 +38,44 @@ bool passed(const StepResult& step) {
   return step.status == Status::passed;
 }
 
-/// Text in lines of at most 100 columns, each after so many blanks.
+/// The terminal's columns, 100 at most; 80 where there is none.
+std::size_t columns_of_terminal() {
+  winsize size{};
+  const bool is_known = ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20;
+  return is_known ? std::min<std::size_t>(size.ws_col, 100) : 80;
+}
+
+/// What is wrong with the step that comes next, and what helps.
+std::string details(const StepResult& step, const Paint& paint) {
+  constexpr std::size_t indent = 12;
+  std::string text;
+  for (const CaseResult& one : step.cases) {
+    if (one.passed()) {
+      text += wrapped(fmt::format("{}: right", one.name), indent);
+      continue;
+    }
+    text += wrapped(fmt::format("{}: {}", one.name, one.message), indent);
+    if (!one.mistake.empty() && &one == grade::telling_case(step))
+      text += paint(kYellow, wrapped("This looks like: " + one.mistake_says, indent));
+    if (&one == grade::telling_case(step))
+      text += paint(kDim, fmt::format("{:12}see it: ./run see {}\n", "", step.id));
+  }
+  return text;
+}
+
+const char* word_of(const StepResult& step, const StepResult* next) {
+  return passed(step) ? "done" : &step == next ? "next" : step.status == Status::skipped ? "waits" : "to do";
+}
+
+}  // namespace
+
+bool wants_colours() {
+  const char* no = std::getenv("NO_COLOR");
+  return ::isatty(STDOUT_FILENO) != 0 && (no == nullptr || *no == '\0');
+}
+
 std::string wrapped(const std::string& text, std::size_t indent) {
-  constexpr std::size_t columns = 100;
+  static const std::size_t columns = columns_of_terminal();
   std::string result, line;
   const auto flush = [&] {
     if (!line.empty()) result += std::string(indent, ' ') + line + "\n";
@@ -57,35 +93,6 @@ std::string wrapped(const std::string& text, std::size_t indent) {
   return result;
 }
 
-/// What is wrong with the step that comes next, and what helps.
-std::string details(const StepResult& step, const Paint& paint) {
-  constexpr std::size_t indent = 12;
-  std::string text;
-  for (const CaseResult& one : step.cases) {
-    if (one.passed()) {
-      text += wrapped(fmt::format("{}: right", one.name), indent);
-      continue;
-    }
-    text += wrapped(fmt::format("{}: {}", one.name, one.message), indent);
-    if (!one.mistake.empty() && &one == grade::telling_case(step))
-      text += paint(kYellow, wrapped("This looks like: " + one.mistake_says, indent));
-    if (&one == grade::telling_case(step))
-      text += paint(kDim, fmt::format("{:12}see it: {}\n", "", one.command));
-  }
-  return text;
-}
-
-const char* word_of(const StepResult& step, const StepResult* next) {
-  return passed(step) ? "done" : &step == next ? "next" : step.status == Status::skipped ? "waits" : "to do";
-}
-
-}  // namespace
-
-bool wants_colours() {
-  const char* no = std::getenv("NO_COLOR");
-  return ::isatty(STDOUT_FILENO) != 0 && (no == nullptr || *no == '\0');
-}
-
 const StepResult* next_step(const LabResult& lab) {
   for (const Status status : {Status::failed, Status::skipped})
     for (const StepResult& step : lab.steps)
@@ -101,10 +108,12 @@ std::string report(const LabResult& lab, bool colours) {
   const StepResult* next = next_step(lab);
   for (const StepResult& step : lab.steps) {
     const char* word = word_of(step, next);
-    std::string line = fmt::format("  {:<5}  {}  {}", word, step.id, step.title);
-    if (&step == next) line += fmt::format("   {}:{}", step.file, step.line);
+    std::string line = step.title;
     if (step.status == Status::skipped && &step != next) line += fmt::format(": {}", step.message);
-    text += paint(passed(step) ? kGreen : &step == next ? kYellow : kDim, line) + "\n";
+    const std::string begin = fmt::format("  {:<5}  {}  ", word, step.id);
+    line = begin + wrapped(line, begin.size()).substr(begin.size());
+    text += paint(passed(step) ? kGreen : &step == next ? kYellow : kDim, line);
+    if (&step == next) text += paint(kDim, fmt::format("{:12}{}:{}\n", "", step.file, step.line));
     if (&step == next)
       text += step.status == Status::skipped ? wrapped(step.message, 12) : details(step, paint);
   }
@@ -112,7 +121,7 @@ std::string report(const LabResult& lab, bool colours) {
     text += paint(kGreen, "All done.") + "\n";
   else
     text += fmt::format("A hint: ./run hint {}\n", next->id);
-  for (const std::string& note : lab.notes) text += paint(kDim, note) + "\n";
+  for (const std::string& note : lab.notes) text += paint(kDim, wrapped(note, 0));
   return text;
 }
 

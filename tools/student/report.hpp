@@ -21,4 +21,7 @@ std::string progress_report(const std::vector<grade::LabResult>& labs, bool colo
 /// Whether colours are wanted on standard output: a terminal, and no NO_COLOR.
 bool wants_colours();
 
+/// Text in lines that fit the terminal, each after so many blanks.
+std::string wrapped(const std::string& text, std::size_t indent);
+
 }  // namespace texel::tools

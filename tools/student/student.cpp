@@ -7,12 +7,16 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <ranges>
 
 #include "check/check.hpp"
+#include "check/files.hpp"
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "course/markers.hpp"
 #include "hints.hpp"
+#include "image/compared.hpp"
+#include "image/save.hpp"
 #include "judge/results_json.hpp"
 #include "report.hpp"
 
@@ -68,6 +72,32 @@ Exit check(const CheckOptions& options) {
   }
   if (next_of(labs) == nullptr || (options.unless_begun && !is_begun(labs))) return Exit::holds;
   return Exit::differs;
+}
+
+Exit see(const SeeOptions& options) {
+  const course::Step& wanted = step_called(options.step);
+  const int number = std::stoi(wanted.id);  // of the lab: the part before the point
+  const std::vector<grade::LabResult> labs = check_labs({number}, options.context);
+  for (const grade::StepResult& step : labs.front().steps) {
+    if (step.id != wanted.id) continue;
+    const grade::CaseResult& one = *grade::telling_case(step);  // each step has a case
+    fmt::print("{}", wrapped(fmt::format("{} {}, {}: {}", step.id, step.title, one.name,
+                                         one.passed() ? "right" : one.message),
+                             0));
+    if (one.is_mesh()) {
+      fmt::print("This case compares vertices. To see the model, type: ./run lab {}{}\n", number,
+                 fmt::join(one.settings | std::views::transform(course::flag), ""));
+      return Exit::holds;
+    }
+    const image::Compared pictures = grade::compared(one);
+    const fs::path file = options.out.empty() ? course_root() / "out/see" / (step.id + ".png") : options.out;
+    make_folder(file.parent_path());
+    const int zoom = std::max(1, 320 / pictures.own.height);  // cases are small
+    image::save_png(file, image::side_by_side({pictures.own, pictures.expected, pictures.heat_map}, zoom), {},
+                    6);
+    fmt::print("Your picture, the expected one, and where they differ:\n{}\n", file.string());
+  }
+  return Exit::holds;
 }
 
 Exit progress(const std::string& context) {

@@ -99,8 +99,11 @@ class Watch {
     if (ran.exit_code == 0) return true;
     const std::size_t begin = ran.output.find("error:");
     const std::size_t line = begin == std::string::npos ? 0 : ran.output.rfind('\n', begin) + 1;
-    fmt::print("Your code does not compile. The messages from the first error on:\n{}\n",
-               ran.output.substr(line, 2000));
+    std::string messages = ran.output.substr(line, 2000);
+    // The compiler's paths begin in the build folder; editors open those that begin in the tree's root.
+    for (const std::string up = "../../"; messages.find(up) != std::string::npos;)
+      messages.erase(messages.find(up), up.size());
+    fmt::print("Your code does not compile. The messages from the first error on:\n{}\n", messages);
     return false;
   }
 

@@ -2,8 +2,10 @@
 #pragma once
 #include <filesystem>
 
+#include "image/compared.hpp"
 #include "judge/judge.hpp"
 #include "judge/mistakes.hpp"
+#include "judge/results.hpp"
 
 /// The judge's work on files.
 namespace texel::grade {
@@ -20,5 +22,9 @@ Verdict judge(const course::Case& of, const ExpectedFiles& expected, const std::
 
 /// The bytes of a drawn picture, or "" where there is none that a case could have.
 std::string picture_bytes(const std::filesystem::path& picture);
+
+/// The pictures of a case that was checked. Throws Error (exit 3) if it compares vertices, or if a picture is
+/// missing or broken.
+image::Compared compared(const CaseResult& one);
 
 }  // namespace texel::grade

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "image/compared.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/error.hpp"
+#include "image/data_view.hpp"
+
+namespace texel::image {
+namespace {
+
+template <class Picture>
+void need_one_size(const Picture& own, const Picture& expected) {
+  if (own.width != expected.width || own.height != expected.height)
+    throw Error::failed("your picture does not have the size of the expected one");
+}
+
+Image8 absolute_difference(const Image8& a, const Image8& b) {
+  Image8 result(a.width, a.height, 3);
+  for (int y = 0; y < a.height; ++y)
+    for (int x = 0; x < a.width; ++x)
+      for (int c = 0; c < 3; ++c)
+        result.at(x, y, c) = static_cast<std::uint8_t>(std::abs(a.at(x, y, c) - b.at(x, y, c)));
+  return result;
+}
+
+}  // namespace
+
+Compared compared(const Image8& own, const Image8& expected) {
+  need_one_size(own, expected);
+  return {own, expected, absolute_difference(own, expected), heatmap(expected, own)};
+}
+
+Compared compared(const ImageF& own, const ImageF& expected, const std::string& view, Unit unit) {
+  need_one_size(own, expected);
+  Compared all{shown(own, view), shown(expected, view), {}, {}};
+  all.difference = absolute_difference(all.own, all.expected);
+  Comparing comparing;
+  comparing.unit = unit;
+  all.heat_map = heatmap(expected, own, 0, comparing);
+  return all;
+}
+
+Image8 side_by_side(const std::vector<Image8>& pictures, int zoom) {
+  constexpr int kGap = 6;
+  const int width = pictures.front().width * zoom, count = static_cast<int>(pictures.size());
+  Image8 all(count * width + (count - 1) * kGap, pictures.front().height * zoom, 3);
+  std::fill(all.samples.begin(), all.samples.end(), std::uint8_t{255});
+  for (int i = 0; i < count; ++i)
+    for (int y = 0; y < all.height; ++y)
+      for (int x = 0; x < width; ++x)
+        for (int c = 0; c < 3; ++c)
+          all.at(i * (width + kGap) + x, y, c) =
+              pictures[static_cast<std::size_t>(i)].at(x / zoom, y / zoom, c);
+  return all;
+}
+
+}  // namespace texel::image

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <vector>
+
+#include "image/difference.hpp"
+#include "image/image.hpp"
+
+namespace texel::image {
+
+/// A picture beside the expected one, as one looks at them: data views in colours.
+struct Compared {
+  Image8 own, expected;
+  Image8 difference;  ///< of each channel, absolute
+  Image8 heat_map;    ///< of the error; the largest one has the hottest colour
+};
+
+/// Throws Error (exit 3) if the sizes differ.
+Compared compared(const Image8& own, const Image8& expected);
+/// Of a data view: its name, and the unit of its error.
+Compared compared(const ImageF& own, const ImageF& expected, const std::string& view, Unit unit);
+
+/// RGB pictures of one size from left to right, with white gaps of 6 pixels. Each pixel becomes a square of
+/// `zoom` pixels a side.
+Image8 side_by_side(const std::vector<Image8>& pictures, int zoom = 1);
+
+}  // namespace texel::image
