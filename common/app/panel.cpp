@@ -299,6 +299,24 @@ void plate(ImVec2 at, const ImVec4& colour, const std::string& text, float wrap_
   ImGui::End();
 }
 
+/// Two lines of text below a line.
+float status_bar_height() {
+  return 2 * ImGui::GetTextLineHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
+}
+
+/// What happens, and what the last action did: at the lower end, where it moves nothing.
+void status_bar(const WindowState& state) {
+  ImGui::Separator();
+  const bool is_checking = state.steps && state.steps->is_running();
+  const std::string text = state.message + (is_checking ? "\nchecking your steps" : "");
+  ImGui::BeginChild("status", {0, 0}, 0, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextColored(kGrey, "%s", text.c_str());
+  ImGui::PopTextWrapPos();
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
+  ImGui::EndChild();
+}
+
 }  // namespace
 
 std::string command_line(AnyLab& lab, View view) {
@@ -322,17 +340,14 @@ Action draw_panel(AnyLab& lab, WindowState& state, float scale) {
                                       {window.x * 0.7F, window.y});
   const Info& info = lab.info();
   ImGui::Begin(fmt::format("Lab {}: {}###panel", info.number, info.title).c_str(), nullptr,
-               ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse);
+               ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                   ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   state.panel_width = ImGui::GetWindowWidth();
+  ImGui::BeginChild("sections", {0, -status_bar_height()});
   ImGui::PushTextWrapPos(0);
   ImGui::TextColored(kGrey, "%s", info.lesson);
   ImGui::PopTextWrapPos();
   const Action action = buttons(state);
-  if (!state.message.empty()) {
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextColored(kGrey, "%s", state.message.c_str());
-    ImGui::PopTextWrapPos();
-  }
   steps_section(lab, state);
   view_section(lab, state);
   parameters_section(lab.parameters());
@@ -343,6 +358,8 @@ Action draw_panel(AnyLab& lab, WindowState& state, float scale) {
         "drag    orbit        wheel  zoom\nJ       default look R      reset view\nM       normal map   K/L  "
         "  texture\n"
         "space   pause        F5     reload\nF12     snapshot     H      hide panel\nEsc     quit");
+  ImGui::EndChild();
+  status_bar(state);
   ImGui::End();
   return action;
 }

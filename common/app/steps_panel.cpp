@@ -92,7 +92,6 @@ void steps_section(AnyLab& lab, WindowState& state) {
     step_details(lab, state, step);
     ImGui::TreePop();
   }
-  if (state.steps->is_running() && !steps.empty()) ImGui::TextColored(kDim, "checking again");
 }
 
 void pick_step(AnyLab& lab, WindowState& state, const grade::StepResult& step) {

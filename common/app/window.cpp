@@ -43,6 +43,7 @@ class Gui {
     ImGui::StyleColorsDark();
     ImGuiStyle& style = ImGui::GetStyle();
     style.WindowRounding = 6;
+    style.Colors[ImGuiCol_WindowBg].w = 1;  // nothing of the last picture shines through
     style.FrameRounding = 3;
     style.ScaleAllSizes(scale);
     // ImGui's own font is drawn for 13 pixels; a common system font reads better where there is one.
