@@ -67,6 +67,7 @@ void Canvas::draw_into(const gl::Target& target, View view, const std::optional<
     Frame frame(size, view, lab_.parameters(), assets_, programs_);
     lab_.draw(frame);
     frame.check();
+    notes_ = frame.notes();
   };
   if (!split) {
     draw_once();

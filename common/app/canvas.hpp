@@ -42,6 +42,8 @@ class Canvas {
   [[nodiscard]] image::ImageF read_float() const { return error_ ? *error_ : data_->read_float(); }
   /// Of the last picture, when it was the view `error`.
   [[nodiscard]] const std::optional<ErrorFigures>& error_figures() const { return figures_; }
+  /// What the lab said of the last picture.
+  [[nodiscard]] const Notes& notes() const { return notes_; }
   /// The error at which the heat map ends; 0 takes the 99th percentile, rounded up to 1, 2 or 5 times a power
   /// of ten.
   void set_error_scale(double scale) { error_scale_ = scale; }
@@ -84,6 +86,7 @@ class Canvas {
   std::unique_ptr<gl::Target> data_;
   gl::VertexArray no_attributes_;
 
+  Notes notes_;
   double error_scale_ = 0;
   std::optional<image::ImageF> error_;  ///< when the last picture was the view `error`
   std::optional<ErrorFigures> figures_;

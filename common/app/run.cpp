@@ -114,7 +114,7 @@ void run_headless(AnyLab& lab, const Assets& assets, const CommandLine& line) {
   if (!line.snapshot.empty()) take_snapshot(canvas, lab, view, size, line.snapshot).write();
   if (line.stats.empty()) return;
   Statistics statistics{lab.info().folder(),  context->renderer(),  context->version(),
-                        context->name(),      lab.notes(),          {},
+                        context->name(),      canvas.notes(),       {},
                         stages_so_far(start), peak_resident_bytes()};
   const Stopwatch again;
   draw_and_finish(canvas, view, size, line.samples);

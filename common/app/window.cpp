@@ -315,7 +315,7 @@ class Window {
       glFinish();
       inspected_once_ = true;
       state_.frame_milliseconds = stopwatch.milliseconds();
-      state_.notes = lab_.notes();
+      state_.notes = canvas_.notes();
       state_.figures = canvas_.error_figures();
       state_.error.clear();
       inspect();

@@ -27,13 +27,11 @@ constexpr GLenum kMinifyModes[] = {0,
 
 }  // namespace
 
-struct TextureQuad {
+struct TextureQuad : app::Lab<TextureQuadParameters> {
   static constexpr app::View kViews[] = {app::View::color, app::View::texcoord, app::View::lod,
                                          app::View::depth, app::View::mask,     app::View::error};
   static constexpr app::Info info{1, "texture_quad", "Texture quad",
                                   "Paste a picture on a square, and filter it.", kViews};
-
-  using Parameters = TextureQuadParameters;
 
   explicit TextureQuad(const app::Assets&) {
     // Positions and texture coordinates of the four corners, and the two triangles between them.
@@ -49,7 +47,7 @@ struct TextureQuad {
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof indices, indices, GL_STATIC_DRAW);
   }
 
-  void draw(const Parameters& p, app::Frame& frame) {
+  void draw(const Parameters& p, app::Frame& frame) override {
     const gl::Texture& texture = textures_.get({p.texture, p.flip_v, p.linear_light}, [&] {
       image::Image8 picture = gl::expand_grey(frame.assets().texture(p.texture));
       if (p.flip_v) picture = image::flipped(picture);

@@ -29,21 +29,20 @@ constexpr GLenum kMagnifyModes[] = {GL_NEAREST, GL_LINEAR};
 
 }  // namespace
 
-struct MultiTexture {
+struct MultiTexture : app::Lab<MultiTextureParameters> {
   static constexpr app::View kViews[] = {app::View::color, app::View::texcoord, app::View::lod,
                                          app::View::depth, app::View::mask,     app::View::error};
   static constexpr app::Info info{2, "multi_texture", "Multi-texture",
                                   "Combine two pictures on one square, each from its own texture unit.",
                                   kViews};
-  using Parameters = MultiTextureParameters;
 
   explicit MultiTexture(const app::Assets& assets) : assets_(assets) {}
 
-  void draw(const Parameters& p, app::Frame& frame) {
+  void draw(const Parameters& p, app::Frame& frame) override {
     gl::Program& program = frame.program("02_multi_texture/multi_texture");
     const glm::mat4 world_from_object = glm::rotate(glm::mat4(1), glm::radians(-p.tilt), glm::vec3(1, 0, 0));
     program.set("clip_from_object", p.camera.clip_from_world(frame.aspect()) * world_from_object);
-    [[maybe_unused]] const int second = second_unit(p);
+    [[maybe_unused]] const int second = second_unit(p, frame);
 
     // Making an object binds it to the active unit, so make both before binding each to its own. A picture
     // whose unit is off is not even loaded.
@@ -77,30 +76,29 @@ struct MultiTexture {
     square_.draw(program);
   }
 
-  [[nodiscard]] const app::Notes& notes() const { return notes_; }
   static app::Measure measure(const Parameters&) {
     return {app::View::color, app::Unit::steps, "the mean of the combined light over the pixel"};
   }
   static app::Truth truth(const Parameters& p, glm::ivec2 size) { return multi_texture_truth(p, size); }
-  app::Preparation preparation(const Parameters& p) const {
+  std::optional<app::Preparation> preparation(const Parameters& p) override {
     const image::Image8 picture = gl::expand_grey(assets_.texture(p.texture0));
-    return {"texel", picture.samples.size() / static_cast<std::size_t>(picture.channels), [picture, p] {
-              const image::Encoding encoding =
-                  p.method == Method::encoded ? image::Encoding::linear : image::Encoding::srgb;
-              upload(picture, encoding, p.mipmaps);
-              glFinish();
-            }};
+    return app::Preparation{
+        "texel", picture.samples.size() / static_cast<std::size_t>(picture.channels), [picture, p] {
+          const image::Encoding encoding =
+              p.method == Method::encoded ? image::Encoding::linear : image::Encoding::srgb;
+          upload(picture, encoding, p.mipmaps);
+          glFinish();
+        }};
   }
 
  private:
   /// The unit that the parameter names, at most the driver's highest.
-  int second_unit(const Parameters& p) {
+  static int second_unit(const Parameters& p, app::Frame& frame) {
     GLint count = 0;  // over all stages; each stage may read 16 or more of them
     glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &count);
-    notes_ = {};
     if (p.second_unit >= count)
-      notes_.warnings.push_back(fmt::format(
-          "this driver's highest texture unit is {}: it is used instead of {}", count - 1, p.second_unit));
+      frame.warn(fmt::format("this driver's highest texture unit is {}: it is used instead of {}", count - 1,
+                             p.second_unit));
     return std::min(p.second_unit, count - 1);
   }
 
@@ -149,7 +147,6 @@ struct MultiTexture {
   const app::Assets& assets_;
   app::Cache<TextureKey, gl::Texture> textures_;
   gl::MeshBuffers square_{mesh::quad(0.7F)};
-  app::Notes notes_;
 };
 
 int main(int argc, char** argv) {

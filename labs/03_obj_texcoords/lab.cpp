@@ -14,18 +14,18 @@
 
 using namespace texel;
 
-struct ObjTexcoords {
+struct ObjTexcoords : app::Lab<ObjTexcoordsParameters> {
   static constexpr app::View kViews[] = {app::View::color, app::View::normal, app::View::texcoord,
                                          app::View::lod,   app::View::depth,  app::View::mask,
                                          app::View::error};
   static constexpr app::Info info{3, "obj_texcoords", "OBJ with texture coordinates",
                                   "Read a model with its texture coordinates, or generate them.", kViews};
-  using Parameters = ObjTexcoordsParameters;
 
   explicit ObjTexcoords(const app::Assets& assets) : assets_(assets) {}
 
-  void draw(const Parameters& p, app::Frame& frame) {
+  void draw(const Parameters& p, app::Frame& frame) override {
     Model& model = model_for(p);
+    frame.note(model.imported.notes);
     gl::MeshBuffers& buffers = p.method == Method::per_vertex ? colored(p, model) : model.buffers;
     gl::Program& program = frame.program("03_obj_texcoords/obj_texcoords");
     program.set("clip_from_world", p.camera.clip_from_world(frame.aspect()));
@@ -49,11 +49,10 @@ struct ObjTexcoords {
   }
 
   /// The vertex stream as drawn.
-  const mesh::Mesh& mesh(const Parameters& p) {
+  const mesh::Mesh* mesh(const Parameters& p) override {
     Model& model = model_for(p);
-    return p.method == Method::per_vertex ? colored(p, model).mesh() : model.buffers.mesh();
+    return p.method == Method::per_vertex ? &colored(p, model).mesh() : &model.buffers.mesh();
   }
-  [[nodiscard]] const app::Notes& notes() const { return notes_; }
   static app::Measure measure(const Parameters& p) { return obj_texcoords_measure(p); }
   static app::Truth truth(const Parameters& p, glm::ivec2 size) { return obj_texcoords_truth(p, size); }
 
@@ -90,14 +89,12 @@ struct ObjTexcoords {
 
   Model& model_for(const Parameters& p) {
     const ModelKey key = model_key(p);
-    Model& model = models_.get(key, [&] {
+    return models_.get(key, [&] {
       Imported imported = import_obj(assets_.model(p.model), key.projection, key.normals, key.tint);
       gl::MeshBuffers buffers(imported.mesh);
       const glm::vec3 extent = mesh::bounds(*imported.mesh).extent();
       return Model{std::move(imported), std::move(buffers), std::max({extent.x, extent.y, extent.z})};
     });
-    notes_ = model.imported.notes;
-    return model;
   }
 
   /// The model with the report's color buffer: at each vertex the texel that getPixelColor(u, v) finds.
@@ -144,7 +141,6 @@ struct ObjTexcoords {
   app::Cache<ModelKey, Model> models_;
   app::Cache<ColorKey, gl::MeshBuffers> colored_;
   app::Cache<TextureKey, gl::Texture> textures_;
-  app::Notes notes_;
 };
 
 int main(int argc, char** argv) {

@@ -80,18 +80,18 @@ std::vector<std::string> figures(const mesh::Mesh& mesh) {
 
 }  // namespace
 
-struct CubeWrap {
+struct CubeWrap : app::Lab<CubeWrapParameters> {
   static constexpr app::View kViews[] = {app::View::color, app::View::normal, app::View::texcoord,
                                          app::View::lod,   app::View::depth,  app::View::mask,
                                          app::View::error};
   static constexpr app::Info info{4, "cube_wrap", "Cube wrap",
                                   "Give every face of a cube its own copy of a picture.", kViews};
-  using Parameters = CubeWrapParameters;
 
   explicit CubeWrap(const app::Assets& assets) : assets_(assets) {}
 
-  void draw(const Parameters& p, app::Frame& frame) {
-    gl::MeshBuffers& buffers = drawn(p).buffers;
+  void draw(const Parameters& p, app::Frame& frame) override {
+    auto& [buffers, notes] = drawn(p);
+    frame.note(notes);
     const gl::Texture& color_map = textures_.get(
         p.texture, [&] { return gl::make_texture_2d(assets_.texture(p.texture), image::Encoding::srgb); });
     gl::Program& program = frame.program("04_cube_wrap/cube_wrap");
@@ -105,10 +105,9 @@ struct CubeWrap {
   }
 
   /// The vertex stream as drawn.
-  const mesh::Mesh& mesh(const Parameters& p) { return drawn(p).buffers.mesh(); }
-  [[nodiscard]] const app::Notes& notes() const { return notes_; }
-  app::Preparation preparation(const Parameters& p) {
-    return {"triangle", mesh(p).triangle_count(), [this, p] { static_cast<void>(wrap(p)); }};
+  const mesh::Mesh* mesh(const Parameters& p) override { return &drawn(p).buffers.mesh(); }
+  std::optional<app::Preparation> preparation(const Parameters& p) override {
+    return app::Preparation{"triangle", mesh(p)->triangle_count(), [this, p] { static_cast<void>(wrap(p)); }};
   }
   static app::Measure measure(const Parameters& p) { return cube_wrap_measure(p); }
   static app::Truth truth(const Parameters& p, glm::ivec2 size) { return cube_wrap_truth(p, size); }
@@ -126,15 +125,13 @@ struct CubeWrap {
   };
 
   Drawn& drawn(const Parameters& p) {
-    Drawn& result = meshes_.get({p.model, p.method, p.normals}, [&] {
+    return meshes_.get({p.model, p.method, p.normals}, [&] {
       app::Model model = wrap(p);
       if (p.normals == Normals::shared) mesh::smooth_normals(model.mesh, mesh::Weighting::angle);
       if (p.normals == Normals::face) mesh::flat_normals(model.mesh);
       for (std::string& figure : figures(model.mesh)) model.notes.facts.push_back(std::move(figure));
       return Drawn{gl::MeshBuffers(std::move(model.mesh)), std::move(model.notes)};
     });
-    notes_ = result.notes;
-    return result;
   }
 
   app::Model wrap(const Parameters& p) {
@@ -152,7 +149,6 @@ struct CubeWrap {
   const app::Assets& assets_;
   app::Cache<Key, Drawn> meshes_;
   app::Cache<std::string, gl::Texture> textures_;
-  app::Notes notes_;
 };
 
 int main(int argc, char** argv) {

@@ -12,18 +12,18 @@
 
 using namespace texel;
 
-struct NormalMap {
+struct NormalMap : app::Lab<NormalMapParameters> {
   static constexpr app::View kViews[] = {app::View::color,    app::View::normal, app::View::tangent,
                                          app::View::texcoord, app::View::depth,  app::View::mask,
                                          app::View::error};
   static constexpr app::Info info{5, "normal_map", "Normal map",
                                   "Light a flat surface as if it were a relief.", kViews};
-  using Parameters = NormalMapParameters;
 
   explicit NormalMap(const app::Assets& assets) : assets_(assets) {}
 
-  void draw(const Parameters& p, app::Frame& frame) {
-    gl::MeshBuffers& buffers = buffers_for(p);
+  void draw(const Parameters& p, app::Frame& frame) override {
+    auto& [buffers, notes] = drawn(p);
+    frame.note(notes);
     const bool bilinear = p.filter == Filter::bilinear;
     const gl::Sampling sampling =
         bilinear ? gl::Sampling{.minify = GL_LINEAR} : gl::Sampling{.anisotropy = 8};
@@ -57,8 +57,7 @@ struct NormalMap {
   }
 
   /// The vertex stream as drawn.
-  const mesh::Mesh& mesh(const Parameters& p) { return buffers_for(p).mesh(); }
-  [[nodiscard]] const app::Notes& notes() const { return notes_; }
+  const mesh::Mesh* mesh(const Parameters& p) override { return &drawn(p).buffers.mesh(); }
   static app::Measure measure(const Parameters& p) {
     return {app::View::normal, app::Unit::degrees, app::name_of(p.truth)};
   }
@@ -66,7 +65,7 @@ struct NormalMap {
     return normal_map_truth(p, normal_map_name(p), size);
   }
   /// The tangents that are computed for the vertices.
-  std::optional<app::Preparation> preparation(const Parameters& p) const {
+  std::optional<app::Preparation> preparation(const Parameters& p) override {
     const auto method = kept_tangents(p.method);
     const mesh::Mesh plain = textured_model(assets_, p).mesh;
     if (!method || !plain.tangents.empty()) return {};
@@ -83,20 +82,18 @@ struct NormalMap {
   };
 
   /// The model with the method's tangents. Only some methods store them in the vertices.
-  gl::MeshBuffers& buffers_for(const Parameters& p) {
+  Drawn& drawn(const Parameters& p) {
     const bool reads_map = p.method == Method::per_vertex && p.normal_mapping;
     const MeshKey key{
         p.model,        p.method, reads_map ? normal_map_name(p) : "", reads_map ? p.texture_scale : 0,
         p.tessellation, p.layout};
-    Drawn& drawn = meshes_.get(key, [&] {
+    return meshes_.get(key, [&] {
       app::Model model = textured_model(assets_, p);
       if (const auto method = kept_tangents(p.method); method && model.mesh.tangents.empty())
         mesh::compute_tangents(model.mesh, *method);
       if (reads_map) model.mesh.normals = normals_at_vertices(model.mesh, assets_.normal_map(key.normals), p);
       return Drawn{gl::MeshBuffers(std::move(model.mesh)), model.notes};
     });
-    notes_ = drawn.notes;
-    return drawn.buffers;
   }
 
   /// The report's first attempt: the map's normal at each vertex's texture coordinate replaces the
@@ -133,7 +130,6 @@ struct NormalMap {
   const app::Assets& assets_;
   app::Cache<MeshKey, Drawn> meshes_;
   app::Cache<std::pair<std::string, Filter>, gl::Texture> textures_;
-  app::Notes notes_;
 };
 
 int main(int argc, char** argv) {

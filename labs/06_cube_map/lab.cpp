@@ -13,17 +13,16 @@
 
 using namespace texel;
 
-struct CubeMap {
+struct CubeMap : app::Lab<CubeMapParameters> {
   static constexpr app::View kViews[] = {app::View::color,    app::View::normal, app::View::direction,
                                          app::View::texcoord, app::View::lod,    app::View::depth,
                                          app::View::mask,     app::View::error};
   static constexpr app::Info info{6, "cube_map", "Cube map",
                                   "Cover a sphere with six pictures, without seams or poles.", kViews};
-  using Parameters = CubeMapParameters;
 
   explicit CubeMap(const app::Assets& assets) : assets_(assets) {}
 
-  void draw(const Parameters& p, app::Frame& frame) {
+  void draw(const Parameters& p, app::Frame& frame) override {
     gl::MeshBuffers& sphere = spheres_.get(
         {p.rings, p.segments}, [&] { return gl::MeshBuffers(mesh::sphere(p.rings, p.segments)); });
     const glm::mat4 tilted = glm::rotate(glm::mat4(1), glm::radians(p.tilt), glm::vec3(1, 0, 0));

@@ -13,16 +13,15 @@
 
 using namespace texel;
 
-struct EnvironmentLab {
+struct EnvironmentLab : app::Lab<EnvironmentParameters> {
   static constexpr app::View kViews[] = {app::View::color, app::View::direction, app::View::depth,
                                          app::View::mask, app::View::error};
   static constexpr app::Info info{7, "environment", "Environment",
                                   "Surround the scene with a cube map behind everything.", kViews};
-  using Parameters = EnvironmentParameters;
 
   explicit EnvironmentLab(const app::Assets& assets) : environment_(assets), quad_(make_quad()) {}
 
-  void draw(const Parameters& p, app::Frame& frame) {
+  void draw(const Parameters& p, app::Frame& frame) override {
     environment_.bind(0, p.cube_map);
     //@step 7.4 begin
     if (p.depth_method == DepthMethod::far_plane) {

@@ -12,16 +12,15 @@
 
 using namespace texel;
 
-struct Reflection {
+struct Reflection : app::Lab<ReflectionParameters> {
   static constexpr app::View kViews[] = {app::View::color, app::View::normal, app::View::direction,
                                          app::View::depth, app::View::mask,   app::View::error};
   static constexpr app::Info info{8, "reflection", "Reflection",
                                   "Make the sphere a mirror, then glass, by following one ray.", kViews};
-  using Parameters = ReflectionParameters;
 
   explicit Reflection(const app::Assets& assets) : assets_(assets), environment_(assets) {}
 
-  void draw(const Parameters& p, app::Frame& frame) {
+  void draw(const Parameters& p, app::Frame& frame) override {
     gl::MeshBuffers& ball =
         balls_.get({p.rings, p.segments}, [&] { return gl::MeshBuffers(mesh::sphere(p.rings, p.segments)); });
     const glm::mat4 tilted = glm::rotate(glm::mat4(1), glm::radians(p.tilt), glm::vec3(1, 0, 0));

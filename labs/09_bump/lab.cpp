@@ -13,17 +13,16 @@
 
 using namespace texel;
 
-struct Bump {
+struct Bump : app::Lab<BumpParameters> {
   static constexpr app::View kViews[] = {app::View::color,     app::View::normal,   app::View::tangent,
                                          app::View::direction, app::View::texcoord, app::View::depth,
                                          app::View::mask,      app::View::error};
   static constexpr app::Info info{9, "bump", "Bump mapping",
                                   "Bend the mirror ball's normals with a normal map.", kViews};
-  using Parameters = BumpParameters;
 
   explicit Bump(const app::Assets& assets) : assets_(assets), environment_(assets) {}
 
-  void draw(const Parameters& p, app::Frame& frame) {
+  void draw(const Parameters& p, app::Frame& frame) override {
     gl::MeshBuffers& ball =
         balls_.get({p.rings, p.segments}, [&] { return gl::MeshBuffers(mesh::sphere(p.rings, p.segments)); });
     const glm::mat4 tilted = glm::rotate(glm::mat4(1), glm::radians(p.tilt), glm::vec3(1, 0, 0));
@@ -52,7 +51,7 @@ struct Bump {
     return {app::View::direction, app::Unit::degrees, app::name_of(p.truth)};
   }
   static app::Truth truth(const Parameters& p, glm::ivec2 size) { return bump_truth(p, size); }
-  static app::Preparation preparation(const Parameters& p) { return bases_around(p.method); }
+  std::optional<app::Preparation> preparation(const Parameters& p) override { return bases_around(p.method); }
 
  private:
   const app::Assets& assets_;

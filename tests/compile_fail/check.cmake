@@ -5,7 +5,8 @@ string(REPLACE "// error: " "" reason "${reason}")
 if(reason STREQUAL "")
   message(FATAL_ERROR "${SOURCE} does not say '// error: TEXT'")
 endif()
-set(compile ${COMPILER} -std=c++20 -fsyntax-only -I${COMMON}/params/include -I${COMMON}/core/include)
+list(TRANSFORM INCLUDE PREPEND -I)
+set(compile ${COMPILER} -std=c++20 -fsyntax-only ${INCLUDE})
 
 # The same file without its fault compiles, so that nothing else is what fails.
 execute_process(COMMAND ${compile} -DWITHOUT_FAULT ${SOURCE} RESULT_VARIABLE result ERROR_VARIABLE output)

@@ -15,16 +15,16 @@
 namespace texel::app {
 namespace {
 
+struct GreyParameters {
+  float grey{};
+  void declare(params::Set& set) { set.add(grey, {"grey", 0, 0, 1, "", "Linear light"}); }
+};
 /// Fills the picture with one grey, and remembers which files were there when it was called.
-struct Grey {
+struct Grey : Lab<GreyParameters> {
   static constexpr View kViews[] = {View::color};
   static constexpr Info info{1, "grey", "Grey", "One grey.", kViews};
-  struct Parameters {
-    float grey{};
-    void declare(params::Set& set) { set.add(grey, {"grey", 0, 0, 1, "", "Linear light"}); }
-  };
   explicit Grey(const Assets&) {}
-  void draw(const Parameters& parameters, Frame&) {
+  void draw(const Parameters& parameters, Frame&) override {
     files_there.push_back(std::filesystem::exists(folder) ? names_in(folder) : "");
     glClearColor(parameters.grey, parameters.grey, parameters.grey, 1);
     glClear(GL_COLOR_BUFFER_BIT);

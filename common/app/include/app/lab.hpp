@@ -25,12 +25,11 @@
 
 /// What a lab needs to be a program:
 ///
-///     struct TextureQuad {
+///     struct TextureQuad : app::Lab<TextureQuadParameters> {
 ///       static constexpr app::View kViews[] = {app::View::color, app::View::texcoord};
 ///       static constexpr app::Info info{1, "texture_quad", "Texture quad", "…one line…", kViews};
-///       struct Parameters { …; void declare(params::Set& set); };
 ///       explicit TextureQuad(const app::Assets& assets);
-///       void draw(const Parameters& parameters, app::Frame& frame);
+///       void draw(const Parameters& parameters, app::Frame& frame) override;
 ///     };
 ///     int main(int argc, char** argv) { return app::run<TextureQuad>(argc, argv); }
 ///
@@ -39,9 +38,7 @@
 ///       static app::Measure measure(const Parameters& parameters);
 ///       static app::Truth truth(const Parameters& parameters, glm::ivec2 size);
 ///
-/// Labs that take any OBJ file have `const mesh::Mesh& mesh(const Parameters&)`. Labs with notes on it have
-/// `const app::Notes& notes() const`. Labs whose methods differ before the first frame have
-/// `app::Preparation preparation(const Parameters&)`.
+/// A misspelt one of these does not compile.
 namespace texel::app {
 
 /// A lab's name, title and lesson.
@@ -79,6 +76,11 @@ class Frame {
   gl::Program& program(const std::string& stem) { return program(stem + ".vert", stem + ".frag"); }
   gl::Program& program(const std::string& vertex, const std::string& fragment);
 
+  /// What the lab says of what it drew, in the panel and in --stats.
+  void note(const Notes& notes) { notes_ = notes; }
+  void warn(std::string warning) { notes_.warnings.push_back(std::move(warning)); }
+  [[nodiscard]] const Notes& notes() const { return notes_; }
+
   /// Throws Error when a used program reads a uniform that was not set.
   void check() const;
 
@@ -89,6 +91,7 @@ class Frame {
   const Assets& assets_;
   gl::ProgramCache& programs_;
   std::vector<const gl::Program*> used_;
+  Notes notes_;
 };
 
 /// What the current look needs once, before its first frame, for this many elements. The benchmark times it.
@@ -96,6 +99,25 @@ struct Preparation {
   const char* element;  ///< "triangle"
   std::size_t elements;
   std::function<void()> work;  ///< does it all again
+};
+
+/// The base of a lab. Write `override` behind its functions: then the compiler refuses a misspelt one.
+/// `AllParameters` has `void declare(params::Set& set)`.
+template <class AllParameters>
+class Lab {
+ public:
+  using Parameters = AllParameters;
+
+  Lab() = default;
+  Lab(const Lab&) = delete;
+  Lab& operator=(const Lab&) = delete;
+  virtual ~Lab() = default;
+
+  virtual void draw(const Parameters& parameters, Frame& frame) = 0;
+  /// The vertex stream as drawn, for --mesh. A lab that takes any OBJ file has one.
+  virtual const mesh::Mesh* mesh(const Parameters& /*parameters*/) { return nullptr; }
+  /// For a lab whose methods differ before the first frame.
+  virtual std::optional<Preparation> preparation(const Parameters& /*parameters*/) { return {}; }
 };
 
 /// A lab of any type with its parameters: what the window, the snapshots and the panel work with.
@@ -117,21 +139,33 @@ class AnyLab {
   [[nodiscard]] virtual Truth truth(glm::ivec2 size) const = 0;
   /// Nothing when the lab's methods differ only in the frame.
   virtual std::optional<Preparation> preparation(const Assets& assets) = 0;
-  /// The lab's notes on its input, for --stats and the panel.
-  [[nodiscard]] virtual Notes notes() const = 0;
 };
 
-template <class Lab>
+template <class TheLab>
 class LabOf final : public AnyLab {
+  using Parameters = typename TheLab::Parameters;
+  static constexpr bool kKnowsTruth = std::ranges::count(TheLab::info.views, View::error) == 1;
+  static constexpr bool kMeasures = requires(const Parameters& p) {
+    { TheLab::measure(p) } -> std::same_as<Measure>;
+  };
+  static constexpr bool kHasTruth = requires(const Parameters& p, glm::ivec2 size) {
+    { TheLab::truth(p, size) } -> std::same_as<Truth>;
+  };
+  static_assert(kMeasures == kKnowsTruth,
+                "a lab has 'static app::Measure measure(const Parameters&)' if it has the view error");
+  static_assert(
+      kHasTruth == kKnowsTruth,
+      "a lab has 'static app::Truth truth(const Parameters&, glm::ivec2)' if it has the view error");
+
  public:
   LabOf() { parameters_.declare(set_); }
-  [[nodiscard]] const Info& info() const override { return Lab::info; }
+  [[nodiscard]] const Info& info() const override { return TheLab::info; }
   [[nodiscard]] std::span<const View> views() const override {
 #ifdef TEXEL_KNOWS_TRUTH  // where texel_truth is linked
-    return Lab::info.views;
+    return TheLab::info.views;
 #else
     static const std::vector<View> views = [] {
-      std::vector<View> all(Lab::info.views.begin(), Lab::info.views.end());
+      std::vector<View> all(TheLab::info.views.begin(), TheLab::info.views.end());
       std::erase(all, View::error);
       return all;
     }();
@@ -148,55 +182,36 @@ class LabOf final : public AnyLab {
     lab(frame.assets()).draw(parameters_, frame);
   }
   const mesh::Mesh* mesh(const Assets& assets) override {
-    if constexpr (requires(Lab & l) {
-                    { l.mesh(parameters_) } -> std::convertible_to<const mesh::Mesh&>;
-                  })
-      return &lab(assets).mesh(parameters_);
-    else
-      return nullptr;
+    return lab(assets).mesh(parameters_);
   }
   [[nodiscard]] std::optional<Measure> measure() const override {
-    if constexpr (requires { Lab::measure(parameters_); })
-      return Lab::measure(parameters_);
-    else
-      return {};
+    if constexpr (kKnowsTruth) return TheLab::measure(parameters_);
+    return {};
   }
   [[nodiscard]] Truth truth(glm::ivec2 size) const override {
-    if constexpr (requires { Lab::truth(parameters_, size); })
-      return Lab::truth(parameters_, size);
-    else
-      return {};
+    if constexpr (kKnowsTruth) return TheLab::truth(parameters_, size);
+    return {};
   }
   std::optional<Preparation> preparation(const Assets& assets) override {
-    if constexpr (requires(Lab & l) { l.preparation(parameters_); })
-      return lab(assets).preparation(parameters_);
-    else
-      return {};
-  }
-  [[nodiscard]] Notes notes() const override {
-    if constexpr (requires(const Lab& l) {
-                    { l.notes() } -> std::convertible_to<Notes>;
-                  })
-      if (lab_) return lab_->notes();
-    return {};
+    return lab(assets).preparation(parameters_);
   }
 
  private:
-  Lab& lab(const Assets& assets) {
+  TheLab& lab(const Assets& assets) {
     if (!lab_) lab_.emplace(assets);
     return *lab_;
   }
-  typename Lab::Parameters parameters_;
+  Parameters parameters_;
   params::Set set_;
-  std::optional<Lab> lab_;
+  std::optional<TheLab> lab_;
 };
 
 /// The whole program: window or snapshot, as the arguments say. Returns its exit code.
 int run(AnyLab& lab, int argc, char** argv);
 
-template <class Lab>
+template <class TheLab>
 int run(int argc, char** argv) {
-  LabOf<Lab> lab;
+  LabOf<TheLab> lab;
   return run(lab, argc, argv);
 }
 
