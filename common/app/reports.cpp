@@ -92,7 +92,7 @@ std::string to_json(AnyLab& lab, const ErrorFigures& figures) {
 std::string shaders_as_text(const gl::ProgramCache& programs, const params::Set& parameters, View view) {
   const auto origin = [&](const std::string& uniform) {
     const params::Parameter* p = parameters.find(uniform);
-    using Type = params::Parameter::Type;  // choices and toggles are constants
+    // Choices and toggles are constants.
     if (p == nullptr || p->type == Type::choice || p->type == Type::toggle)
       return std::string("set in the lab's draw()");
     return fmt::format("--{}: {}{}", p->flag(), p->help, p->unit == "degrees" ? " (here in radians)" : "");

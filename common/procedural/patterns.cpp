@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "procedural/patterns.hpp"
 
-#include <numbers>
-
 #include "procedural/noise.hpp"
 
 namespace texel::procedural {
 
 namespace {
-
-constexpr double tau = 2 * std::numbers::pi;
 
 int floor_of(Dual a) {
   return static_cast<int>(std::floor(a.value));

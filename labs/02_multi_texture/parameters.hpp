@@ -92,7 +92,7 @@ struct MultiTextureParameters {
                             params::Scale::logarithmic});
     set.add(tilt, {"tilt", 0, -89, 89, "degrees", "Leans the square back"});
     // At this distance the half-size 0.7 fills 0.7 of the picture's half height, as in the slides.
-    camera.declare<{.yaw = 0, .pitch = 0, .distance = 2.4142135F, .field_of_view = 45}>(set);
+    camera.declare<app::Look{.yaw = 0, .pitch = 0, .distance = 2.4142135F, .field_of_view = 45}>(set);
   }
 };
 

@@ -90,10 +90,10 @@ struct ObjTexcoordsParameters {
     set.section("Error");
     set.add(truth,
             {"truth", Quantity::color, kQuantities, "What the view error compares with the exact answer"});
-    light.declare<{.ambient = 0.35F, .specular = 0.05F}>(set);
+    light.declare<app::Lighting{.ambient = 0.35F, .specular = 0.05F}>(set);
     set.section("Turn");
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});
-    camera.declare<{.yaw = 28, .pitch = 20, .distance = 2.7F}>(set);
+    camera.declare<app::Look{.yaw = 28, .pitch = 20, .distance = 2.7F}>(set);
   }
 };
 

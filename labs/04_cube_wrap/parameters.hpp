@@ -56,10 +56,10 @@ struct CubeWrapParameters {
     set.section("Error");
     set.add(truth,
             {"truth", Quantity::texcoord, kQuantities, "What the view error compares with the exact answer"});
-    light.declare<{}>(set);
+    light.declare<app::Lighting{}>(set);
     set.section("Turn");
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});
-    camera.declare<{.yaw = 32, .pitch = 24, .distance = 2.7F}>(set);
+    camera.declare<app::Look{.yaw = 32, .pitch = 24, .distance = 2.7F}>(set);
   }
 };
 

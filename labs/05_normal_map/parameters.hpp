@@ -104,8 +104,8 @@ struct NormalMapParameters {
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});
     set.add(stretch,
             {"stretch", 1, 0.25, 4, "", "Scales the model along y; normals do not move like points"});
-    light.declare<{.yaw = 70, .pitch = 35, .ambient = 0.2F, .specular = 0.2F}>(set);
-    camera.declare<{.yaw = 32, .pitch = 24, .distance = 3}>(set);
+    light.declare<app::Lighting{.yaw = 70, .pitch = 35, .ambient = 0.2F, .specular = 0.2F}>(set);
+    camera.declare<app::Look{.yaw = 32, .pitch = 24, .distance = 3}>(set);
   }
 };
 

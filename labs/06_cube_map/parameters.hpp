@@ -76,7 +76,7 @@ struct CubeMapParameters {
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the sphere about its poles: 180 shows the seam"});
     set.add(rings, {"rings", 32, 2, 256, "", "Bands from pole to pole"});
     set.add(segments, {"segments", 64, 3, 512, "", "Quads around each band"});
-    camera.declare<{.yaw = 0, .pitch = 0, .distance = 3}>(set);
+    camera.declare<app::Look{.yaw = 0, .pitch = 0, .distance = 3}>(set);
   }
 };
 

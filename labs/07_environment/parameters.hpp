@@ -59,7 +59,7 @@ struct EnvironmentParameters {
     set.section("Spheres");
     set.add(rings, {"rings", 32, 2, 256, "", "Bands from pole to pole"});
     set.add(segments, {"segments", 64, 3, 512, "", "Quads around each band"});
-    camera.declare<{.yaw = 0, .pitch = 0, .distance = 2.5F, .field_of_view = 90}>(set);
+    camera.declare<app::Look{.yaw = 0, .pitch = 0, .distance = 2.5F, .field_of_view = 90}>(set);
   }
 };
 

@@ -74,7 +74,7 @@ struct ReflectionParameters {
     set.add(stretch, {"stretch", 1, 0.25, 4, "", "Scales the ball along its axis"});
     set.add(tilt, {"tilt", 0, -180, 180, "degrees", "Leans the ball's axis forward"});
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the ball about the vertical axis"});
-    camera.declare<{.yaw = 0, .pitch = 0, .distance = 2.5F, .field_of_view = 60}>(set);
+    camera.declare<app::Look{.yaw = 0, .pitch = 0, .distance = 2.5F, .field_of_view = 60}>(set);
   }
 };
 

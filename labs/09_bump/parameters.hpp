@@ -73,7 +73,7 @@ struct BumpParameters {
     set.add(segments, {"segments", 128, 3, 512, "", "Quads around each band"});
     set.add(tilt, {"tilt", 0, -180, 180, "degrees", "Leans the ball forward: 90 shows its north pole"});
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the ball about its poles: 180 shows the seam"});
-    camera.declare<{.yaw = 0, .pitch = 0, .distance = 2.5F, .field_of_view = 60}>(set);
+    camera.declare<app::Look{.yaw = 0, .pitch = 0, .distance = 2.5F, .field_of_view = 60}>(set);
   }
 };
 

@@ -172,7 +172,8 @@ TEST(UnseenPolygons, have_texture_coordinates_linear_in_their_plane) {
   const mesh::ObjData data = mesh::parse_obj(unseen_model("polygons", 7), "unseen");
   std::map<std::uint32_t, std::vector<mesh::Corner>> by_polygon;  // each has its own vn
   for (const mesh::Corner& corner : data.corners) by_polygon[corner.normal].push_back(corner);
-  for (const auto& [polygon, corners] : by_polygon) {
+  for (const auto& polygon : by_polygon) {
+    const std::vector<mesh::Corner>& corners = polygon.second;
     const auto position = [&](std::size_t i) { return glm::dvec3(data.positions[corners[i].position]); };
     const auto texcoord = [&](std::size_t i) { return glm::dvec2(data.texcoords[corners[i].texcoord]); };
     const glm::dvec3 a = position(1) - position(0), b = position(2) - position(0), n = glm::cross(a, b);
@@ -183,7 +184,7 @@ TEST(UnseenPolygons, have_texture_coordinates_linear_in_their_plane) {
       const glm::dvec2 expected =
           texcoord(0) + s * (texcoord(1) - texcoord(0)) + t * (texcoord(2) - texcoord(0));
       // Six decimals of a position are 1e-5 of a polygon, more where the first triangle is narrow.
-      EXPECT_NEAR(glm::distance(texcoord(i), expected), 0, 5e-4) << polygon;
+      EXPECT_NEAR(glm::distance(texcoord(i), expected), 0, 5e-4) << polygon.first;
     }
   }
 }

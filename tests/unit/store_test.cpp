@@ -737,10 +737,11 @@ TEST(Store, leaves_databases_of_other_programs_and_later_versions) {
       {"other", "is not a store of grades"},
       {"later", "the store has version 3, newer than 2; use the program"}};
   for (const auto& [name, says] : errors) {
-    const std::string before = read_file(folder / name);
-    const std::string error = failure_of([&] { Store store(folder / name); });
-    EXPECT_TRUE(has(error, "3: " + (folder / name).string()) && has(error, says)) << error;
-    EXPECT_TRUE(read_file(folder / name) == before) << name;
+    const std::filesystem::path file = folder / name;
+    const std::string before = read_file(file);
+    const std::string error = failure_of([&] { Store store(file); });
+    EXPECT_TRUE(has(error, "3: " + file.string()) && has(error, says)) << error;
+    EXPECT_TRUE(read_file(file) == before) << name;
   }
 }
 
@@ -880,18 +881,18 @@ TEST(Store, is_written_by_many_threads) {
   Store other(folder / "store");
   store.put_student(student_of("jane"), "");
   std::vector<std::thread> threads;
-  constexpr int kThreads = 4, kCases = 50;
+  constexpr std::size_t kThreads = 4, kCases = 50;
   std::vector<std::string> errors(kThreads);
-  for (int t = 0; t < kThreads; ++t)
+  for (std::size_t t = 0; t < kThreads; ++t)
     threads.emplace_back([&, t] {
       errors[t] = failure_of([&] {
-        for (int i = 0; i < kCases; ++i)
+        for (std::size_t i = 0; i < kCases; ++i)
           (t % 2 == 0 ? store : other).put("jane", case_of("1.1", fmt::format("{}-{}", t, i), 1));
       });
     });
   for (std::thread& thread : threads) thread.join();
   for (const std::string& error : errors) EXPECT_EQ(error, "no error");
-  EXPECT_EQ(store.judged("jane").size(), static_cast<std::size_t>(kThreads * kCases));
+  EXPECT_EQ(store.judged("jane").size(), kThreads * kCases);
 }
 
 TEST(Store, can_be_begun_by_many_at_once) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <concepts>
 #include <glm/glm.hpp>
 
 #include "params/set.hpp"
@@ -17,7 +18,7 @@ struct OrbitCamera {
   float yaw{}, pitch{}, field_of_view{};  ///< degrees
   float distance{};                       ///< from the origin, world units
 
-  template <Look look>
+  template <std::same_as<Look> auto look>  // Clang 14 does not take <Look look>
   void declare(params::Set& set) {
     set.section("Camera");
     set.add(yaw, {"yaw", look.yaw, -360, 360, "degrees",

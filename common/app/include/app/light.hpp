@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <concepts>
 #include <glm/glm.hpp>
 
 #include "app/camera.hpp"
@@ -17,7 +18,7 @@ struct Light {
   float light_yaw{}, light_pitch{};  ///< degrees
   float ambient{}, specular{};
 
-  template <Lighting lighting>
+  template <std::same_as<Lighting> auto lighting>
   void declare(params::Set& set) {
     set.section("Light");
     set.add(light_yaw, {"light_yaw", lighting.yaw, -180, 180, "degrees",
