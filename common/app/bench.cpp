@@ -94,7 +94,7 @@ class Bench {
                   {"parameter", joined(one.values, true)},
                   {"method", joined(one.values, false)},
                   {"truth", measure.truth},
-                  {"unit", text_of(measure.unit)},
+                  {"unit", name_of(measure.unit)},
                   {"mean", figures.mean},
                   {"rms", figures.rms},
                   {"p99", figures.p99},

@@ -49,10 +49,6 @@ void write(image::Image8& picture, const std::string& text, double left, double 
 
 }  // namespace
 
-const char* text_of(Unit unit) {
-  return unit == Unit::steps ? "8-bit steps" : name_of(unit);
-}
-
 image::ImageF truth_picture(const Truth& truth, glm::ivec2 size) {
   image::ImageF picture(size.x, size.y, 4);
   in_parallel(processors(), static_cast<std::size_t>(size.y), [&](std::size_t row) {
@@ -160,7 +156,7 @@ image::Image8 error_map(const image::ImageF& error, double scale, Unit unit) {
     for (int y = margin; y < margin + bar_height; ++y)
       put(map, x, y, heat_colour((x + 0.5 - left) / (right - left)));
   const double line = margin + bar_height + margin / 3.0;
-  std::string end = fmt::format("{:g} {}", scale, text_of(unit));  // the font has capitals
+  std::string end = fmt::format("{:g} {}", scale, name_of(unit));  // the font has capitals
   std::transform(end.begin(), end.end(), end.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   write(map, "0", left, line, text_height);

@@ -134,7 +134,7 @@ void view_section(AnyLab& lab, WindowState& state) {
     const ErrorFigures& f = *state.figures;
     ImGui::PushTextWrapPos(0);
     ImGui::Text("mean %.3g, P99 %.3g, most %.3g %s over %lld pixels", f.mean, f.p99, f.max,
-                text_of(lab.measure()->unit), f.pixels);
+                name_of(lab.measure()->unit), f.pixels);
     ImGui::TextColored(f.non_finite == 0 ? kGrey : kRed, "%lld not finite; compared with the %s",
                        f.non_finite, lab.measure()->truth);
     ImGui::PopTextWrapPos();
@@ -258,7 +258,7 @@ void pixel_section(const WindowState& state) {
   ImGui::TextColored(kGrey, "%s against the truth", name_of(c.measure.view));
   pixel_row("method", c.measure.view, c.value);
   pixel_row("truth", c.measure.view, c.truth);
-  pixel_row("error", fmt::format("{:.4g} {}", c.error, text_of(c.measure.unit)));
+  pixel_row("error", fmt::format("{:.4g} {}", c.error, name_of(c.measure.unit)));
 }
 
 Action buttons(WindowState& state) {

@@ -79,7 +79,7 @@ std::string to_json(AnyLab& lab, const ErrorFigures& figures) {
   json["parameters"] = lab.parameters().key();
   json["view"] = name_of(measure.view);
   json["truth"] = measure.truth;
-  json["unit"] = text_of(measure.unit);
+  json["unit"] = name_of(measure.unit);
   json["mean"] = figures.mean;
   json["rms"] = figures.rms;
   json["p99"] = figures.p99;

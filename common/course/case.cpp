@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array kViews = {"color", "normal", "tangent", "texcoord", "direction",
                                "lod",   "depth",  "mask",    "error",    "mesh"};
-constexpr std::array kUnits = {"steps", "degrees", "levels", "texels", "texture widths", "units"};
+constexpr std::array kUnits = {"8-bit steps", "degrees", "levels", "texels", "texture widths", "units"};
 
 }  // namespace
 

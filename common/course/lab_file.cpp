@@ -73,6 +73,14 @@ View read_view(Reader& reader) {
   return *view;
 }
 
+/// A view that can be seen: only the cases of a step may have the vertex stream.
+View read_picture_view(Reader& reader) {
+  const View view = read_view(reader);
+  if (view == View::mesh)
+    throw reader.error("view", "a mesh is no picture: only a [[case]] has the view 'mesh'");
+  return view;
+}
+
 /// What every case of a lab file has.
 void read_case(Reader& reader, const std::string& lab, Case& one) {
   one.lab = lab;
@@ -90,7 +98,7 @@ Look read_look(Reader& reader, const std::string& lab) {
   look.file = look.name + ".png";
   look.caption = reader.text("caption");
   read_case(reader, lab, look);
-  look.view = read_view(reader);
+  look.view = read_picture_view(reader);
   look.source = reader.text("source", look.source);
   look.hero = reader.optional("hero", look.hero, "true or false");
   reader.reject_unknown();
@@ -178,7 +186,7 @@ std::vector<Step> read_steps(Reader& head, const std::string& file, int lab) {
     step.needs = read_texts(reader, "needs");
     step.hints = read_texts(reader, "hints");
     step.see.settings = read_settings(reader);
-    step.see.view = read_view(reader);
+    step.see.view = read_picture_view(reader);
     step.seen_with = read_texts(reader, "seen_with");
     reader.reject_unknown();
     const std::string expected = fmt::format("{}.{}", lab, steps.size() + 1);

@@ -3,6 +3,7 @@
 #pragma once
 #include "app/camera.hpp"
 #include "app/light.hpp"
+#include "app/truth_parameter.hpp"
 #include "params/set.hpp"
 
 namespace texel {
@@ -87,9 +88,9 @@ struct ObjTexcoordsParameters {
     set.add(tint, {"tint", Tint::none, kTints, "Colour the parts of the file, or the vertices"});
     set.add(linear_light, {"linear_light", true,
                            "Light and filter in linear light; off: with encoded values, as the report does"});
-    set.section("Error");
-    set.add(truth,
-            {"truth", Quantity::color, kQuantities, "What the view error compares with the exact answer"});
+    app::declare_truth(
+        set, truth,
+        {"truth", Quantity::color, kQuantities, "What the view error compares with the exact answer"});
     light.declare<app::Lighting{.ambient = 0.35F, .specular = 0.05F}>(set);
     set.section("Turn");
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});

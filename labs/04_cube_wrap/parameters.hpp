@@ -4,6 +4,7 @@
 #include "app/camera.hpp"
 #include "app/light.hpp"
 #include "app/models.hpp"
+#include "app/truth_parameter.hpp"
 #include "params/set.hpp"
 
 namespace texel {
@@ -53,9 +54,9 @@ struct CubeWrapParameters {
     set.add(texture, {"texture", "label_grid", kTextures, "The picture on it (keys K and L)"});
     set.add(texture_scale,
             {"texture_scale", 1, 0.1, 20, "", "How often the picture repeats", params::Scale::logarithmic});
-    set.section("Error");
-    set.add(truth,
-            {"truth", Quantity::texcoord, kQuantities, "What the view error compares with the exact answer"});
+    app::declare_truth(
+        set, truth,
+        {"truth", Quantity::texcoord, kQuantities, "What the view error compares with the exact answer"});
     light.declare<app::Lighting{}>(set);
     set.section("Turn");
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});

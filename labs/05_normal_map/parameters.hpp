@@ -5,6 +5,7 @@
 #include "app/light.hpp"
 #include "app/models.hpp"
 #include "app/relief_truth.hpp"
+#include "app/truth_parameter.hpp"
 #include "mesh/texcoords.hpp"
 #include "params/set.hpp"
 
@@ -80,9 +81,9 @@ struct NormalMapParameters {
     set.add(decode, {"decode", Decode::standard, kDecodes, "How a colour becomes a normal"});
     set.add(bump_strength,
             {"bump_strength", 1, 0, 4, "", "Steepness of the relief: multiplies the normal's x and y"});
-    set.section("Error");
-    set.add(truth,
-            {"truth", app::ReliefTruth::baked_map, app::kReliefTruths, "What the view error compares with"});
+    app::declare_truth(
+        set, truth,
+        {"truth", app::ReliefTruth::baked_map, app::kReliefTruths, "What the view error compares with"});
     set.section("Textures");
     set.add(texture, {"texture", "brick", kTextures, "Colour of the surface (keys K and L)"});
     set.add(normal_map, {"normal_map", "matching", kNormalMaps, "Relief of the surface"});

@@ -3,6 +3,7 @@
 #pragma once
 #include "app/camera.hpp"
 #include "app/environment.hpp"
+#include "app/truth_parameter.hpp"
 #include "params/set.hpp"
 
 namespace texel {
@@ -69,8 +70,7 @@ struct CubeMapParameters {
     set.add(picture, {"picture", "label_grid", kPictures, "The picture for mapping sphere-2d"});
     set.add(seam_method, {"seam_method", SeamMethod::analytic, kSeamMethods,
                           "How the level of detail is found where u jumps (for mapping sphere-2d)"});
-    set.section("Error");
-    set.add(truth, {"truth", TruthOf::color, kTruths, "What the view error compares with"});
+    app::declare_truth(set, truth, {"truth", TruthOf::color, kTruths, "What the view error compares with"});
     set.section("Sphere");
     set.add(tilt, {"tilt", 0, -180, 180, "degrees", "Leans the sphere forward: 90 shows its north pole"});
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the sphere about its poles: 180 shows the seam"});

@@ -4,6 +4,7 @@
 #include "app/camera.hpp"
 #include "app/environment.hpp"
 #include "app/relief_truth.hpp"
+#include "app/truth_parameter.hpp"
 #include "params/set.hpp"
 
 namespace texel {
@@ -65,9 +66,9 @@ struct BumpParameters {
     set.add(cube_map, {"cube_map", "scene", app::kCubeMaps, "What is reflected (keys K and L)"});
     set.add(incident,
             {"incident", Incident::per_fragment, kIncidents, "The ray that arrives at the surface (lab 8)"});
-    set.section("Error");
-    set.add(truth,
-            {"truth", app::ReliefTruth::baked_map, app::kReliefTruths, "What the view error compares with"});
+    app::declare_truth(
+        set, truth,
+        {"truth", app::ReliefTruth::baked_map, app::kReliefTruths, "What the view error compares with"});
     set.section("Ball");
     set.add(rings, {"rings", 64, 2, 256, "", "Bands from pole to pole"});
     set.add(segments, {"segments", 128, 3, 512, "", "Quads around each band"});

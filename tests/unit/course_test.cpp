@@ -172,6 +172,13 @@ TEST(LabFile, has_the_look_in_which_one_sees_a_step) {
               "4:1: step '5.1' cannot be seen with '" + other + "'; seen_with names other steps of this lab");
 }
 
+TEST(LabFile, refuses_a_mesh_where_a_picture_is_shown) {
+  const std::string fault = "a mesh is no picture: only a [[case]] has the view 'mesh'";
+  EXPECT_EQ(refusal(kHead + kStep + "view = \"mesh\"\n" + kCase), "9:8: " + fault);
+  EXPECT_EQ(refusal(kHead + "[[look]]\nname = \"a\"\ncaption = \"A\"\nview = \"mesh\"\n"), "7:8: " + fault);
+  EXPECT_EQ(refusal(kHead + kStep + kCase + "view = \"mesh\"\n"), "it was read");
+}
+
 TEST(LabFile, refuses_steps_and_cases_that_do_not_fit) {
   EXPECT_EQ(refusal(kHead + kStep), "4:1: no case judges step '5.1'");
   EXPECT_EQ(refusal(kHead + replaced(kStep, "5.1", "5.2") + kCase),

@@ -128,7 +128,8 @@ TEST_F(ReportPages, shows_the_steps_of_a_colour_picture) {
   const image::Image8 right = test::lit(right_), wrong = test::lit(wrong_);
   EXPECT_EQ(numbers("Yours"), colour_of(wrong, 20, 45));
   EXPECT_EQ(numbers("Expected"), colour_of(right, 20, 45));
-  EXPECT_EQ(numbers("Difference"), fmt::format("{} steps", std::abs(right.at(20, 45) - wrong.at(20, 45))));
+  EXPECT_EQ(numbers("Difference"),
+            fmt::format("{} 8-bit steps", std::abs(right.at(20, 45) - wrong.at(20, 45))));
 }
 
 TEST_F(ReportPages, begins_at_the_worst_pixel_and_comes_back_to_it) {

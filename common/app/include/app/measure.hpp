@@ -51,9 +51,6 @@ ErrorFigures figures_of(const image::ImageF& error);
 /// The smallest of 1, 2 and 5 times a power of ten that is not below `value`: the end of a scale. 1 for 0.
 double round_up(double value);
 
-/// As course::name_of, but "8-bit steps".
-const char* text_of(Unit unit);
-
 /// The error picture in colours (image::heat; magenta where it is not finite), with a bar that goes from 0 to
 /// `scale`.
 image::Image8 error_map(const image::ImageF& error, double scale, Unit unit);

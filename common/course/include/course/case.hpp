@@ -27,7 +27,7 @@ enum class Unit {
   texture_widths,  ///< the same, in widths of the texture
   units            ///< of world space; or of the view itself
 };
-/// "steps", "degrees", "levels", "texels", "texture widths", "units"
+/// "8-bit steps", "degrees", "levels", "texels", "texture widths", "units"
 const char* name_of(Unit unit);
 /// In what the judge counts a view's error.
 Unit unit_of(View view);
