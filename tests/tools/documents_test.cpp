@@ -140,9 +140,11 @@ TEST_P(Document, shows_commands_that_work) {
     } else {
       static const std::regex program("^(build/release/bin/|(?=texel ))");
       std::string line = std::regex_replace(command, program, kBin + "/");
+      const bool all = std::getenv("TEXEL_TEST_ALL") != nullptr;
+      if (all) line = std::regex_replace(line, std::regex("(renderers --mutants).*"), "$1");
       // One lab's is a share of it: the starter that the grader's tests have built.
       if (has(line, "--verify")) {
-        const bool is_tried = has(line, "--labs 9") || std::getenv("TEXEL_TEST_ALL") != nullptr;
+        const bool is_tried = has(line, "--labs 9") || all;
         line += is_tried ? fmt::format(" --cache {}/grade", test::kBuild) : " --help";
       }
       const Result result = run(line);

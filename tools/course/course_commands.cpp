@@ -101,7 +101,11 @@ void add_renderers(CLI::App& app, RenderersCommand& command) {
       "Exit codes: 0 every limit is three times the spread, 1 one is not or a mutant passes, 2 wrong "
       "usage,\n3 could not draw.");
   renderers->add_flag("--judge-only", command.judge_only, "Draw nothing: judge the pictures that are there");
-  renderers->add_flag("--mutants", command.mutants, "Check that mutants and starters fail on each renderer");
+  CLI::Option* mutants = renderers->add_flag("--mutants", command.mutants,
+                                             "Check that mutants and starters fail on each renderer");
+  renderers->add_option("LAB", command.labs, "Numbers of labs, with --mutants [all]")
+      ->check(CLI::Range(1, 99))
+      ->needs(mutants);
   renderers->add_option("--cache", command.cache,
                         "Folder for starter, references and programs [build/grade]");
 }

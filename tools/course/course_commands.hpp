@@ -48,6 +48,7 @@ struct RenderersCommand {
   std::filesystem::path json, markdown;         ///< files to write: docs/renderers.json and docs/accuracy.md
   std::string reference = "mesa22_llvmpipe_osmesa";  ///< the folder by which hidden cases are judged
   bool judge_only = false, mutants = false;
+  std::vector<int> labs;  ///< whose mutants are drawn: numbers; none for all
 };
 
 /// `texel renderers`: how far the renderers of this machine, and of others whose folders lie in `out`, are

@@ -127,7 +127,8 @@ RendererReport report_on(const grade::CourseTree& tree, const fs::path& drawn, c
 Exit renderers(const RenderersCommand& command) {
   const fs::path root = course_root(), out = fs::absolute(command.out);
   const grade::CourseTree tree{root, course_build(),
-                               command.cache.empty() ? root / "build/grade" : command.cache, chosen_labs({})};
+                               command.cache.empty() ? root / "build/grade" : command.cache,
+                               chosen_labs(command.labs)};
   make_folder(out);
   std::vector<std::string> faults;
   for (const grade::Renderer& renderer :
