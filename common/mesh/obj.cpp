@@ -11,7 +11,6 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
-#include "core/large_pages.hpp"
 #include "mesh/polygon.hpp"
 #include "text.hpp"
 
@@ -151,8 +150,7 @@ class Parser {
   /// that is reserved and not written costs nothing, and a list that need not grow is never copied.
   template <class Value>
   void reserve_by(std::vector<Value>& list, std::size_t line_length, std::size_t per_line) const {
-    if (list.empty())
-      reserve_large(list, per_line * (1 + (text_.size() - lines_.bytes_read()) / (line_length + 2)));
+    if (list.empty()) list.reserve(per_line * (1 + (text_.size() - lines_.bytes_read()) / (line_length + 2)));
   }
 
   void position_line(std::string_view line) {

@@ -68,7 +68,8 @@ NumberStatus parse_float(std::string_view word, float& value);
 
 /// Takes a number of digits with or without a point, such as -12.345, off the front of [at, end); false, and
 /// nothing taken, when there is something else or more digits than fit: then parse_float knows. The nearest
-/// float32 as there, in a third of the time.
+/// float32 as there. Without it a large file takes a fifth longer, and loads less than three times as fast as
+/// by tinyobjloader.
 inline bool take_plain_number(const char*& at, const char* end, float& value) {
   constexpr std::int64_t largest = std::int64_t{1} << 53;  // integers up to here are doubles, as these powers
   static constexpr double powers[] = {1e0, 1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7, 1e8,

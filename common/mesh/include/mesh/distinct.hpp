@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/large_pages.hpp"
-
 namespace texel::mesh {
 
 /// Mixes 64 bits so that every input bit moves every output bit (the finaliser of SplitMix64: Steele, Lea and
@@ -54,9 +52,7 @@ class DistinctTable {
   };
 
   void resize(std::size_t slots) {
-    slots_.clear();
-    reserve_large(slots_, slots);
-    slots_.resize(slots);
+    slots_.assign(slots, {});
     mask_ = slots - 1;
   }
   void grow() {
