@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Where a picture passes: up to the limit and no further, in the unit of its view. What a wrong one scores is
+// in tests/labs/score_test.cpp.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/files.hpp"
+#include "core/scratch_folder.hpp"
+#include "image/save.hpp"
+#include "judge/judge.hpp"
+
+namespace texel::grade {
+namespace {
+
+constexpr int kSide = 40;
+
+/// Pictures in which a square is the object.
+class JudgeOfPictures : public testing::Test {
+ protected:
+  JudgeOfPictures() {
+    image::Image8 mask(kSide, kSide, 1);
+    for (int y = 10; y < 30; ++y)
+      for (int x = 10; x < 30; ++x) mask.at(x, y) = 255;
+    mask_ = bytes_of(mask);
+  }
+
+  [[nodiscard]] std::string bytes_of(const image::Image8& picture) const {
+    image::save_png(folder_.path() / "a.png", picture);
+    return read_file(folder_.path() / "a.png");
+  }
+  [[nodiscard]] std::string bytes_of(const image::ImageF& picture) const {
+    image::save_pfm(folder_.path() / "a.pfm", picture);
+    return read_file(folder_.path() / "a.pfm");
+  }
+  [[nodiscard]] std::string grey(int value) const {
+    image::Image8 picture(kSide, kSide, 3);
+    std::fill(picture.samples.begin(), picture.samples.end(), static_cast<std::uint8_t>(value));
+    return bytes_of(picture);
+  }
+  /// Directions in the plane of x and y, at an angle to x.
+  [[nodiscard]] std::string directions(double degrees) const {
+    image::ImageF picture(kSide, kSide, 3);
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) {
+        picture.at(x, y, 0) = static_cast<float>(std::cos(degrees * std::acos(-1.0) / 180));
+        picture.at(x, y, 1) = static_cast<float>(std::sin(degrees * std::acos(-1.0) / 180));
+      }
+    return bytes_of(picture);
+  }
+  [[nodiscard]] Verdict judged(course::View view, double limit, const std::string& right,
+                               const std::string& picture) const {
+    course::Case one;
+    one.view = view, one.size = {kSide, kSide}, one.limit = limit;
+    return judge(one, {right, mask_}, picture);
+  }
+
+ private:
+  ScratchFolder folder_;
+  std::string mask_;
+};
+
+TEST_F(JudgeOfPictures, passes_colours_up_to_the_limit_in_steps) {
+  const std::string right = grey(100);
+  EXPECT_TRUE(judged(course::View::color, 3, right, grey(103)).passed);
+  const Verdict beyond = judged(course::View::color, 3, right, grey(104));
+  EXPECT_FALSE(beyond.passed);
+  EXPECT_EQ(beyond.error, 4);
+}
+
+TEST_F(JudgeOfPictures, passes_directions_up_to_the_limit_in_degrees) {
+  const std::string right = directions(0);
+  EXPECT_TRUE(judged(course::View::normal, 2, right, directions(1.9)).passed);
+  const Verdict beyond = judged(course::View::normal, 2, right, directions(2.1));
+  EXPECT_FALSE(beyond.passed);
+  EXPECT_NEAR(beyond.error, 2.1, 1e-4);  // float32 keeps directions to a few 1e-6 degrees
+}
+
+}  // namespace
+}  // namespace texel::grade
