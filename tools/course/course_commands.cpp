@@ -37,11 +37,16 @@ void add_mutants(CLI::App& app, MutantsOptions& options) {
   CLI::App* command = app.add_subcommand(
       "mutants", "Make small wrong changes in a copy of the tree, and check that the tests notice");
   command->footer(
-      "Exit codes: 0 at least 90 % caught, 1 fewer, 2 wrong usage, 3 a mutant does not apply or compile.");
+      "Exit codes: 0 at least 95 % caught, 1 fewer, 2 wrong usage, 3 a mutant does not apply or compile, or "
+      "one\n"
+      "that changes nothing is caught.");
   command->add_option("--catalogue", options.catalogue, "Folder of the mutants [tests/mutants]");
   command->add_option("--root", options.root, "The tree [the source tree]");
   command->add_option("--only", options.only, "Names separated by commas, or a file with one name per line")
       ->delimiter(',');
+  command->add_option("--every", options.every, "A sample: only each so many-th of the catalogue [1]")
+      ->check(CLI::Range(1, 1000));
+  command->add_flag("--resume", options.resume, "Go on where an earlier run of this very tree was cut off");
   command->add_option("--report", options.report,
                       "Write each result at once into this .md or .json, with the earlier ones");
   command->add_option("--work", options.work, "Folder for the copy, its build and the logs [build/mutants]");

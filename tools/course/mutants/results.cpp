@@ -2,10 +2,14 @@
 #include "course/mutants/results.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
@@ -30,7 +34,9 @@ std::string json_text(const std::vector<MutantResult>& results) {
                                  {"fate", kFates[static_cast<std::size_t>(result.fate)]},
                                  {"by", result.by},
                                  {"survives", mutant.survives},
+                                 {"changes_nothing", mutant.is_right},
                                  {"seconds", result.seconds},
+                                 {"tree", result.tree},
                                  {"what", mutant.what},
                                  {"replaced_by", mutant.by}});
   }
@@ -50,20 +56,65 @@ std::string table(const std::vector<MutantResult>& results, Fate fate, const cha
                   const char* column) {
   std::string rows;
   for (const MutantResult& result : results)
-    if (result.fate == fate)
+    if (result.fate == fate && !result.mutant.is_right)
       rows += fmt::format("| {} | {} | {} | {} |\n", result.mutant.name, result.mutant.file,
                           cell(result.mutant.says),
-                          cell(fate == Fate::survived ? result.mutant.survives : result.by));
+                          cell(fate == Fate::survived ? result.mutant.survives
+                                                      : fmt::format("{}", fmt::join(result.by, "; "))));
   if (rows.empty()) return {};
   return fmt::format("\n## {}\n\n| mutant | file | what it does wrong | {} |\n|---|---|---|---|\n{}", title,
                      column, rows);
 }
 
+std::string by_folder(const std::vector<MutantResult>& results) {
+  std::map<std::string, Score> folders;
+  for (const MutantResult& result : results)
+    if (!result.mutant.is_right)
+      folders[std::filesystem::path(result.mutant.file).parent_path().string()].add(result);
+  std::string rows;
+  for (const auto& [folder, score] : folders)
+    rows += fmt::format("| {} | {} | {} | {} |\n", folder, score.all - score.broken, score.caught,
+                        score.explained);
+  return "\n## By folder\n\n| folder | mutants | caught | survive for a reason |\n|---|---|---|---|\n" + rows;
+}
+
+/// The tests without which mutants would have passed those that ran with them.
+std::string by_test(const std::vector<MutantResult>& results) {
+  std::map<std::string, std::pair<int, int>> tests;  // caught, and alone
+  for (const MutantResult& result : results)
+    if (result.fate == Fate::caught)
+      for (const std::string& test : result.by) {
+        ++tests[test].first;
+        if (result.by.size() == 1) ++tests[test].second;
+      }
+  std::string rows;
+  for (const auto& [test, count] : tests)
+    if (count.second > 0) rows += fmt::format("| {} | {} | {} |\n", cell(test), count.second, count.first);
+  if (rows.empty()) return {};
+  return "\n## Tests that caught what no test beside them did\n\n| test | alone | in all "
+         "|\n|---|---|---|\n" +
+         rows;
+}
+
+/// What changes nothing: which tests would fail for any edit.
+std::string unchanged(const std::vector<MutantResult>& results) {
+  std::string lines;
+  for (const MutantResult& result : results)
+    if (result.mutant.is_right)
+      lines += fmt::format(
+          "- {} ({}): {}\n", result.mutant.name, result.mutant.file,
+          result.is_false_alarm() ? fmt::format("CAUGHT by {}", fmt::join(result.by, "; ")) : "survived");
+  return lines.empty() ? "" : "\n## Changes that change nothing\n\n" + lines;
+}
+
 std::string markdown(const std::vector<MutantResult>& results) {
   const Score total = score(results);
-  return fmt::format("# Mutants\n\n{}; {} survive for a reason.\n", total.text(), total.explained) +
-         table(results, Fate::broken, "Broken", "why") +
-         table(results, Fate::survived, "Survivors", "why that is right") +
+  std::set<std::string> trees;
+  for (const MutantResult& result : results) trees.insert(result.tree);
+  return fmt::format("# Mutants\n\n{}; {} survive for a reason. {}\n", total.text(), total.explained,
+                     trees.size() > 1 ? "Not all are of one state of the tree." : "All are of one tree.") +
+         by_folder(results) + unchanged(results) + table(results, Fate::broken, "Broken", "why") +
+         table(results, Fate::survived, "Survivors", "why that is right") + by_test(results) +
          table(results, Fate::caught, "Caught", "by");
 }
 
@@ -79,14 +130,17 @@ std::string Score::text() const {
   return fmt::format("{} of {} caught ({} %)", caught, all - broken, static_cast<int>(percent()));
 }
 
+void Score::add(const MutantResult& result) {
+  if (result.mutant.is_right && result.fate != Fate::broken) return;
+  ++all;
+  if (result.fate == Fate::caught) ++caught;
+  if (result.fate == Fate::broken) ++broken;
+  if (result.fate == Fate::survived && !result.mutant.survives.empty()) ++explained;
+}
+
 Score score(const std::vector<MutantResult>& results) {
   Score total;
-  for (const MutantResult& result : results) {
-    ++total.all;
-    if (result.fate == Fate::caught) ++total.caught;
-    if (result.fate == Fate::broken) ++total.broken;
-    if (result.fate == Fate::survived && !result.mutant.survives.empty()) ++total.explained;
-  }
+  for (const MutantResult& result : results) total.add(result);
   return total;
 }
 
@@ -104,8 +158,8 @@ std::vector<MutantResult> read_report(const std::filesystem::path& file,
       });
       const auto fate = std::find(kFates.begin(), kFates.end(), text("fate"));
       if (mutant == mutants.end() || fate == kFates.end()) continue;
-      results.push_back(
-          {*mutant, static_cast<Fate>(fate - kFates.begin()), entry.at("by"), entry.at("seconds")});
+      results.push_back({*mutant, static_cast<Fate>(fate - kFates.begin()), entry.at("by"),
+                         entry.at("seconds"), entry.at("tree")});
     }
   } catch (const Json::exception&) {
     throw Error::failed("is not a report of mutants", {file.string()}, "remove the file");

@@ -14,11 +14,15 @@ enum class Fate { caught, survived, broken };  ///< broken: it does not apply or
 struct MutantResult {
   course::Mutant mutant;
   Fate fate = Fate::broken;
-  std::string by;      ///< the test that caught it, or what is broken
-  double seconds = 0;  ///< to build it and to run tests
+  std::vector<std::string> by;  ///< the tests that caught it, or what is broken
+  double seconds = 0;           ///< to build it and to run tests
+  std::string tree;             ///< Tree::state() of the tree it was made in
+
+  /// It changes nothing, and yet tests "caught" it: those fail for any edit.
+  [[nodiscard]] bool is_false_alarm() const { return mutant.is_right && fate == Fate::caught; }
 };
 
-/// How many of them the tests caught.
+/// How many of them the tests caught. Those that change nothing are not counted.
 struct Score {
   std::size_t caught = 0, explained = 0, broken = 0, all = 0;  ///< explained: survivors with a reason
 
@@ -26,6 +30,8 @@ struct Score {
   [[nodiscard]] double percent() const;
   /// "102 of 112 caught (91 %)"
   [[nodiscard]] std::string text() const;
+
+  void add(const MutantResult& result);
 };
 Score score(const std::vector<MutantResult>& results);
 

@@ -84,8 +84,6 @@ bool is_of_libraries(const Test& test) {
 /// four libraries; and no test named after one lab runs another.
 bool can_notice(const Test& test, const fs::path& file, const std::vector<std::regex>& subjects) {
   static const std::regex any_lab("lab_?0*[1-9]");
-  // Whole classes, which hold mutants of their own and take minutes.
-  if (test.name.starts_with("grade_test.")) return false;
   if (is_of_libraries(test)) {
     const fs::path library = file.parent_path();
     return library == "common/core" || library == "common/params" || library == "common/image" ||
@@ -173,17 +171,15 @@ bool Suite::build(const std::set<std::string>& targets, const fs::path& log) con
                            quoted(tree_), processors(), of, quoted(log))) == 0;
 }
 
-void Suite::run(const std::vector<int>& numbers, const std::string& options, const fs::path& xml,
-                const fs::path& log) const {
+void Suite::run(const std::vector<int>& numbers, const fs::path& xml, const fs::path& log) const {
   std::error_code ignored;
   fs::remove(xml, ignored);
   // The driver's cache of compiled shaders would keep what other mutants compiled; TEXEL_ROOT would name
   // another tree. ctest's status says no more than its file.
-  shell(
-      fmt::format("cd {} && env -u TEXEL_ROOT MESA_SHADER_CACHE_DISABLE=true ctest --test-dir build/release "
-                  "-I 0,0,0,{} --parallel {} --timeout {} --output-on-failure --output-junit {} {} >{} 2>&1",
-                  quoted(tree_), fmt::join(numbers, ","), processors(), kTimeoutSeconds, quoted(xml), options,
-                  quoted(log)));
+  shell(fmt::format(
+      "cd {} && env -u TEXEL_ROOT MESA_SHADER_CACHE_DISABLE=true ctest --test-dir build/release "
+      "-I 0,0,0,{} --parallel {} --timeout {} --output-on-failure --output-junit {} >{} 2>&1",
+      quoted(tree_), fmt::join(numbers, ","), processors(), kTimeoutSeconds, quoted(xml), quoted(log)));
   if (!fs::exists(xml)) throw Error::failed("ctest failed; see its log", {log.string()});
 }
 
@@ -203,24 +199,30 @@ void Suite::list() {
     const fs::path program = command.front();
     test.key = lower(program.filename().string() + " " + test.name);
     if (program.string().starts_with(tree_.string())) test.target = program.filename();
+    for (const auto& property : entry.value("properties", nlohmann::json::array()))
+      if (property.at("name") == "LABELS")
+        for (const std::string& label : property.at("value").get<std::vector<std::string>>())
+          test.is_used &= label != "tree" && label != "class";
     tests_.push_back(std::move(test));
   }
 }
 
-void Suite::measure(bool again) {
+void Suite::measure(const std::string& state) {
   list();
   const fs::path xml = logs_ / "unchanged.xml";
-  if (again || !fs::exists(xml)) {
+  const fs::path known = logs_ / "unchanged.state";
+  if (!fs::exists(known) || read_file(known) != state) {
     std::vector<int> all;
-    for (const Test& test : tests_) all.push_back(test.number);
-    run(all, "", xml, logs_ / "unchanged.log");
+    for (const Test& test : tests_)
+      if (test.is_used) all.push_back(test.number);
+    run(all, xml, logs_ / "unchanged.log");
+    write_file(known, state);
   }
   const std::map<std::string, TestRun> runs = read_junit(xml);
   for (Test& test : tests_) {
     const auto found = runs.find(test.name);
-    // A test that each mutant's text is in its file fails for every mutant, and says nothing of it.
-    test.is_used =
-        found != runs.end() && found->second.status == "run" && !test.name.starts_with("MutantCatalogue.");
+    if (!test.is_used) continue;
+    test.is_used = found != runs.end() && found->second.status == "run";
     if (found != runs.end()) test.seconds = found->second.seconds;
     if (found != runs.end() && found->second.status == "fail")
       fmt::print(stderr, "texel: {} fails even without a mutant and is left out\n", short_name(test.name));
@@ -244,10 +246,12 @@ Verdict Suite::judge(const std::string& file, const std::string& name) const {
       numbers.push_back(test->number);
     }
     if (targets.contains("")) targets.clear();
-    if (!build(targets, log)) return {false, ""};
-    run(numbers, "--stop-on-failure", xml, log);
+    if (!build(targets, log)) return {false, {}};
+    run(numbers, xml, log);
+    std::vector<std::string> failed;
     for (const auto& [test, result] : read_junit(xml))
-      if (result.status == "fail") return {!has_shader_error(log), short_name(test)};
+      if (result.status == "fail") failed.push_back(short_name(test));
+    if (!failed.empty()) return {!has_shader_error(log), failed};
   }
   return {};
 }

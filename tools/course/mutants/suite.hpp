@@ -10,12 +10,12 @@ namespace texel::tools {
 
 /// One entry of ctest.
 struct Test {
-  int number = 0;      ///< ctest's, from 1
-  std::string name;    ///< as ctest prints it
-  std::string key;     ///< its program and its name, in lower case
-  std::string target;  ///< what must be built for it: its program, or "" for everything
-  double seconds = 0;  ///< in the unchanged tree
-  bool is_used = true;
+  int number = 0;       ///< ctest's, from 1
+  std::string name;     ///< as ctest prints it
+  std::string key;      ///< its program and its name, in lower case
+  std::string target;   ///< what must be built for it: its program, or "" for everything
+  double seconds = 0;   ///< in the unchanged tree
+  bool is_used = true;  ///< a test of behaviour that passes in the unchanged tree
 };
 
 /// When a test runs: those that are likely to notice a change first, and of those that are as likely the
@@ -36,8 +36,8 @@ std::optional<Order> order_of(const Test& test, const std::filesystem::path& tre
 
 /// What the tests say of a changed tree.
 struct Verdict {
-  bool builds = true;     ///< C++ and GLSL
-  std::string caught_by;  ///< the first test that failed, or ""
+  bool builds = true;                  ///< C++ and GLSL
+  std::vector<std::string> caught_by;  ///< the tests that failed, of the first that ran together; or none
 };
 
 /// The tests of a tree: a CMake project with a preset `release`, built in build/release.
@@ -49,21 +49,23 @@ class Suite {
   /// Configures and builds. Throws Error (exit 3) when that fails.
   void prepare() const;
 
-  /// Runs every test of the unchanged tree and takes its time; from `logs` when `again` is false and that was
-  /// done already. Tests that fail, and those that read the catalogue, are not used. Throws Error (exit 3)
-  /// when no test passes.
-  void measure(bool again);
+  /// Runs every test of behaviour in the unchanged tree and takes its time; from `logs` when that was done
+  /// already in a tree of this state. Tests that fail are not used, nor are those of ctest's labels "tree"
+  /// (they read sources, build or documents, and fail for any change) and "class" (minutes). Throws Error
+  /// (exit 3) when no test passes.
+  void measure(const std::string& state);
 
   [[nodiscard]] const std::vector<Test>& tests() const { return tests_; }
 
-  /// Runs the tests until one fails, and builds first what they need. `name`: that of the log.
+  /// Runs the tests, those together that have one Order, until some fail, and builds first what they need.
+  /// `name`: that of the log.
   [[nodiscard]] Verdict judge(const std::string& file, const std::string& name) const;
 
  private:
   /// Builds these targets, or all when there are none; false when that fails.
   [[nodiscard]] bool build(const std::set<std::string>& targets, const std::filesystem::path& log) const;
-  /// Runs the tests of these numbers, with more options of ctest; JUnit's XML goes into `xml`.
-  void run(const std::vector<int>& numbers, const std::string& options, const std::filesystem::path& xml,
+  /// Runs the tests of these numbers; JUnit's XML goes into `xml`.
+  void run(const std::vector<int>& numbers, const std::filesystem::path& xml,
            const std::filesystem::path& log) const;
   void list();
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <set>
 
 #include "core/error.hpp"
@@ -46,26 +47,29 @@ Tree::Tree(fs::path root, fs::path copy)
                        "choose one outside, or below its build folder");
 }
 
-bool Tree::update() const {
-  bool changed = false;
+void Tree::update() const {
   try {
     fs::create_directories(copy_);
     const std::set<fs::path> wanted = files_below(root_);
-    for (const fs::path& file : files_below(copy_)) {
-      if (wanted.contains(file)) continue;
-      fs::remove(copy_ / file);
-      changed = true;
-    }
+    for (const fs::path& file : files_below(copy_))
+      if (!wanted.contains(file)) fs::remove(copy_ / file);
     for (const fs::path& file : wanted) {
       if (same_bytes(root_ / file, copy_ / file)) continue;
       fs::create_directories((copy_ / file).parent_path());
       fs::copy_file(root_ / file, copy_ / file, fs::copy_options::overwrite_existing);
-      changed = true;
     }
   } catch (const fs::filesystem_error& error) {
     throw Error::failed(fmt::format("cannot copy the tree: {}", error.what()), {copy_.string()});
   }
-  return changed;
+}
+
+std::string Tree::state() const {
+  // FNV-1a (G. Fowler, L. Noll, K.-P. Vo), 64 bits: nobody here looks for two trees that collide.
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const fs::path& file : files_below(root_))
+    for (const std::string& text : {file.string(), read_file(root_ / file)})
+      for (const char c : text + '\0') hash = (hash ^ static_cast<std::uint8_t>(c)) * 0x100000001b3U;
+  return fmt::format("{:016x}", hash);
 }
 
 AppliedMutant::AppliedMutant(const Tree& tree, const course::Mutant& mutant)

@@ -17,9 +17,11 @@ class Tree {
   [[nodiscard]] const std::filesystem::path& folder() const { return copy_; }
 
   /// Makes the copy as the tree is now: all files but those of .git, build and out. Files that are the same
-  /// are left alone, so that little is built again; true when any was not. Throws Error (exit 3) when a file
-  /// cannot be copied.
-  bool update() const;
+  /// are left alone, so that little is built again. Throws Error (exit 3) when a file cannot be copied.
+  void update() const;
+
+  /// A text that stands for all paths and contents of the original. Throws Error (exit 3).
+  [[nodiscard]] std::string state() const;
 
  private:
   std::filesystem::path root_, copy_;
