@@ -63,11 +63,18 @@ StudentRun::~StudentRun() {
   fs::remove_all(folder_, ignored);
 }
 
+/// Nothing is wrong with the file, and the starter has one of that name.
+bool StudentRun::is_of_course(const std::string& path) const {
+  std::error_code too_long;
+  return submission_.sound.contains(path) && path.starts_with(submission_.root) &&
+         fs::exists(preparation_.starter.source / path.substr(submission_.root.size()), too_long);
+}
+
 std::vector<Ignored> StudentRun::worth_telling() const {
   constexpr std::size_t most = 100;
   std::vector<Ignored> told;
   for (const Ignored& file : submission_.ignored) {
-    if (fs::exists(preparation_.starter.source / file.path)) continue;
+    if (is_of_course(file.path)) continue;
     if (told.size() == most) {
       told.push_back({"…", fmt::format("and more: {} files in all", submission_.ignored.size())});
       break;

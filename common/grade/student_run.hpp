@@ -49,6 +49,7 @@ class StudentRun {
                   const std::function<void(const JudgedCase&)>& keep) const;
 
  private:
+  [[nodiscard]] bool is_of_course(const std::string& path) const;
   [[nodiscard]] CaseResult judged(const LabPlan& plan, const course::Case& of, const Program& program,
                                   const Drawn& drawn, const std::filesystem::path& out) const;
   [[nodiscard]] std::string fault_of(const course::Case& of, const Program& program,

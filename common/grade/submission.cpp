@@ -107,6 +107,12 @@ std::vector<std::string> all_lower_case(const std::vector<std::string>& texts) {
   return lower;
 }
 
+std::string name_to_show(const std::string& path) {
+  constexpr std::size_t longest = 200;
+  if (path.empty()) return "(an entry without a name)";
+  return plain_text(path.substr(0, longest)) + (path.size() > longest ? "…" : "");
+}
+
 void check_place(const std::string& path) {
   const fs::path file(path);
   if (path.empty() || file.is_absolute() || file != file.lexically_normal() || *file.begin() == ".." ||
@@ -152,12 +158,19 @@ Submission unpack(const Entry& entry, const std::vector<std::string>& allowed, c
   for (const auto& [file, item] : root.files) wanted[item->position] = file;
   for (const Item& item : listing.items) {
     if (!item.refused.empty())
-      submission.ignored.push_back({plain_text(item.path.substr(0, 200)), item.refused});
+      submission.ignored.push_back({name_to_show(item.path), item.refused});
     else if (wanted.count(item.position) == 0)
-      submission.ignored.push_back({item.path, reason(item, root, endings, small_endings)});
+      submission.ignored.push_back({item.path, reason(item, root, endings, small_endings)}),
+          submission.sound.insert(item.path);
   }
   read(entry, wanted, limits, submission);
   if (!submission.fault.empty()) submission.files.clear();
+  if (submission.files.empty() && submission.fault.empty())
+    submission.fault = fmt::format(
+        "contains no file with steps, so nothing was taken ({} not used); hand in the folder that contains "
+        "labs and shaders",
+        submission.ignored.size() == 1 ? "1 file is"
+                                       : fmt::format("{} files are", submission.ignored.size()));
   return submission;
 }
 

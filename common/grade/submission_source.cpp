@@ -5,8 +5,10 @@
 #include <archive_entry.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <locale.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <memory>
@@ -32,12 +34,19 @@ std::string too_many(const UnpackLimits& limits) {
                      limits.entries);
 }
 
+/// Whether there are control characters of ASCII in it, which no encoding has for anything else.
+bool has_controls(std::string_view name) {
+  return std::any_of(name.begin(), name.end(), [](char c) { return (c >= 0 && c < 0x20) || c == 0x7f; });
+}
+
 /// Why nothing of that name is ever taken, or "". Makes '\' to '/', as archives from Windows have it, and
-/// takes out '.' and empty parts.
+/// takes out '.' and empty parts. The names of the course are ASCII, which every encoding has in common: what
+/// is no UTF-8 becomes U+FFFD, so folders around them may be called anything.
 std::string refuse_or_clean(std::string& path) {
   if (path.empty()) return "has no name";
   if (path.size() > longest_path) return "has a name that is too long";
-  if (!is_plain_text(path)) return "has a name with control characters, or not in UTF-8";
+  if (has_controls(path)) return "has a name with control characters";
+  path = plain_text(path);
   std::string clean;
   std::string_view rest = path;
   if (rest[0] == '/' || rest[0] == '\\' || (rest.size() > 1 && rest[1] == ':')) return "has an absolute path";
@@ -72,24 +81,24 @@ class FolderList {
  public:
   explicit FolderList(const UnpackLimits& limits) : limits_(limits) {}
 
-  void walk(const Descriptor& folder, const std::string& prefix, int depth) {
+  /// `prefix` is the folder's path as text, `place` as the disk has it; both are "" or end in '/'.
+  void walk(const Descriptor& folder, const std::string& prefix, const std::string& place, int depth) {
     for (const std::string& name : names_in(folder, limits_.entries + 1)) {
       if (count_ == limits_.entries) listing.fault = too_many(limits_);
       if (!listing.fault.empty()) return;
-      add(folder, name, prefix + name, depth);
+      add(folder, name, {prefix + name, {}, count_++, place + name}, depth);
     }
   }
 
   Listing listing;
 
  private:
-  void add(const Descriptor& folder, const std::string& name, std::string path, int depth) {
-    Item item{std::move(path), {}, count_++};
+  void add(const Descriptor& folder, const std::string& name, Item item, int depth) {
     struct stat status {};
     const bool is_known = ::fstatat(folder.get(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
     item.refused = refuse_or_clean(item.path);
     if (is_known && S_ISDIR(status.st_mode) && item.refused.empty()) {
-      if (depth < deepest) return walk(open_in(folder, name), item.path + '/', depth + 1);
+      if (depth < deepest) return walk(open_in(folder, name), item.path + '/', item.place + '/', depth + 1);
       item.refused = "is in too many nested folders";
     }
     if (item.refused.empty()) item.refused = refuse_kind(is_known, status);
@@ -109,7 +118,7 @@ class FolderList {
 
 Listing list_folder(const Entry& entry, const UnpackLimits& limits) {
   FolderList list(limits);
-  list.walk(open_folder(entry), "", 0);
+  list.walk(open_folder(entry), "", "", 0);
   return std::move(list.listing);
 }
 
@@ -128,7 +137,7 @@ void read_folder(const Entry& entry, const std::map<std::size_t, std::string>& w
   for (const Item& item : list_folder(entry, limits).items) {
     const auto found = wanted.find(item.position);
     if (found == wanted.end()) continue;
-    const Descriptor file = open_below(open_folder(entry), item.path);
+    const Descriptor file = open_below(open_folder(entry), item.place);
     struct stat status {};
     if (!item.refused.empty() || ::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode)) {
       submission.ignored.push_back({item.path, "changed while it was read"});
@@ -143,6 +152,25 @@ void read_folder(const Entry& entry, const std::map<std::size_t, std::string>& w
 }
 
 // --- Archives ----------------------------------------------------------------------------------------------
+
+/// UTF-8 for this thread, whatever the machine's locale is: libarchive loses names that the locale cannot
+/// spell.
+class Utf8 {
+ public:
+  Utf8() : locale_(::newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {
+    if (locale_ == nullptr) throw Error::failed("this machine has no locale C.UTF-8");
+    before_ = ::uselocale(locale_);
+  }
+  ~Utf8() {
+    ::uselocale(before_);
+    ::freelocale(locale_);
+  }
+  Utf8(const Utf8&) = delete;
+  Utf8& operator=(const Utf8&) = delete;
+
+ private:
+  locale_t locale_, before_ = nullptr;
+};
 
 /// An archive in memory, read from its beginning.
 class Archive {
@@ -164,7 +192,7 @@ class Archive {
     archive_entry* entry = nullptr;
     const int result = is_open_ ? ::archive_read_next_header(archive_.get(), &entry) : ARCHIVE_FATAL;
     if (result == ARCHIVE_EOF) return nullptr;
-    // A warning is of a name that the locale cannot spell.
+    // A warning is of a name in another encoding than it says.
     if (result != ARCHIVE_OK && result != ARCHIVE_WARN) {
       fault_ = "is a broken archive: " + error();
       return nullptr;
@@ -198,11 +226,13 @@ class Archive {
     return text == nullptr ? "unknown" : plain_text(text);
   }
 
+  Utf8 utf8_;
   std::unique_ptr<archive, int (*)(archive*)> archive_;
   bool is_open_ = false;
   std::string fault_;
 };
 
+/// The bytes of the name; "" where the archive has none.
 std::string name_of(archive_entry* entry) {
   const char* name = ::archive_entry_pathname_utf8(entry);
   if (name == nullptr) name = ::archive_entry_pathname(entry);

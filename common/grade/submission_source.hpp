@@ -10,9 +10,10 @@ namespace texel::grade {
 
 /// A file of a submission; folders are not listed.
 struct Item {
-  std::string path;      ///< with '/', without '.' and empty parts; as it is when refused
-  std::string refused;   ///< why it can never be taken, or ""
-  std::size_t position;  ///< among all that was listed, folders too
+  std::string path;        ///< text with '/', without '.' and empty parts; as it is when refused
+  std::string refused;     ///< why it can never be taken, or ""
+  std::size_t position;    ///< among all that was listed, folders too
+  std::string place = {};  ///< of a file in a folder: its path from there, in the disk's own bytes
 };
 
 struct Listing {

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <clocale>
 #include <map>
 
 #include "../support/archives.hpp"
@@ -266,7 +267,6 @@ TEST(Unpack, takes_no_path_that_leaves_the_submission_and_no_strange_name) {
                                                         {"..\\" + lab, ".."},
                                                         {"a\nb/" + lab, "control"},
                                                         {"a\x1b[2J/" + lab, "control"},
-                                                        {"\xC0\xAF/" + lab, "UTF-8"},
                                                         {std::string(1200, 'a') + "/" + lab, "too long"}}) {
     const Submission submission = Handed(Format::tar_gz, {{path, "x"}}).unpack();
     SCOPED_TRACE(path);
@@ -275,6 +275,80 @@ TEST(Unpack, takes_no_path_that_leaves_the_submission_and_no_strange_name) {
     EXPECT_TRUE(has(submission.ignored[0].reason, reason)) << submission.ignored[0].reason;
     EXPECT_FALSE(has(submission.ignored[0].path, "\x1b"));
   }
+}
+
+/// Sets the flag that says that a zip's names are UTF-8 (APPNOTE.TXT 4.4.4, bit 11).
+std::string with_utf8_flag(std::string zip) {
+  for (const auto& [head, flags] : {std::pair("PK\x03\x04", 7), {"PK\x01\x02", 9}})
+    for (std::size_t at = zip.find(head); at != zip.npos; at = zip.find(head, at + 4))
+      zip[at + static_cast<std::size_t>(flags)] =
+          static_cast<char>(zip[at + static_cast<std::size_t>(flags)] | 8);
+  return zip;
+}
+
+TEST(Unpack, takes_files_from_folders_with_names_in_any_encoding_and_locale) {
+  const std::string lab = "labs/05_normal_map/lab.cpp", frame = "shaders/05_normal_map/tangent_frame.glsl";
+  const std::vector<std::string> utf8 = {"\u00dcbung 9 \u2013 L\u00f6sung", "\u4f5c\u4e1a\u4e5d",
+                                         "final \U0001F642"};
+  // The same in CP437, CP1252, GBK (whose second bytes may be '\\') and Shift-JIS, without a word of it.
+  const std::vector<std::string> others = {
+      "\x9a"
+      "bung 9 - L\x94sung",
+      "\xdc"
+      "bung 9 \x96 L\xf6sung",
+      "\xd7\xf7\xd2\xb5\xbe\xc5",
+      "\x81\\ \xd7\x5c",
+      "\x83\x5c\x95\x5c",
+      "\xC0\xAF"};
+  for (const char* locale : {"C", "C.UTF-8"}) {
+    ASSERT_NE(std::setlocale(LC_ALL, locale), nullptr);
+    for (const bool is_utf8 : {true, false})
+      for (const std::string& folder : is_utf8 ? utf8 : others)
+        for (const Format format : {Format::zip, Format::tar_gz}) {
+          SCOPED_TRACE(folder + " in " + locale);
+          const std::vector<Packed> files = {{folder + "/" + lab, "mine"},
+                                             {folder + "/" + frame, "mine too"}};
+          // In a locale with UTF-8 the packer would say that these bytes are.
+          std::setlocale(LC_ALL, "C");
+          std::string bytes = pack(format, files);
+          std::setlocale(LC_ALL, locale);
+          if (is_utf8 && format == Format::zip) bytes = with_utf8_flag(bytes);
+          const Submission submission = Handed(format, bytes).unpack();
+          EXPECT_EQ(submission.fault, "");
+          EXPECT_EQ(submission.files,
+                    (std::map<std::string, std::string>{{lab, "mine"}, {frame, "mine too"}}));
+          if (is_utf8) {
+            EXPECT_EQ(submission.root, folder + "/");
+          }
+        }
+    for (const std::string& name : {utf8[0], others[0]}) {
+      const test::TemporaryFolder folder("class");
+      fs::create_directories(folder / "jane" / name / "labs/05_normal_map");
+      write_file(folder / "jane" / name / lab, "mine");
+      EXPECT_EQ(unpack(read_class(path_of(folder)).at(0), allowed).files.count(lab), 1U) << name;
+    }
+  }
+  std::setlocale(LC_ALL, "C");
+}
+
+TEST(Unpack, lists_every_entry_and_says_when_nothing_was_taken) {
+  const std::string long_name = std::string(256, 'n') + ".cpp", no_utf8 = "\xff\xfe.cpp";
+  for (const Format format : {Format::zip, Format::tar_gz}) {
+    const Submission submission = Handed(format, {{long_name, "x"}, {no_utf8, "x"}}).unpack();
+    EXPECT_TRUE(submission.files.empty());
+    EXPECT_EQ(submission.ignored.size(), 2U);
+    EXPECT_EQ(reason_of(submission, long_name), "is not a file with steps");
+    EXPECT_EQ(reason_of(submission, "\uFFFD\uFFFD.cpp"), "is not a file with steps");
+    EXPECT_TRUE(submission.fault.starts_with("contains no file with steps, so nothing was taken (2 files"))
+        << submission.fault;
+  }
+  // A zip whose names say that they are UTF-8 and are not: libarchive gives such a name no text.
+  const Submission broken =
+      Handed(Format::zip,
+             with_utf8_flag(pack(Format::zip, {{no_utf8, "x"}, {"labs/05_normal_map/lab.cpp", "mine"}})))
+          .unpack();
+  EXPECT_EQ(broken.files.size(), 1U) << broken.fault;
+  EXPECT_EQ(reason_of(broken, "(an entry without a name)"), "has no name");
 }
 
 TEST(Unpack, ends_a_name_at_its_first_zero) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -54,9 +55,10 @@ struct UnpackLimits {
 struct Submission {
   std::map<std::string, std::string> files;  ///< by path in the tree: what was taken
   std::vector<Ignored> ignored;              ///< in the submission's order
+  std::set<std::string> sound;               ///< paths of `ignored` that have nothing wrong but no steps
   std::string
       root;  ///< the folder of the submission that stands for the tree's root, as text; "" for the top
-  std::string fault;  ///< why nothing was taken (broken, a bomb, too large), or ""
+  std::string fault;  ///< why nothing was taken (broken, a bomb, too large, no step), or ""
 };
 
 /// Takes the allowed files out of a submission, into memory. Whatever the bytes, this ends with a Submission:
@@ -69,10 +71,13 @@ struct Submission {
 /// alone. The root is the folder with the most such files; of several the least deep, then the first by
 /// bytes. When two files stand for one, the longer path is taken, and of equal paths the later, as tar does.
 ///
+/// **Names** may be in any encoding, and the locale does not matter: bytes that are no UTF-8 become U+FFFD in
+/// the text of a path. Files with steps have ASCII names.
+///
 /// **Never taken**: links, devices, encrypted files, paths that are absolute or contain `..`, names with
-/// control characters or that are no UTF-8, files over the limit, hidden folders, archives in the archive,
-/// and names that are right but for capitals. Nothing is followed. In a folder, a hard link is a file as any
-/// other.
+/// control characters, files over the limit, hidden folders, archives in the archive, and names that are
+/// right except for capitals. Each is in `ignored`. Nothing is followed. In a folder, a hard link is a file
+/// as any other.
 Submission unpack(const Entry& entry, const std::vector<std::string>& allowed,
                   const UnpackLimits& limits = {});
 
