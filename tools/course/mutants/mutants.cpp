@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <deque>
 #include <sstream>
 
 #include "app/assets.hpp"
@@ -37,7 +38,7 @@ std::vector<std::string> chosen_names(const std::vector<std::string>& only) {
   return names;
 }
 
-/// The mutants that are asked for, in the catalogue's order, after all those that change nothing.
+/// The mutants that are asked for, in the catalogue's order.
 std::vector<course::Mutant> chosen(const std::vector<course::Mutant>& mutants,
                                    const MutantsOptions& options) {
   const std::vector<std::string> names = chosen_names(options.only);
@@ -50,17 +51,14 @@ std::vector<course::Mutant> chosen(const std::vector<course::Mutant>& mutants,
         fmt::format("there is no mutant '{}'", name),
         near.empty() ? "the catalogue is tests/mutants" : fmt::format("did you mean '{}'?", near));
   }
-  std::vector<course::Mutant> unchanged, wrong;
+  std::vector<course::Mutant> wrong;
   std::size_t place = 0;
-  for (const course::Mutant& mutant : mutants) {
-    if (mutant.is_right)
-      unchanged.push_back(mutant);
-    else if (names.empty() ? place++ % options.every == 0
-                           : std::find(names.begin(), names.end(), mutant.name) != names.end())
+  for (const course::Mutant& mutant : mutants)
+    if (!mutant.is_right &&
+        (names.empty() ? place++ % options.every == 0
+                       : std::find(names.begin(), names.end(), mutant.name) != names.end()))
       wrong.push_back(mutant);
-  }
-  unchanged.insert(unchanged.end(), wrong.begin(), wrong.end());
-  return unchanged;
+  return wrong;
 }
 
 void say(const std::string& line) {
@@ -68,24 +66,30 @@ void say(const std::string& line) {
   std::fflush(stdout);  // a log shows each as it ends
 }
 
-/// Makes one mutant and asks the tests.
-MutantResult try_mutant(const Tree& tree, const std::string& state, const Suite& suite,
-                        const course::Mutant& mutant) {
+/// Makes mutants together and asks the tests. Returns what became of each.
+std::vector<MutantResult> try_mutants(const Tree& tree, const std::string& state, const Suite& suite,
+                                      const std::vector<course::Mutant>& mutants) {
   const Stopwatch stopwatch;
   MutantResult result;
-  result.mutant = mutant;
   result.tree = state;
   try {
-    const AppliedMutant applied(tree, mutant);
-    const Verdict verdict = suite.judge(mutant.file, mutant.name);
+    std::deque<AppliedMutant> applied;
+    std::vector<std::string> files;
+    for (const course::Mutant& mutant : mutants) {
+      applied.emplace_back(tree, mutant);
+      files.push_back(mutant.file);
+    }
+    const Verdict verdict = suite.judge(files, mutants.front().name);
     result.fate = !verdict.builds ? Fate::broken : verdict.caught_by.empty() ? Fate::survived : Fate::caught;
     result.by = verdict.caught_by;
     if (!verdict.builds) result.by = {"it does not compile"};
   } catch (const Error& error) {
     result.by = {error.what()};
   }
-  result.seconds = stopwatch.milliseconds() / 1000;
-  return result;
+  result.seconds = stopwatch.milliseconds() / 1000 / static_cast<double>(mutants.size());
+  std::vector<MutantResult> results(mutants.size(), result);
+  for (std::size_t i = 0; i < mutants.size(); ++i) results[i].mutant = mutants[i];
+  return results;
 }
 
 std::string outcome(const MutantResult& result) {
@@ -94,9 +98,7 @@ std::string outcome(const MutantResult& result) {
     case Fate::caught:
       return "caught by " + by;
     case Fate::survived:
-      return result.mutant.is_right           ? "survived, since it changes nothing"
-             : result.mutant.survives.empty() ? "SURVIVED"
-                                              : "survived, as the catalogue expects";
+      return result.mutant.survives.empty() ? "SURVIVED" : "survived, as the catalogue expects";
     case Fate::broken:
       break;
   }
@@ -147,6 +149,32 @@ void say_survivors(const std::vector<MutantResult>& results) {
           result.mutant.survives.empty() ? "the catalogue gives no reason" : result.mutant.survives));
 }
 
+/// Makes all changes that change nothing, together, unless that was done in this tree. Throws Error (exit 3)
+/// when tests notice them: those would notice anything.
+void check_unchanged(const Tree& tree, const std::string& state, const Suite& suite,
+                     const std::vector<course::Mutant>& catalogue, Record& record) {
+  std::vector<course::Mutant> unchanged;
+  bool is_known = true;
+  for (const course::Mutant& mutant : catalogue) {
+    if (!mutant.is_right) continue;
+    unchanged.push_back(mutant);
+    const MutantResult* known = record.find(mutant.name, state);
+    is_known &= known != nullptr && known->fate == Fate::survived;
+  }
+  if (is_known) return;
+  say(fmt::format("making {} changes that change nothing", unchanged.size()));
+  std::string names;
+  for (const MutantResult& result : try_mutants(tree, state, suite, unchanged)) {
+    record.add(result);
+    names += (names.empty() ? "" : ", ") + result.mutant.name;
+  }
+  const MutantResult* first = record.find(unchanged.front().name, state);
+  if (first->fate == Fate::survived) return;
+  throw Error::failed(
+      fmt::format("what changes nothing ({}) is noticed: {}", names, fmt::join(first->by, "; ")), {},
+      "tests of sources, build or documents need the label tree (TREE in tests/CMakeLists.txt)");
+}
+
 }  // namespace
 
 Exit mutants(const MutantsOptions& options) {
@@ -171,30 +199,21 @@ Exit mutants(const MutantsOptions& options) {
   Record record(fs::absolute(work) / "results.json", options.report);
   const bool is_whole = options.only.empty() && options.every == 1;
   if (options.resume || !is_whole) record.read(catalogue);
+  check_unchanged(tree, state, suite, catalogue, record);
   std::vector<MutantResult> results;
   const Stopwatch stopwatch;
   std::size_t made = 0;
   for (const course::Mutant& mutant : mutants) {
-    // One that changes nothing is asked once for each tree.
-    const MutantResult* known = options.resume || mutant.is_right ? record.find(mutant.name, state) : nullptr;
-    if (known != nullptr && known->fate != Fate::broken) {
-      results.push_back(*known);
-    } else {
-      results.push_back(try_mutant(tree, state, suite, mutant));
-      ++made;
-    }
+    const MutantResult* known = options.resume ? record.find(mutant.name, state) : nullptr;
+    const bool is_known = known != nullptr && known->fate != Fate::broken;
+    results.push_back(is_known ? *known : try_mutants(tree, state, suite, {mutant}).front());
+    made += is_known ? 0 : 1;
     record.add(results.back());
     const double each = stopwatch.milliseconds() / 1000 / static_cast<double>(std::max<std::size_t>(made, 1));
     const std::size_t left = mutants.size() - results.size();
     say(fmt::format("{:3}/{} {:<32} {} ({}; {} left)", results.size(), mutants.size(), mutant.name,
-                    outcome(results.back()),
-                    known != nullptr ? "known" : duration_text(results.back().seconds),
+                    outcome(results.back()), is_known ? "known" : duration_text(results.back().seconds),
                     duration_text(each * static_cast<double>(left))));
-    if (results.back().is_false_alarm())
-      throw Error::failed(
-          fmt::format("'{}' changes nothing, and yet these tests fail: {}", mutant.name,
-                      fmt::join(results.back().by, "; ")),
-          {}, "tests of sources, build or documents need the label tree (TREE in tests/CMakeLists.txt)");
   }
   const Score total = score(results);
   say_survivors(results);

@@ -231,12 +231,14 @@ void Suite::measure(const std::string& state) {
     throw Error::failed("no test passes in the unchanged tree", {(logs_ / "unchanged.log").string()});
 }
 
-Verdict Suite::judge(const std::string& file, const std::string& name) const {
+Verdict Suite::judge(const std::vector<std::string>& files, const std::string& name) const {
   const fs::path log = logs_ / (name + ".log"), xml = logs_ / "mutant.xml";
   std::map<Order, std::vector<const Test*>> stages;
   for (const Test& test : tests_) {
-    if (!test.is_used) continue;
-    if (const auto order = order_of(test, tree_, file)) stages[*order].push_back(&test);
+    std::optional<Order> first;
+    for (const std::string& file : files)
+      if (const auto order = order_of(test, tree_, file); order && (!first || *order < *first)) first = order;
+    if (test.is_used && first) stages[*first].push_back(&test);
   }
   for (const auto& [order, tests] : stages) {
     std::set<std::string> targets;

@@ -57,9 +57,9 @@ class Suite {
 
   [[nodiscard]] const std::vector<Test>& tests() const { return tests_; }
 
-  /// Runs the tests, those together that have one Order, until some fail, and builds first what they need.
-  /// `name`: that of the log.
-  [[nodiscard]] Verdict judge(const std::string& file, const std::string& name) const;
+  /// Runs the tests that can notice a change of these files, those together that have one Order, until some
+  /// fail, and builds first what they need. `name`: that of the log.
+  [[nodiscard]] Verdict judge(const std::vector<std::string>& files, const std::string& name) const;
 
  private:
   /// Builds these targets, or all when there are none; false when that fails.
