@@ -33,8 +33,20 @@ void set_shader_cache(const Studio& studio, Confines& confines) {
     confines.environment.emplace_back("MESA_SHADER_CACHE_DIR", studio.shader_cache.string());
 }
 
-Outcome run(const Studio& studio, const std::vector<Case>& cases, const fs::path& work, const fs::path& out) {
-  const fs::path folder = work / "cases";
+double seconds_left(const Studio& studio) {
+  return studio.budget == nullptr ? kWallSeconds : studio.budget->left();
+}
+
+/// Where a program that works in this folder leaves its pictures.
+fs::path output_of(const fs::path& work) {
+  return work / "out";
+}
+
+/// Starts the program with a work folder and an output that are empty: what an earlier start left there can
+/// not be in its way.
+Outcome run(const Studio& studio, const std::vector<Case>& cases, const fs::path& work) {
+  const fs::path folder = work / "cases", out = output_of(work);
+  fs::remove_all(work);
   fs::create_directories(folder);
   fs::create_directories(out);
   write_file(folder / "cases.json", course::to_batch(cases));
@@ -44,7 +56,8 @@ Outcome run(const Studio& studio, const std::vector<Case>& cases, const fs::path
   confines.writable = {out};
   // So that a case can name a file as one does in the project's root: assets/models/….
   confines.working_folder = studio.root;
-  confines.limits.cpu_seconds = kProcessorSeconds, confines.limits.wall_seconds = kWallSeconds;
+  confines.limits.cpu_seconds = kProcessorSeconds;
+  confines.limits.wall_seconds = std::clamp(seconds_left(studio), 1.0, kWallSeconds);
   confines.limits.files = 1024;
   confines.environment = {
       {"TEXEL_ROOT", studio.root.string()},
@@ -71,6 +84,15 @@ std::string end_of(const Outcome& outcome) {
   return fmt::format("The program ended with exit code {} and drew nothing", outcome.exit_code);
 }
 
+/// Takes the picture or vertex stream of a case out of a program's output, and nothing else that may be
+/// there; whether there is one.
+bool take(const Case& of, const fs::path& from, const fs::path& to) {
+  if (!fs::is_regular_file(fs::symlink_status(from / of.file))) return false;
+  fs::create_directories(to);
+  fs::rename(from / of.file, to / of.file);
+  return true;
+}
+
 /// What the program itself says of its cases, by file. Nobody may trust what it wrote.
 std::map<std::string, course::Drawing> drawings_in(const fs::path& out) {
   constexpr std::uintmax_t most = 1U << 20U;
@@ -78,7 +100,6 @@ std::map<std::string, course::Drawing> drawings_in(const fs::path& out) {
   const fs::path file = out / course::kDrawingsFile;
   if (!fs::is_regular_file(fs::symlink_status(file)) || fs::file_size(file) > most) return all;
   for (const course::Drawing& drawing : course::parse_drawings(read_file(file))) all[drawing.file] = drawing;
-  fs::remove(file);
   return all;
 }
 
@@ -105,12 +126,13 @@ Drawn draw(const Studio& studio, const std::vector<Case>& cases, const fs::path&
   const fs::path work = out.parent_path() / (out.filename().string() + ".work");
   int timeouts = 0;
   for (int start = 0; start < kMostStarts && timeouts < kMostTimeouts && !left.empty(); ++start) {
-    fs::remove_all(work);
-    const Outcome outcome = run(studio, left, work, out);
-    const std::map<std::string, course::Drawing> drawings = drawings_in(out);
+    if (seconds_left(studio) <= 0) break;
+    const Outcome outcome = run(studio, left, work);
+    if (studio.budget != nullptr) studio.budget->spend(outcome.wall_seconds);
+    const std::map<std::string, course::Drawing> drawings = drawings_in(output_of(work));
     std::vector<Case> missing;
     for (const Case& one : left) {
-      if (fs::is_regular_file(fs::symlink_status(out / one.file))) continue;
+      if (take(one, output_of(work), out)) continue;
       if (const auto said = drawings.find(one.file); said != drawings.end() && !said->second.is_drawn)
         drawn.faults[one.file] = plain_lines(said->second.message),
         drawn.refused[one.file] = plain_text(said->second.place);
@@ -133,7 +155,10 @@ Drawn draw(const Studio& studio, const std::vector<Case>& cases, const fs::path&
     left.erase(left.begin());
   }
   for (const Case& one : left)
-    drawn.faults[one.file] = "Not drawn: the program crashed or was stopped several times before this case";
+    drawn.faults[one.file] =
+        seconds_left(studio) > 0
+            ? "Not drawn: the program crashed or was stopped several times before this case"
+            : "Not drawn: the submission used up its time";
   fs::remove_all(work);
   return drawn;
 }
@@ -154,10 +179,11 @@ std::string renderer_of(const Studio& studio) {
 
 void draw_all(const Studio& studio, const std::vector<Case>& cases, const fs::path& out) {
   const fs::path work = out.parent_path() / (out.filename().string() + ".work");
-  const Outcome outcome = run(studio, cases, work, out);
+  const Outcome outcome = run(studio, cases, work);
+  bool all = true;
+  for (const Case& one : cases) all = take(one, output_of(work), out) && all;
   fs::remove_all(work);
-  fs::remove(out / course::kDrawingsFile);
-  if (!outcome.succeeded())
+  if (!outcome.succeeded() || !all)
     throw Error::failed(fmt::format("the course's own program fails with exit code {}", outcome.exit_code),
                         {studio.program.string()}, plain_lines(outcome.errors.substr(0, 2000)));
 }

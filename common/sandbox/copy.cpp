@@ -25,10 +25,16 @@ Error cannot_write(const std::filesystem::path& path) {
                        "check that the folder is writable and the disk has free space");
 }
 
+/// Whether the name is why it cannot be written: too long a path, or a file where a folder was.
+bool is_by_its_name() {
+  return errno == ENAMETOOLONG || errno == ENOTDIR || errno == EISDIR || errno == EEXIST;
+}
+
 void copy_file(const Descriptor& from, const std::filesystem::path& to, mode_t mode) {
   // A new file, never through a link that an earlier program left here.
   ::unlink(to.c_str());
   const Descriptor file(::open(to.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
+  if (!file.is_open() && is_by_its_name()) return;
   if (!file.is_open()) throw cannot_write(to);
   std::vector<char> block(1U << 16U);
   while (true) {
@@ -45,7 +51,10 @@ bool copy_folder(const Descriptor& from, const std::filesystem::path& to, std::u
     struct stat status {};
     if (!entry.is_open() || ::fstat(entry.get(), &status) != 0) continue;
     if (S_ISDIR(status.st_mode) && depth < deepest) {
-      if (::mkdir((to / name).c_str(), 0755) != 0 && errno != EEXIST) throw cannot_write(to / name);
+      if (::mkdir((to / name).c_str(), 0755) != 0 && errno != EEXIST) {
+        if (is_by_its_name()) continue;
+        throw cannot_write(to / name);
+      }
       all = copy_folder(entry, to / name, room, depth + 1) && all;
     }
     if (!S_ISREG(status.st_mode)) continue;

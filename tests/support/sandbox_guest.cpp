@@ -74,6 +74,15 @@ void leave_results(const std::string& folder) {
   ::mkfifo((folder + "/pipe.png").c_str(), 0600);
 }
 
+/// Folders in folders, whose path is longer than the system takes, with a file in the last.
+void leave_deep_folders(const std::string& folder) {
+  if (::chdir(folder.c_str()) != 0) return;
+  const std::string name(255, 'n');
+  for (int i = 0; i < 16; ++i)
+    if (::mkdir(name.c_str(), 0755) != 0 || ::chdir(name.c_str()) != 0) return;
+  std::ofstream("file") << "x";
+}
+
 /// Forks until it cannot, and says how often it could.
 void count_forks() {
   int count = 0;
@@ -104,6 +113,17 @@ void try_forbidden() {
   say("shmget", ::syscall(SYS_shmget, 0, 4096, 01600) >= 0);
 }
 
+/// Fills the buffers of pipes, as large as it may make them, and says how many bytes lie there.
+void fill_buffers() {
+  const std::vector<char> block(1U << 16U);
+  long long bytes = 0;
+  for (int ends[2]; ::pipe2(ends, O_NONBLOCK) == 0;) {
+    ::fcntl(ends[1], F_SETPIPE_SZ, 1 << 20);
+    for (ssize_t put = 0; (put = ::write(ends[1], block.data(), block.size())) > 0;) bytes += put;
+  }
+  std::printf("%lld\n", bytes);
+}
+
 void try_signals(pid_t outside) {
   say("signal to the grader", ::kill(outside, 0) == 0);
   say("signal to its group", ::kill(-outside, 0) == 0);
@@ -131,12 +151,16 @@ int main(int argc, char** argv) {
     for (const int family : {AF_INET, AF_INET6, AF_NETLINK, AF_PACKET})
       say("socket", ::socket(family, SOCK_RAW, 0) >= 0);
     say("stream", ::socket(AF_INET, SOCK_STREAM, 0) >= 0);
+    say("local", ::socket(AF_UNIX, SOCK_STREAM, 0) >= 0);
+    int ends[2];
+    say("pair", ::socketpair(AF_UNIX, SOCK_STREAM, 0, ends) == 0);
   }
   if (what == "environment")
     for (char** variable = environ; *variable != nullptr; ++variable) std::printf("%s\n", *variable);
   if (what == "forbidden") try_forbidden();
   if (what == "signals") try_signals(std::atoi(where.c_str()));
   if (what == "results") leave_results(where);
+  if (what == "deep") leave_deep_folders(where);
   if (what == "holes") make_files(where, 1 << 20);
   if (what == "forks") count_forks();
   if (what == "daemon") leave_daemon();
@@ -149,6 +173,7 @@ int main(int argc, char** argv) {
   }
   if (what == "bomb")
     while (true) ::fork();
+  if (what == "pipes") fill_buffers();
   if (what == "memory")
     while (true) std::memset(new char[1U << 24U], 1, 1U << 24U);
   if (what == "huge") {

@@ -26,6 +26,8 @@ for name in $(grep -o '"name": *"[^"]*"' "$list" | cut -d '"' -f 4); do
       said='"status": "failed", "message": "/somewhere/lab.frag:3: no such function", "place": "lab.frag:3"'
       echo "[{\"name\": \"$name\", $said}]" >"$out/results.json"
       ;;
+    thing_file*) echo x >"$out/thing"; kill -s SEGV $$ ;;
+    thing_folder*) mkdir "$out/thing" && echo drawn >"$out/$name" ;;
     asks*) printenv TEXEL_THREADS >"$out/$name" ;;
     *) echo drawn >"$out/$name" ;;
   esac
@@ -81,6 +83,19 @@ TEST_F(StudioTest, starts_a_program_that_dies_four_times_at_the_most) {
   EXPECT_EQ(faulty(), "c.png dies1.png dies2.png dies3.png dies4.png");
   EXPECT_EQ(drawn_.faults["c.png"],
             "Not drawn: the program crashed or was stopped several times before this case");
+}
+
+TEST_F(StudioTest, empties_the_output_before_each_start_and_takes_pictures_alone) {
+  EXPECT_EQ(draw_all({"a", "thing_file", "thing_folder", "b"}), "a thing_folder b");
+  EXPECT_FALSE(fs::exists(folder_ / "out/thing"));
+  EXPECT_FALSE(fs::exists(folder_ / "out/results.json"));
+}
+
+TEST_F(StudioTest, starts_nothing_when_the_time_is_used_up) {
+  TimeBudget budget(0);
+  studio_.budget = &budget;
+  EXPECT_EQ(draw_all({"a", "b"}), "");
+  EXPECT_EQ(drawn_.faults.at("b.png"), "Not drawn: the submission used up its time");
 }
 
 TEST_F(StudioTest, passes_on_what_the_program_says_of_a_picture) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/confines.hpp"
+#include "core/time_budget.hpp"
 #include "course/case.hpp"
 
 namespace texel::grade {
@@ -25,6 +26,7 @@ struct Studio {
   Run run = run_plainly;                             ///< or in a sandbox, a program that nobody trusts
   std::vector<std::filesystem::path> readable = {};  ///< what it may read besides
   std::filesystem::path shader_cache = {};           ///< where the driver keeps compiled shaders, if it does
+  TimeBudget* budget = nullptr;                      ///< what all its programs may take; null: no such limit
 };
 
 /// The reasons why files are missing, by the file's name, and remarks on the whole.
