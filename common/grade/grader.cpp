@@ -157,12 +157,33 @@ GradeSummary grade_class(const GradeOptions& given, const std::function<void(con
   std::size_t cases = 0;
   for (const LabPlan& plan : preparation.plans) cases += plan.cases.size() * entries.size();
   Record record(options, preparation, cases, say);
+  record.expect(entries);
   fs::remove_all(options.out / "work");
   grade_students(options, preparation, record, entries, jobs);
   fs::remove_all(options.out / "work");
   remove_unused(options.cache);
   return {entries.size(), record.judged(), record.incidents(), record.seconds()};
 }
+
+namespace {
+
+/// Counts a student's cases, and takes the marks from steps whose cases are not all judged.
+void count_cases(StudentResult& student) {
+  for (LabResult& lab : student.labs)
+    for (StepResult& step : lab.steps) {
+      const auto planned = static_cast<std::size_t>(
+          std::count_if(lab.lab.cases.begin(), lab.lab.cases.end(),
+                        [&](const course::GradedCase& one) { return one.step == step.id; }));
+      student.planned += planned;
+      student.judged += std::min(step.cases.size(), planned);
+      if (step.cases.size() >= planned || !step.overridden.empty()) continue;
+      step.cases.clear();
+      step.status = Status::failed, step.score = 0;
+      step.message = "This step is not judged yet.", step.mistake = step.mistake_says = "";
+    }
+}
+
+}  // namespace
 
 ClassResult read_results(const fs::path& folder, const fs::path& course) {
   if (!fs::exists(store_file(folder)))
@@ -176,6 +197,7 @@ ClassResult read_results(const fs::path& folder, const fs::path& course) {
     std::erase_if(student.labs, [&](const LabResult& lab) {
       return chosen.find(fmt::format(" {} ", lab.lab.number)) == std::string::npos;
     });
+    count_cases(student);
     put_places(student.labs, places);
   }
   return results;

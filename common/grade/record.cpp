@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/error.hpp"
+#include "core/files.hpp"
 #include "course/batch.hpp"
 #include "fingerprint.hpp"
 
@@ -14,6 +15,14 @@ namespace texel::grade {
 namespace {
 
 namespace fs = std::filesystem;
+
+void make_writable_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {folder.string()},
+                        "check that it is writable and the disk has free space");
+}
 
 /// What results depend on: two runs may only be joined where all of it is the same.
 std::map<std::string, std::string> facts_of(const GradeOptions& options, const Preparation& preparation) {
@@ -55,11 +64,18 @@ Record::Record(const GradeOptions& options, const Preparation& preparation, std:
 void Record::keep_references() const {
   for (const LabPlan& plan : preparation_.plans) {
     const fs::path folder = options_.out / "references" / plan.lab.folder;
-    fs::create_directories(folder);
+    make_writable_folder(folder);
     for (const course::Case& one : plan.cases)
       if (!one.hidden)
-        fs::copy_file(preparation_.course->expected(plan, one).reference, folder / one.file,
-                      fs::copy_options::overwrite_existing);
+        write_file(folder / one.file, read_file(preparation_.course->expected(plan, one).reference));
+  }
+}
+
+void Record::expect(const std::vector<Entry>& entries) {
+  for (const Entry& entry : entries) {
+    StudentResult student;
+    student.id = entry.id, student.name = entry.name, student.number = entry.number;
+    store_->expect_student(student);
   }
 }
 

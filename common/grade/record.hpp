@@ -8,6 +8,7 @@
 #include <mutex>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "core/stopwatch.hpp"
 #include "preparation.hpp"
@@ -26,6 +27,8 @@ class Record {
   Record(const GradeOptions& options, const Preparation& preparation, std::size_t cases,
          std::function<void(const std::string&)> say);
 
+  /// The students who are to be graded.
+  void expect(const std::vector<Entry>& entries);
   /// A student, and the submission where it could be opened. Returns the cases, as "05_normal_map/bumps",
   /// that were judged before.
   std::set<std::string> begin(const Entry& entry, const StudentRun* run);

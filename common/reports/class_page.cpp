@@ -109,24 +109,27 @@ std::string row(const StudentResult& student, const std::vector<LabResult>& labs
       if (step != nullptr && step->status == Status::failed && !step->mistake.empty())
         mistakes += " " + step->mistake;
     }
-  const bool has_incident = !student.incident.empty();
+  const bool has_incident = !student.incident.empty(), has_no_mark = !student.unmarked().empty();
   std::string note;
   if (has_incident)
     note = "<span class=\"note incident\">! not graded</span>";
+  else if (has_no_mark)
+    note = fmt::format("<span class=\"note incident\">! not finished: {} of {} cases judged</span>",
+                       student.judged, student.planned);
   else if (!student.fault.empty())
     note = fmt::format("<span class=\"note failed\">could not be read: {}</span>", escaped(student.fault));
   else if (!student.logs.empty())
     note = "<span class=\"note failed\">does not compile</span>";
-  const std::string points = has_incident ? "–" : number(student.points());
+  const std::string points = has_no_mark ? "–" : number(student.points());
   return fmt::format(
       "<tr data-state=\"{}\" data-mistakes=\"{} \"><th scope=\"row\" class=\"name\"><a "
       "href=\"{}\"><bdi>{}</bdi>"
       "</a><span class=\"quiet\">{}</span>{}</th><td class=\"number\" data-sort=\"{}\">{}</td>{}</tr>\n",
-      has_incident ? "incident"
+      has_no_mark  ? "incident"
       : all_passed ? "passed"
                    : "open",
       escaped(mistakes), page_name(student), escaped(student.name), escaped(student.number), note,
-      has_incident ? "-1" : number(student.points(), 6), points, cells);
+      has_no_mark ? "-1" : number(student.points(), 6), points, cells);
 }
 
 std::string foot(const ClassResult& results, const std::vector<LabResult>& labs) {
@@ -199,11 +202,12 @@ std::string mistakes_section(const ClassResult& results) {
 std::string incidents_section(const ClassResult& results) {
   std::string items;
   for (const StudentResult& student : results.students)
-    if (!student.incident.empty())
+    if (!student.unmarked().empty())
       items += fmt::format("<dt><a href=\"{}\"><bdi>{}</bdi></a></dt><dd>{}</dd>\n", page_name(student),
-                           escaped(student.name), escaped(student.incident));
+                           escaped(student.name), escaped(student.unmarked()));
   if (items.empty()) return "";
-  return "<section id=\"incidents\">\n<h2>Not graded</h2>\n<p>The grader or the machine failed. These "
+  return "<section id=\"incidents\">\n<h2>Not graded</h2>\n<p>The grader or the machine failed, or the run "
+         "is not finished. These "
          "students have no new mark; earlier marks are kept. Grade again with <code>--resume</code>.</p>\n"
          "<dl class=\"incidents\">\n" +
          items + "</dl>\n</section>\n";
@@ -239,7 +243,7 @@ std::string summary(const ClassResult& results) {
   double most = 0;
   for (const StudentResult& student : results.students) {
     most = std::max(most, student.max_points());
-    if (student.incident.empty()) points.push_back(student.points());
+    if (student.unmarked().empty()) points.push_back(student.points());
   }
   std::string text = counted(results.students.size(), "student") + ".";
   if (!points.empty()) {

@@ -61,7 +61,7 @@ std::string csv(const ClassResult& results) {
 
   std::string text = row(head);
   for (const StudentResult& student : results.students) {
-    const bool graded = student.incident.empty();
+    const bool graded = student.unmarked().empty();
     const auto points = [&](double value) { return graded ? number(value, 4) : ""; };
     std::map<int, const LabResult*> by_number;
     for (const LabResult& lab : student.labs) by_number[lab.lab.number] = &lab;
@@ -78,7 +78,7 @@ std::string csv(const ClassResult& results) {
             if (step.id == id) value = step.points * step.score;
         cells.push_back(points(value));
       }
-    cells.push_back(line(graded ? student.fault : "not graded: " + student.incident));
+    cells.push_back(line(graded ? student.fault : "not graded: " + student.unmarked()));
     text += row(cells);
   }
   return text;

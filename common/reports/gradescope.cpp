@@ -39,8 +39,8 @@ json test_of(const StepResult& step, double points, double most, const std::stri
 }  // namespace
 
 std::string gradescope(const StudentResult& student) {
-  if (!student.incident.empty())
-    throw Error::failed(fmt::format("'{}' was not graded: {}", student.id, student.incident), {},
+  if (!student.unmarked().empty())
+    throw Error::failed(fmt::format("'{}' was not graded: {}", student.id, student.unmarked()), {},
                         "grade again with --resume");
   json tests = json::array();
   for (const LabResult& lab : student.labs)

@@ -82,11 +82,11 @@ std::string junit(const StudentResult& student, const std::filesystem::path& fol
   std::string suites;
   std::string logs;
   for (const CompilerLog& log : student.logs) logs += log.file + ":\n" + log.text + "\n";
-  if (!student.incident.empty() || !student.fault.empty() || !logs.empty()) {
+  if (!student.unmarked().empty() || !student.fault.empty() || !logs.empty()) {
     Counts counts;
     std::string cases;
-    if (!student.incident.empty()) {
-      cases += fault("submission", "graded", "error", student.incident);
+    if (!student.unmarked().empty()) {
+      cases += fault("submission", "graded", "error", student.unmarked());
       ++counts.errors;
     }
     if (!student.fault.empty()) cases += fault("submission", "readable", "failure", student.fault);

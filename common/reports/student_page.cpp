@@ -154,6 +154,9 @@ std::string first_thing(const StudentResult& student) {
         "happened</summary><p>{}</p></details>"
         "</div>\n",
         kIncident, escaped(student.incident));
+  if (student.is_unfinished())
+    return fmt::format("<div class=\"start incident\"><p>Not graded yet: {}.</p></div>\n",
+                       escaped(student.unmarked()));
   if (!student.fault.empty())
     return fmt::format("<div class=\"start failed\"><p>The submission could not be read: {}</p></div>\n",
                        escaped(student.fault));
@@ -182,7 +185,7 @@ std::string student_page(const StudentResult& student, const std::map<std::strin
   }
   if (!contents.empty()) contents = "<nav aria-label=\"Labs\"><ol>\n" + contents + "</ol></nav>\n";
   std::string mark = "Not graded";
-  if (student.incident.empty())
+  if (student.unmarked().empty())
     mark = student.labs.empty() ? "0 <small>points</small>"
                                 : fmt::format("{} <small>of {} points</small>", number(student.points()),
                                               number(student.max_points()));

@@ -59,7 +59,7 @@ void write_format(const std::string& name, const ClassResult& results, const fs:
       write(folder / name / (id + ".xml"), junit(student, folder));
     else if (name == "prairielearn")
       write(folder / name / id / "results.json", prairielearn(student, folder));
-    else if (student.incident.empty())
+    else if (student.unmarked().empty())
       write(folder / name / id / "results.json", gradescope(student));
   }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "store/class_results.hpp"
 
+#include <fmt/format.h>
+
 namespace texel::grade {
 
 double StudentResult::points() const {
@@ -13,6 +15,11 @@ double StudentResult::max_points() const {
   double sum = 0;
   for (const LabResult& lab : labs) sum += lab.max_points();
   return sum;
+}
+
+std::string StudentResult::unmarked() const {
+  if (!incident.empty() || !is_unfinished()) return incident;
+  return fmt::format("the run is not finished: {} of {} cases are judged", judged, planned);
 }
 
 }  // namespace texel::grade

@@ -388,6 +388,13 @@ void Store::put_student(const StudentResult& student, const std::string& digest)
   transaction.commit();
 }
 
+void Store::expect_student(const StudentResult& student) {
+  const std::lock_guard lock(database_->mutex);
+  Statement(database_->connection, "INSERT OR IGNORE INTO students VALUES (?, '', ?, ?, '')", student.id,
+            student.name, student.number)
+      .run();
+}
+
 void Store::put_log(const std::string& student, const CompilerLog& log) {
   const std::lock_guard lock(database_->mutex);
   Statement(database_->connection,

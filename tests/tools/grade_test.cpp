@@ -404,6 +404,46 @@ TEST_F(GradedClass, survives_a_disk_that_is_full_or_cannot_be_written) {
   expect_same(kept, kWork / "few_out");
 }
 
+/// The results as a run leaves them that was cut off: one student done, one in the middle, the others not
+/// begun.
+TEST_F(GradedClass, says_that_a_run_is_not_finished) {
+  ASSERT_EQ(graded_few_.exit_code, 0) << graded_few_.output;
+  const fs::path cut = fresh("cut_out"), joined = fresh("cut_joined");
+  fs::create_directories(cut);
+  const grade::ClassResult whole = grade::read_results(kWork / "few_out", kSource);
+  ASSERT_GE(whole.students.size(), 3U);
+  {
+    grade::Store store(grade::store_file(cut));
+    store.put_facts(grade::Store(grade::store_file(kWork / "few_out")).facts());
+    for (const grade::StudentResult& student : whole.students) store.expect_student(student);
+    for (std::size_t i = 0; i < 2; ++i) {
+      store.put_student(whole.students[i], "digest");
+      for (const grade::LabResult& lab : whole.students[i].labs)
+        for (const grade::StepResult& step : lab.steps)
+          for (const grade::CaseResult& one : step.cases)
+            if (i == 0 || &one != &step.cases.back()) store.put(whole.students[i].id, one);
+    }
+  }
+  const std::string texel = (kBin / "texel").string(), to = shell_word(cut.string());
+  for (const std::string& line :
+       {texel + " grade report " + to + " --format csv,gradescope",
+        texel + " grade merge " + to + " --out " + shell_word(joined.string()) + " --format csv"}) {
+    const Result result = shell(line + " 2>&1");
+    EXPECT_EQ(result.exit_code, 3) << result.output;
+    EXPECT_TRUE(has(result.output, fmt::format("not finished: {} students", whole.students.size() - 1)))
+        << result.output;
+    EXPECT_EQ(shell(line + " --unfinished 2>&1").exit_code, 0);
+  }
+  for (const fs::path& folder : {cut, joined}) {
+    const auto rows = read_csv(read_file(folder / "class.csv"));
+    ASSERT_EQ(rows.size(), whole.students.size() + 1);
+    EXPECT_NE(rows[1][3], "");
+    for (std::size_t i = 2; i < rows.size(); ++i) EXPECT_EQ(rows[i][3], "") << rows[i][1];
+  }
+  EXPECT_TRUE(fs::exists(cut / "gradescope" / whole.students[0].id / "results.json"));
+  EXPECT_FALSE(fs::exists(cut / "gradescope" / whole.students[1].id / "results.json"));
+}
+
 TEST_F(GradedClass, has_reports_in_every_format) {
   ASSERT_EQ(graded_few_.exit_code, 0) << graded_few_.output;
   const fs::path out = kWork / "few_out";

@@ -569,6 +569,27 @@ TEST_F(Reports, show_no_mark_where_the_grader_was_at_fault) {
   EXPECT_TRUE(has(read_file(folder_ / "report/index.html"), "no space left on the disk"));
 }
 
+TEST_F(Reports, give_no_mark_in_any_format_while_the_run_is_not_finished) {
+  StudentResult& ada = *std::find_if(results_.students.begin(), results_.students.end(),
+                                     [](const StudentResult& each) { return each.id == "ada-half"; });
+  ada.judged = 29, ada.planned = 44;
+  const std::string why = "29 of 44 cases";
+  EXPECT_TRUE(has(page(ada), "<p class=\"mark\">Not graded</p>"));
+  EXPECT_TRUE(has(page(ada), why));
+  EXPECT_TRUE(has(read_file(folder_ / "report/index.html"), why));
+  EXPECT_TRUE(has(read_file(folder_ / "report/index.html"), "2 not graded."));
+  const auto rows = parse_csv(csv(results_));
+  for (std::size_t i = 3; i + 1 < rows[2].size(); ++i) EXPECT_EQ(rows[2][i], "") << rows[0][i];
+  EXPECT_TRUE(has(rows[2].back(), why));
+  EXPECT_THROW(gradescope(ada), Error);
+  write_format("gradescope", results_, folder_);
+  EXPECT_FALSE(fs::exists(folder_ / "gradescope/ada-half/results.json"));
+  EXPECT_EQ(test::parse_json(prairielearn(ada, folder_))["gradable"], false);
+  EXPECT_EQ(Xml::parse(junit(ada, folder_)).attributes.at("errors"), "1");
+  ada.judged = 44;
+  EXPECT_FALSE(has(page(ada), "Not graded"));
+}
+
 TEST_F(Reports, name_the_first_failing_step_its_cause_place_and_hint) {
   const std::string html = page(student("ada-half"));
   EXPECT_TRUE(has(html, "Correct this first: <a href=\"#step-5.2\">step 5.2: Build the tangent frame</a>"));

@@ -995,5 +995,23 @@ TEST(Store, has_all_that_was_put_when_the_program_is_killed) {
   }
 }
 
+TEST(Store, knows_who_is_to_be_graded_and_takes_nothing_from_who_was) {
+  const Folder folder;
+  Store store(folder / "results.sqlite");
+  StudentResult broken = student_of("anna");
+  broken.fault = "is empty";
+  store.put_student(broken, "digest");
+  store.put("anna", case_of("1.1", "plain", 0));
+  store.expect_student(student_of("anna"));
+  store.expect_student(student_of("ben"));
+  const ClassResult result = store.read(two_labs());
+  EXPECT_EQ(student_in(result, "anna").fault, "is empty");
+  EXPECT_EQ(step_in(student_in(result, "anna"), "1.1").cases.size(), 1U);
+  EXPECT_EQ(student_in(result, "ben").name, "name of ben");
+  store.put_student(student_of("ben"), "another digest");
+  store.put("ben", case_of("1.1", "plain", 1));
+  EXPECT_EQ(step_in(student_in(store.read(two_labs()), "ben"), "1.1").score, 1);
+}
+
 }  // namespace
 }  // namespace texel::grade

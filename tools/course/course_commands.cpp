@@ -123,6 +123,11 @@ void add_formats(CLI::App* command, std::vector<std::string>& formats) {
       ->check(CLI::IsMember({"gradescope", "prairielearn", "junit", "csv"}));
 }
 
+void add_unfinished(CLI::App* command, bool& unfinished) {
+  command->add_flag("--unfinished", unfinished,
+                    "Exit with 0 even if the run was cut off and students have no mark yet");
+}
+
 void add_grade(CLI::App& app, GradeCommands& all) {
   CLI::App* grade = app.add_subcommand("grade", "Grade a class from headless snapshots");
   grade->footer(
@@ -152,6 +157,7 @@ void add_grade(CLI::App& app, GradeCommands& all) {
   merge->add_option("PART", all.merge.parts, "Folders that 'texel grade --shard' wrote")->required();
   merge->add_option("--out", all.merge.out, "A folder for all of them")->required();
   add_formats(merge, all.merge.formats);
+  add_unfinished(merge, all.merge.unfinished);
 
   CLI::App* change = grade->add_subcommand("override", "Set a step's score by hand; grading again keeps it");
   change->add_option("OUT", all.override_score.out, "Folder with the results")->required();
@@ -162,10 +168,12 @@ void add_grade(CLI::App& app, GradeCommands& all) {
   change->add_option("--reason", all.override_score.reason, "Why; the report shows it to the student");
   change->add_flag("--drop", all.override_score.drop, "Remove an earlier override")->excludes(score);
   add_formats(change, all.override_score.formats);
+  add_unfinished(change, all.override_score.unfinished);
 
   CLI::App* report = grade->add_subcommand("report", "Write the reports of earlier results again");
   report->add_option("OUT", all.report.out, "Folder with the results")->required();
   add_formats(report, all.report.formats);
+  add_unfinished(report, all.report.unfinished);
 }
 
 Exit run_grade(const CLI::App& app, const GradeCommands& all) {

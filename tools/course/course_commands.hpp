@@ -93,16 +93,18 @@ struct GradeMergeCommand {
   std::vector<std::filesystem::path> parts;
   std::filesystem::path out;
   std::vector<std::string> formats;
+  bool unfinished = false;  ///< students without a mark are no failure
 };
 
-/// `texel grade merge`: joins the results of shards.
+/// `texel grade merge`: joins the results of shards. This and the next two throw Error (exit 3) after all is
+/// written when the run was cut off, unless `unfinished`.
 Exit grade_merge(const GradeMergeCommand& command);
 
 struct GradeOverrideCommand {
   std::filesystem::path out;
   std::string student, step, reason;
   double score = 0;
-  bool drop = false;
+  bool drop = false, unfinished = false;
   std::vector<std::string> formats;
 };
 
@@ -112,6 +114,7 @@ Exit grade_override(const GradeOverrideCommand& command);
 struct GradeReportCommand {
   std::filesystem::path out;
   std::vector<std::string> formats;
+  bool unfinished = false;
 };
 
 /// `texel grade report`: writes the reports again.

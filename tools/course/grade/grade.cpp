@@ -35,22 +35,37 @@ void say(const std::string& line) {
 void print_class(const grade::ClassResult& results) {
   std::size_t width = 0;
   for (const grade::StudentResult& student : results.students) width = std::max(width, student.id.size());
-  for (const grade::StudentResult& student : results.students)
-    fmt::print("{:<{}}  {:>6.2f} of {:g}{}\n", student.id, width, student.points(), student.max_points(),
-               !student.incident.empty()
-                   ? "  NOT GRADED IN FULL, grade again with --resume: " + student.incident
+  for (const grade::StudentResult& student : results.students) {
+    const std::string unmarked = student.unmarked();
+    fmt::print("{:<{}}  {:>6} of {:g}{}\n", student.id, width,
+               unmarked.empty() ? fmt::format("{:.2f}", student.points()) : "-", student.max_points(),
+               !unmarked.empty()       ? "  NOT GRADED IN FULL, grade again with --resume: " + unmarked
                : student.fault.empty() ? ""
                                        : "  " + student.fault);
+  }
 }
 
-/// Every report of the results in a folder.
-void write_reports(const fs::path& out, const std::vector<std::string>& formats) {
+/// Every report of the results in a folder. Returns how many students are not graded in full.
+std::size_t write_reports(const fs::path& out, const std::vector<std::string>& formats) {
   const grade::ClassResult results = grade::read_results(out, course_root());
   grade::write_html(results, out);
   for (const std::string& format : formats) grade::write_format(format, results, out);
   print_class(results);
   fmt::print("look at the page   file://{}\n",
              fs::absolute(out / "report/index.html").lexically_normal().string());
+  return static_cast<std::size_t>(
+      std::count_if(results.students.begin(), results.students.end(),
+                    [](const grade::StudentResult& student) { return !student.unmarked().empty(); }));
+}
+
+/// The same for results that may be of a run that was cut off: then they are no marks to hand out.
+Exit write_earlier(const fs::path& out, const std::vector<std::string>& formats, bool unfinished) {
+  const std::size_t open = write_reports(out, formats);
+  if (open > 0 && !unfinished)
+    throw Error::failed(fmt::format("the run is not finished: {} students have no mark", open),
+                        {out.string()},
+                        "run texel grade again with --resume, or accept this with --unfinished");
+  return Exit::holds;
 }
 
 }  // namespace
@@ -95,8 +110,7 @@ Exit grade_merge(const GradeMergeCommand& command) {
         fs::copy(part / folder, command.out / folder,
                  fs::copy_options::recursive | fs::copy_options::overwrite_existing);
   }
-  write_reports(command.out, command.formats);
-  return Exit::holds;
+  return write_earlier(command.out, command.formats, command.unfinished);
 }
 
 Exit grade_override(const GradeOverrideCommand& command) {
@@ -123,13 +137,11 @@ Exit grade_override(const GradeOverrideCommand& command) {
     store.drop_override(command.student, command.step);
   else
     store.put_override({command.student, command.step, command.score, command.reason});
-  write_reports(command.out, command.formats);
-  return Exit::holds;
+  return write_earlier(command.out, command.formats, command.unfinished);
 }
 
 Exit grade_report(const GradeReportCommand& command) {
-  write_reports(command.out, command.formats);
-  return Exit::holds;
+  return write_earlier(command.out, command.formats, command.unfinished);
 }
 
 }  // namespace texel::tools

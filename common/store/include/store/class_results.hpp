@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -30,8 +31,13 @@ struct StudentResult {
   std::vector<LabResult> labs;
   std::string incident;  ///< what kept the grader from grading (never a zero: to be tried again), or ""
 
+  std::size_t judged = 0, planned = 0;  ///< cases; fewer are judged than planned while a run is unfinished
+
   [[nodiscard]] double points() const;
   [[nodiscard]] double max_points() const;
+  [[nodiscard]] bool is_unfinished() const { return judged < planned; }
+  /// Why there is no mark (an incident, or cases that are not judged yet), or "".
+  [[nodiscard]] std::string unmarked() const;
 };
 
 /// A score that a teacher set by hand. It survives regrading.

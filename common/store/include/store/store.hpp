@@ -39,6 +39,10 @@ class Store {
   /// keeps its earlier score, so that a regrade that was cut short can begin once more.
   void begin_anew(const std::vector<course::Lab>& labs);
 
+  /// Makes a student known who is to be graded, unless the store has the student already: whom an unfinished
+  /// run did not come to is then not missing from it.
+  void expect_student(const StudentResult& student);
+
   /// What is known of a student besides the cases; comes before anything else of the student, who is unknown
   /// until then (exit 3). Replaces what was there: names, fault, ignored files, the incident, and the notes
   /// of each lab in `student.labs`. Logs, and the notes and incidents of other labs, stay, so that a run that
