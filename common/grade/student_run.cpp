@@ -89,7 +89,7 @@ JudgedLab StudentRun::judge(const LabPlan& plan, const std::vector<Case>& cases,
   std::map<std::string, std::string> sources;
   for (const auto& [path, text] : submission_.files)
     if (path.ends_with(".cpp")) sources[path] = text;
-  const Program program = preparation_.workshop->make(plan.lab.program(), sources);
+  const Program program = preparation_.workshop->make(plan.lab.program(), sources, &budget_);
 
   const fs::path out = folder_ / plan.lab.folder;
   Studio studio{program.file,
@@ -97,6 +97,7 @@ JudgedLab StudentRun::judge(const LabPlan& plan, const std::vector<Case>& cases,
                 options_.context,
                 options_.run,
                 {preparation_.starter.source / "assets"}};
+  studio.budget = &budget_;
   if (fs::exists(preparation_.models)) studio.readable.push_back(preparation_.models);
   fs::remove_all(out);
   const Drawn drawn = submission_.fault.empty() ? draw(studio, cases, out) : Drawn();

@@ -60,6 +60,9 @@ class StudentRun {
   std::filesystem::path folder_;
   Submission submission_;
   std::string digest_;
+  /// What a student's compilers and programs may take together: one without end in each of nine labs takes as
+  /// long (60 s), and a sound one a minute in all.
+  mutable TimeBudget budget_{900};
   std::set<std::string> untouched_;  ///< steps that are as the starter has them
 };
 

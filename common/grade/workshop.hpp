@@ -4,11 +4,13 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
 
 #include "core/confines.hpp"
+#include "core/time_budget.hpp"
 #include "store/class_results.hpp"
 
 namespace texel::grade {
@@ -33,9 +35,12 @@ class Workshop {
   /// when the build folder is none of Ninja's.
   Workshop(BuiltTree tree, std::filesystem::path cache, Run how);
 
-  /// The lab's program with the changed C++ files, by path in the tree; others are passed over. Throws Error
-  /// (exit 3) for faults of the machine.
-  Program make(const std::string& program, const std::map<std::string, std::string>& files);
+  /// The lab's program with the changed C++ files, by path in the tree; others are passed over. A file of a
+  /// library counts only where the program needs it. A file that does not compile or link is left out alone.
+  /// Each file is compiled once for all labs, also one at which the compiler had to be stopped. The compiler
+  /// may use up `budget`. Throws Error (exit 3) for faults of the machine.
+  Program make(const std::string& program, const std::map<std::string, std::string>& files,
+               TimeBudget* budget = nullptr);
 
   [[nodiscard]] const BuiltTree& tree() const { return tree_; }
 
@@ -52,11 +57,11 @@ class Workshop {
   };
 
   const Recipe& recipe(const std::string& program);
-  Object compile(const Recipe& recipe, const std::string& path, const std::string& text);
+  Object compile(const Recipe& recipe, const std::string& path, const std::string& text, TimeBudget* budget);
   std::string link(const Recipe& recipe, const std::string& program,
                    const std::map<std::string, Object>& objects, const std::filesystem::path& to);
   Outcome run(const Words& command, const std::vector<std::filesystem::path>& readable,
-              const std::filesystem::path& out) const;
+              const std::filesystem::path& out, double wall_seconds) const;
   std::filesystem::path new_folder(const char* what);
 
   BuiltTree tree_;
@@ -64,6 +69,8 @@ class Workshop {
   Run run_;
   std::mutex mutex_;
   std::map<std::string, Recipe> recipes_;
+  std::map<std::string, std::unique_ptr<std::mutex>> compiling_;  ///< by an object's key
+  std::map<std::string, std::string> stopped_;  ///< logs of objects at which the compiler had to be stopped
   int count_ = 0;
 };
 

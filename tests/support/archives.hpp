@@ -7,6 +7,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace texel::test {
@@ -57,6 +58,15 @@ inline std::string pack(Format format, const std::vector<Packed>& files, const s
   }
   ::archive_write_close(a);
   return bytes;
+}
+
+/// Sets the flag that says that a zip's names are UTF-8 (APPNOTE.TXT 4.4.4, bit 11).
+inline std::string with_utf8_flag(std::string zip) {
+  for (const auto& [head, flags] : {std::pair("PK\x03\x04", 7), {"PK\x01\x02", 9}})
+    for (std::size_t at = zip.find(head); at != zip.npos; at = zip.find(head, at + 4))
+      zip[at + static_cast<std::size_t>(flags)] =
+          static_cast<char>(zip[at + static_cast<std::size_t>(flags)] | 8);
+  return zip;
 }
 
 }  // namespace texel::test

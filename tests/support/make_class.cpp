@@ -240,6 +240,10 @@ class ClassMaker {
     }
   }
 
+  static bool has_step(const std::string& text, const std::string& step) {
+    return text.find("//@step " + step + " begin") != text.npos;
+  }
+
   [[nodiscard]] bool is_untouched(const std::string& step, const std::string& file,
                                   const std::string& text) const {
     return course::untouched_steps(text, starter().at(file), file).count(step) > 0;
@@ -271,15 +275,15 @@ class ClassMaker {
       fs::create_directories((links / path).parent_path());
       fs::create_symlink(options_.root / path, links / path);
     }
-    expect("files-links", "files", "links", nothing());
+    Json fault = nothing();
+    fault["fault"] = true;
+    expect("files-links", "files", "links", fault);
     const fs::path linked = options_.out / "files-linked-folders";
     fs::create_directories(linked);
     for (const char* folder : {"common", "labs", "shaders"})
       fs::create_directory_symlink(options_.root / folder, linked / folder);
-    expect("files-linked-folders", "files", "linked-folders", nothing());
+    expect("files-linked-folders", "files", "linked-folders", fault);
     fs::create_directory_symlink(options_.root, options_.out / "files-link");
-    Json fault = nothing();
-    fault["fault"] = true;
     expect("files-link", "files", "link", fault);
 
     const std::string mark = options_.out.string() + "/texel_threat_was_here";
@@ -334,6 +338,29 @@ class ClassMaker {
       else
         put_file("files", entries[i] + ".zip", "nothing that can be read", fault);
 
+    // Folders with names in other encodings than the grader's.
+    const std::vector<std::string> folders = {"\u00dcbung 9 \u2013 L\u00f6sung", "\u4f5c\u4e1a\u4e5d",
+                                              "final \U0001F642",
+                                              "\x9a"
+                                              "bung 9 - L\x94sung",
+                                              "\xd7\xf7\xd2\xb5"};
+    for (std::size_t i = 0; i < folders.size(); ++i) {
+      Files below;
+      for (const auto& [path, text] : solution()) below[folders[i] + "/" + path] = text;
+      below[std::string(256, 'n') + ".cpp"] = "// nobody asked for this\n";
+      std::string zip = packed(Format::zip, below);
+      if (i < 3) zip = with_utf8_flag(zip);
+      put_file("files", fmt::format("files-folder-{}.zip", i), zip, {{"passes", all_steps()}});
+    }
+
+    // A library's file that does not link costs its own steps, and no lab that does without it.
+    const std::string tangents = "common/mesh/tangents.cpp";
+    Files unlinked = solution();
+    unlinked[tangents] += "int missing_function();\nint unlinked = missing_function();\n";
+    Json own = steps([&](const std::string& step) { return has_step(sources_.at(tangents), step); });
+    put("files", "does-not-link", unlinked,
+        own.empty() ? Json{{"passes", all_steps()}} : Json{{"zero", own}});
+
     // One name, two students: each keeps their own work.
     write_folder(options_.out / "Jane Doe", solution());
     expect("Jane Doe", "files", "one-name", {{"passes", all_steps()}});
@@ -346,8 +373,7 @@ class ClassMaker {
   }
 
   void broken() {
-    Json none = nothing();
-    Json fault = none;
+    Json fault = nothing();
     fault["fault"] = true;
     const std::string zip = packed(Format::zip, solution()), tar = packed(Format::tar_gz, solution());
     put_file("broken", "broken-cut.zip", zip.substr(0, zip.size() / 2), fault);
@@ -361,7 +387,7 @@ class ClassMaker {
     for (const auto& [path, text] : solution()) bomb.push_back({path, text});
     put_file("broken", "broken-bomb.zip", pack(Format::zip, bomb), fault);
     put_file("broken", "broken-bomb.tar.gz", pack(Format::tar_gz, bomb), fault);
-    put_file("broken", "broken-archive-in-archive.zip", pack(Format::zip, {{"labs.zip", zip}}), none);
+    put_file("broken", "broken-archive-in-archive.zip", pack(Format::zip, {{"labs.zip", zip}}), fault);
     std::vector<Packed> many;
     for (int i = 0; i < 20'000; ++i) many.push_back({fmt::format("{}.txt", i), ""});
     put_file("broken", "broken-many.zip", pack(Format::zip, many), fault);
@@ -375,15 +401,15 @@ class ClassMaker {
       devices.push_back({path, "", AE_IFCHR});
       pipes.push_back({path, "", AE_IFIFO});
     }
-    put_file("broken", "broken-absolute.zip", pack(Format::zip, absolute), none);
-    put_file("broken", "broken-above.tar.gz", pack(Format::tar_gz, above), none);
-    put_file("broken", "broken-links.zip", pack(Format::zip, links), none);
-    put_file("broken", "broken-links.tar.gz", pack(Format::tar_gz, links), none);
-    put_file("broken", "broken-hard-links.tar", pack(Format::tar, hard_links), none);
-    put_file("broken", "broken-devices.tar.gz", pack(Format::tar_gz, devices), none);
-    put_file("broken", "broken-pipes.tar", pack(Format::tar, pipes), none);
+    put_file("broken", "broken-absolute.zip", pack(Format::zip, absolute), fault);
+    put_file("broken", "broken-above.tar.gz", pack(Format::tar_gz, above), fault);
+    put_file("broken", "broken-links.zip", pack(Format::zip, links), fault);
+    put_file("broken", "broken-links.tar.gz", pack(Format::tar_gz, links), fault);
+    put_file("broken", "broken-hard-links.tar", pack(Format::tar, hard_links), fault);
+    put_file("broken", "broken-devices.tar.gz", pack(Format::tar_gz, devices), fault);
+    put_file("broken", "broken-pipes.tar", pack(Format::tar, pipes), fault);
     fs::create_directories(options_.out / "broken-empty-folder");
-    expect("broken-empty-folder", "broken", "empty-folder", none);
+    expect("broken-empty-folder", "broken", "empty-folder", fault);
   }
 
   /// DIR.json, by the ids that the grader will give.

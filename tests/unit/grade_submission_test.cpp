@@ -25,6 +25,7 @@ using test::Format;
 using test::has;
 using test::pack;
 using test::Packed;
+using test::with_utf8_flag;
 
 const std::vector<std::string> allowed = {
     "common/mesh/weld.cpp", "labs/01_texture_quad/lab.cpp", "labs/05_normal_map/lab.cpp",
@@ -275,15 +276,6 @@ TEST(Unpack, takes_no_path_that_leaves_the_submission_and_no_strange_name) {
     EXPECT_TRUE(has(submission.ignored[0].reason, reason)) << submission.ignored[0].reason;
     EXPECT_FALSE(has(submission.ignored[0].path, "\x1b"));
   }
-}
-
-/// Sets the flag that says that a zip's names are UTF-8 (APPNOTE.TXT 4.4.4, bit 11).
-std::string with_utf8_flag(std::string zip) {
-  for (const auto& [head, flags] : {std::pair("PK\x03\x04", 7), {"PK\x01\x02", 9}})
-    for (std::size_t at = zip.find(head); at != zip.npos; at = zip.find(head, at + 4))
-      zip[at + static_cast<std::size_t>(flags)] =
-          static_cast<char>(zip[at + static_cast<std::size_t>(flags)] | 8);
-  return zip;
 }
 
 TEST(Unpack, takes_files_from_folders_with_names_in_any_encoding_and_locale) {
