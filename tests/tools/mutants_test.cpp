@@ -59,7 +59,7 @@ class MutantEngine : public testing::Test {
 TEST_F(MutantEngine, tells_what_the_tests_notice_from_what_they_do_not) {
   const std::string report = (folder_ / "report.json").string();
   const Result result = mutants("--report " + report);
-  EXPECT_EQ(result.exit_code, 1) << result.errors;  // 50 % are fewer than 90
+  EXPECT_EQ(result.exit_code, 1) << result.errors;  // 50 % are fewer than 95
   EXPECT_TRUE(has(result.output, "caught by Clamp.keeps_small_numbers")) << result.output;
   EXPECT_TRUE(has(result.output, "SURVIVED")) << result.output;
   EXPECT_TRUE(has(result.output, "survived: wrong-limit (clamp.cpp): the catalogue gives no reason"))
@@ -98,6 +98,42 @@ TEST_F(MutantEngine, tells_what_is_wrong_with_the_catalogue_from_what_is_caught)
   EXPECT_TRUE(has(result.output, "survived: known (clamp.cpp): Nobody asks.")) << result.output;
   EXPECT_TRUE(has(result.output, "0 of 1 caught (0 %); 1 survive for a reason")) << result.output;
   EXPECT_TRUE(has(result.errors, "2 mutants do not apply or do not compile")) << result.errors;
+}
+
+TEST_F(MutantEngine, takes_no_test_of_the_tree_for_a_catch_and_fails_where_nothing_is_caught) {
+  const std::string tests =
+      "cmake_minimum_required(VERSION 3.25)\nproject(tiny CXX)\nenable_testing()\n"
+      "add_executable(clamp_test clamp.cpp)\nadd_test(NAME Clamp.keeps COMMAND clamp_test)\n"
+      "add_test(NAME Clamp.is_unedited COMMAND ${CMAKE_COMMAND} -E compare_files clamp.cpp "
+      "${CMAKE_BINARY_DIR}/copy.cpp WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})\n"
+      "if(NOT EXISTS ${CMAKE_BINARY_DIR}/copy.cpp)\n"
+      "configure_file(clamp.cpp ${CMAKE_BINARY_DIR}/copy.cpp COPYONLY)\nendif()\n";
+  std::string unchanged = mutant("swapped", "if (x < 9)", "if (9 > x)", "The sides are swapped.");
+  unchanged.replace(0, 10, "[[equivalent]]");
+  write("tests/mutants/clamp.toml",
+        unchanged + mutant("wrong-branch", "return x;", "return -x;", "Small numbers stay as they are.") +
+            mutant("wrong-limit", "return 9;", "return 8;", "The limit is 9."));
+  write("CMakeLists.txt", tests);
+  const Result failed = mutants("--only wrong-branch");
+  EXPECT_EQ(failed.exit_code, 3) << failed.output;
+  EXPECT_TRUE(has(failed.errors, "what changes nothing (swapped) is noticed: Clamp.is_unedited"))
+      << failed.errors;
+
+  write("CMakeLists.txt", tests + "set_tests_properties(Clamp.is_unedited PROPERTIES LABELS tree)\n");
+  const std::string page = (folder_ / "report.md").string();
+  const Result result = mutants("--report " + page);
+  EXPECT_EQ(result.exit_code, 1) << result.output << result.errors;
+  EXPECT_TRUE(has(result.output, "1 of 2 caught (50 %)")) << result.output;
+  EXPECT_FALSE(has(result.output, "is_unedited")) << result.output;
+  EXPECT_TRUE(has(read_file(page), "- swapped (clamp.cpp): survived")) << read_file(page);
+  EXPECT_TRUE(has(read_file(page), "| Clamp.keeps | 1 | 1 |")) << read_file(page);
+
+  // The same tree once more: nothing is made again.
+  const Result resumed = mutants("--resume");
+  EXPECT_FALSE(has(resumed.output, "changes that change nothing")) << resumed.output;
+  EXPECT_TRUE(has(resumed.output, "(known; ")) << resumed.output;
+  EXPECT_TRUE(has(resumed.output, "1 of 2 caught (50 %)")) << resumed.output;
+  EXPECT_TRUE(has(mutants("--every 2").output, "1/1 wrong-branch"));
 }
 
 TEST_F(MutantEngine, asks_the_tests_of_the_lab_first_and_those_of_other_labs_not_at_all) {
