@@ -71,8 +71,11 @@ std::vector<std::regex> subjects_of(const fs::path& tree, const fs::path& file) 
   if (folder == "shaders/lib") labs = labs_with(tree / "shaders", file.filename().string());
   if (!labs.empty()) return {std::regex(fmt::format("lab_?0*({})(?![0-9])", fmt::join(labs, "|")))};
   if (*file.begin() != "common") return {};
-  const std::string name = std::next(file.begin())->string();
-  return {std::regex(name + "_" + stem.string()), std::regex(name + "_")};
+  // "unit_mesh tangentmethods.…" is about common/mesh/tangents.cpp.
+  std::string subject = stem.string();
+  if (subject.ends_with('s')) subject.pop_back();
+  const std::string program = "unit_" + std::next(file.begin())->string() + " ";
+  return {std::regex(program + "[^.]*" + subject), std::regex(program)};
 }
 
 /// Tests of what the libraries alone make and refuse. They take long.
@@ -90,8 +93,7 @@ bool can_notice(const Test& test, const fs::path& file, const std::vector<std::r
            library == "common/procedural";
   }
   // What draws nothing never sees a shader.
-  static const std::regex draws_nothing(
-      "(core|params|course|image|mesh|obj|grade|procedural|truth|math|report)_.*");
+  static const std::regex draws_nothing("unit_(?!app$).*|mutants_test");
   if (*file.begin() == "shaders" && std::regex_match(test.target, draws_nothing)) return false;
   const bool is_of_one_lab = lab_of(file.parent_path()) != 0;
   return !is_of_one_lab || std::regex_search(test.key, subjects.front()) ||
@@ -121,10 +123,13 @@ std::map<std::string, TestRun> read_junit(const fs::path& xml) {
   return runs;
 }
 
-/// Whether a log has the message of a shader that does not compile.
-bool has_shader_error(const fs::path& log) {
-  static const std::regex message("\\.(glsl|vert|frag):[0-9]+:[0-9]+: error:");
-  return std::regex_search(read_file(log), message);
+/// Whether a log has the message that one of these files, as a shader, does not compile.
+bool has_shader_error(const fs::path& log, const std::vector<std::string>& files) {
+  const std::string text = read_file(log);
+  return std::any_of(files.begin(), files.end(), [&](const std::string& file) {
+    const std::regex message(fs::path(file).filename().string() + ":[0-9]+:[0-9]+: error:");
+    return file.starts_with("shaders/") && std::regex_search(text, message);
+  });
 }
 
 /// The name without what GoogleTest adds for a parameter.
@@ -253,7 +258,7 @@ Verdict Suite::judge(const std::vector<std::string>& files, const std::string& n
     std::vector<std::string> failed;
     for (const auto& [test, result] : read_junit(xml))
       if (result.status == "fail") failed.push_back(short_name(test));
-    if (!failed.empty()) return {!has_shader_error(log), failed};
+    if (!failed.empty()) return {!has_shader_error(log, files), failed};
   }
   return {};
 }
