@@ -195,7 +195,8 @@ TEST_F(StudentTree, names_nine_of_ten_mistakes_in_shaders) {
     const int lab = std::stoi(mutant.step);
     if (lab != 5 && lab != 9) continue;
     const std::string text = read_file(kRoot / mutant.file);
-    if (!has(text, mutant.what)) continue;  // as in a tree of ./run mutants; catalogue_test finds it elsewhere
+    if (!has(text, mutant.what))
+      continue;  // as in a tree of ./run mutants; catalogue_test finds it elsewhere
     write_file(root_ / mutant.file, solved(course::mutated(mutant, text), mutant.file));
     const json step = steps(lab)[mutant.step];
     write_file(root_ / mutant.file, solved(text, mutant.file));

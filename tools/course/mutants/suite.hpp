@@ -29,9 +29,9 @@ struct Order {
 constexpr double kQuickSeconds = 1.5;
 
 /// When `test` runs after a change of `file` (relative to `tree`): first the tests whose program or name has
-/// the file's lab ("lab05") or subject ("unit_mesh weld"), then those of its folder ("unit_mesh"), then the others, at
-/// the end those of the assets, the compiler and the window. A file of shaders/lib belongs to the labs whose
-/// shaders include it. None for a test in which the file has no part.
+/// the file's lab ("lab05") or subject ("unit_mesh weld"), then those of its folder ("unit_mesh"), then the
+/// others, at the end those of the assets, the compiler and the window. A file of shaders/lib belongs to the
+/// labs whose shaders include it. None for a test in which the file has no part.
 std::optional<Order> order_of(const Test& test, const std::filesystem::path& tree, const std::string& file);
 
 /// What the tests say of a changed tree.
