@@ -16,6 +16,7 @@
 #include "course/markers.hpp"
 #include "judge/mistakes.hpp"
 #include "judge/plan.hpp"
+#include "order.hpp"
 
 namespace texel::grade {
 namespace {
@@ -23,11 +24,19 @@ namespace {
 namespace fs = std::filesystem;
 using course::Case;
 
-/// Where the tree's own pictures of the last check lie: one build may serve several trees (TEXEL_ROOT), and
-/// whoever shows a picture does so when another tree is checked already.
-fs::path checked_folder(const OwnTree& tree, const course::Lab& lab) {
+/// Where the tree's own pictures of the last check lie, and what is remembered of earlier ones: one build may
+/// serve several trees (TEXEL_ROOT), and whoever shows a picture does so when another tree is checked already.
+fs::path checked_folder(const OwnTree& tree) {
   const std::string name = fs::weakly_canonical(tree.source).string();
-  return tree.build / "check" / fmt::format("{:016x}", std::hash<std::string>()(name)) / lab.folder;
+  return tree.build / "check" / fmt::format("{:016x}", std::hash<std::string>()(name));
+}
+
+/// What stands between each step's markers. Throws Error (exit 3) where they are spoilt.
+std::map<std::string, std::string> texts_of_steps(const fs::path& source) {
+  std::map<std::string, std::string> texts;
+  for (const std::string& file : course::step_files(source))
+    for (const auto& [step, text] : course::step_texts(read_file(source / file), file)) texts[step] += text;
+  return texts;
 }
 
 Studio studio_of(const OwnTree& tree, const course::Lab& lab, const std::string& context) {
@@ -46,7 +55,7 @@ class LabCheck {
       : plan_(plan),
         untouched_(untouched),
         expected_(expected_folder(tree.source, plan.lab)),
-        own_(checked_folder(tree, plan.lab)),
+        own_(checked_folder(tree) / plan.lab.folder),
         studio_(studio_of(tree, plan.lab, context)) {
     if (!fs::exists(studio_.program))
       throw Error::failed("is not built", {studio_.program.string()},
@@ -179,6 +188,7 @@ std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>
                              const std::string& context) {
   const std::vector<LabPlan> plans = public_plan(with_needed(labs, course::read_labs(tree.source / "labs")));
   const std::set<std::string> as_at_first = untouched_steps(tree);
+  const std::map<std::string, std::string> texts = texts_of_steps(tree.source);
   std::vector<std::vector<CaseResult>> found(plans.size());
   const auto at_once = std::min<std::size_t>(processors(), plans.size());
   std::string renderer;
@@ -200,6 +210,13 @@ std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>
     cases.insert(cases.end(), found[i].begin(), found[i].end());
   }
   std::vector<LabResult> results = lab_results(all, std::move(cases));
+  const std::map<std::string, Place> places = course::step_places(tree.source);
+  const fs::path memory = checked_folder(tree) / "passed.json";
+  fs::create_directories(memory.parent_path());
+  {
+    const FileLock lock(memory.string() + ".lock");
+    skip_those_that_wait(results, changed_since_it_passed(memory, texts, places, results));
+  }
   std::erase_if(results, [&](const LabResult& result) {
     return std::none_of(labs.begin(), labs.end(),
                         [&](const course::Lab& lab) { return lab.number == result.lab.number; });
@@ -207,7 +224,7 @@ std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>
   if (!renderer.empty())
     for (LabResult& lab : results)
       lab.notes.push_back(renderer_note(renderer, expected_by(tree.source, lab.lab)));
-  put_places(results, course::step_places(tree.source));
+  put_places(results, places);
   return results;
 }
 

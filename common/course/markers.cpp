@@ -207,6 +207,14 @@ std::string with_step_from(const std::string& text, const std::string& file, con
   return result;
 }
 
+std::string with_step_alone(const std::string& text, const std::string& file, const std::string& step,
+                            const std::string& solution) {
+  std::string result = text;
+  for (const auto& [other, part] : step_texts(solution, file))
+    if (other != step) result = with_step_from(result, file, other, solution);
+  return result;
+}
+
 std::string first_text(const std::filesystem::path& tree, const std::string& file) {
   if (const std::filesystem::path first = tree / kFirstTexts / file; std::filesystem::exists(first))
     return read_file(first);

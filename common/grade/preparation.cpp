@@ -50,15 +50,20 @@ Preparation prepare(const GradeOptions& options, unsigned jobs) {
   std::copy_if(all.begin(), all.end(), std::back_inserter(p.labs),
                [&](const course::Lab& lab) { return is_asked_for(options, lab); });
   if (p.labs.empty()) throw Error::usage("none of these labs has steps");
-  p.graded_labs = with_needed(p.labs, all);
   p.seed = read_seed(options.seed_file.empty() ? options.out / "seed.txt" : options.seed_file);
   p.starter = starter_tree(options.course, options.cache);
   p.course = std::make_unique<CourseSide>(solution_tree(options.course, options.build, p.starter), p.starter,
                                           options.cache, options.context);
   p.workshop = std::make_unique<Workshop>(p.starter, options.cache, options.run);
   p.allowed = course::step_files(p.starter.source);
+  for (const std::string& path : p.allowed) {
+    p.solution[path] = course::with_steps(read_file(options.course / path), path,
+                                          [](const std::string&) { return true; });
+    for (const auto& [step, text] : course::step_texts(p.solution[path], path))
+      p.files_of_step[step].insert(path);
+  }
   p.models = options.cache / "models" / fingerprint({p.seed}).substr(0, 16);
-  p.plans = full_plan(p.graded_labs, p.seed, p.models);
+  p.plans = full_plan(p.labs, p.seed, p.models);
   in_parallel(jobs, p.plans.size(), [&](std::size_t i) { p.course->prepare(p.plans[i]); });
   return p;
 }

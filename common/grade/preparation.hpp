@@ -2,7 +2,9 @@
 // The first part of grading a class: everything that is the same for all students.
 #pragma once
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,12 +16,13 @@
 namespace texel::grade {
 
 struct Preparation {
-  std::vector<course::Lab> labs;         ///< that are asked for and have steps
-  std::vector<course::Lab> graded_labs;  ///< and those whose steps they need
-  std::vector<LabPlan> plans;            ///< of the graded labs
-  std::string seed;                      ///< the course's secret
-  std::filesystem::path models;          ///< models that nobody has seen
-  std::vector<std::string> allowed;      ///< files that a student may change
+  std::vector<course::Lab> labs;     ///< that are asked for and have steps
+  std::vector<LabPlan> plans;        ///< theirs
+  std::string seed;                  ///< the course's secret
+  std::filesystem::path models;      ///< models that nobody has seen
+  std::vector<std::string> allowed;  ///< files that a student may change
+  std::map<std::string, std::string> solution;  ///< the same with all steps solved, by path
+  std::map<std::string, std::set<std::string>> files_of_step;  ///< the paths of those with a part of it
   BuiltTree starter;
   std::unique_ptr<CourseSide> course;  ///< the solution, and what it draws
   std::unique_ptr<Workshop> workshop;  ///< where students' programs are made

@@ -54,7 +54,7 @@ Record::Record(const GradeOptions& options, const Preparation& preparation, std:
             fmt::format("the results in '{}' were graded with another {}", options.out.string(), name),
             "leave out --resume to grade again from the start");
   } else if (!before.empty()) {
-    store_->begin_anew(preparation.graded_labs);
+    store_->begin_anew(preparation.labs);
     fs::remove_all(options.out / "pictures");
   }
   store_->put_facts(facts);
@@ -118,7 +118,7 @@ void Record::end_lab(const Entry& entry, const LabPlan& plan, const JudgedLab& j
 }
 
 std::size_t Record::incidents() const {
-  const std::vector<StudentResult> students = store_->read(preparation_.graded_labs).students;
+  const std::vector<StudentResult> students = store_->read(preparation_.labs).students;
   return static_cast<std::size_t>(std::count_if(
       students.begin(), students.end(), [](const StudentResult& one) { return !one.incident.empty(); }));
 }

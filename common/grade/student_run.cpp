@@ -11,6 +11,7 @@
 #include "core/files.hpp"
 #include "course/markers.hpp"
 #include "fingerprint.hpp"
+#include "judged_alone.hpp"
 
 namespace texel::grade {
 namespace {
@@ -36,6 +37,11 @@ std::set<std::string> untouched(const Preparation& preparation,
     steps.merge(course::untouched_steps(file == files.end() ? first : file->second, first, path));
   }
   return steps;
+}
+
+Failed failed_by(const std::map<std::string, std::string>& refused, const Case& of, const fs::path& out) {
+  const auto found = refused.find(of.file);
+  return {picture_bytes(out / of.file), found == refused.end() ? "" : found->second};
 }
 
 }  // namespace
@@ -104,30 +110,66 @@ JudgedLab StudentRun::judge(const LabPlan& plan, const std::vector<Case>& cases,
 
   // Step by step: a mistake shows in all pictures of its step.
   for (const course::Step& step : plan.lab.steps) {
-    std::vector<CaseResult> results;
-    std::map<std::string, Failed> failed;
+    StepCases of_step;
+    std::set<std::string> wrong;  // with the student's picture
     for (const Case& one : cases) {
       if (one.step != step.id) continue;
-      results.push_back(judged(plan, one, program, drawn, out));
-      if (results.back().passed()) continue;
-      const auto refused = drawn.refused.find(one.file);
-      const Failed wrong{picture_bytes(out / one.file),
-                         refused == drawn.refused.end() ? "" : refused->second};
-      if (!wrong.picture.empty() || !wrong.refused.empty()) failed[one.name] = wrong;
+      of_step.results.push_back(judged(plan, one, program, drawn, out));
+      if (of_step.results.back().passed()) continue;
+      const Failed& failed = of_step.failed[one.name] = failed_by(drawn.refused, one, out);
+      if (!failed.picture.empty()) wrong.insert(one.name);
     }
-    const Mistake* mistake = failed.empty() || untouched_.contains(step.id)
-                                 ? nullptr
-                                 : preparation_.course->recognise(plan, step.id, failed);
-    for (CaseResult& result : results) {
-      const auto wrong = failed.find(result.name);
-      if (wrong != failed.end() && mistake != nullptr)
+    const bool is_begun = submission_.fault.empty() && !untouched_.contains(step.id);
+    const Mistake* mistake = nullptr;
+    if (is_begun && !of_step.failed.empty()) {
+      judge_alone(plan, step.id, of_step);
+      std::erase_if(of_step.failed, [](const auto& one) {
+        return one.second.picture.empty() && one.second.refused.empty();
+      });
+      if (!of_step.failed.empty()) mistake = preparation_.course->recognise(plan, step.id, of_step.failed);
+    }
+    for (CaseResult& result : of_step.results) {
+      if (mistake != nullptr && of_step.failed.contains(result.name))
         result.mistake = mistake->name, result.mistake_says = mistake->says;
-      const bool has_picture = wrong != failed.end() && !wrong->second.picture.empty();
-      keep({result, has_picture ? out / result.file : fs::path()});
+      keep({result, wrong.contains(result.name) ? out / result.file : fs::path()});
     }
   }
   fs::remove_all(out);
   return {program.refused, drawn.notes};
+}
+
+void StudentRun::judge_alone(const LabPlan& plan, const std::string& step, StepCases& cases) const {
+  const fs::path out = folder_ / (plan.lab.folder + ".alone");
+  std::vector<Case> again;
+  for (const CaseResult& result : cases.results)
+    if (!result.passed()) again.push_back(result);
+  const auto refused =
+      draw_alone(preparation_, options_, submission_.files, plan, step, again, out / "root", out / "pictures");
+  for (CaseResult& result : cases.results) {
+    if (result.passed()) continue;
+    if (!refused) {
+      result.judged = Judged::markers_lost;
+      continue;
+    }
+    const Verdict verdict =
+        grade::judge(result, preparation_.course->expected(plan, result), out / "pictures" / result.file);
+    const double score = coarse_score(scored(plan, result, verdict));
+    if (verdict.passed)
+      cases.failed.erase(result.name);
+    else
+      cases.failed[result.name] = failed_by(*refused, result, out / "pictures");
+    if (score <= result.score) continue;
+    result.judged = Judged::alone, result.score = score;
+    result.status = verdict.passed ? CaseStatus::passed : CaseStatus::failed;
+    result.error = verdict.passed ? 0 : coarse_error(verdict.error);
+  }
+  fs::remove_all(out);
+}
+
+double StudentRun::scored(const LabPlan& plan, const Case& of, const Verdict& verdict) const {
+  // Finding what scores 0 needs more pictures. They are drawn only if the case may score.
+  const bool may_earn = !verdict.passed && std::isfinite(verdict.wrongness);
+  return score(of, verdict, may_earn ? preparation_.course->worthless(plan, of) : 0);
 }
 
 CaseResult StudentRun::judged(const LabPlan& plan, const Case& of, const Program& program, const Drawn& drawn,
@@ -140,9 +182,7 @@ CaseResult StudentRun::judged(const LabPlan& plan, const Case& of, const Program
   // A picture that changed through earlier steps does not score for a step that nobody began.
   const bool is_untouched = untouched_.contains(of.step) && submission_.fault.empty();
   settle(result, verdict, fault_of(of, program, drawn), is_untouched);
-  // Finding what scores 0 needs more pictures. They are drawn only if the case may score.
-  const bool may_earn = !verdict.passed && std::isfinite(verdict.wrongness) && !untouched_.contains(of.step);
-  result.score = score(of, verdict, may_earn ? course.worthless(plan, of) : 0);
+  result.score = verdict.passed || !untouched_.contains(of.step) ? scored(plan, of, verdict) : 0;
   return result;
 }
 

@@ -9,6 +9,7 @@
 
 #include "check/studio.hpp"
 #include "grade/submission.hpp"
+#include "judge/mistakes.hpp"
 #include "preparation.hpp"
 
 namespace texel::grade {
@@ -43,13 +44,23 @@ class StudentRun {
   /// unchanged are no news; of the others the first hundred.
   [[nodiscard]] std::vector<Ignored> worth_telling() const;
 
-  /// Compiles the lab's program, draws the cases and judges them, step by step; `keep` gets each as it is
-  /// judged. Throws Error (exit 3) for faults of the machine.
+  /// Compiles the lab's program, draws the cases and judges them, step by step, what failed also alone
+  /// (judged_alone.hpp); `keep` gets each as it is judged. Throws Error (exit 3) for faults of the machine.
   JudgedLab judge(const LabPlan& plan, const std::vector<course::Case>& cases,
                   const std::function<void(const JudgedCase&)>& keep) const;
 
  private:
   [[nodiscard]] bool is_of_course(const std::string& path) const;
+  /// What became of the cases of one step, each judged as the student's tree draws it.
+  struct StepCases {
+    std::vector<CaseResult> results;
+    std::map<std::string, Failed> failed;  ///< by the case's name
+  };
+  /// Judges the failed cases again, with the solution standing in for all other steps: the better mark counts.
+  /// Those that still fail are then the failed ones. Nothing changes but `judged` where it cannot be done.
+  void judge_alone(const LabPlan& plan, const std::string& step, StepCases& cases) const;
+  /// What a verdict earns.
+  [[nodiscard]] double scored(const LabPlan& plan, const course::Case& of, const Verdict& verdict) const;
   [[nodiscard]] CaseResult judged(const LabPlan& plan, const course::Case& of, const Program& program,
                                   const Drawn& drawn, const std::filesystem::path& out) const;
   [[nodiscard]] std::string fault_of(const course::Case& of, const Program& program,

@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::array kStatusNames = {"passed", "failed", "skipped"};
 constexpr std::array kCaseStatusNames = {"passed", "failed", "untouched"};
+constexpr std::array kJudgedNames = {"together", "alone", "markers lost"};
 
 /// The place of a name among those.
 template <class Enum>
@@ -42,35 +43,6 @@ double score_of(const std::vector<CaseResult>& cases) {
   return std::min(mean(0), mean(1));
 }
 
-/// What each step needs, directly and through others, in the course's order.
-class Needs {
- public:
-  explicit Needs(const std::vector<course::Lab>& labs) {
-    for (const course::Lab& lab : labs)
-      for (const course::Step& step : lab.steps) {
-        order_.push_back(step.id);
-        // The needs come earlier in the course, so that theirs are known.
-        std::set<std::string>& all = all_[step.id];
-        for (const std::string& need : step.needs) {
-          all.insert(need);
-          if (const auto known = all_.find(need); known != all_.end() && need != step.id)
-            all.insert(known->second.begin(), known->second.end());
-        }
-      }
-  }
-
-  [[nodiscard]] std::vector<std::string> of(const std::string& step) const {
-    std::vector<std::string> needs;
-    for (const std::string& id : order_)
-      if (all_.at(step).contains(id)) needs.push_back(id);
-    return needs;
-  }
-
- private:
-  std::vector<std::string> order_;
-  std::map<std::string, std::set<std::string>> all_;
-};
-
 /// Public cases first, then in the lab file's order, then by name.
 void sort_cases(const course::Lab& lab, std::vector<CaseResult>& cases) {
   std::map<std::string, std::size_t> place;
@@ -83,24 +55,20 @@ void sort_cases(const course::Lab& lab, std::vector<CaseResult>& cases) {
             [&](const CaseResult& a, const CaseResult& b) { return key(a) < key(b); });
 }
 
-bool is_explained(const StepResult& step) {
-  const auto is_untouched = [](const CaseResult& one) { return one.status == CaseStatus::untouched; };
-  return step.status == Status::failed &&
-         (!step.mistake.empty() || std::any_of(step.cases.begin(), step.cases.end(), is_untouched));
-}
-
-/// A step that needs this one, and failed by a mistake of its own, may have spoilt this one's pictures.
-void point_to_cause(StepResult& step, const std::vector<LabResult>& results, const Needs& needs) {
+/// The steps whose mistakes can have spoilt the pictures of one that was judged alone: what did not pass in its
+/// lab, but was begun, and what it needs.
+std::vector<std::string> spoilers_of(const StepResult& step, const std::vector<StepResult>& of_lab,
+                                     const std::vector<LabResult>& results, const Needs& needs) {
+  const std::vector<std::string> needed = needs.of(step.id);
+  std::vector<std::string> spoilers;
   for (const LabResult& lab : results)
-    for (const StepResult& later : lab.steps) {
-      const std::vector<std::string> needed = needs.of(later.id);
-      if (later.status != Status::failed || later.mistake.empty() ||
-          std::find(needed.begin(), needed.end(), step.id) == needed.end())
-        continue;
-      step.message +=
-          fmt::format(" The cause may be in step {}: its pictures show a known mistake.", later.id);
-      return;
+    for (const StepResult& other : lab.steps) {
+      const bool is_needed = std::find(needed.begin(), needed.end(), other.id) != needed.end();
+      const bool is_begun = &lab.steps == &of_lab && !other.is_untouched();
+      if (&other != &step && other.status == Status::failed && (is_needed || is_begun))
+        spoilers.push_back(other.id);
     }
+  return spoilers;
 }
 
 }  // namespace
@@ -119,6 +87,51 @@ const char* name_of(CaseStatus status) {
 
 CaseStatus case_status_of(const std::string& name) {
   return find<CaseStatus>(kCaseStatusNames, name);
+}
+
+const char* name_of(Judged judged) {
+  return kJudgedNames.at(static_cast<std::size_t>(judged));
+}
+
+Judged judged_of(const std::string& name) {
+  return find<Judged>(kJudgedNames, name);
+}
+
+bool StepResult::any(Judged judged) const {
+  return std::any_of(cases.begin(), cases.end(), [&](const CaseResult& one) { return one.judged == judged; });
+}
+
+bool StepResult::is_untouched() const {
+  return std::any_of(cases.begin(), cases.end(),
+                     [](const CaseResult& one) { return one.status == CaseStatus::untouched; });
+}
+
+Needs::Needs(const std::vector<course::Lab>& labs) {
+  for (const course::Lab& lab : labs)
+    for (const course::Step& step : lab.steps) {
+      order_.push_back(step.id);
+      // The needs come earlier in the course, so that theirs are known.
+      std::set<std::string>& all = all_[step.id];
+      for (const std::string& need : step.needs) {
+        all.insert(need);
+        if (const auto known = all_.find(need); known != all_.end() && need != step.id)
+          all.insert(known->second.begin(), known->second.end());
+      }
+    }
+}
+
+std::vector<std::string> Needs::of(const std::string& step) const {
+  std::vector<std::string> needs;
+  for (const std::string& id : order_)
+    if (all_.at(step).contains(id)) needs.push_back(id);
+  return needs;
+}
+
+std::string listed(const std::vector<std::string>& steps) {
+  std::string text;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == steps.size() ? " and " : ", ") + steps[i];
+  return text;
 }
 
 double LabResult::points() const {
@@ -162,8 +175,7 @@ const CaseResult* telling_case(const StepResult& step) {
   return worst;
 }
 
-StepResult step_result(const course::Step& step, std::vector<CaseResult> cases,
-                       const std::map<std::string, Before>& before) {
+StepResult step_result(const course::Step& step, std::vector<CaseResult> cases) {
   StepResult result;
   result.id = step.id;
   result.title = step.title;
@@ -178,25 +190,10 @@ StepResult step_result(const course::Step& step, std::vector<CaseResult> cases,
     result.status = Status::passed;
     return result;
   }
-
-  const auto known = std::find_if(first, result.cases.end(),
-                                  [&](const CaseResult& one) { return failed(one) && !one.mistake.empty(); });
-  std::string missing;  // the first need that did not pass
-  bool is_explained = false;
-  for (const std::string& need : step.needs) {
-    const auto found = before.find(need);
-    if (found == before.end() || found->second.status == Status::passed) continue;
-    if (missing.empty()) missing = need;
-    is_explained |= found->second.is_explained;
-  }
-  if (!missing.empty() && (is_explained || known == result.cases.end())) {
-    result.status = Status::skipped;
-    result.message = fmt::format("This step needs step {}, which has not passed yet.", missing);
-    return result;
-  }
-
   result.status = Status::failed;
   result.message = result.cases.empty() ? "No case of this step was judged." : first->message;
+  const auto known = std::find_if(first, result.cases.end(),
+                                  [&](const CaseResult& one) { return failed(one) && !one.mistake.empty(); });
   if (known != result.cases.end()) {
     result.mistake = known->mistake;
     result.mistake_says = known->mistake_says;
@@ -208,24 +205,20 @@ std::vector<LabResult> lab_results(const std::vector<course::Lab>& labs, std::ve
   std::map<std::pair<std::string, std::string>, std::vector<CaseResult>> by_step;
   for (CaseResult& result : cases) by_step[{result.lab, result.step}].push_back(std::move(result));
 
-  const Needs needs(labs);
-  std::map<std::string, Before> before;
   std::vector<LabResult> results;
   for (const course::Lab& lab : labs) {
-    LabResult result;
+    LabResult& result = results.emplace_back();
     result.lab = lab;
-    for (course::Step step : lab.steps) {
+    for (const course::Step& step : lab.steps) {
       std::vector<CaseResult>& its_cases = by_step[{lab.folder, step.id}];
       sort_cases(lab, its_cases);
-      step.needs = needs.of(step.id);
-      result.steps.push_back(step_result(step, std::move(its_cases), before));
-      before[step.id] = {result.steps.back().status, is_explained(result.steps.back())};
+      result.steps.push_back(step_result(step, std::move(its_cases)));
     }
-    results.push_back(std::move(result));
   }
+  const Needs needs(labs);
   for (LabResult& lab : results)
     for (StepResult& step : lab.steps)
-      if (step.status == Status::failed && !is_explained(step)) point_to_cause(step, results, needs);
+      if (step.any(Judged::alone)) step.spoilt_by = spoilers_of(step, lab.steps, results, needs);
   return results;
 }
 

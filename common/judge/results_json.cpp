@@ -43,6 +43,7 @@ Json json_of(const StepResult& step) {
            {"line", step.line},
            {"looks_like", step.mistake},
            {"looks_like_says", step.mistake_says},
+           {"spoilt_by", step.spoilt_by},
            {"hints", step.hints},
            {"cases", Json::array()}};
   for (const CaseResult& result : step.cases) one["cases"].push_back(json_of(result));
@@ -75,6 +76,7 @@ StepResult parse_step(const Json& json) {
   step.status = status_of(json.at("status")), step.message = json.at("message");
   step.mistake = json.at("looks_like"), step.mistake_says = json.at("looks_like_says");
   step.file = json.at("file"), step.line = json.at("line"), step.hints = json.at("hints");
+  step.spoilt_by = json.at("spoilt_by");
   for (const Json& one : json.at("cases")) step.cases.push_back(parse_case(one));
   return step;
 }

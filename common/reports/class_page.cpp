@@ -164,7 +164,7 @@ std::string students_section(const ClassResult& results, const std::vector<LabRe
       "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Students and steps\">\n"
       "<table class=\"class\">\n{}<tbody>\n{}</tbody>\n{}</table>\n</div>\n"
       "<p class=\"legend\"><span class=\"passed\">✓</span> passed <span class=\"failed\">◐</span> in part "
-      "<span class=\"failed\">✗</span> not yet <span class=\"skipped\">–</span> waits for an earlier step "
+      "<span class=\"failed\">✗</span> not yet <span class=\"skipped\">–</span> not begun "
       "<span>·</span> not judged "
       "<span>*</span> set by the teacher</p>\n</section>\n",
       head(labs), rows, foot(results, labs));
@@ -177,7 +177,8 @@ std::string mistakes_section(const ClassResult& results) {
     for (const LabResult& lab : student.labs)
       unnamed += static_cast<std::size_t>(
           std::count_if(lab.steps.begin(), lab.steps.end(), [](const StepResult& step) {
-            return step.status == Status::failed && step.mistake.empty() && !step.cases.empty();
+            return step.status == Status::failed && step.mistake.empty() && !step.cases.empty() &&
+                   !step.is_untouched();
           }));
   std::string html = "<section id=\"mistakes\">\n<h2>Mistakes</h2>\n";
   if (!mistakes.empty()) {

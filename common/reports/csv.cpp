@@ -78,7 +78,12 @@ std::string csv(const ClassResult& results) {
             if (step.id == id) value = step.points * step.score;
         cells.push_back(points(value));
       }
-    cells.push_back(line(graded ? student.fault : "not graded: " + student.unmarked()));
+    std::string note = graded ? student.fault : "not graded: " + student.unmarked();
+    for (const LabResult& lab : student.labs)
+      for (const StepResult& step : lab.steps)
+        if (const std::string told = judging(step); graded && !told.empty())
+          note += (note.empty() ? "" : " ") + told;
+    cells.push_back(line(note));
     text += row(cells);
   }
   return text;

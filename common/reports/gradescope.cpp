@@ -12,10 +12,8 @@ using nlohmann::json;
 
 /// What a student reads of a step at once: its public cases, and how many hidden ones failed.
 std::string public_output(const StepResult& step) {
-  if (step.status == Status::passed) return "Passed.";
-  std::string text = step.status == Status::skipped ? clean(step.message) + "\n" : "";
-  if (step.status == Status::failed) text += advice(step);
-  text += case_lines(step, false);
+  if (step.status == Status::passed) return passed_text(step);
+  std::string text = advice(step) + case_lines(step, false);
   if (const std::size_t hidden = count_failed(step.cases, true); hidden > 0)
     text += fmt::format("{} of {} failed.\n", hidden, counted(count(step.cases, true), "hidden case"));
   return text;
@@ -24,6 +22,8 @@ std::string public_output(const StepResult& step) {
 json test_of(const StepResult& step, double points, double most, const std::string& output,
              const char* visibility) {
   json tags = json::array({name_of(step.status)});
+  for (const Judged judged : {Judged::alone, Judged::markers_lost})
+    if (step.any(judged)) tags.push_back(name_of(judged));
   if (!step.mistake.empty()) tags.push_back(clean(step.mistake));
   return {{"number", clean(step.id)},
           {"name", clean(step.title)},

@@ -47,8 +47,14 @@ std::string overview(const StudentResult& student) {
   return text;
 }
 
+std::string passed_text(const StepResult& step) {
+  const std::string told = judging(step);
+  return told.empty() ? "Passed." : "Passed. " + clean(told);
+}
+
 std::string advice(const StepResult& step) {
   std::string text;
+  if (const std::string told = judging(step); !told.empty()) text += clean(told) + "\n";
   if (!step.overridden.empty()) text += "The teacher set these points: " + clean(step.overridden) + "\n";
   if (!step.mistake.empty()) text += clean(cause(step.mistake, step.mistake_says)) + "\n";
   if (!step.hints.empty()) text += "Hint: " + clean(step.hints.front()) + "\n";
@@ -60,7 +66,9 @@ std::string case_lines(const StepResult& step, bool hidden) {
   std::string text;
   for (const CaseResult& result : step.cases) {
     if (result.hidden != hidden) continue;
-    text += fmt::format("\n{}: {}\n", clean(result.name), result.passed() ? "passed" : "failed");
+    text += fmt::format("\n{}: {}\n", clean(result.name), !result.passed()    ? "failed"
+                                                    : result.is_alone() ? "right, only other steps spoil it"
+                                                                        : "passed");
     if (result.passed()) continue;
     if (!result.message.empty()) text += clean(result.message) + "\n";
     if (const std::string off = distance(result); !off.empty()) text += clean(off) + "\n";

@@ -17,7 +17,10 @@ double rounded(double points);
 /// Of the whole submission: the points, what the compiler refused, what was not taken.
 std::string overview(const StudentResult& student);
 
-/// The likely cause, the hint and the place of a step.
+/// "Passed.", and how the step was judged where its pictures are wrong all the same.
+std::string passed_text(const StepResult& step);
+
+/// How the step was judged, the likely cause, the hint and the place of a step.
 std::string advice(const StepResult& step);
 
 /// A line or more for each of the step's public or hidden cases.

@@ -61,7 +61,7 @@ std::string facts_list(const std::map<std::string, std::string>& facts, bool wit
 Standing standing(const StepResult& step) {
   if (step.status == Status::passed) return {"passed", "✓", "passed"};
   if (step.cases.empty()) return {"skipped", "·", "not judged"};
-  if (step.status == Status::skipped) return {"skipped", "–", "waits for an earlier step"};
+  if (step.is_untouched()) return {"skipped", "–", "not begun"};
   return step.score > 0 ? Standing{"failed", "◐", "not yet, in part"} : Standing{"failed", "✗", "not yet"};
 }
 

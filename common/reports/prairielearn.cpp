@@ -70,7 +70,7 @@ std::string prairielearn(const StudentResult& student, const std::filesystem::pa
           {{"name", clean(step.id + " " + step.title)},
            {"points", rounded(step.points * step.score)},
            {"max_points", rounded(step.points)},
-           {"message", passed ? "Passed." : clean(step.message)},
+           {"message", passed ? passed_text(step) : clean(step.message)},
            {"output", passed ? "" : advice(step) + case_lines(step, false) + case_lines(step, true)}});
     }
   const double most = student.max_points();

@@ -44,16 +44,18 @@ std::string viewer(const CaseResult& result, Pictures& pictures) {
       escaped(name_of(result.view)), escaped(name_of(result.unit())), number(result.limit, 9), panes);
 }
 
-std::string failed_case(const CaseResult& result, const StepResult& step, Pictures& pictures) {
+/// A case whose picture is wrong; it is right itself where only other steps spoil the picture.
+std::string wrong_case(const CaseResult& result, const StepResult& step, Pictures& pictures) {
   std::string html =
-      fmt::format("<article class=\"case\">\n<h4>{}{}{}</h4>\n", escaped(result.name),
+      fmt::format("<article class=\"case\">\n<h4>{}{}{}{}</h4>\n", escaped(result.name),
                   result.hidden ? " <span class=\"tag\">hidden case</span>" : "",
                   result.view == course::View::color
                       ? ""
-                      : fmt::format(" <span class=\"tag\">{} view</span>", escaped(name_of(result.view))));
+                      : fmt::format(" <span class=\"tag\">{} view</span>", escaped(name_of(result.view))),
+                  result.passed() ? " <span class=\"tag\">right, only other steps spoil it</span>" : "");
   if (!result.message.empty()) html += fmt::format("<p>{}</p>\n", escaped(result.message));
-  std::string figures = distance(result);
-  if (result.score > 0)
+  std::string figures = result.passed() ? "" : distance(result);
+  if (result.score > 0 && !result.passed())
     figures +=
         fmt::format("{}{} % of the case's marks", figures.empty() ? "" : "; ", number(100 * result.score, 0));
   if (!figures.empty()) html += fmt::format("<p class=\"quiet\">{}.</p>\n", escaped(figures));
@@ -66,7 +68,7 @@ std::string failed_case(const CaseResult& result, const StepResult& step, Pictur
 std::string passed_cases(const StepResult& step) {
   std::string names;
   for (const CaseResult& result : step.cases)
-    if (result.passed())
+    if (result.passed() && !result.is_alone())
       names += fmt::format("{}{}{}", names.empty() ? "" : ", ", escaped(result.name),
                            result.hidden ? " (hidden)" : "");
   if (names.empty()) return "";
@@ -77,26 +79,31 @@ std::string passed_cases(const StepResult& step) {
 std::string details(const StepResult& step, Pictures& pictures) {
   std::string html;
   const bool said_below =  // the message is the first failed case's, which has it again with its picture
-      step.status == Status::failed &&
       std::any_of(step.cases.begin(), step.cases.end(), [](const CaseResult& c) { return !c.passed(); });
   if (!step.message.empty() && !said_below) html += fmt::format("<p>{}</p>\n", escaped(step.message));
-  if (step.status == Status::failed) html += callout(step.mistake, step.mistake_says);
+  html += callout(step.mistake, step.mistake_says);
   if (const std::string file = place(step); !file.empty())
     html += fmt::format("<p class=\"place\">Written in <code>{}</code></p>\n", escaped(file));
   if (!step.hints.empty())
     html += fmt::format("<details class=\"hint\"><summary>Hint</summary><p>{}</p></details>\n",
                         escaped(step.hints.front()));
-  std::string cases;
-  std::size_t failed = 0;
   for (const CaseResult& result : step.cases)
-    if (!result.passed()) {
-      cases += failed_case(result, step, pictures);
-      ++failed;
+    if (!result.passed()) html += wrong_case(result, step, pictures);
+  return html + passed_cases(step);
+}
+
+/// The cases that are right, but whose pictures other steps spoil.
+std::string spoilt_cases(const StepResult& step, Pictures& pictures) {
+  std::string cases;
+  std::size_t count = 0;
+  for (const CaseResult& result : step.cases)
+    if (result.passed() && result.is_alone()) {
+      cases += wrong_case(result, step, pictures);
+      ++count;
     }
-  if (step.status == Status::skipped && failed > 0)
-    cases =
-        fmt::format("<details><summary>{}</summary>\n{}</details>\n", counted(failed, "failed case"), cases);
-  return html + cases + passed_cases(step);
+  if (count == 0) return "";
+  return fmt::format("<details><summary>{} that other steps spoil</summary>\n{}</details>\n",
+                     counted(count, "picture"), cases);
 }
 
 std::string step_section(const StepResult& step, Pictures& pictures) {
@@ -110,8 +117,10 @@ std::string step_section(const StepResult& step, Pictures& pictures) {
   if (!step.overridden.empty())
     html +=
         fmt::format("<p class=\"cause\">The teacher set these points: {}</p>\n", escaped(step.overridden));
+  if (const std::string told = judging(step); !told.empty())
+    html += fmt::format("<p>{}</p>\n", escaped(told));
   if (step.status != Status::passed) html += details(step, pictures);
-  return html + "</section>\n";
+  return html + spoilt_cases(step, pictures) + "</section>\n";
 }
 
 std::string lab_section(const LabResult& lab, Pictures& pictures) {

@@ -83,8 +83,21 @@ std::string cause(const std::string& mistake, const std::string& says) {
 
 std::string distance(const CaseResult& result) {
   if (!std::isfinite(result.error)) return "";
-  return fmt::format("{:.3g} {} off; full marks up to {:.3g}", result.error, name_of(result.unit()),
-                     result.limit);
+  return fmt::format("{}{:.3g} {} off; full marks up to {:.3g}", result.is_alone() ? "judged alone, " : "",
+                     result.error, name_of(result.unit()), result.limit);
+}
+
+std::string judging(const StepResult& step) {
+  if (step.any(Judged::markers_lost))
+    return fmt::format(
+        "{} was not judged alone, since lines with //@step or //@end are missing in its file: copy them from "
+        "the folder .starter.",
+        step.id);
+  if (!step.any(Judged::alone)) return "";
+  const std::string others = step.spoilt_by.empty() ? "the other lines" : listed(step.spoilt_by);
+  if (step.status == Status::passed)
+    return fmt::format("{} is right: with {} mended it has full marks.", step.id, others);
+  return fmt::format("{} was judged with {} mended: the mark is of its own mistake.", step.id, others);
 }
 
 std::string place(const StepResult& step) {

@@ -33,9 +33,13 @@ std::string in_words(const std::string& mistake);
 /// "This looks like: normal green flipped. Green is turned round: …", or "" where no mistake is known.
 std::string cause(const std::string& mistake, const std::string& says);
 
-/// How far off a case is, in its unit: "12.3 degrees off; up to 0.2 is full marks". "" where nothing could be
-/// compared.
+/// How far off a case is, in its unit: "12.3 degrees off; full marks up to 0.2", or "judged alone, 12.3
+/// degrees off; …". "" where nothing could be compared.
 std::string distance(const CaseResult& result);
+
+/// What a step's mark is of, where it is not simply that of the student's tree: "5.5 is right: with 5.1 mended
+/// it has full marks.", or "".
+std::string judging(const StepResult& step);
 
 /// Where a step is written: "labs/05_normal_map/lab.cpp:42", or "".
 std::string place(const StepResult& step);
@@ -46,7 +50,7 @@ std::string command(const CaseResult& result);
 std::size_t count_failed(const std::vector<CaseResult>& cases, bool hidden);
 std::size_t count(const std::vector<CaseResult>& cases, bool hidden);
 
-/// The first step that did not pass and was not skipped, or null.
+/// The first step that did not pass, or null.
 const StepResult* first_failing(const StudentResult& student);
 
 /// What is said of a student whom the grader failed.

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using Facts = std::map<std::string, std::string>;
 
 constexpr int kApplication = 0x5458474c;  ///< "TXGL": tells a store from SQLite files of other programs
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 /// What falls with its student refers to one, so that no row is left alone.
 constexpr const char* kSchema = R"(
@@ -47,6 +47,7 @@ CREATE TABLE cases (
   view TEXT NOT NULL, hidden INTEGER NOT NULL, score REAL NOT NULL CHECK (score BETWEEN 0 AND 1), error REAL,
   bound REAL NOT NULL, message TEXT NOT NULL, mistake TEXT NOT NULL, mistake_says TEXT NOT NULL,
   command TEXT NOT NULL, picture TEXT NOT NULL, reference TEXT NOT NULL, status TEXT NOT NULL DEFAULT 'failed',
+  judged TEXT NOT NULL DEFAULT 'together',
   PRIMARY KEY (student, lab, name)) STRICT, WITHOUT ROWID;
 CREATE TABLE overrides (
   student TEXT, step TEXT, score REAL NOT NULL CHECK (score BETWEEN 0 AND 1), reason TEXT NOT NULL,
@@ -63,6 +64,10 @@ UPDATE cases SET status = 'passed' WHERE passed;
 ALTER TABLE cases DROP COLUMN passed;
 ALTER TABLE cases DROP COLUMN unit;
 )";
+
+/// From version 2, which judged no step alone.
+constexpr const char* kFromVersion2 =
+    "ALTER TABLE cases ADD COLUMN judged TEXT NOT NULL DEFAULT 'together';";
 
 struct Table {
   const char* name;
@@ -223,7 +228,7 @@ course::View view_called(const std::string& name) {
 
 constexpr const char* kCaseColumns =
     "lab, name, step, view, hidden, score, error, bound, message, mistake, mistake_says, command, picture, "
-    "reference, status";
+    "reference, status, judged";
 
 std::vector<CaseResult> read_cases(const Connection& connection, const std::string& student) {
   std::vector<CaseResult> cases;
@@ -231,11 +236,11 @@ std::vector<CaseResult> read_cases(const Connection& connection, const std::stri
                      student);
        row.next();) {
     CaseResult& one = cases.emplace_back();
-    std::string view, status;
+    std::string view, status, judged;
     row >> one.lab >> one.name >> one.step >> view >> one.hidden >> one.score >> one.error >> one.limit >>
         one.message >> one.mistake >> one.mistake_says >> one.command >> one.picture >> one.reference >>
-        status;
-    one.view = view_called(view), one.status = case_status_of(status);
+        status >> judged;
+    one.view = view_called(view), one.status = case_status_of(status), one.judged = judged_of(judged);
   }
   return cases;
 }
@@ -317,7 +322,8 @@ void prepare(const Connection& connection) {
   if (version() == 0)
     connection.run(fmt::format("{} PRAGMA application_id = {}; PRAGMA user_version = {}", kSchema,
                                kApplication, kVersion));
-  if (version() == 1) connection.run(fmt::format("{} PRAGMA user_version = {}", kFromVersion1, kVersion));
+  if (version() == 1) connection.run(fmt::format("{} PRAGMA user_version = 2", kFromVersion1));
+  if (version() == 2) connection.run(fmt::format("{} PRAGMA user_version = {}", kFromVersion2, kVersion));
   transaction.commit();
 }
 
@@ -414,10 +420,11 @@ void Store::put_notes(const std::string& student, const std::string& lab,
 void Store::put(const std::string& student, const CaseResult& result) {
   const std::lock_guard lock(database_->mutex);
   Statement(database_->connection,
-            fmt::format("INSERT OR REPLACE INTO cases (student, {}) VALUES {}", kCaseColumns, marks(16)),
+            fmt::format("INSERT OR REPLACE INTO cases (student, {}) VALUES {}", kCaseColumns, marks(17)),
             student, result.lab, result.name, result.step, std::string(name_of(result.view)), result.hidden,
             result.score, result.error, result.limit, result.message, result.mistake, result.mistake_says,
-            result.command, result.picture, result.reference, std::string(name_of(result.status)))
+            result.command, result.picture, result.reference, std::string(name_of(result.status)),
+            std::string(name_of(result.judged)))
       .run();
 }
 

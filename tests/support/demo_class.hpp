@@ -113,7 +113,6 @@ inline grade::CaseResult demo_case(const std::string& lab, const std::string& st
 inline std::vector<grade::LabResult> demo_results(int solved, const std::string& mistake = {},
                                                   const std::string& says = {}) {
   std::vector<grade::LabResult> labs;
-  std::map<std::string, grade::Before> before;
   for (const course::Lab& lab : demo_labs()) {
     grade::LabResult result;
     result.lab = lab;
@@ -131,11 +130,10 @@ inline std::vector<grade::LabResult> demo_results(int solved, const std::string&
           each.mistake_says = says;
           each.score = mistake.empty() ? 0 : 0.25;
         }
-      result.steps.push_back(grade::step_result(step, cases, before));
+      result.steps.push_back(grade::step_result(step, cases));
       result.steps.back().file =
           step.id == "5.2" ? "shaders/05_normal_map/tangent_frame.glsl" : "labs/" + lab.folder + "/lab.cpp";
       result.steps.back().line = 42;
-      before[step.id] = {result.steps.back().status, !result.steps.back().mistake.empty()};
       --solved;
     }
     labs.push_back(result);

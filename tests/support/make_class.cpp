@@ -7,7 +7,8 @@
 //   solution-N       everything solved                                     full marks
 //   starter-N        nothing solved                                        0
 //   steps-9.2        everything up to step 9.2 solved                      exactly these steps pass
-//   mutant-NAME      the solution with one of tests/mutants                its step fails, and is named
+//   mutant-NAME      the solution with one of tests/mutants                its step alone fails, and is named
+//   mistake-NAME     the same, with one for each step; and some more       its step alone fails
 //   equivalent-NAME  the solution with one of tests/equivalents            full marks
 //   threat-NAME      the solution with one of tests/threats, hostile files 0 on what it fakes
 //   slow-NAME        the same, from tests/threats/slow.toml                0 on what it fakes
@@ -91,8 +92,10 @@ class ClassMaker {
         {"solution", [&] { solutions(); }},
         {"starter", [&] { starters(); }},
         {"prefix", [&] { prefixes(); }},
-        {"mutant", [&] { changes("tests/mutants", "mutant"); }},
-        {"equivalent", [&] { changes("tests/equivalents", "equivalent"); }},
+        {"mutant", [&] { changes(some_of(fitting("tests/mutants"), options_.limit), "mutant"); }},
+        {"mistake", [&] { changes(one_for_each_step(), "mistake"); }},
+        {"equivalent",
+         [&] { changes(some_of(fitting("tests/equivalents"), options_.limit), "equivalent"); }},
         {"threat", [&] { threats("threat"); }},
         {"slow", [&] { threats("slow"); }},
         {"files", [&] { hostile_files(); }},
@@ -224,15 +227,43 @@ class ClassMaker {
   }
 
   /// Those that a student can make who is graded in these labs.
-  void changes(const char* catalogue, const std::string& kind) {
+  [[nodiscard]] std::vector<course::Mutant> fitting(const char* catalogue) const {
     std::vector<course::Mutant> fit;
     for (const course::Mutant& mutant : course::read_catalogue(options_.root / catalogue))
       if (sources_.count(mutant.file) > 0 && !mutant.step.empty() && is_asked(lab_of(mutant.step)))
         fit.push_back(mutant);
-    for (const course::Mutant& mutant : some_of(fit, options_.limit)) {
+    return fit;
+  }
+
+  /// The first mutant of each step, and mistakes on which many other steps build.
+  [[nodiscard]] std::vector<course::Mutant> one_for_each_step() const {
+    std::vector<course::Mutant> chosen;
+    for (const course::Mutant& mutant : fitting("tests/mutants"))
+      if (std::none_of(chosen.begin(), chosen.end(),
+                       [&](const course::Mutant& one) { return one.step == mutant.step; }))
+        chosen.push_back(mutant);
+    const auto add = [&](const char* name, const char* step, const char* file, const char* what, const char* by) {
+      if (!is_asked(lab_of(step))) return;
+      course::Mutant mutant;
+      mutant.name = name, mutant.step = step, mutant.file = file, mutant.what = what, mutant.by = by;
+      chosen.push_back(mutant);
+    };
+    add("decodes-to-minus-0.9", "5.1", "shaders/05_normal_map/decode_normal.glsl", "color * 2.0 - 1.0",
+        "color * 2.0 - 0.9");
+    add("reflects-with-a-wrong-sign", "8.1", "shaders/08_reflection/rays.glsl",
+        "incident - 2.0 *", "incident + 2.0 *");
+    return chosen;
+  }
+
+  void changes(const std::vector<course::Mutant>& chosen, const std::string& kind) {
+    for (const course::Mutant& mutant : chosen) {
       const Files files = solution({{mutant.file, course::mutated(mutant, sources_.at(mutant.file))}});
       Json outcome = {{"passes", all_steps()}};
-      if (!mutant.is_right) outcome = {{"fails", mutant.step}, {"mistake", mutant.name}};
+      if (!mutant.is_right)
+        outcome = {{"passes", steps([&](const std::string& step) { return step != mutant.step; })},
+                   {"fails", mutant.step}};
+      // Some are called as a mutant that draws the same.
+      if (!mutant.is_right && kind == "mutant") outcome["mistake"] = mutant.name;
       // What the starter has there already is called that.
       if (!mutant.is_right && is_untouched(mutant.step, mutant.file, files.at(mutant.file)))
         outcome = {{"zero", {mutant.step}}, {"untouched", mutant.step}};
@@ -442,10 +473,10 @@ int main(int argc, char** argv) {
       ->required();
   app.add_option("--labs", options.labs, "Numbers of labs")->required()->delimiter(',');
   app.add_option("--kinds", options.kinds,
-                 "solution,starter,prefix,mutant,equivalent,threat,slow,files,broken")
+                 "solution,starter,prefix,mutant,mistake,equivalent,threat,slow,files,broken")
       ->delimiter(',')
       ->check(CLI::IsMember(
-          {"solution", "starter", "prefix", "mutant", "equivalent", "threat", "slow", "files", "broken"}));
+          {"solution", "starter", "prefix", "mutant", "mistake", "equivalent", "threat", "slow", "files", "broken"}));
   app.add_option("--limit", options.limit,
                  "At most so many prefixes, mutants and equivalents each, from all over the list")
       ->check(CLI::PositiveNumber);

@@ -60,7 +60,7 @@ CaseResult judged_in(const std::string& lab, const std::string& step, const std:
 }
 
 TEST(StepResult, passes_when_all_cases_do) {
-  const StepResult result = step_result(named_step("1.1", {}, 2), {judged("a", 1), judged("b", 1, true)}, {});
+  const StepResult result = step_result(named_step("1.1", {}, 2), {judged("a", 1), judged("b", 1, true)});
   EXPECT_EQ(result.status, Status::passed);
   EXPECT_EQ(result.score, 1);
   EXPECT_EQ(result.points, 2);
@@ -73,27 +73,22 @@ TEST(StepResult, passes_when_all_cases_do) {
   EXPECT_EQ(result.cases.size(), 2U);
 }
 
-TEST(StepResult, passes_although_a_needed_step_did_not) {
-  EXPECT_EQ(step_result(named_step("1.2", {"1.1"}), {judged("a", 1)}, {{"1.1", {Status::failed}}}).status,
-            Status::passed);
-}
-
 TEST(StepResult, has_the_mean_of_its_cases_where_all_are_public_or_all_are_hidden) {
-  EXPECT_DOUBLE_EQ(step_result(named_step("1.1"), {judged("a", 0.25), judged("b", 1)}, {}).score, 0.625);
-  EXPECT_DOUBLE_EQ(step_result(named_step("1.1"), {judged("a", 0.5, true), judged("b", 1, true)}, {}).score,
+  EXPECT_DOUBLE_EQ(step_result(named_step("1.1"), {judged("a", 0.25), judged("b", 1)}).score, 0.625);
+  EXPECT_DOUBLE_EQ(step_result(named_step("1.1"), {judged("a", 0.5, true), judged("b", 1, true)}).score,
                    0.75);
 }
 
 TEST(StepResult, earns_nothing_by_pictures_made_for_the_public_cases) {
   const StepResult forged = step_result(
-      named_step("1.1"), {judged("a", 1), judged("b", 1), judged("c", 1), judged("d", 0, true)}, {});
+      named_step("1.1"), {judged("a", 1), judged("b", 1), judged("c", 1), judged("d", 0, true)});
   EXPECT_EQ(forged.score, 0);
   EXPECT_EQ(forged.status, Status::failed);
 }
 
 TEST(StepResult, is_not_lifted_by_its_hidden_cases) {
   EXPECT_DOUBLE_EQ(
-      step_result(named_step("1.1"), {judged("a", 0), judged("b", 0.5), judged("c", 1, true)}, {}).score,
+      step_result(named_step("1.1"), {judged("a", 0), judged("b", 0.5), judged("c", 1, true)}).score,
       0.25);
 }
 
@@ -101,8 +96,7 @@ TEST(StepResult, says_what_the_first_failed_case_says) {
   const StepResult result = step_result(
       named_step("1.1"),
       {looks_like(judged("a", 1), "nothing"), judged("b", 0.5), looks_like(judged("e", 1), "nothing"),
-       looks_like(judged("c", 0), "flipped"), looks_like(judged("d", 0), "turned")},
-      {});
+       looks_like(judged("c", 0), "flipped"), looks_like(judged("d", 0), "turned")});
   EXPECT_EQ(result.status, Status::failed);
   EXPECT_EQ(result.message, "message of b");
   EXPECT_EQ(result.mistake, "flipped");
@@ -112,101 +106,73 @@ TEST(StepResult, says_what_the_first_failed_case_says) {
 TEST(StepResult, fails_by_one_case_that_has_not_full_marks_but_nearly) {
   CaseResult nearly = judged("a", 1);
   nearly.status = CaseStatus::failed;
-  EXPECT_EQ(step_result(named_step("1.1"), {nearly}, {}).status, Status::failed);
+  EXPECT_EQ(step_result(named_step("1.1"), {nearly}).status, Status::failed);
 }
 
 TEST(StepResult, fails_with_nothing_where_nothing_was_judged) {
-  const StepResult result = step_result(named_step("1.1"), {}, {});
+  const StepResult result = step_result(named_step("1.1"), {});
   EXPECT_EQ(result.status, Status::failed);
   EXPECT_EQ(result.score, 0);
   EXPECT_EQ(result.message, "No case of this step was judged.");
 }
 
-TEST(StepResult, is_skipped_when_a_needed_step_failed_or_was_skipped) {
-  for (const Status status : {Status::failed, Status::skipped}) {
-    const StepResult result = step_result(named_step("1.3", {"1.1", "1.2"}), {judged("a", 0.5)},
-                                          {{"1.1", {Status::passed}}, {"1.2", {status}}});
-    EXPECT_EQ(result.status, Status::skipped);
-    EXPECT_EQ(result.score, 0.5);
-    EXPECT_EQ(result.message, "This step needs step 1.2, which has not passed yet.");
-  }
-  EXPECT_EQ(step_result(named_step("1.3", {"1.2"}), {}, {{"1.2", {Status::failed}}}).status, Status::skipped);
+CaseResult alone(CaseResult result) {
+  result.judged = Judged::alone;
+  return result;
 }
 
-TEST(StepResult, with_a_known_mistake_is_skipped_only_where_something_explains_a_needed_step) {
-  const std::vector<CaseResult> cases = {looks_like(judged("a", 0.5), "flipped")};
-  const course::Step step = named_step("1.3", {"1.1", "1.2"});
-  const StepResult skipped =
-      step_result(step, cases, {{"1.1", {Status::failed, true}}, {"1.2", {Status::skipped}}});
-  EXPECT_EQ(skipped.status, Status::skipped);
-  EXPECT_EQ(skipped.mistake, "") << "it would be counted as one of its own";
-  EXPECT_EQ(skipped.cases.at(0).mistake, "flipped");
-  const StepResult failed = step_result(step, cases, {{"1.1", {Status::failed}}, {"1.2", {Status::skipped}}});
-  EXPECT_EQ(failed.status, Status::failed);
-  EXPECT_EQ(failed.mistake, "flipped");
-  EXPECT_EQ(failed.message, "message of a");
+TEST(StepResult, passes_by_cases_that_were_judged_alone) {
+  CaseResult spoilt = alone(judged("a", 1));
+  spoilt.message = "message of a";
+  const StepResult result = step_result(named_step("1.1"), {spoilt, judged("b", 1)});
+  EXPECT_EQ(result.status, Status::passed);
+  EXPECT_EQ(result.message, "");
+  EXPECT_TRUE(result.any(Judged::alone));
+  EXPECT_FALSE(result.any(Judged::markers_lost));
 }
 
-TEST(StepResult, fails_on_its_own_when_its_needs_passed_or_are_unknown) {
-  const std::map<std::string, Before> before = {{"1.1", {Status::passed}}, {"1.2", {Status::failed}}};
-  EXPECT_EQ(step_result(named_step("1.3", {"1.1", "0.9"}), {judged("a", 0)}, before).status, Status::failed);
-}
-
-TEST(LabResults, point_from_a_step_that_nothing_explains_to_the_later_one_that_may_have_spoilt_it) {
-  const std::vector<course::Lab> labs = {lab_with(
-      "01_quad",
-      {named_step("1.1"), named_step("1.2", {"1.1"}), named_step("1.3", {"1.2"}), named_step("1.4")})};
-  const auto steps_of = [&](const CaseResult& first) {
-    return lab_results(labs, {first, judged_in("01_quad", "1.2", "b", 0),
-                              looks_like(judged_in("01_quad", "1.3", "c", 0), "flipped"),
-                              judged_in("01_quad", "1.4", "d", 0)})
-        .at(0)
-        .steps;
-  };
-  const std::vector<StepResult> unexplained = steps_of(judged_in("01_quad", "1.1", "a", 0));
-  EXPECT_EQ(unexplained[0].message,
-            "message of a The cause may be in step 1.3: its pictures show a known mistake.");
-  EXPECT_EQ(unexplained[1].status, Status::skipped);
-  EXPECT_EQ(unexplained[2].status, Status::failed);
-  EXPECT_EQ(unexplained[2].message, "message of c");
-  EXPECT_EQ(unexplained[3].message, "message of d") << "1.3 does not need it";
-
-  CaseResult untouched = judged_in("01_quad", "1.1", "a", 0);
-  untouched.status = CaseStatus::untouched;
-  const CaseResult named = looks_like(judged_in("01_quad", "1.1", "a", 0), "mirrored");
-  for (const CaseResult& first : {untouched, named}) {
-    const std::vector<StepResult> steps = steps_of(first);
-    EXPECT_EQ(steps[0].message, first.message);
-    EXPECT_EQ(steps[2].status, Status::skipped);
-    EXPECT_EQ(steps[2].mistake, "");
-  }
-}
-
-TEST(LabResults, find_the_first_missing_step_through_others_and_in_other_labs) {
+TEST(LabResults, name_the_steps_that_spoil_one_that_was_judged_alone) {
   const std::vector<course::Lab> labs = {
-      lab_with("01_quad", {named_step("1.1"), named_step("1.2", {"1.1"})}),
-      lab_with("02_multi", {named_step("2.1", {"1.2"}), named_step("2.2", {"2.1"}), named_step("2.3")})};
+      lab_with("01_quad", {named_step("1.1"), named_step("1.2", {"1.1"}), named_step("1.3")}),
+      lab_with("02_multi", {named_step("2.1", {"1.2"}), named_step("2.2"), named_step("2.3"), named_step("2.4"),
+                            named_step("2.5")})};
+  CaseResult not_begun = judged_in("02_multi", "2.4", "d", 0);
+  not_begun.status = CaseStatus::untouched;
   const std::vector<LabResult> results = lab_results(
-      labs, {judged_in("02_multi", "2.2", "a of 2.2", 0), judged_in("02_multi", "2.1", "a of 2.1", 1),
-             judged_in("01_quad", "1.2", "a of 1.2", 1), judged_in("01_quad", "1.1", "a of 1.1", 0),
-             judged_in("02_multi", "2.3", "a of 2.3", 0)});
-  ASSERT_EQ(results.size(), 2U);
-  EXPECT_EQ(results[0].lab.folder, "01_quad");
-  EXPECT_EQ(results[0].steps.at(0).status, Status::failed);
-  EXPECT_EQ(results[0].steps.at(1).status, Status::passed);
-  EXPECT_EQ(results[1].steps.at(0).status, Status::passed);
-  // 2.2 needs 2.1, which passed, and so 1.1, which did not.
-  EXPECT_EQ(results[1].steps.at(1).status, Status::skipped);
-  EXPECT_EQ(results[1].steps.at(1).message, "This step needs step 1.1, which has not passed yet.");
-  EXPECT_EQ(results[1].steps.at(2).status, Status::failed);
+      labs, {judged_in("01_quad", "1.1", "a", 0), judged_in("01_quad", "1.2", "b", 1),
+             judged_in("01_quad", "1.3", "b", 0), alone(judged_in("02_multi", "2.1", "a", 1)),
+             alone(judged_in("02_multi", "2.2", "b", 0.5)), judged_in("02_multi", "2.3", "c", 0.5), not_begun,
+             judged_in("02_multi", "2.5", "e", 1)});
+  const std::vector<StepResult>& steps = results.at(1).steps;
+  // What it needs, through others too, and what was begun in its lab.
+  EXPECT_EQ(steps[0].spoilt_by, (std::vector<std::string>{"1.1", "2.2", "2.3"}));
+  EXPECT_EQ(steps[1].spoilt_by, (std::vector<std::string>{"2.3"})) << "not the step itself";
+  for (const StepResult& other : {steps[2], steps[3], steps[4], results[0].steps[0]})
+    EXPECT_TRUE(other.spoilt_by.empty()) << other.id;
 }
 
-TEST(LabResults, name_the_cause_and_not_a_step_that_was_skipped_for_it) {
-  const std::vector<course::Lab> labs = {lab_with(
-      "01_quad", {named_step("1.1"), named_step("1.2", {"1.1"}), named_step("1.3", {"1.2", "1.1"})})};
-  const std::vector<LabResult> results = lab_results(labs, {});
-  EXPECT_EQ(results.at(0).steps.at(1).status, Status::skipped);
-  EXPECT_EQ(results.at(0).steps.at(2).message, "This step needs step 1.1, which has not passed yet.");
+TEST(LabResults, fail_where_the_steps_that_they_need_failed) {
+  const std::vector<course::Lab> labs = {lab_with("01_quad", {named_step("1.1"), named_step("1.2", {"1.1"})})};
+  const std::vector<StepResult> steps =
+      lab_results(labs, {judged_in("01_quad", "1.1", "a", 0), judged_in("01_quad", "1.2", "b", 0)})
+          .at(0)
+          .steps;
+  EXPECT_EQ(steps[1].status, Status::failed);
+  EXPECT_EQ(steps[1].message, "message of b");
+}
+
+TEST(Needs, are_found_through_others_and_in_the_courses_order) {
+  const Needs needs({lab_with("01_quad", {named_step("1.1"), named_step("1.2"), named_step("1.3", {"1.2"})}),
+                     lab_with("02_multi", {named_step("2.1", {"1.3", "1.1"})})});
+  EXPECT_EQ(needs.of("2.1"), (std::vector<std::string>{"1.1", "1.2", "1.3"}));
+  EXPECT_TRUE(needs.of("1.1").empty());
+}
+
+TEST(Listed, has_commas_and_an_and) {
+  EXPECT_EQ(listed({}), "");
+  EXPECT_EQ(listed({"1.1"}), "1.1");
+  EXPECT_EQ(listed({"1.1", "1.2"}), "1.1 and 1.2");
+  EXPECT_EQ(listed({"1.1", "1.2", "1.3"}), "1.1, 1.2 and 1.3");
 }
 
 TEST(LabResults, have_the_public_cases_first_in_the_labs_order) {
@@ -240,7 +206,6 @@ TEST(LabResults, do_not_depend_on_what_messages_say) {
   settle(cases[0], {false, 9, 1, "Off."}, "", true);
   const std::vector<StepResult> before = lab_results(labs, cases).at(0).steps;
   EXPECT_EQ(before[0].cases[0].status, CaseStatus::untouched);
-  EXPECT_EQ(before[1].status, Status::skipped) << "1.1 was not begun";
   for (CaseResult& one : cases) one.message = "Other words.", one.mistake_says = "Others.";
   const std::vector<StepResult> after = lab_results(labs, cases).at(0).steps;
   for (std::size_t i = 0; i < before.size(); ++i) {
@@ -264,6 +229,8 @@ TEST(Status, has_a_name_and_is_found_by_it) {
   EXPECT_STREQ(name_of(Status::skipped), "skipped");
   for (const Status status : {Status::passed, Status::failed, Status::skipped})
     EXPECT_EQ(status_of(name_of(status)), status);
+  for (const Judged judged : {Judged::together, Judged::alone, Judged::markers_lost})
+    EXPECT_EQ(judged_of(name_of(judged)), judged);
   try {
     status_of("Passed");
     FAIL();

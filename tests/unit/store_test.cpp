@@ -147,6 +147,7 @@ TEST(Store, gives_back_every_field_of_a_case) {
   result.view = course::View::lod;
   result.hidden = true;
   result.status = CaseStatus::untouched;
+  result.judged = Judged::markers_lost;
   result.score = 0.1;  // has no end in binary
   result.error = 1.0 / 3.0;
   result.limit = 1e-300;
@@ -396,7 +397,7 @@ TEST(Store, reads_steps_as_their_cases_and_needs_say) {
   const ClassResult read = store.read(two_labs());
   EXPECT_EQ(step_in(read.students.at(0), "1.1").status, Status::failed);
   EXPECT_EQ(step_in(read.students.at(0), "1.2").status, Status::passed);
-  EXPECT_EQ(step_in(read.students.at(0), "2.1").status, Status::skipped);
+  EXPECT_EQ(step_in(read.students.at(0), "2.1").status, Status::failed);
   EXPECT_DOUBLE_EQ(read.students.at(0).points(), 3);
 }
 
@@ -418,7 +419,7 @@ TEST(Overrides, stand_for_the_judged_score) {
   EXPECT_EQ(step_in(jane, "1.1").status, Status::passed);
   EXPECT_EQ(step_in(jane, "1.1").overridden, "right, but written another way");
   EXPECT_EQ(step_in(jane, "1.2").score, 0.5);
-  EXPECT_EQ(step_in(jane, "1.2").status, Status::skipped) << "the picture of 1.1 was not there to build on";
+  EXPECT_EQ(step_in(jane, "1.2").status, Status::failed);
   EXPECT_EQ(step_in(jane, "1.2").overridden, nasty);
   EXPECT_EQ(step_in(jane, "2.1").score, 0);
   EXPECT_EQ(step_in(jane, "2.1").status, Status::failed);
@@ -576,7 +577,7 @@ TEST(Dump, has_every_row_on_a_line_of_its_own) {
   EXPECT_EQ(store.dump(),
             "facts\tseed\ttab\\tline\\nback\\\\\n"
             "students\tjane\tdigest\tname of jane\t\t\n"
-            "cases\tjane\t01_quad\ta\t1.1\tcolor\t0\t0.1\t0.9\t0\t\t\t\t\t\t\tfailed\n");
+            "cases\tjane\t01_quad\ta\t1.1\tcolor\t0\t0.1\t0.9\t0\t\t\t\t\t\t\tfailed\ttogether\n");
 }
 
 TEST(Merge, of_shards_says_what_one_store_of_all_says) {
@@ -726,16 +727,36 @@ TEST(Store, takes_over_what_version_1_kept) {
   EXPECT_EQ(cases[1].unit(), course::Unit::degrees);
   EXPECT_EQ(cases[2].status, CaseStatus::untouched);
   EXPECT_TRUE(cases[2].is_mesh());
+  for (const CaseResult& one : cases) EXPECT_EQ(one.judged, Judged::together) << one.name;
+}
+
+TEST(Store, takes_over_what_version_2_kept) {
+  const Folder folder;
+  CaseResult result = case_of("1.1", "a", 0.5);
+  {
+    Store store(folder / "store");
+    store.put_student(student_of("jane"), "digest");
+    store.put("jane", result);
+  }
+  run_sql(folder / "store", "ALTER TABLE cases DROP COLUMN judged; PRAGMA user_version = 2");
+  {
+    Store store(folder / "store");
+    EXPECT_EQ(step_in(student_in(store.read(two_labs()), "jane"), "1.1").cases.at(0).judged, Judged::together);
+    result.judged = Judged::alone;
+    store.put("jane", result);
+  }
+  EXPECT_EQ(step_in(student_in(Store(folder / "store").read(two_labs()), "jane"), "1.1").cases.at(0).judged,
+            Judged::alone);
 }
 
 TEST(Store, leaves_databases_of_other_programs_and_later_versions) {
   const Folder folder;
   run_sql(folder / "other", "CREATE TABLE students (id); PRAGMA user_version = 1");
   { const Store store(folder / "later"); }
-  run_sql(folder / "later", "PRAGMA user_version = 3");
+  run_sql(folder / "later", "PRAGMA user_version = 4");
   const std::map<std::string, std::string> errors = {
       {"other", "is not a store of grades"},
-      {"later", "the store has version 3, newer than 2; use the program"}};
+      {"later", "the store has version 4, newer than 3; use the program"}};
   for (const auto& [name, says] : errors) {
     const std::filesystem::path file = folder / name;
     const std::string before = read_file(file);

@@ -53,6 +53,12 @@ std::set<std::string> untouched_steps(const std::string& text, const std::string
 std::string with_step_from(const std::string& text, const std::string& file, const std::string& step,
                            const std::string& other);
 
+/// The text of a student's file with the solution standing in for all steps but one: what stands between their
+/// markers is taken from `solution`, and all other lines stay. Throws Error (exit 3) when markers of the other
+/// steps are missing, and as markers_of.
+std::string with_step_alone(const std::string& text, const std::string& file, const std::string& step,
+                            const std::string& solution);
+
 /// The files that a student may change, as paths in the tree: every file below labs, shaders and common with
 /// a line that begins with `//@step`. Sorted. Throws Error (exit 3) when there is none.
 std::vector<std::string> step_files(const std::filesystem::path& tree);

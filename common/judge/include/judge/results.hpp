@@ -2,6 +2,7 @@
 #pragma once
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,7 +17,7 @@ namespace texel::grade {
 enum class Status {
   passed,
   failed,
-  skipped  ///< failed, and a step that it needs failed too: not counted as a mistake of its own
+  skipped  ///< only in check: failed, and another step comes first; not counted as a mistake of its own
 };
 
 /// "passed", "failed", "skipped".
@@ -35,15 +36,28 @@ const char* name_of(CaseStatus status);
 /// The status of that name. Throws Error (exit 3) for another.
 CaseStatus case_status_of(const std::string& name);
 
+/// What a case's mark is of.
+enum class Judged {
+  together,     ///< the student's tree
+  alone,        ///< the student's step, with the solution standing in for all other steps
+  markers_lost  ///< the student's tree: the step could not be judged alone, since markers in its file are gone
+};
+
+/// "together", "alone", "markers lost".
+const char* name_of(Judged judged);
+/// The one of that name. Throws Error (exit 3) for another.
+Judged judged_of(const std::string& name);
+
 /// One case of one student: the student's picture or vertex stream beside the reference.
 struct CaseResult : course::Case {
   CaseResult() = default;
   explicit CaseResult(course::Case of) : Case(std::move(of)) {}
 
   CaseStatus status = CaseStatus::failed;
+  Judged judged = Judged::together;  ///< status, score, error and mistake are of that
   double score = 0;  ///< 0 (as wrong as the starter) to 1 (within the limit)
   double error = std::numeric_limits<double>::quiet_NaN();  ///< as `limit`; NaN: nothing can be compared
-  std::string message;       ///< what is wrong, one or two sentences for the student; "" when passed
+  std::string message;       ///< what is wrong in the student's tree, one or two sentences; "" when nothing is
   std::string mistake;       ///< the name of the mutant that the picture looks like, or ""
   std::string mistake_says;  ///< and its sentence
   std::string command;       ///< draws this picture, typed in the student's tree: "./run lab 5 --turn 50 …"
@@ -52,6 +66,7 @@ struct CaseResult : course::Case {
   std::string reference;  ///< the expected one, relative as well; "" where it stays secret
 
   [[nodiscard]] bool passed() const { return status == CaseStatus::passed; }
+  [[nodiscard]] bool is_alone() const { return judged == Judged::alone; }
   [[nodiscard]] course::Unit unit() const { return course::unit_of(view); }
 
   bool operator==(const CaseResult&) const = default;
@@ -65,13 +80,21 @@ struct StepResult {
   double points = 0;  ///< what the step is worth
   double score = 0;   ///< 0 to 1; the teacher's where there is an override
   Status status = Status::failed;
-  std::string message;  ///< of the first failed case, or which needed step did not pass; "" when passed
+  std::string message;  ///< of the first failed case; of a skipped step, why; "" when passed
   std::string mistake, mistake_says;  ///< of the first failed case that has one; "" when passed or skipped
   std::vector<std::string> hints;     ///< the step's
   std::string file;                   ///< where the step is written, in the tree
   int line = 0;                       ///< of its first marker in the starter
   std::string overridden;             ///< the teacher's reason for another score, or ""
+  /// Other steps that did not pass and spoil pictures of this one, as far as is known: where a case was judged
+  /// alone, those of its lab and those that it needs; where check skips it, the step that comes first.
+  std::vector<std::string> spoilt_by;
   std::vector<CaseResult> cases;
+
+  /// Whether one of its cases was judged so.
+  [[nodiscard]] bool any(Judged judged) const;
+  /// Whether it failed, and nothing of it was written.
+  [[nodiscard]] bool is_untouched() const;
 };
 
 struct LabResult {
@@ -83,6 +106,20 @@ struct LabResult {
   [[nodiscard]] double max_points() const;  ///< to be reached
 };
 
+/// What each step needs, directly and through others, in the course's order.
+class Needs {
+ public:
+  explicit Needs(const std::vector<course::Lab>& labs);
+  [[nodiscard]] std::vector<std::string> of(const std::string& step) const;
+
+ private:
+  std::vector<std::string> order_;
+  std::map<std::string, std::set<std::string>> all_;
+};
+
+/// "5.1", "5.1 and 5.2", "5.1, 5.2 and 5.3".
+std::string listed(const std::vector<std::string>& steps);
+
 /// Fills in where each step is written, by its id.
 void put_places(std::vector<LabResult>& labs, const std::map<std::string, Place>& places);
 
@@ -90,26 +127,13 @@ void put_places(std::vector<LabResult>& labs, const std::map<std::string, Place>
 /// its limit; one where nothing can be compared before all others. Null when it has none.
 const CaseResult* telling_case(const StepResult& step);
 
-/// What those that need a step have to know of it.
-struct Before {
-  Status status = Status::failed;
-  bool is_explained = false;  ///< it failed by a mistake that is known by name, or nothing of it was written
-};
-
 /// A step out of its cases. It passed when all of them did, and there is one. Its score is the lower of the
 /// means over its public and its hidden cases, so that pictures that were made for the public cases earn
-/// nothing; 0 without a case. A step that failed while one of its `needs` did not pass was skipped; but where
-/// nothing explains those, and its own pictures show a known mistake, it failed by that: a wrong line spoils
-/// pictures of earlier steps too. `before` has the steps before it, by id; a step that is not in it says
-/// nothing. `file` and `line` are left to who knows the tree.
-StepResult step_result(const course::Step& step, std::vector<CaseResult> cases,
-                       const std::map<std::string, Before>& before);
+/// nothing; 0 without a case. `file`, `line` and `spoilt_by` are left to who knows the tree and other steps.
+StepResult step_result(const course::Step& step, std::vector<CaseResult> cases);
 
-/// All steps of these labs out of one student's cases, in the labs' order. Beyond step_result, a step needs
-/// what its needs need, in other labs too, and its message names the first step of the course that is
-/// missing; that of a step that nothing explains names the later one whose mistake may be the cause. A step's
-/// cases come public ones first, then in the lab file's order, then by name. Cases of other labs or steps are
-/// left out.
+/// All steps of these labs out of one student's cases, in the labs' order. A step's cases come public ones
+/// first, then in the lab file's order, then by name. Cases of other labs or steps are left out.
 std::vector<LabResult> lab_results(const std::vector<course::Lab>& labs, std::vector<CaseResult> cases);
 
 }  // namespace texel::grade

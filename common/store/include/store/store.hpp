@@ -70,9 +70,9 @@ class Store {
   [[nodiscard]] std::vector<Override> overrides() const;
 
   /// All results, as steps, labs and students. The labs say which steps there are. Overrides are applied: one
-  /// of 1 makes the step passed, a lower one makes a passed step failed. Whether a step was skipped, and what
-  /// is said of it, follow from the pictures all the same. A student's incidents are one text, a line for
-  /// each, with its lab's name before it. Changes are those of steps that were judged anew.
+  /// of 1 makes the step passed, a lower one makes a passed step failed. What is said of a step follows from
+  /// the pictures all the same. A student's incidents are one text, a line for each, with its lab's name
+  /// before it. Changes are those of steps that were judged anew.
   [[nodiscard]] ClassResult read(const std::vector<course::Lab>& labs) const;
 
   /// Every row as a line of text with tabs, in an order of its own: the same for stores that say the same.

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "order.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+
+namespace texel::grade {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+/// What is remembered of a step. Saves are counted, from 1.
+struct Remembered {
+  std::string text;      ///< a hash
+  int changed = 0;       ///< the save that changed it last
+  int passed = 0;        ///< the last save with which it passed; 0 for none
+};
+
+struct Memory {
+  int saves = 0;
+  std::map<std::string, Remembered> steps;
+};
+
+Memory read_memory(const fs::path& file) {
+  Memory memory;
+  if (!fs::exists(file)) return memory;
+  try {
+    const Json json = Json::parse(read_file(file));
+    for (const auto& [id, step] : json.at("steps").items())
+      memory.steps[id] = {step.at("text"), step.at("changed"), step.at("passed")};
+    memory.saves = json.at("saves");
+  } catch (const Json::exception&) {  // a file of another version, or spoilt
+    return {};
+  }
+  return memory;
+}
+
+void write_memory(const fs::path& file, const Memory& memory) {
+  Json json = {{"saves", memory.saves}, {"steps", Json::object()}};
+  for (const auto& [id, step] : memory.steps)
+    json["steps"][id] = {{"text", step.text}, {"changed", step.changed}, {"passed", step.passed}};
+  fs::create_directories(file.parent_path());
+  write_file(file, json.dump(1) + "\n");
+}
+
+/// A file that several labs use.
+bool is_shared(const std::string& file) {
+  return file.starts_with("common/") || file.starts_with("shaders/lib/");
+}
+
+/// What those that need a step have to know of it.
+struct Before {
+  bool is_passed = false;
+  bool is_explained = false;  ///< it failed by a known mistake, or nothing of it was written
+};
+
+void skip(StepResult& step, const std::vector<std::string>& because_of, const std::string& message) {
+  step.status = Status::skipped;
+  step.spoilt_by = because_of;
+  step.message = message;
+  step.mistake.clear(), step.mistake_says.clear();
+}
+
+}  // namespace
+
+std::map<std::string, Changed> changed_since_it_passed(const fs::path& file,
+                                                       const std::map<std::string, std::string>& texts,
+                                                       const std::map<std::string, Place>& places,
+                                                       const std::vector<LabResult>& labs) {
+  Memory memory = read_memory(file);
+  bool is_saved = false;
+  for (const auto& [id, text] : texts) {
+    Remembered& step = memory.steps[id];
+    const std::string now = fmt::format("{:016x}", std::hash<std::string>()(text));
+    if (step.text == now) continue;
+    step.text = now, step.changed = memory.saves + 1;
+    is_saved = true;
+  }
+  if (is_saved) ++memory.saves;
+
+  std::vector<course::Lab> known;
+  for (const LabResult& lab : labs) known.push_back(lab.lab);
+  const Needs needs(known);
+  std::map<std::string, Changed> changed;
+  for (const LabResult& lab : labs)
+    for (const StepResult& step : lab.steps) {
+      Remembered& own = memory.steps[step.id];
+      if (step.status == Status::passed) own.passed = memory.saves;
+      if (own.passed == memory.saves || own.passed < own.changed) continue;
+      const std::vector<std::string> needed = needs.of(step.id);
+      Changed found{{}, true};
+      for (const auto& [id, place] : places) {
+        const bool matters = std::stoi(id) == lab.lab.number || is_shared(place.file) ||
+                             std::find(needed.begin(), needed.end(), id) != needed.end();
+        if (!matters || memory.steps[id].changed <= own.passed) continue;
+        found.steps.push_back(id);
+        found.by_last_save &= memory.steps[id].changed == memory.saves;
+      }
+      if (!found.steps.empty()) changed[step.id] = std::move(found);
+    }
+  write_memory(file, memory);
+  return changed;
+}
+
+void skip_those_that_wait(std::vector<LabResult>& labs, const std::map<std::string, Changed>& changed) {
+  std::vector<course::Lab> known;
+  for (const LabResult& lab : labs) known.push_back(lab.lab);
+  const Needs needs(known);
+  std::map<std::string, Before> before;
+  for (LabResult& lab : labs)
+    for (StepResult& step : lab.steps) {
+      Before& own = before[step.id];
+      own.is_passed = step.status == Status::passed;
+      if (own.is_passed) continue;
+      if (const auto found = changed.find(step.id); found != changed.end()) {
+        const std::string steps = listed(found->second.steps);
+        skip(step, found->second.steps,
+             found->second.by_last_save
+                 ? fmt::format("Your last save changed {}; {} passed before it.", steps, step.id)
+                 : fmt::format("You changed {}; {} passed before that.", steps, step.id));
+        own.is_passed = true;  // its text is right: the steps that need it do not wait for it
+        continue;
+      }
+      std::string missing;  // the first need that did not pass
+      bool is_explained = false;
+      for (const std::string& need : needs.of(step.id)) {
+        const auto found = before.find(need);
+        if (found == before.end() || found->second.is_passed) continue;
+        if (missing.empty()) missing = need;
+        is_explained |= found->second.is_explained;
+      }
+      own.is_explained = !step.mistake.empty() || step.is_untouched();
+      if (missing.empty() || (!is_explained && !step.mistake.empty())) continue;
+      own.is_explained = false;
+      skip(step, {missing}, fmt::format("This step needs step {}, which has not passed yet.", missing));
+    }
+}
+
+}  // namespace texel::grade

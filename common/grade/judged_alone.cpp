@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "judged_alone.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <system_error>
+
+#include "check/studio.hpp"
+#include "core/error.hpp"
+#include "course/markers.hpp"
+#include "grade/submission.hpp"
+
+namespace texel::grade {
+namespace {
+
+namespace fs = std::filesystem;
+using Files = std::map<std::string, std::string>;
+
+constexpr std::string_view kShaders = "shaders/";
+
+/// All files with steps: the solution's, but the student's step in its own; none where that cannot be put
+/// together.
+std::optional<Files> step_among_solutions(const Preparation& preparation, const Files& files,
+                                          const std::string& step) {
+  Files spliced = preparation.solution;
+  for (auto& [path, text] : spliced) {
+    const auto own = files.find(path);
+    if (own == files.end() || !preparation.files_of_step.at(step).contains(path)) continue;
+    try {
+      text = course::with_step_alone(own->second, path, step, text);
+    } catch (const Error&) {  // the markers are the student's
+      return {};
+    }
+  }
+  return spliced;
+}
+
+Drawn draw_spliced(const Preparation& preparation, const GradeOptions& options, const Files& spliced,
+                   const LabPlan& plan, const std::vector<course::Case>& cases, const fs::path& work,
+                   const fs::path& out) {
+  Files sources, shaders;
+  for (const auto& [path, text] : spliced) {
+    if (path.ends_with(".cpp")) sources[path] = text;
+    if (path.starts_with(kShaders)) shaders[path.substr(kShaders.size())] = text;
+  }
+  const Program program = preparation.workshop->make(plan.lab.program(), sources);
+  // With the starter in place of what was refused, the pictures would be another program's.
+  if (!program.refused.empty()) return {};
+  overlay(preparation.starter.source / "shaders", shaders, work / "shaders");
+  fs::create_directory_symlink(preparation.starter.source / "assets", work / "assets");
+  Studio studio{program.file, work, options.context, options.run, {preparation.starter.source / "assets"}};
+  if (fs::exists(preparation.models)) studio.readable.push_back(preparation.models);
+  return draw(studio, cases, out);
+}
+
+}  // namespace
+
+std::optional<Files> draw_alone(const Preparation& preparation, const GradeOptions& options,
+                                const Files& files, const LabPlan& plan, const std::string& step,
+                                const std::vector<course::Case>& cases, const fs::path& work,
+                                const fs::path& out) {
+  const std::optional<Files> spliced = step_among_solutions(preparation, files, step);
+  if (!spliced) return {};
+  std::string fault;
+  try {
+    fs::remove_all(work);
+    fs::remove_all(out);
+    return draw_spliced(preparation, options, *spliced, plan, cases, work, out).refused;
+  } catch (const std::system_error& error) {
+    fault = ": " + error.code().message();
+  } catch (const std::exception&) {  // it may name files that the program wrote
+  }
+  throw Error::failed(fmt::format("the machine failed while step {} was judged alone{}", step, fault));
+}
+
+double coarse_score(double score) {
+  return std::floor(100 * score) / 100;
+}
+
+double coarse_error(double error) {
+  return std::isfinite(error) ? std::strtod(fmt::format("{:.1e}", error).c_str(), nullptr) : error;
+}
+
+}  // namespace texel::grade
