@@ -25,7 +25,8 @@ namespace fs = std::filesystem;
 using course::Case;
 
 /// Where the tree's own pictures of the last check lie, and what is remembered of earlier ones: one build may
-/// serve several trees (TEXEL_ROOT), and whoever shows a picture does so when another tree is checked already.
+/// serve several trees (TEXEL_ROOT), and whoever shows a picture does so when another tree is checked
+/// already.
 fs::path checked_folder(const OwnTree& tree) {
   const std::string name = fs::weakly_canonical(tree.source).string();
   return tree.build / "check" / fmt::format("{:016x}", std::hash<std::string>()(name));

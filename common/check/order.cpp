@@ -17,9 +17,9 @@ using Json = nlohmann::json;
 
 /// What is remembered of a step. Saves are counted, from 1.
 struct Remembered {
-  std::string text;      ///< a hash
-  int changed = 0;       ///< the save that changed it last
-  int passed = 0;        ///< the last save with which it passed; 0 for none
+  std::string text;  ///< a hash
+  int changed = 0;   ///< the save that changed it last
+  int passed = 0;    ///< the last save with which it passed; 0 for none
 };
 
 struct Memory {

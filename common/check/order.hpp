@@ -16,20 +16,20 @@ struct Changed {
   bool by_last_save = false;  ///< all of them, since the check before this one
 };
 
-/// Compares the checked steps with what `file` remembers of earlier checks, and remembers them there. Returns,
-/// by step, what changed since it passed: of steps that fail now, passed once, and have the same text since.
-/// Steps of another lab's own files are left out, unless the step needs them. `texts` has what stands between
-/// each step's markers. A memory that is missing or broken is empty. Throws Error (exit 3) when it cannot be
-/// written.
+/// Compares the checked steps with what `file` remembers of earlier checks, and remembers them there.
+/// Returns, by step, what changed since it passed: of steps that fail now, passed once, and have the same
+/// text since. Steps of another lab's own files are left out, unless the step needs them. `texts` has what
+/// stands between each step's markers. A memory that is missing or broken is empty. Throws Error (exit 3)
+/// when it cannot be written.
 std::map<std::string, Changed> changed_since_it_passed(const std::filesystem::path& file,
                                                        const std::map<std::string, std::string>& texts,
                                                        const std::map<std::string, Place>& places,
                                                        const std::vector<LabResult>& labs);
 
 /// Skips failed steps before which others come, and says why: those that passed before another one changed;
-/// and those that need a step that did not pass. But where nothing explains why that one failed (it was begun,
-/// and shows no known mistake), and the step's own pictures show a known mistake, it is not skipped: a wrong
-/// line spoils pictures of earlier steps too. The labs have those that they need before them.
+/// and those that need a step that did not pass. But where nothing explains why that one failed (it was
+/// begun, and shows no known mistake), and the step's own pictures show a known mistake, it is not skipped: a
+/// wrong line spoils pictures of earlier steps too. The labs have those that they need before them.
 void skip_those_that_wait(std::vector<LabResult>& labs, const std::map<std::string, Changed>& changed);
 
 }  // namespace texel::grade

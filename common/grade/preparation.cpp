@@ -57,8 +57,8 @@ Preparation prepare(const GradeOptions& options, unsigned jobs) {
   p.workshop = std::make_unique<Workshop>(p.starter, options.cache, options.run);
   p.allowed = course::step_files(p.starter.source);
   for (const std::string& path : p.allowed) {
-    p.solution[path] = course::with_steps(read_file(options.course / path), path,
-                                          [](const std::string&) { return true; });
+    p.solution[path] =
+        course::with_steps(read_file(options.course / path), path, [](const std::string&) { return true; });
     for (const auto& [step, text] : course::step_texts(p.solution[path], path))
       p.files_of_step[step].insert(path);
   }

@@ -123,9 +123,8 @@ JudgedLab StudentRun::judge(const LabPlan& plan, const std::vector<Case>& cases,
     const Mistake* mistake = nullptr;
     if (is_begun && !of_step.failed.empty()) {
       judge_alone(plan, step.id, of_step);
-      std::erase_if(of_step.failed, [](const auto& one) {
-        return one.second.picture.empty() && one.second.refused.empty();
-      });
+      std::erase_if(of_step.failed,
+                    [](const auto& one) { return one.second.picture.empty() && one.second.refused.empty(); });
       if (!of_step.failed.empty()) mistake = preparation_.course->recognise(plan, step.id, of_step.failed);
     }
     for (CaseResult& result : of_step.results) {
@@ -143,8 +142,8 @@ void StudentRun::judge_alone(const LabPlan& plan, const std::string& step, StepC
   std::vector<Case> again;
   for (const CaseResult& result : cases.results)
     if (!result.passed()) again.push_back(result);
-  const auto refused =
-      draw_alone(preparation_, options_, submission_.files, plan, step, again, out / "root", out / "pictures");
+  const auto refused = draw_alone(preparation_, options_, submission_.files, plan, step, again, out / "root",
+                                  out / "pictures");
   for (CaseResult& result : cases.results) {
     if (result.passed()) continue;
     if (!refused) {

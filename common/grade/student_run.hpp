@@ -56,8 +56,9 @@ class StudentRun {
     std::vector<CaseResult> results;
     std::map<std::string, Failed> failed;  ///< by the case's name
   };
-  /// Judges the failed cases again, with the solution standing in for all other steps: the better mark counts.
-  /// Those that still fail are then the failed ones. Nothing changes but `judged` where it cannot be done.
+  /// Judges the failed cases again, with the solution standing in for all other steps: the better mark
+  /// counts. Those that still fail are then the failed ones. Nothing changes but `judged` where it cannot be
+  /// done.
   void judge_alone(const LabPlan& plan, const std::string& step, StepCases& cases) const;
   /// What a verdict earns.
   [[nodiscard]] double scored(const LabPlan& plan, const course::Case& of, const Verdict& verdict) const;

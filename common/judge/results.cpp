@@ -55,8 +55,8 @@ void sort_cases(const course::Lab& lab, std::vector<CaseResult>& cases) {
             [&](const CaseResult& a, const CaseResult& b) { return key(a) < key(b); });
 }
 
-/// The steps whose mistakes can have spoilt the pictures of one that was judged alone: what did not pass in its
-/// lab, but was begun, and what it needs.
+/// The steps whose mistakes can have spoilt the pictures of one that was judged alone: what did not pass in
+/// its lab, but was begun, and what it needs.
 std::vector<std::string> spoilers_of(const StepResult& step, const std::vector<StepResult>& of_lab,
                                      const std::vector<LabResult>& results, const Needs& needs) {
   const std::vector<std::string> needed = needs.of(step.id);

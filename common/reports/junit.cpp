@@ -43,13 +43,15 @@ std::string test_case(const CaseResult& result, const StepResult& step, const st
   const std::string opening = fmt::format("  <testcase classname=\"{}.{}\" name=\"{}\"", quoted(result.lab),
                                           quoted(step.id), quoted(result.name));
   if (result.passed() && result.is_alone())
-    return fmt::format("{}>\n   <system-out>{}</system-out>\n  </testcase>\n", opening, quoted(judging(step)));
+    return fmt::format("{}>\n   <system-out>{}</system-out>\n  </testcase>\n", opening,
+                       quoted(judging(step)));
   if (result.passed()) return opening + "/>\n";
   ++counts.failures;
   const std::string typed = command(result);
   std::string said;
-  for (const std::string& line : {cause(result.mistake, result.mistake_says), judging(step), distance(result), place(step),
-                                  step.hints.empty() ? "" : "Hint: " + step.hints.front(), typed})
+  for (const std::string& line :
+       {cause(result.mistake, result.mistake_says), judging(step), distance(result), place(step),
+        step.hints.empty() ? "" : "Hint: " + step.hints.front(), typed})
     if (!line.empty()) said += "\n" + quoted(line);
   const std::string files = attachments(result, folder);
   return fmt::format("{}>\n   <failure message=\"{}\" type=\"{}\">{}</failure>\n{}  </testcase>\n", opening,

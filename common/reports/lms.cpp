@@ -66,9 +66,10 @@ std::string case_lines(const StepResult& step, bool hidden) {
   std::string text;
   for (const CaseResult& result : step.cases) {
     if (result.hidden != hidden) continue;
-    text += fmt::format("\n{}: {}\n", clean(result.name), !result.passed()    ? "failed"
-                                                    : result.is_alone() ? "right, only other steps spoil it"
-                                                                        : "passed");
+    text += fmt::format("\n{}: {}\n", clean(result.name),
+                        !result.passed()    ? "failed"
+                        : result.is_alone() ? "right, only other steps spoil it"
+                                            : "passed");
     if (result.passed()) continue;
     if (!result.message.empty()) text += clean(result.message) + "\n";
     if (const std::string off = distance(result); !off.empty()) text += clean(off) + "\n";

@@ -37,8 +37,8 @@ std::string cause(const std::string& mistake, const std::string& says);
 /// degrees off; …". "" where nothing could be compared.
 std::string distance(const CaseResult& result);
 
-/// What a step's mark is of, where it is not simply that of the student's tree: "5.5 is right: with 5.1 mended
-/// it has full marks.", or "".
+/// What a step's mark is of, where it is not simply that of the student's tree: "5.5 is right: with 5.1
+/// mended it has full marks.", or "".
 std::string judging(const StepResult& step);
 
 /// Where a step is written: "labs/05_normal_map/lab.cpp:42", or "".

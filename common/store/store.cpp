@@ -66,8 +66,7 @@ ALTER TABLE cases DROP COLUMN unit;
 )";
 
 /// From version 2, which judged no step alone.
-constexpr const char* kFromVersion2 =
-    "ALTER TABLE cases ADD COLUMN judged TEXT NOT NULL DEFAULT 'together';";
+constexpr const char* kFromVersion2 = "ALTER TABLE cases ADD COLUMN judged TEXT NOT NULL DEFAULT 'together';";
 
 struct Table {
   const char* name;

@@ -94,8 +94,7 @@ class ClassMaker {
         {"prefix", [&] { prefixes(); }},
         {"mutant", [&] { changes(some_of(fitting("tests/mutants"), options_.limit), "mutant"); }},
         {"mistake", [&] { changes(one_for_each_step(), "mistake"); }},
-        {"equivalent",
-         [&] { changes(some_of(fitting("tests/equivalents"), options_.limit), "equivalent"); }},
+        {"equivalent", [&] { changes(some_of(fitting("tests/equivalents"), options_.limit), "equivalent"); }},
         {"threat", [&] { threats("threat"); }},
         {"slow", [&] { threats("slow"); }},
         {"files", [&] { hostile_files(); }},
@@ -242,7 +241,8 @@ class ClassMaker {
       if (std::none_of(chosen.begin(), chosen.end(),
                        [&](const course::Mutant& one) { return one.step == mutant.step; }))
         chosen.push_back(mutant);
-    const auto add = [&](const char* name, const char* step, const char* file, const char* what, const char* by) {
+    const auto add = [&](const char* name, const char* step, const char* file, const char* what,
+                         const char* by) {
       if (!is_asked(lab_of(step))) return;
       course::Mutant mutant;
       mutant.name = name, mutant.step = step, mutant.file = file, mutant.what = what, mutant.by = by;
@@ -250,8 +250,10 @@ class ClassMaker {
     };
     add("decodes-to-minus-0.9", "5.1", "shaders/05_normal_map/decode_normal.glsl", "color * 2.0 - 1.0",
         "color * 2.0 - 0.9");
-    add("reflects-with-a-wrong-sign", "8.1", "shaders/08_reflection/rays.glsl",
-        "incident - 2.0 *", "incident + 2.0 *");
+    add("draws-nothing", "5.7", "labs/05_normal_map/lab.cpp", "return app::run<NormalMap>(argc, argv);",
+        "return argc + argv[0][0];");
+    add("reflects-with-a-wrong-sign", "8.1", "shaders/08_reflection/rays.glsl", "incident - 2.0 *",
+        "incident + 2.0 *");
     return chosen;
   }
 
@@ -292,9 +294,11 @@ class ClassMaker {
       replace_all(threat.by, "@CLASS@", options_.out.string());
       const Files files = solution({{threat.file, course::mutated(threat, sources_.at(threat.file))}});
       Json outcome = {{"zero", {threat.step}}};
+      // Steps of other files are judged among the solution's.
+      const auto texts = course::step_texts(files.at(threat.file), threat.file);
       if (threat.step.empty())
-        outcome = {{"zero", steps([&](const std::string& step) { return lab_of(step) == lab; })},
-                   {"passes", steps([&](const std::string& step) { return lab_of(step) != lab; })}};
+        outcome = {{"zero", steps([&](const std::string& step) { return texts.contains(step); })},
+                   {"passes", steps([&](const std::string& step) { return !texts.contains(step); })}};
       put(kind, threat.name, files, outcome);
     }
   }
@@ -475,8 +479,8 @@ int main(int argc, char** argv) {
   app.add_option("--kinds", options.kinds,
                  "solution,starter,prefix,mutant,mistake,equivalent,threat,slow,files,broken")
       ->delimiter(',')
-      ->check(CLI::IsMember(
-          {"solution", "starter", "prefix", "mutant", "mistake", "equivalent", "threat", "slow", "files", "broken"}));
+      ->check(CLI::IsMember({"solution", "starter", "prefix", "mutant", "mistake", "equivalent", "threat",
+                             "slow", "files", "broken"}));
   app.add_option("--limit", options.limit,
                  "At most so many prefixes, mutants and equivalents each, from all over the list")
       ->check(CLI::PositiveNumber);

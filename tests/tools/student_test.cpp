@@ -380,14 +380,25 @@ TEST_F(StudentTree, is_checked_again_after_each_save) {
   ASSERT_TRUE(watching.shows("next   8.1")) << read_file(output);
   solve(file.lexically_relative(root_).string(), "8.1");
   EXPECT_TRUE(watching.shows("done   8.1")) << read_file(output);
-  // A marker that is gone is said, and the watch goes on.
+  solve(file.lexically_relative(root_).string(), "8.2");
+  EXPECT_TRUE(watching.shows("done   8.2")) << read_file(output);
   const std::string before = read_file(file);
+  // What passed is remembered: the step that changed comes next, and not the one that it spoils.
+  std::string wrong = before;
+  const std::size_t sign = wrong.find("incident - 2.0 *");
+  ASSERT_NE(sign, wrong.npos);
+  write_file(file, wrong.replace(sign, 10, "incident +"));
+  EXPECT_TRUE(watching.shows("Your last save changed 8.1; 8.2 passed before it.")) << read_file(output);
+  EXPECT_TRUE(watching.shows("next   8.1", 2)) << read_file(output);
+  write_file(file, before);
+  EXPECT_TRUE(watching.shows("done   8.2", 2)) << read_file(output);
+  // A marker that is gone is said, and the watch goes on.
   std::string spoilt = before;
   spoilt.erase(spoilt.rfind("//@end"), 6);
   write_file(file, spoilt);
   EXPECT_TRUE(watching.shows("this step has no end")) << read_file(output);
   write_file(file, before);
-  EXPECT_TRUE(watching.shows("done   8.1", 2)) << read_file(output);
+  EXPECT_TRUE(watching.shows("done   8.2", 3)) << read_file(output);
   EXPECT_EQ(watching.end(), 0);
 }
 

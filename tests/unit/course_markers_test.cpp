@@ -69,6 +69,22 @@ TEST(Markers, must_be_the_same_where_a_step_is_taken_from_another_text) {
   }
 }
 
+TEST(Markers, let_one_step_stand_among_the_solutions_others) {
+  const std::string students =
+      "mine\n//@step 5.1 begin\nwrong\n//@end\nhelper\n//@step 5.2 begin\nown\n//@end\n"
+      "//@step 5.1 begin\nwrong too\n//@end\n";
+  // Of 5.2 the own part and all lines outside of markers stay; both parts of 5.1 are the solution's.
+  EXPECT_EQ(with_step_alone(students, "f.cpp", "5.2", kStudents),
+            "mine\n//@step 5.1 begin\nmine\n//@end\nhelper\n//@step 5.2 begin\nown\n//@end\n"
+            "//@step 5.1 begin\nmine too\n//@end\n");
+  EXPECT_EQ(with_step_alone(students, "f.cpp", "5.1", kStudents),
+            "mine\n//@step 5.1 begin\nwrong\n//@end\nhelper\n//@step 5.2 begin\nother\n//@end\n"
+            "//@step 5.1 begin\nwrong too\n//@end\n");
+  // Markers of another step are gone, or of one that has no end.
+  EXPECT_THROW(with_step_alone("//@step 5.2 begin\nown\n//@end\n", "f.cpp", "5.2", kStudents), Error);
+  EXPECT_THROW(with_step_alone(students + "//@step 5.3 begin\n", "f.cpp", "5.2", kStudents), Error);
+}
+
 TEST(Markers, tell_which_steps_are_untouched) {
   EXPECT_EQ(untouched_steps(kStudents, kFirst, "f.cpp"), std::set<std::string>{"5.2"});
   EXPECT_EQ(untouched_steps(kFirst, kFirst, "f.cpp"), (std::set<std::string>{"5.1", "5.2"}));

@@ -80,16 +80,15 @@ TEST(StepResult, has_the_mean_of_its_cases_where_all_are_public_or_all_are_hidde
 }
 
 TEST(StepResult, earns_nothing_by_pictures_made_for_the_public_cases) {
-  const StepResult forged = step_result(
-      named_step("1.1"), {judged("a", 1), judged("b", 1), judged("c", 1), judged("d", 0, true)});
+  const StepResult forged =
+      step_result(named_step("1.1"), {judged("a", 1), judged("b", 1), judged("c", 1), judged("d", 0, true)});
   EXPECT_EQ(forged.score, 0);
   EXPECT_EQ(forged.status, Status::failed);
 }
 
 TEST(StepResult, is_not_lifted_by_its_hidden_cases) {
   EXPECT_DOUBLE_EQ(
-      step_result(named_step("1.1"), {judged("a", 0), judged("b", 0.5), judged("c", 1, true)}).score,
-      0.25);
+      step_result(named_step("1.1"), {judged("a", 0), judged("b", 0.5), judged("c", 1, true)}).score, 0.25);
 }
 
 TEST(StepResult, says_what_the_first_failed_case_says) {
@@ -134,8 +133,8 @@ TEST(StepResult, passes_by_cases_that_were_judged_alone) {
 TEST(LabResults, name_the_steps_that_spoil_one_that_was_judged_alone) {
   const std::vector<course::Lab> labs = {
       lab_with("01_quad", {named_step("1.1"), named_step("1.2", {"1.1"}), named_step("1.3")}),
-      lab_with("02_multi", {named_step("2.1", {"1.2"}), named_step("2.2"), named_step("2.3"), named_step("2.4"),
-                            named_step("2.5")})};
+      lab_with("02_multi", {named_step("2.1", {"1.2"}), named_step("2.2"), named_step("2.3"),
+                            named_step("2.4"), named_step("2.5")})};
   CaseResult not_begun = judged_in("02_multi", "2.4", "d", 0);
   not_begun.status = CaseStatus::untouched;
   const std::vector<LabResult> results = lab_results(
@@ -152,7 +151,8 @@ TEST(LabResults, name_the_steps_that_spoil_one_that_was_judged_alone) {
 }
 
 TEST(LabResults, fail_where_the_steps_that_they_need_failed) {
-  const std::vector<course::Lab> labs = {lab_with("01_quad", {named_step("1.1"), named_step("1.2", {"1.1"})})};
+  const std::vector<course::Lab> labs = {
+      lab_with("01_quad", {named_step("1.1"), named_step("1.2", {"1.1"})})};
   const std::vector<StepResult> steps =
       lab_results(labs, {judged_in("01_quad", "1.1", "a", 0), judged_in("01_quad", "1.2", "b", 0)})
           .at(0)

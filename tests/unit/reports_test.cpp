@@ -420,6 +420,33 @@ TEST_F(Reports, as_junit_say_what_failed_and_what_the_grader_could_not_do) {
   EXPECT_EQ(emil.attributes.at("failures"), "1");
 }
 
+TEST_F(Reports, say_which_step_is_right_once_another_is_mended) {
+  StudentResult ada = student("ada-half");
+  StepResult& right = ada.labs[1].steps[1];  // 5.2
+  right.status = Status::passed, right.score = 1, right.message = "", right.spoilt_by = {"5.1"};
+  for (CaseResult& one : right.cases)
+    if (!one.passed()) one.judged = Judged::alone, one.status = CaseStatus::passed, one.score = 1;
+  StepResult& wrong = ada.labs[1].steps[2];  // 5.3
+  wrong.spoilt_by = {"5.1", "5.2"};
+  wrong.cases.back().judged = Judged::alone;
+  ada.labs[0].steps[0].cases[0].judged = Judged::markers_lost;  // 3.1
+  ClassResult results;
+  results.students = {ada};
+  write_html(results, folder_);
+  const std::string page = read_file(folder_ / "report" / page_name(ada));
+  for (const std::string& shown :
+       {page, gradescope(ada), prairielearn(ada, folder_), junit(ada, folder_), csv(results)}) {
+    EXPECT_TRUE(has(shown, "5.2 is right: with 5.1 mended it has full marks.")) << shown;
+    EXPECT_FALSE(has(shown, "5.2 was")) << shown;
+  }
+  for (const std::string& shown : {page, gradescope(ada), csv(results)}) {
+    EXPECT_TRUE(has(shown, "5.3 was judged with 5.1 and 5.2 mended")) << shown;
+    EXPECT_TRUE(has(shown, "3.1 was not judged alone, since lines with //@step")) << shown;
+  }
+  EXPECT_TRUE(has(page, "right, only other steps spoil it"));
+  EXPECT_TRUE(has(page, "judged alone, "));
+}
+
 TEST_F(Reports, as_junit_attach_pictures_and_nothing_that_a_student_names) {
   const std::string ada = junit(student("ada-half"), folder_);
   EXPECT_TRUE(has(ada, "\n[[ATTACHMENT|" + (folder_ / "pictures/wrong.png").string() + "]]\n"));

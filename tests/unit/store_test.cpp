@@ -741,7 +741,8 @@ TEST(Store, takes_over_what_version_2_kept) {
   run_sql(folder / "store", "ALTER TABLE cases DROP COLUMN judged; PRAGMA user_version = 2");
   {
     Store store(folder / "store");
-    EXPECT_EQ(step_in(student_in(store.read(two_labs()), "jane"), "1.1").cases.at(0).judged, Judged::together);
+    EXPECT_EQ(step_in(student_in(store.read(two_labs()), "jane"), "1.1").cases.at(0).judged,
+              Judged::together);
     result.judged = Judged::alone;
     store.put("jane", result);
   }

@@ -37,9 +37,9 @@ std::set<std::string> untouched_steps(const OwnTree& tree);
 /// and judges them as the grader does. A renderer in software draws, unless the environment asks for another
 /// or the machine has none; a note of each lab is its renderer_note. Steps that are as they were at first are
 /// said to be so. The build folder remembers what passed: a step that passed, and fails since another one
-/// changed, is skipped and names that one. Each case's `picture` and `reference` are paths of files; there are no partial scores, only
-/// 0 and 1. Throws Error (exit 3) when a program was not built, expected pictures are missing, or markers are
-/// spoilt.
+/// changed, is skipped and names that one. Each case's `picture` and `reference` are paths of files; there
+/// are no partial scores, only 0 and 1. Throws Error (exit 3) when a program was not built, expected pictures
+/// are missing, or markers are spoilt.
 std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>& labs,
                              const std::string& context);
 

@@ -53,9 +53,9 @@ std::set<std::string> untouched_steps(const std::string& text, const std::string
 std::string with_step_from(const std::string& text, const std::string& file, const std::string& step,
                            const std::string& other);
 
-/// The text of a student's file with the solution standing in for all steps but one: what stands between their
-/// markers is taken from `solution`, and all other lines stay. Throws Error (exit 3) when markers of the other
-/// steps are missing, and as markers_of.
+/// The text of a student's file with the solution standing in for all steps but one: what stands between
+/// their markers is taken from `solution`, and all other lines stay. Throws Error (exit 3) when markers of
+/// the other steps are missing, and as markers_of.
 std::string with_step_alone(const std::string& text, const std::string& file, const std::string& step,
                             const std::string& solution);
 

@@ -40,7 +40,8 @@ CaseStatus case_status_of(const std::string& name);
 enum class Judged {
   together,     ///< the student's tree
   alone,        ///< the student's step, with the solution standing in for all other steps
-  markers_lost  ///< the student's tree: the step could not be judged alone, since markers in its file are gone
+  markers_lost  ///< the student's tree: the step could not be judged alone, since markers in its file are
+                ///< gone
 };
 
 /// "together", "alone", "markers lost".
@@ -55,10 +56,10 @@ struct CaseResult : course::Case {
 
   CaseStatus status = CaseStatus::failed;
   Judged judged = Judged::together;  ///< status, score, error and mistake are of that
-  double score = 0;  ///< 0 (as wrong as the starter) to 1 (within the limit)
+  double score = 0;                  ///< 0 (as wrong as the starter) to 1 (within the limit)
   double error = std::numeric_limits<double>::quiet_NaN();  ///< as `limit`; NaN: nothing can be compared
-  std::string message;       ///< what is wrong in the student's tree, one or two sentences; "" when nothing is
-  std::string mistake;       ///< the name of the mutant that the picture looks like, or ""
+  std::string message;  ///< what is wrong in the student's tree, one or two sentences; "" when nothing is
+  std::string mistake;  ///< the name of the mutant that the picture looks like, or ""
   std::string mistake_says;  ///< and its sentence
   std::string command;       ///< draws this picture, typed in the student's tree: "./run lab 5 --turn 50 …"
   std::string picture;  ///< the student's file, relative to the results' folder; "" when there is none or it
@@ -80,14 +81,14 @@ struct StepResult {
   double points = 0;  ///< what the step is worth
   double score = 0;   ///< 0 to 1; the teacher's where there is an override
   Status status = Status::failed;
-  std::string message;  ///< of the first failed case; of a skipped step, why; "" when passed
+  std::string message;                ///< of the first failed case; of a skipped step, why; "" when passed
   std::string mistake, mistake_says;  ///< of the first failed case that has one; "" when passed or skipped
   std::vector<std::string> hints;     ///< the step's
   std::string file;                   ///< where the step is written, in the tree
   int line = 0;                       ///< of its first marker in the starter
   std::string overridden;             ///< the teacher's reason for another score, or ""
-  /// Other steps that did not pass and spoil pictures of this one, as far as is known: where a case was judged
-  /// alone, those of its lab and those that it needs; where check skips it, the step that comes first.
+  /// Other steps that did not pass and spoil pictures of this one, as far as is known: where a case was
+  /// judged alone, those of its lab and those that it needs; where check skips it, the step that comes first.
   std::vector<std::string> spoilt_by;
   std::vector<CaseResult> cases;
 

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// Which of a student's failed steps comes first, and what is remembered of earlier checks.
+#include "../../common/check/order.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../support/picture_files.hpp"
+#include "core/files.hpp"
+
+namespace texel::grade {
+namespace {
+
+using Steps = std::vector<std::string>;
+
+/// A lab whose steps passed or did not, each needing what is said.
+LabResult lab(int number, const std::vector<std::pair<std::string, bool>>& steps,
+              const std::map<std::string, Steps>& needs = {}) {
+  LabResult result;
+  result.lab.number = number;
+  for (const auto& [id, passed] : steps) {
+    course::Step step;
+    step.id = id;
+    if (const auto found = needs.find(id); found != needs.end()) step.needs = found->second;
+    result.lab.steps.push_back(step);
+    StepResult& judged = result.steps.emplace_back();
+    judged.id = id;
+    judged.status = passed ? Status::passed : Status::failed;
+    if (!passed) judged.message = "message of " + id;
+  }
+  return result;
+}
+
+class MemoryTest : public testing::Test {
+ protected:
+  MemoryTest() : folder_("order"), file_(folder_ / "check/passed.json") {}
+
+  /// One check: the steps' texts, and which of them passed.
+  std::map<std::string, Changed> check(const std::map<std::string, std::string>& texts,
+                                       const std::set<std::string>& passed) {
+    const auto is = [&](const char* id) { return std::pair<std::string, bool>(id, passed.contains(id)); };
+    const std::map<std::string, Place> places = {{"1.3", {"shaders/01_quad/a.glsl", 1}},
+                                                 {"1.5", {"labs/01_quad/lab.cpp", 1}},
+                                                 {"2.1", {"labs/02_multi/lab.cpp", 1}},
+                                                 {"6.1", {"shaders/lib/b.glsl", 1}}};
+    return changed_since_it_passed(file_, texts, places,
+                                   {lab(1, {is("1.3"), is("1.5")}), lab(2, {is("2.1")})});
+  }
+
+  test::TemporaryFolder folder_;
+  std::filesystem::path file_;
+};
+
+const std::map<std::string, std::string> kTexts = {{"1.3", "a"}, {"1.5", "b"}, {"2.1", "c"}, {"6.1", "d"}};
+
+std::map<std::string, std::string> with(const std::string& step, const std::string& text) {
+  std::map<std::string, std::string> texts = kTexts;
+  texts[step] = text;
+  return texts;
+}
+
+TEST_F(MemoryTest, names_the_step_that_the_last_save_changed) {
+  EXPECT_TRUE(check(kTexts, {"1.3"}).empty());
+  const auto changed = check(with("1.5", "wrong"), {});
+  ASSERT_EQ(changed.size(), 1U);
+  EXPECT_EQ(changed.at("1.3").steps, Steps{"1.5"});
+  EXPECT_TRUE(changed.at("1.3").by_last_save);
+}
+
+TEST_F(MemoryTest, says_the_same_when_nothing_was_saved_and_goes_on_over_later_saves) {
+  check(kTexts, {"1.3"});
+  check(with("1.5", "wrong"), {});
+  EXPECT_TRUE(check(with("1.5", "wrong"), {}).at("1.3").by_last_save);
+  auto texts = with("1.5", "wrong");
+  texts["6.1"] = "too";
+  const auto later = check(texts, {});
+  EXPECT_EQ(later.at("1.3").steps, (Steps{"1.5", "6.1"})) << "a file that labs share may spoil it";
+  EXPECT_FALSE(later.at("1.3").by_last_save);
+  EXPECT_TRUE(check(texts, {"1.3"}).empty()) << "it passes again";
+}
+
+TEST_F(MemoryTest, does_not_excuse_a_step_that_changed_itself_or_never_passed) {
+  check(kTexts, {"1.3"});
+  auto texts = with("1.5", "other");
+  texts["1.3"] = "other";
+  EXPECT_TRUE(check(texts, {}).empty());
+}
+
+TEST_F(MemoryTest, blames_no_other_labs_own_step) {
+  check(kTexts, {"1.3"});
+  EXPECT_TRUE(check(with("2.1", "other"), {}).empty());
+}
+
+TEST_F(MemoryTest, is_empty_where_it_is_broken) {
+  check(kTexts, {"1.3"});
+  write_file(file_, "{ broken");
+  EXPECT_TRUE(check(with("1.5", "wrong"), {}).empty());
+  EXPECT_TRUE(check(with("1.5", "wrong"), {"1.3"}).empty());
+  EXPECT_EQ(check(with("1.5", "again"), {}).size(), 1U) << "and is written anew";
+}
+
+TEST(Waiting, skips_what_passed_before_another_step_changed) {
+  std::vector<LabResult> labs = {lab(1, {{"1.3", false}, {"1.5", false}}, {{"1.5", {"1.3"}}})};
+  skip_those_that_wait(labs, {{"1.3", {{"1.5"}, true}}});
+  const std::vector<StepResult>& steps = labs[0].steps;
+  EXPECT_EQ(steps[0].status, Status::skipped);
+  EXPECT_EQ(steps[0].message, "Your last save changed 1.5; 1.3 passed before it.");
+  EXPECT_EQ(steps[0].spoilt_by, Steps{"1.5"});
+  EXPECT_EQ(steps[1].status, Status::failed) << "1.5 does not wait for 1.3";
+  EXPECT_EQ(steps[1].message, "message of 1.5");
+
+  std::vector<LabResult> later = {lab(1, {{"1.3", false}})};
+  skip_those_that_wait(later, {{"1.3", {{"1.4", "1.5"}, false}}});
+  EXPECT_EQ(later[0].steps[0].message, "You changed 1.4 and 1.5; 1.3 passed before that.");
+}
+
+TEST(Waiting, skips_what_needs_a_step_that_did_not_pass) {
+  std::vector<LabResult> labs = {lab(1, {{"1.1", false}, {"1.2", true}}, {{"1.2", {"1.1"}}}),
+                                 lab(2, {{"2.1", true}, {"2.2", false}, {"2.3", false}, {"2.4", true}},
+                                     {{"2.1", {"1.2"}}, {"2.2", {"2.1"}}, {"2.4", {"1.1"}}})};
+  skip_those_that_wait(labs, {});
+  EXPECT_EQ(labs[0].steps[0].status, Status::failed);
+  const std::vector<StepResult>& steps = labs[1].steps;
+  // 2.2 needs 2.1, which passed, and so 1.1, which did not.
+  EXPECT_EQ(steps[1].status, Status::skipped);
+  EXPECT_EQ(steps[1].message, "This step needs step 1.1, which has not passed yet.");
+  EXPECT_EQ(steps[1].spoilt_by, Steps{"1.1"});
+  EXPECT_EQ(steps[2].status, Status::failed) << "it needs nothing";
+  EXPECT_EQ(steps[3].status, Status::passed) << "although it needs 1.1";
+}
+
+TEST(Waiting, does_not_skip_a_known_mistake_while_nothing_explains_what_it_needs) {
+  const auto steps_with = [](const std::string& mistake_of_first, bool is_untouched) {
+    std::vector<LabResult> labs = {
+        lab(1, {{"1.1", false}, {"1.2", false}, {"1.3", false}}, {{"1.2", {"1.1"}}, {"1.3", {"1.2"}}})};
+    labs[0].steps[0].mistake = mistake_of_first;
+    if (is_untouched) labs[0].steps[0].cases.emplace_back().status = CaseStatus::untouched;
+    labs[0].steps[2].mistake = "flipped";
+    skip_those_that_wait(labs, {});
+    return labs[0].steps;
+  };
+  const std::vector<StepResult> unexplained = steps_with("", false);
+  EXPECT_EQ(unexplained[1].status, Status::skipped);
+  EXPECT_EQ(unexplained[2].status, Status::failed);
+  EXPECT_EQ(unexplained[2].mistake, "flipped");
+  for (const std::vector<StepResult>& steps : {steps_with("mirrored", false), steps_with("", true)}) {
+    EXPECT_EQ(steps[2].status, Status::skipped);
+    EXPECT_EQ(steps[2].mistake, "") << "it would be counted as one of its own";
+  }
+}
+
+}  // namespace
+}  // namespace texel::grade
