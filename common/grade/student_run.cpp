@@ -122,7 +122,7 @@ JudgedLab StudentRun::judge(const LabPlan& plan, const std::vector<Case>& cases,
     const bool is_begun = submission_.fault.empty() && !untouched_.contains(step.id);
     const Mistake* mistake = nullptr;
     if (is_begun && !of_step.failed.empty()) {
-      judge_alone(plan, step.id, of_step);
+      if (options_.judge_alone) judge_alone(plan, step.id, of_step);
       std::erase_if(of_step.failed,
                     [](const auto& one) { return one.second.picture.empty() && one.second.refused.empty(); });
       if (!of_step.failed.empty()) mistake = preparation_.course->recognise(plan, step.id, of_step.failed);

@@ -3,11 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
+
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "core/process.hpp"
 #include "core/stopwatch.hpp"
+#include "course/batch.hpp"
+#include "course/markers.hpp"
+#include "course/mutant_file.hpp"
+#include "grade/hidden_cases.hpp"
 #include "judge/plan.hpp"
 #include "measures.hpp"
 
@@ -26,7 +33,7 @@ void spoil(const fs::path& shader) {
   write_file(shader, text.replace(at, line.size(), "fragment_texcoord = 1.3 * texcoord.ts *"));
 }
 
-/// All cases passed, or none did.
+/// All cases passed, or none did but among the solution's other steps.
 void check_grades(const grade::ClassResult& results, bool all_pass) {
   std::size_t cases = 0;
   for (const grade::StudentResult& student : results.students)
@@ -34,7 +41,7 @@ void check_grades(const grade::ClassResult& results, bool all_pass) {
       for (const grade::StepResult& step : lab.steps)
         for (const grade::CaseResult& one : step.cases) {
           ++cases;
-          if (one.passed != all_pass)
+          if ((one.passed() && !one.is_alone()) != all_pass)
             throw Error::failed(fmt::format("the case {} of {} is not what was to be graded: {}", one.name,
                                             student.id, one.message));
         }
@@ -57,15 +64,14 @@ void add_grading(const Options& options, Report& report, const std::string& what
     if (!spoilt.empty()) spoil(tree / spoilt);
   }
   write_file(seed, "a seed of no course");
-  const std::vector<course::Lab> all = course::read_labs(options.root / "labs");
-  std::vector<course::Lab> chosen = all;
+  std::vector<course::Lab> chosen = course::read_labs(options.root / "labs");
   std::erase_if(chosen, [&](const course::Lab& one) { return one.number != lab; });
   const std::vector<grade::LabPlan> plans =
-      grade::plan(grade::with_needed(chosen, all), read_file(seed), options.work / "models");
+      grade::full_plan(chosen, read_file(seed), options.work / "models");
   std::size_t cases = 0;
   for (const grade::LabPlan& plan : plans) {
     cases += kStudents * plan.cases.size();
-    write_file(options.work / (plan.lab.folder + ".json"), plan.batch());
+    write_file(options.work / (plan.lab.folder + ".json"), course::to_batch(plan.cases));
   }
   const auto grade = [&] {
     const Stopwatch stopwatch;
@@ -92,6 +98,70 @@ void add_grading(const Options& options, Report& report, const std::string& what
   check_grades(grade::read_results(out, options.root), spoilt.empty());
 }
 
+/// A class in labs of C++ and GLSL that made a mistake in every tenth step: judged with each step that fails
+/// once more alone, beside judged without. All texts are new in each run, as a class's are: nothing is
+/// compiled before.
+void add_judged_alone(const Options& options, Report& report) {
+  constexpr std::size_t students = 4, one_of = 10;
+  const std::vector<int> numbers = {1, 5, 8};
+  std::vector<course::Lab> labs = course::read_labs(options.root / "labs");
+  std::erase_if(labs, [&](const course::Lab& lab) {
+    return std::find(numbers.begin(), numbers.end(), lab.number) == numbers.end();
+  });
+  std::vector<std::string> steps;
+  for (const course::Lab& lab : labs)
+    for (const course::Step& step : lab.steps) steps.push_back(step.id);
+  const std::vector<course::Mutant> mutants = course::read_catalogue(options.root / "tests/mutants");
+  const std::vector<std::string> files = course::step_files(options.root);
+  const fs::path folder = options.work / "tenth";
+  const auto write_class = [&](int run) {
+    fs::remove_all(folder);
+    std::size_t mistakes = 0;
+    for (std::size_t student = 0; student < students; ++student) {
+      std::map<std::string, std::string> texts;
+      for (const std::string& file : files) texts[file] = read_file(options.root / file);
+      for (std::size_t i = 0; i < steps.size(); ++i) {
+        if ((student * steps.size() + i) % one_of != 0) continue;
+        const auto mutant = std::find_if(mutants.begin(), mutants.end(), [&](const course::Mutant& one) {
+          return one.step == steps[i] && texts.contains(one.file);
+        });
+        if (mutant == mutants.end()) throw Error::failed("there is no mutant of step " + steps[i]);
+        texts[mutant->file] = course::mutated(*mutant, texts[mutant->file]);
+        ++mistakes;
+      }
+      for (const auto& [file, text] : texts) {
+        const fs::path to = folder / fmt::format("student_{}", student) / file;
+        fs::create_directories(to.parent_path());
+        write_file(to, course::with_steps(text, file, [](const std::string&) { return true; }) +
+                           fmt::format("// student {} of class {} in {}\n", student, run,
+                                       options.work.filename().string()));
+      }
+    }
+    return mistakes;
+  };
+  grade::GradeOptions grading;
+  grading.class_folder = folder, grading.out = options.work / "tenth_grades";
+  grading.course = options.root, grading.build = options.bin.parent_path();
+  grading.cache = options.root / "build/grade", grading.seed_file = options.work / "seed";
+  grading.labs = numbers;
+  write_file(grading.seed_file, "a seed of no course");
+  int run = 0;
+  std::size_t mistakes = 0;
+  const auto grade = [&](bool alone) {
+    mistakes = write_class(++run);
+    grading.judge_alone = alone;
+    fs::remove_all(grading.out);
+    return 1000 * grade::grade_class(grading, [](const std::string&) {}).seconds;
+  };
+  grade(true);  // the mutants' pictures are drawn once for a course
+  report.add(
+      row_of(fmt::format("labs 1, 5 and 8, {} mistakes in {} steps", mistakes, students * steps.size()),
+             "failed steps once more alone", "judged once", "ms",
+             interleaved(
+                 options.long_rounds(), [&] { return grade(true); }, [&] { return grade(false); }),
+             Target::at_most, 1.3));
+}
+
 }  // namespace
 
 void measure_grading(const Options& options, Report& report) {
@@ -100,11 +170,13 @@ void measure_grading(const Options& options, Report& report) {
       fmt::format(
           "`texel grade` with its reports over a class of {} whose shaders are right, or make every picture "
           "another one; beside as many `--batch` that draw the same cases, one for each processor at a time. "
+          "Each step that fails is drawn again, alone; the last row has that beside drawing once. "
           "What a course does once (starter, references, the pictures of known mistakes) is done before.",
           kStudents));
   add_grading(options, report, "lab 1, all match", 1, "", 1.3);
-  add_grading(options, report, "labs 8 and 9, all match", 9, "", 1.3);  // 9 needs steps of 8
+  add_grading(options, report, "lab 9, all match", 9, "", 1.3);
   add_grading(options, report, "lab 1, all differ", 1, "shaders/01_texture_quad/texture_quad.vert", 2.2);
+  add_judged_alone(options, report);
 }
 
 }  // namespace texel::bench

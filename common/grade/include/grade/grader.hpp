@@ -24,6 +24,7 @@ struct GradeOptions {
   bool resume = false;                 ///< go on where an earlier run was cut off
   Run run = run_locked_in;             ///< the students' programs; plainly, where one trusts them
   std::string context = "auto";        ///< the lab programs' --context
+  bool judge_alone = true;             ///< what fails, once more; off to measure what it costs
   std::filesystem::path seed_file;     ///< the course's secret; made in `out` when it is empty
 };
 
