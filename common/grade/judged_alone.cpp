@@ -9,6 +9,7 @@
 
 #include "check/studio.hpp"
 #include "core/error.hpp"
+#include "core/files.hpp"
 #include "course/markers.hpp"
 #include "grade/submission.hpp"
 
@@ -20,16 +21,24 @@ using Files = std::map<std::string, std::string>;
 
 constexpr std::string_view kShaders = "shaders/";
 
+/// Whether a file is another lab's alone.
+bool is_of_another_lab(const std::string& path, const course::Lab& lab) {
+  return !path.starts_with("common/") && !path.starts_with("shaders/lib/") &&
+         path.find("/" + lab.folder + "/") == path.npos;
+}
+
 /// All files with steps: the solution's, but the student's step in its own; none where that cannot be put
-/// together.
+/// together. Those of other labs are the starter's: a step may not borrow their solutions.
 std::optional<Files> step_among_solutions(const Preparation& preparation, const Files& files,
-                                          const std::string& step) {
+                                          const course::Lab& lab, const std::string& step) {
   Files spliced = preparation.solution;
+  std::erase_if(spliced, [&](const auto& file) { return is_of_another_lab(file.first, lab); });
   for (auto& [path, text] : spliced) {
+    if (!preparation.files_of_step.at(step).contains(path)) continue;
     const auto own = files.find(path);
-    if (own == files.end() || !preparation.files_of_step.at(step).contains(path)) continue;
     try {
-      text = course::with_step_alone(own->second, path, step, text);
+      text = course::with_step_alone(
+          own == files.end() ? read_file(preparation.starter.source / path) : own->second, path, step, text);
     } catch (const Error&) {  // the markers are the student's
       return {};
     }
@@ -61,7 +70,7 @@ std::optional<Files> draw_alone(const Preparation& preparation, const GradeOptio
                                 const Files& files, const LabPlan& plan, const std::string& step,
                                 const std::vector<course::Case>& cases, const fs::path& work,
                                 const fs::path& out) {
-  const std::optional<Files> spliced = step_among_solutions(preparation, files, step);
+  const std::optional<Files> spliced = step_among_solutions(preparation, files, plan.lab, step);
   if (!spliced) return {};
   std::string fault;
   try {

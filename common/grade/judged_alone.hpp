@@ -14,8 +14,9 @@
 namespace texel::grade {
 
 /// Draws cases of one step into the folder `out`, where the solution stands in for all other steps: in the
-/// step's files what stands between their markers is the solution's, and all other files are the solution's.
-/// So the program of a GLSL step has no C++ of the student. Shaders are laid out in the folder `work`.
+/// step's files what stands between their markers is the solution's, and all other files of the lab, and
+/// those that labs share, are the solution's. So the program of a GLSL step has no C++ of the student.
+/// Shaders are laid out in the folder `work`.
 ///
 /// The student's text is compiled and drawn beside the solution's, in the sandbox, and could carry it out. So
 /// nothing but the pictures comes back, for the judge alone: not what programs, compiler and driver say, and
