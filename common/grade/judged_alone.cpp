@@ -48,18 +48,19 @@ std::optional<Files> step_among_solutions(const Preparation& preparation, const 
 
 Drawn draw_spliced(const Preparation& preparation, const GradeOptions& options, const Files& spliced,
                    const LabPlan& plan, const std::vector<course::Case>& cases, const fs::path& work,
-                   const fs::path& out) {
+                   const fs::path& out, TimeBudget* budget) {
   Files sources, shaders;
   for (const auto& [path, text] : spliced) {
     if (path.ends_with(".cpp")) sources[path] = text;
     if (path.starts_with(kShaders)) shaders[path.substr(kShaders.size())] = text;
   }
-  const Program program = preparation.workshop->make(plan.lab.program(), sources);
+  const Program program = preparation.workshop->make(plan.lab.program(), sources, budget);
   // With the starter in place of what was refused, the pictures would be another program's.
   if (!program.refused.empty()) return {};
   overlay(preparation.starter.source / "shaders", shaders, work / "shaders");
   fs::create_directory_symlink(preparation.starter.source / "assets", work / "assets");
   Studio studio{program.file, work, options.context, options.run, {preparation.starter.source / "assets"}};
+  studio.budget = budget;
   if (fs::exists(preparation.models)) studio.readable.push_back(preparation.models);
   return draw(studio, cases, out);
 }
@@ -69,14 +70,14 @@ Drawn draw_spliced(const Preparation& preparation, const GradeOptions& options, 
 std::optional<Files> draw_alone(const Preparation& preparation, const GradeOptions& options,
                                 const Files& files, const LabPlan& plan, const std::string& step,
                                 const std::vector<course::Case>& cases, const fs::path& work,
-                                const fs::path& out) {
+                                const fs::path& out, TimeBudget* budget) {
   const std::optional<Files> spliced = step_among_solutions(preparation, files, plan.lab, step);
   if (!spliced) return {};
   std::string fault;
   try {
     fs::remove_all(work);
     fs::remove_all(out);
-    return draw_spliced(preparation, options, *spliced, plan, cases, work, out).refused;
+    return draw_spliced(preparation, options, *spliced, plan, cases, work, out, budget).refused;
   } catch (const std::system_error& error) {
     fault = ": " + error.code().message();
   } catch (const std::exception&) {  // it may name files that the program wrote

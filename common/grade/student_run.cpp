@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "check/files.hpp"
@@ -143,7 +142,7 @@ void StudentRun::judge_alone(const LabPlan& plan, const std::string& step, StepC
   for (const CaseResult& result : cases.results)
     if (!result.passed()) again.push_back(result);
   const auto refused = draw_alone(preparation_, options_, submission_.files, plan, step, again, out / "root",
-                                  out / "pictures");
+                                  out / "pictures", &budget_);
   for (CaseResult& result : cases.results) {
     if (result.passed()) continue;
     if (!refused) {
@@ -152,7 +151,7 @@ void StudentRun::judge_alone(const LabPlan& plan, const std::string& step, StepC
     }
     const Verdict verdict =
         grade::judge(result, preparation_.course->expected(plan, result), out / "pictures" / result.file);
-    const double score = coarse_score(scored(plan, result, verdict));
+    const double score = coarse_score(verdict.score);
     if (verdict.passed)
       cases.failed.erase(result.name);
     else
@@ -165,23 +164,15 @@ void StudentRun::judge_alone(const LabPlan& plan, const std::string& step, StepC
   fs::remove_all(out);
 }
 
-double StudentRun::scored(const LabPlan& plan, const Case& of, const Verdict& verdict) const {
-  // Finding what scores 0 needs more pictures. They are drawn only if the case may score.
-  const bool may_earn = !verdict.passed && std::isfinite(verdict.wrongness);
-  return score(of, verdict, may_earn ? preparation_.course->worthless(plan, of) : 0);
-}
-
 CaseResult StudentRun::judged(const LabPlan& plan, const Case& of, const Program& program, const Drawn& drawn,
                               const fs::path& out) const {
   CaseResult result{of};
   result.command = of.hidden ? "" : command(plan.lab, of);
   if (!of.hidden) result.reference = fmt::format("references/{}/{}", plan.lab.folder, of.file);
-  CourseSide& course = *preparation_.course;
-  const Verdict verdict = grade::judge(of, course.expected(plan, of), out / of.file);
+  const Verdict verdict = grade::judge(of, preparation_.course->expected(plan, of), out / of.file);
   // A picture that changed through earlier steps does not score for a step that nobody began.
   const bool is_untouched = untouched_.contains(of.step) && submission_.fault.empty();
   settle(result, verdict, fault_of(of, program, drawn), is_untouched);
-  result.score = verdict.passed || !untouched_.contains(of.step) ? scored(plan, of, verdict) : 0;
   return result;
 }
 

@@ -60,8 +60,6 @@ class StudentRun {
   /// counts. Those that still fail are then the failed ones. Nothing changes but `judged` where it cannot be
   /// done.
   void judge_alone(const LabPlan& plan, const std::string& step, StepCases& cases) const;
-  /// What a verdict earns.
-  [[nodiscard]] double scored(const LabPlan& plan, const course::Case& of, const Verdict& verdict) const;
   [[nodiscard]] CaseResult judged(const LabPlan& plan, const course::Case& of, const Program& program,
                                   const Drawn& drawn, const std::filesystem::path& out) const;
   [[nodiscard]] std::string fault_of(const course::Case& of, const Program& program,

@@ -22,10 +22,16 @@ constexpr double kCell = 1e-3;
 constexpr std::size_t kMostTooMany = 16;
 
 /// The angle between two vectors in degrees; 180 where only one is zero.
-double degrees_between(const dvec3& a, const dvec3& b) {
+double angle_between(const dvec3& a, const dvec3& b) {
   const bool zero_a = a == dvec3(0), zero_b = b == dvec3(0);
   if (zero_a || zero_b) return zero_a == zero_b ? 0 : 180;
   return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+}
+
+/// How far apart two vectors are that should be unit vectors: the angle, or the difference of their lengths as
+/// an angle whose arc is as long, if that is larger.
+double degrees_between(const dvec3& a, const dvec3& b) {
+  return std::max(angle_between(a, b), std::min(180.0, glm::degrees(std::abs(glm::length(a) - glm::length(b)))));
 }
 
 /// For each vertex the sum over its triangles of their angle there, in degrees, times their unit normal.
@@ -39,7 +45,7 @@ std::vector<dvec3> angle_sums(const mesh::Mesh& mesh) {
     if (size == 0) continue;  // no area: it covers nothing
     for (std::size_t k = 0; k < 3; ++k)
       sums[mesh.indices[i + k]] +=
-          degrees_between(p[(k + 1) % 3] - p[k], p[(k + 2) % 3] - p[k]) * (cross / size);
+          angle_between(p[(k + 1) % 3] - p[k], p[(k + 2) % 3] - p[k]) * (cross / size);
   }
   return sums;
 }
@@ -126,8 +132,9 @@ Verdict compare_streams(double limit, mesh::Mesh reference_mesh, mesh::Mesh own_
   const Lookup reference(std::move(reference_mesh)), own(std::move(own_mesh));
   const Match found = match(reference, own, limit);
   const std::size_t count = own.mesh.vertex_count(), expected = reference.mesh.vertex_count();
-  if (found.error <= limit && count == expected) return {true, found.error, 0, {}};
-  return {false, found.error, 1 - found.share,
+  if (found.error <= limit && count == expected) return {true, 1, found.error, {}};
+  // A vertex too many or too few is as wrong as one at another place.
+  return {false, 0, count != expected ? 180 : found.error,
           count != expected
               ? fmt::format("{} vertices instead of {}; {:.0f} % of the expected ones are there and right.",
                             count, expected, 100 * found.share)

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,7 +11,6 @@
 #include "core/error.hpp"
 #include "core/plain_text.hpp"
 #include "image/difference.hpp"
-#include "image/flip.hpp"
 #include "image/load.hpp"
 #include "mesh/ply.hpp"
 
@@ -26,24 +24,8 @@ using course::View;
 using image::Image8;
 using image::ImageF;
 
-/// What makes a picture useless: mean errors over the object or the background. Set by the pictures of
-/// tests/labs/score_test.cpp. Over the object, FLIP is 0.08 to 0.18 for those shifted by a pixel, 0.07 to
-/// 0.16 for those 5 steps brighter, and 0.23 to 0.29 for mirrored ones: squared, the first keep half their
-/// marks and the last lose nearly all.
-constexpr double kUselessFlip = 0.27;
-constexpr double kUselessSteps = 40;
-/// And the share of the blocks that show something else: with half of the rows missing a third of the object
-/// can be.
-constexpr double kUselessBlocks = 0.8;
-/// The score of a picture that is nearly right.
-constexpr double kMostOfWrong = 0.95;
-
-double useless_mean(Unit unit) {
-  if (unit == Unit::degrees) return 40;
-  if (unit == Unit::levels) return 2;
-  if (unit == Unit::texture_widths) return 0.25;
-  return 1;  // distances have no such share: what counts is the starter's
-}
+/// A case that is past its limit has at most half its marks, and none from so many times the limit on.
+constexpr double kMostOfWrong = 0.5, kNothingLeft = 5;
 
 image::Unit compared_as(Unit unit) {
   return unit == Unit::degrees ? image::Unit::degrees : image::Unit::own;
@@ -107,58 +89,6 @@ std::vector<Part> parts_of(std::string_view mask_bytes, Size size) {
   return parts;
 }
 
-/// The share of a part where the picture shows something else: in blocks of an eighth of the picture's width,
-/// those whose mean colours are further apart than a change of tone. A picture of which half is missing is
-/// no worse than a shifted one by the means over all pixels.
-double share_of_other_blocks(const Image8& reference, const Image8& picture, const Part& part) {
-  constexpr int blocks = 8;
-  constexpr double tone = 10;  // steps; a picture that is off by 5 everywhere has another tone
-  struct Block {
-    long long pixels = 0;
-    std::array<long long, 3> sums{};
-  };
-  std::array<Block, blocks * blocks> all;
-  for (int y = 0; y < reference.height; ++y)
-    for (int x = 0; x < reference.width; ++x) {
-      if (part.mask.at(x, y) == 0) continue;
-      Block& block = all[static_cast<std::size_t>(y * blocks / reference.height * blocks +
-                                                  x * blocks / reference.width)];
-      ++block.pixels;
-      for (int c = 0; c < 3; ++c)
-        block.sums[static_cast<std::size_t>(c)] += picture.at(x, y, c) - reference.at(x, y, c);
-    }
-  double other = 0, pixels = 0;
-  for (const Block& block : all) {
-    const auto count = static_cast<double>(block.pixels);
-    pixels += count;
-    if (std::any_of(block.sums.begin(), block.sums.end(),
-                    [&](long long sum) { return std::abs(static_cast<double>(sum)) > tone * count; }))
-      other += count;
-  }
-  return other / pixels;
-}
-
-/// The worst mean error of a picture over a part, as a share of what makes it useless.
-double wrongness(const Image8& reference, const Image8& picture, const std::vector<Part>& parts, Unit) {
-  const ImageF flip_errors = image::flip_errors(reference, picture);
-  double worst = 0;
-  for (const Part& part : parts) {
-    const double flip = image::flip_figures(flip_errors, &part.mask).mean;
-    worst = std::max({worst, std::pow(flip / kUselessFlip, 2), part.difference.mean / kUselessSteps,
-                      share_of_other_blocks(reference, picture, part) / kUselessBlocks});
-  }
-  return worst;
-}
-
-double wrongness(const ImageF&, const ImageF&, const std::vector<Part>& parts, Unit unit) {
-  double worst = 0;
-  for (const Part& part : parts) {
-    if (part.difference.non_finite > 0) return std::numeric_limits<double>::infinity();
-    worst = std::max(worst, part.difference.mean / useless_mean(unit));
-  }
-  return worst;
-}
-
 std::string where(const image::Difference& difference) {
   const char* column = 3 * difference.worst_x < difference.width       ? "left"
                        : 3 * difference.worst_x < 2 * difference.width ? "middle"
@@ -171,8 +101,7 @@ std::string where(const image::Difference& difference) {
 }
 
 Verdict nothing_to_compare(std::string message) {
-  return {false, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
-          std::move(message)};
+  return {false, 0, std::numeric_limits<double>::quiet_NaN(), std::move(message)};
 }
 
 Verdict unreadable(const std::string& name, const Error& error) {
@@ -212,12 +141,13 @@ Verdict judge_picture(const Case& of, const Expected& expected, std::string_view
     }
     if (difference.p999 > of.limit) verdict.passed = false;
   }
+  verdict.score = verdict.passed ? 1 : non_finite > 0 ? 0 : score(verdict.error / of.limit);
   if (verdict.passed) return verdict;
-  verdict.wrongness = wrongness(reference, picture, parts, unit);
-  verdict.message = non_finite > 0
-                        ? fmt::format("{} pixels are not finite (NaN or infinity).", non_finite)
-                        : fmt::format("Off by {} {}, and the limit is {}; {}.", short_number(verdict.error),
-                                      name_of(unit), short_number(of.limit), worst);
+  verdict.message =
+      non_finite > 0
+          ? fmt::format("{} pixels are not finite (NaN or infinity).", non_finite)
+          : fmt::format("Off by {} {}, {} times the limit of {}; {}.", short_number(verdict.error),
+                        name_of(unit), short_number(verdict.error / of.limit), short_number(of.limit), worst);
   return verdict;
 }
 
@@ -228,7 +158,9 @@ Verdict judge_stream(const Case& of, const Expected& expected, std::string_view 
   } catch (const Error& error) {
     return unreadable("vertex stream", error);
   }
-  return compare_streams(of.limit, std::move(reference), std::move(own));
+  Verdict verdict = compare_streams(of.limit, std::move(reference), std::move(own));
+  verdict.score = verdict.passed ? 1 : score(verdict.error / of.limit);
+  return verdict;
 }
 
 }  // namespace
@@ -238,15 +170,14 @@ Verdict judge(const Case& of, const Expected& expected, std::optional<std::strin
   if (of.is_mesh()) return judge_stream(of, expected, *picture);
   if (of.view != View::color) return judge_picture<ImageF>(of, expected, *picture);
   // Most right pictures have the same bytes. In float views equal bytes may still be NaN.
-  if (expected.reference == *picture) return {true, 0, 0, {}};
+  if (expected.reference == *picture) return {true, 1, 0, {}};
   return judge_picture<Image8>(of, expected, *picture);
 }
 
-double score(const Case& of, const Verdict& verdict, double worthless) {
-  if (verdict.passed) return 1;
-  const double zero = unit_of(of.view) == Unit::units ? worthless : std::min(1.0, worthless);
-  if (!(zero > 0) || !std::isfinite(zero)) return 0;
-  return std::clamp(1 - verdict.wrongness / zero, 0.0, kMostOfWrong);
+double score(double times_limit) {
+  if (times_limit <= 1) return 1;
+  if (!(times_limit < kNothingLeft)) return 0;
+  return kMostOfWrong * (kNothingLeft - times_limit) / (kNothingLeft - 1);
 }
 
 }  // namespace texel::grade

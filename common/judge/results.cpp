@@ -150,6 +150,7 @@ void settle(CaseResult& result, const Verdict& verdict, const std::string& fault
   result.status = verdict.passed ? CaseStatus::passed
                   : is_untouched ? CaseStatus::untouched
                                  : CaseStatus::failed;
+  result.score = is_untouched && !verdict.passed ? 0 : verdict.score;
   result.error = verdict.error;
   result.message = fault.empty() ? verdict.message : fault;
   if (result.status == CaseStatus::untouched)

@@ -47,16 +47,14 @@ class ScoreOf : public testing::TestWithParam<int> {
     const Image8 mask = image::load8(file("mask"), 1);
     image::save_png(file("starter"),
                     changed([&](int x, int y, int c) { return mask.at(x, y) > 127 ? 128 : at(x, y, c); }));
-    worthless_ = verdict_of("starter").wrongness;
   }
 
   std::filesystem::path file(const std::string& name) { return folder_ / (name + ".png"); }
   Verdict verdict_of(const std::string& name) { return grade::judge(of_, expected_, file(name)); }
   double score(const std::string& name) {
     const Verdict verdict = verdict_of(name);
-    const double score = grade::score(of_, verdict, worthless_);
-    EXPECT_EQ(verdict.passed, score == 1) << verdict.message;
-    return score;
+    EXPECT_EQ(verdict.passed, verdict.score == 1) << verdict.message;
+    return verdict.score;
   }
   double score(const Image8& picture) {
     image::save_png(file("picture"), picture);
@@ -79,7 +77,6 @@ class ScoreOf : public testing::TestWithParam<int> {
   TemporaryFolder folder_{fmt::format("score_{}", ::getpid())};
   Case of_;
   ExpectedFiles expected_;
-  double worthless_ = 0;
   Image8 reference_;
 };
 
@@ -119,40 +116,42 @@ TEST_P(ScoreOf, a_missing_broken_or_wrongly_sized_picture_is_zero) {
   EXPECT_EQ(score("broken"), 0);
 }
 
-TEST_P(ScoreOf, a_mirrored_picture_or_one_upside_down_is_at_most_0_3) {
-  const int last = reference_.width - 1;
-  EXPECT_LE(score(changed([&](int x, int y, int c) { return at(last - x, y, c); })), 0.3) << "mirrored";
-  EXPECT_LE(score(changed([&](int x, int y, int c) { return at(x, last - y, c); })), 0.3) << "upside down";
+TEST_P(ScoreOf, a_mirrored_picture_one_upside_down_half_a_picture_or_one_shifted_by_a_pixel_is_zero) {
+  const int last = reference_.width - 1, half = reference_.width / 2;
+  EXPECT_EQ(score(changed([&](int x, int y, int c) { return at(last - x, y, c); })), 0) << "mirrored";
+  EXPECT_EQ(score(changed([&](int x, int y, int c) { return at(x, last - y, c); })), 0) << "upside down";
+  EXPECT_EQ(score(changed([&](int x, int y, int c) { return y < half ? at(x, y, c) : at(0, 0, c); })), 0);
+  for (const auto& [dx, dy] : {std::pair(1, 0), {0, 1}, {-1, 0}})
+    EXPECT_EQ(score(changed([&](int x, int y, int c) { return at(x + dx, y + dy, c); })), 0) << dx << dy;
 }
 
-TEST_P(ScoreOf, half_a_picture_is_at_most_0_6) {
-  const int half = reference_.width / 2;
-  EXPECT_LE(score(changed([&](int x, int y, int c) { return y < half ? at(x, y, c) : at(0, 0, c); })), 0.6);
-  EXPECT_LE(score(changed([&](int x, int y, int c) { return x < half ? at(x, y, c) : 0; })), 0.6);
-}
-
-TEST_P(ScoreOf, a_picture_shifted_by_one_pixel_is_from_0_5_to_0_95) {
-  for (const auto& [dx, dy] : {std::pair(1, 0), {0, 1}, {-1, 0}}) {
-    const double shifted = score(changed([&](int x, int y, int c) { return at(x + dx, y + dy, c); }));
-    EXPECT_GE(shifted, 0.5) << dx << " " << dy;
-    EXPECT_LE(shifted, 0.95) << dx << " " << dy;
-  }
-}
-
-TEST_P(ScoreOf, a_picture_recoloured_by_five_steps_is_from_0_5_to_0_95) {
-  for (const auto& [red, green, blue] : {std::array{5, 5, 5}, {-5, -5, -5}, {5, 0, 0}, {5, -5, 0}}) {
-    const int by[] = {red, green, blue};
-    const double recoloured = score(changed([&](int x, int y, int c) { return at(x, y, c) + by[c]; }));
-    EXPECT_GE(recoloured, 0.5) << red << " " << green << " " << blue;
-    EXPECT_LE(recoloured, 0.95) << red << " " << green << " " << blue;
-  }
+/// Limit 2: three steps are 1.5 times the limit, five are 2.5 times, nine are 4.5 times, ten are 5 times.
+TEST_P(ScoreOf, a_recoloured_picture_falls_with_the_steps) {
+  for (const auto& [steps, expected] :
+       {std::pair(3, 0.4375), {-3, 0.4375}, {5, 0.3125}, {-5, 0.3125}, {9, 0.0625}, {10, 0.0}, {-40, 0.0}})
+    EXPECT_NEAR(score(changed([&, by = steps](int x, int y, int c) {
+                  const int more = at(x, y, c) + by;
+                  return more < 0 || more > 255 ? at(x, y, c) - by : more;
+                })),
+                expected, 1e-9)
+        << steps;
 }
 
 INSTANTIATE_TEST_SUITE_P(Scene, ScoreOf, testing::Range(0, 3), [](const testing::TestParamInfo<int>& scene) {
   return std::string(kScenes[scene.param].lab).substr(0, 5);
 });
 
-constexpr double kNoneWorthless = std::numeric_limits<double>::infinity();
+TEST(Score, is_full_up_to_the_limit_half_past_it_and_nothing_from_five_times_on) {
+  EXPECT_EQ(grade::score(0), 1);
+  EXPECT_EQ(grade::score(1), 1);
+  EXPECT_NEAR(grade::score(1.0001), 0.5, 1e-4);
+  EXPECT_NEAR(grade::score(2), 0.375, 1e-12);
+  EXPECT_NEAR(grade::score(3), 0.25, 1e-12);
+  EXPECT_EQ(grade::score(5), 0);
+  EXPECT_EQ(grade::score(1e9), 0);
+  EXPECT_EQ(grade::score(std::numeric_limits<double>::infinity()), 0);
+  EXPECT_EQ(grade::score(std::nan("")), 0);
+}
 
 /// A float picture of unit vectors on a disc.
 ImageF disc_of_vectors(float tilt) {
@@ -181,16 +180,17 @@ TEST(ScoreOfDirections, falls_with_the_angle_and_is_zero_for_what_is_not_finite)
     image::save_pfm(folder / "picture.pfm", picture);
     return grade::judge(one, expected, folder / "picture.pfm");
   };
-  const auto score = [&](const Verdict& of) { return grade::score(one, of, kNoneWorthless); };
+  const auto score = [&](const Verdict& of) { return of.score; };
   constexpr float degree = 3.14159265F / 180;
   EXPECT_TRUE(verdict(disc_of_vectors(0.09F * degree)).passed);
-  const Verdict off = verdict(disc_of_vectors(10 * degree));
-  EXPECT_NEAR(off.error, 10, 1e-3);
-  EXPECT_NEAR(score(off), 1 - 10.0 / 40, 1e-3);
-  EXPECT_EQ(score(verdict(disc_of_vectors(50 * degree))), 0);
+  const Verdict off = verdict(disc_of_vectors(0.3F * degree));
+  EXPECT_NEAR(off.error, 0.3, 1e-3);
+  EXPECT_NEAR(score(off), 0.25, 1e-2);
+  EXPECT_TRUE(off.message.starts_with("Off by 0.3 degrees, 3 times the limit of 0.1;")) << off.message;
+  EXPECT_EQ(score(verdict(disc_of_vectors(1 * degree))), 0);
   ImageF one_nan = disc_of_vectors(0);
   one_nan.at(31, 31, 1) = std::nanf("");
-  EXPECT_EQ(score(verdict(one_nan)), 0);
+  EXPECT_EQ(score(verdict(one_nan)), 0) << "though no more than one pixel is off";
   EXPECT_NE(verdict(one_nan).message.find("not finite"), std::string::npos);
   image::save_pfm(folder / "reference.pfm", one_nan);
   EXPECT_FALSE(verdict(one_nan).passed) << "what is no number is not right, though the reference has it too";
@@ -215,7 +215,7 @@ TEST(ScoreOfDirections, is_zero_for_a_float_picture_of_other_channels_or_size) {
     for (const ImageF& picture : {ImageF(64, 64, 1), ImageF(63, 64, 3)}) {
       image::save_pfm(folder / "picture.pfm", picture);
       const Verdict verdict = grade::judge(one, expected, folder / "picture.pfm");
-      EXPECT_EQ(grade::score(one, verdict, kNoneWorthless), 0) << name_of(view);
+      EXPECT_EQ(verdict.score, 0) << name_of(view);
       EXPECT_TRUE(verdict.message.starts_with("The picture ")) << verdict.message;
     }
   }

@@ -178,43 +178,6 @@ TEST_F(GradedClass, gives_everybody_what_they_earned) {
   check(kWork / "two_labs_out", two_labs_);
 }
 
-/// What earns nothing is judged once for all students, so each case's must be its own. The solution without
-/// the step may be less wrong than the starter: then a picture earns less than this.
-TEST_F(GradedClass, gives_no_more_than_by_how_much_a_picture_is_less_wrong_than_the_starters) {
-  std::map<std::string, course::Case> cases;
-  for (const grade::LabPlan& plan : grade::public_plan(course::read_labs(kSource / "labs")))
-    for (const course::Case& one : plan.cases) cases[one.lab + "/" + one.name] = one;
-  const fs::path out = kWork / "two_labs_out";
-  std::map<std::string, double> starters;
-  int earn = 0;
-  const auto each_wrong = [&](bool of_starters, const auto& act) {
-    for (const grade::StudentResult& student : grade::read_results(out, kSource).students) {
-      const json& expected = two_labs_.expected.at("students").at(student.id);
-      if ((expected.at("kind") == "starter") != of_starters) continue;
-      for (const grade::LabResult& lab : student.labs)
-        for (const grade::StepResult& step : lab.steps)
-          for (const grade::CaseResult& one : step.cases) {
-            if (one.hidden || one.passed() || one.is_alone() || one.picture.empty()) continue;
-            const std::string name = one.lab + "/" + one.name;
-            const fs::path mask = kSource / "labs" / one.lab / "expected" / (one.name + ".mask.png");
-            act(name, one,
-                grade::judge(cases.at(name), grade::ExpectedFiles{out / one.reference, mask},
-                             out / one.picture));
-          }
-    }
-  };
-  each_wrong(true, [&](const std::string& name, const grade::CaseResult&, const grade::Verdict& verdict) {
-    starters[name] = verdict.wrongness;
-  });
-  each_wrong(false,
-             [&](const std::string& name, const grade::CaseResult& one, const grade::Verdict& verdict) {
-               if (!starters.contains(name)) return;
-               EXPECT_LE(one.score, grade::score(cases.at(name), verdict, starters.at(name))) << name;
-               if (one.score > 0) ++earn;
-             });
-  EXPECT_GE(earn, 1);
-}
-
 /// On OSMesa, which `auto` prefers, the two labs are graded above.
 TEST_F(GradedClass, is_graded_alike_on_egl) {
   const Class solutions = make_class("egl", "7,9", "--kinds solution,starter");

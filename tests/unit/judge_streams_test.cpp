@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 #include "judge/judge.hpp"
 #include "mesh/ply.hpp"
@@ -21,9 +21,6 @@ class JudgeMesh : public testing::Test {
   Verdict verdict(const Mesh& reference, const Mesh& picture) {
     const std::string expected = mesh::to_ply(reference);
     return judge(of_, {expected, {}}, mesh::to_ply(picture));
-  }
-  double score_of(const Verdict& verdict, double worthless = std::numeric_limits<double>::infinity()) {
-    return score(of_, verdict, worthless);
   }
 
   course::Case of_;
@@ -59,7 +56,7 @@ TEST_F(JudgeMesh, takes_every_right_cut_of_a_flat_polygon_and_no_fan_beyond_it) 
   EXPECT_TRUE(verdict(square, other).passed) << verdict(square, other).message;
   const Verdict fan = verdict(dented(kOneCut), dented({0, 1, 2, 0, 2, 3, 0, 3, 4}));
   EXPECT_FALSE(fan.passed);
-  EXPECT_LT(score_of(fan), 1);
+  EXPECT_EQ(fan.score, 0);
 }
 
 TEST_F(JudgeMesh, sees_a_flipped_triangle_a_turned_normal_and_a_lost_handedness) {
@@ -75,7 +72,8 @@ TEST_F(JudgeMesh, sees_a_flipped_triangle_a_turned_normal_and_a_lost_handedness)
   for (std::size_t i = 0; i < 10; ++i) handed.tangents[i].w = -1;
   const Verdict found = verdict(reference, handed);
   EXPECT_FALSE(found.passed);
-  EXPECT_NEAR(score_of(found), 0.95, 0.03) << "ten of 325 vertices are wrong";
+  EXPECT_EQ(found.score, 0);
+  EXPECT_NE(found.message.find("97 % of the vertices are right"), std::string::npos) << found.message;
 }
 
 TEST_F(JudgeMesh, counts_vertices_that_are_too_many) {
@@ -88,16 +86,20 @@ TEST_F(JudgeMesh, counts_vertices_that_are_too_many) {
   for (std::size_t i = 0; i < twice.indices.size() / 2; ++i) twice.indices[i] += count;
   const Verdict found = verdict(reference, twice);
   EXPECT_FALSE(found.passed);
+  EXPECT_EQ(found.score, 0) << "though each expected one is there";
   EXPECT_NE(found.message.find("650 vertices instead of 325"), std::string::npos) << found.message;
 }
 
-TEST_F(JudgeMesh, gives_the_starters_own_stream_nothing) {
+TEST_F(JudgeMesh, scores_an_angle_by_how_many_limits_it_is_off) {
   const Mesh reference = mesh::torus(0.7F, 0.3F, 24, 12);
-  Mesh starter = reference;
-  for (std::size_t i = 0; i < starter.normals.size() / 2; ++i) starter.normals[i] = {0, 1, 0};
-  const Verdict found = verdict(reference, starter);
-  EXPECT_NEAR(score_of(found), 0.58, 0.01) << "some of that half do point up";
-  EXPECT_EQ(score_of(found, found.wrongness), 0);
+  Mesh turned = reference;
+  const float angle = glm::radians(0.15F);
+  for (glm::vec3& normal : turned.normals)
+    normal = {std::cos(angle) * normal.x - std::sin(angle) * normal.z, normal.y,
+              std::sin(angle) * normal.x + std::cos(angle) * normal.z};
+  const Verdict found = verdict(reference, turned);
+  EXPECT_FALSE(found.passed);
+  EXPECT_NEAR(found.score, 0.25, 0.01) << "three times the limit";
 }
 
 TEST_F(JudgeMesh, refuses_what_is_no_stream) {
@@ -105,9 +107,9 @@ TEST_F(JudgeMesh, refuses_what_is_no_stream) {
   const std::string stream = mesh::to_ply(reference);
   const Verdict broken = judge(
       of_, {stream, {}}, "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nend_header\n");
-  EXPECT_EQ(score_of(broken), 0);
+  EXPECT_EQ(broken.score, 0);
   EXPECT_TRUE(broken.message.starts_with("The vertex stream")) << broken.message;
-  EXPECT_EQ(score_of(judge(of_, {stream, {}}, std::nullopt)), 0);
+  EXPECT_EQ(judge(of_, {stream, {}}, std::nullopt).score, 0);
 }
 
 }  // namespace
