@@ -40,7 +40,10 @@ Mutant read_mutant(const toml::table& table, const std::string& file, const std:
   mutant.by = reader.text("by", "");
   mutant.step = reader.text("step", "");
   mutant.says = reader.text("says");
-  if (kind == kMutant) mutant.survives = reader.text("survives", "");
+  if (kind == kMutant) {
+    mutant.same = reader.text("same", "");
+    mutant.survives = reader.text("survives", "");
+  }
   reader.reject_unknown();
   if (!is_name(mutant.name))
     throw reader.error("name", fmt::format("'{}' is not a valid {} name", mutant.name, kind),
@@ -106,6 +109,24 @@ std::vector<Mutant> read_catalogue(const fs::path& folder) {
 
 std::vector<Mutant> read_threats(const fs::path& folder) {
   return read_folder(folder, {kThreat});
+}
+
+std::string title_of(const std::string& says) {
+  const std::size_t end = std::min({says.find(": "), says.find(". "), says.size()});
+  return says.substr(0, end == says.size() && says.ends_with('.') ? end - 1 : end);
+}
+
+std::vector<Mutant> read_mistakes(const fs::path& tree) {
+  std::vector<Mutant> all = read_catalogue(tree / "tests/mutants");
+  for (Mutant& mutant : read_catalogue(tree / "tests/mistakes")) add(all, std::move(mutant), kMutant);
+  std::erase_if(all, [](const Mutant& mutant) { return mutant.step.empty(); });
+  for (const Mutant& mutant : all)
+    if (!mutant.same.empty() && std::none_of(all.begin(), all.end(), [&](const Mutant& other) {
+          return other.name == mutant.same && other.step == mutant.step && other.same.empty();
+        }))
+      throw Error::failed(fmt::format("step {} has no other mutant '{}'", mutant.step, mutant.same),
+                          mutant.place, "name one that has no 'same' itself");
+  return all;
 }
 
 std::string mutated(const Mutant& mutant, const std::string& text) {

@@ -81,7 +81,8 @@ void ShaderSource::expand(const std::filesystem::path& file, const std::string& 
   int line_number = 0;
   // Editors of Windows put a byte-order mark before the first line; a compiler of GLSL does not know it.
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  for (std::size_t start = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0; start < text.size();) {
+  for (std::size_t start = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+       start < text.size();) {
     const std::size_t end = std::min(text.find('\n', start), text.size());
     const std::string_view line(text.data() + start, end - start);
     start = end + 1;

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <limits>
 #include <set>
 
 #include "core/error.hpp"
@@ -47,7 +46,7 @@ CourseSide::CourseSide(BuiltTree solution, BuiltTree starter, fs::path cache, st
       cache_(std::move(cache)),
       context_(std::move(context)),
       workshop_(solution_, cache_ / "solutions", run_plainly),
-      mutants_(course::read_catalogue(solution_.source / "tests/mutants")),
+      mutants_(course::read_mistakes(solution_.source)),
       places_(course::step_places(starter_.source)) {
   const std::vector<course::Lab> labs = course::read_labs(solution_.source / "labs");
   renderer_ = renderer_of(studio(solution_, {labs.front(), {}}));
@@ -132,31 +131,12 @@ fs::path CourseSide::draw_changed(const LabPlan& plan, const std::string& name, 
   return folder;
 }
 
-fs::path CourseSide::without_step(const LabPlan& plan, const Case& of) {
-  const std::string& step = of.step;
-  const std::string& file = places_.at(step).file;
-  const std::string text = course::with_steps(read_file(solution_.source / file), file,
-                                              [&](const std::string& other) { return other != step; });
-  return draw_changed(plan, "without-" + step, step, file, text) / of.file;
-}
-
-double CourseSide::worthless(const LabPlan& plan, const Case& of) {
-  const std::string key = plan.lab.folder + "/" + of.name;
-  {
-    const std::scoped_lock lock(mutex_);
-    if (const auto known = worthless_.find(key); known != worthless_.end()) return known->second;
-  }
-  // Two threads may do this at once, with the same result.
-  double least = std::numeric_limits<double>::infinity();
-  for (const fs::path& picture : {folder_of(plan) / "starter" / of.file, without_step(plan, of)})
-    least = std::min(least, judge(of, expected(plan, of), picture).wrongness);
-  const std::scoped_lock lock(mutex_);
-  return worthless_[key] = least;
-}
-
 Failed CourseSide::failed_by(const LabPlan& plan, const course::Mutant& mutant, const Case& of) {
-  const fs::path picture = drawn_by(plan, mutant) / of.file;
-  return {picture_bytes(picture), refused_instead_of(picture)};
+  return drawn_in(drawn_by(plan, mutant), of);
+}
+
+Failed CourseSide::drawn_in(const fs::path& folder, const Case& of) {
+  return {picture_bytes(folder / of.file), refused_instead_of(folder / of.file)};
 }
 
 fs::path CourseSide::drawn_by(const LabPlan& plan, const course::Mutant& mutant) {
@@ -168,7 +148,7 @@ Mistake CourseSide::mistake_of(const LabPlan& plan, const course::Mutant& mutant
   Mistake mistake{mutant.name, mutant.step, mutant.says, {}};
   const fs::path drawn = drawn_by(plan, mutant);
   for (const Case& of : plan.cases) {
-    if (of.step != mutant.step) continue;
+    if (of.step != mutant.step || judge(of, expected(plan, of), drawn / of.file).passed) continue;
     Samples samples = sampled(of, read_file(expected(plan, of).reference), picture_bytes(drawn / of.file));
     samples.refused = refused_instead_of(drawn / of.file);
     if (!samples.samples.empty() || !samples.refused.empty()) mistake.cases[of.name] = std::move(samples);
@@ -188,7 +168,7 @@ const Mistake* CourseSide::recognise(const LabPlan& plan, const std::string& ste
   if (known == nullptr) {
     std::vector<Mistake> all;
     for (const course::Mutant& mutant : mutants_)
-      if (mutant.step == step) all.push_back(mistake_of(plan, mutant));
+      if (mutant.step == step && mutant.same.empty()) all.push_back(mistake_of(plan, mutant));
     {
       const std::scoped_lock lock(mutex_);
       mistakes_.emplace(step, std::move(all));  // unless another thread was faster

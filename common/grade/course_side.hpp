@@ -30,15 +30,18 @@ class CourseSide {
     return folder_of(plan) / "starter";
   }
   [[nodiscard]] ExpectedFiles expected(const LabPlan& plan, const course::Case& of) const;
-  /// What grade::score takes: the wrongness of what the starter draws, or the solution without the case's own
-  /// step, whichever is less wrong. Drawn and judged for the first that asks. Throws Error (exit 3).
-  double worthless(const LabPlan& plan, const course::Case& of);
 
   /// What a mutant of a step draws in the cases of its step: a folder with the pictures that there are.
   /// Throws Error (exit 3).
   std::filesystem::path drawn_by(const LabPlan& plan, const course::Mutant& mutant);
+  /// The same for the solution with another text in one of its files; `name` is any.
+  std::filesystem::path draw_changed(const LabPlan& plan, const std::string& name, const std::string& step,
+                                     const std::string& file, const std::string& text);
   /// Of one case. Throws Error (exit 3).
   Failed failed_by(const LabPlan& plan, const course::Mutant& mutant, const course::Case& of);
+  /// One of the pictures in such a folder.
+  static Failed drawn_in(const std::filesystem::path& folder, const course::Case& of);
+  /// Those of the course's steps.
   [[nodiscard]] const std::vector<course::Mutant>& mutants() const { return mutants_; }
 
   /// What a mutant looks like in the cases of its step. Throws Error (exit 3).
@@ -56,11 +59,6 @@ class CourseSide {
 
  private:
   [[nodiscard]] std::filesystem::path folder_of(const LabPlan& plan) const;
-  /// Draws the cases of a step by the solution with another text in one of its files.
-  std::filesystem::path draw_changed(const LabPlan& plan, const std::string& name, const std::string& step,
-                                     const std::string& file, const std::string& text);
-  /// What the solution without the case's own step draws.
-  std::filesystem::path without_step(const LabPlan& plan, const course::Case& of);
   [[nodiscard]] Studio studio(const BuiltTree& tree, const LabPlan& plan) const;
 
   BuiltTree solution_;
@@ -75,7 +73,6 @@ class CourseSide {
   std::mutex mutex_;
   std::map<std::string, std::filesystem::path> folders_;
   std::map<std::string, std::unique_ptr<std::mutex>> drawing_;  ///< by mutant and lab
-  std::map<std::string, double> worthless_;                     ///< by lab and case
   std::map<std::string, std::vector<Mistake>> mistakes_;        ///< by step
 };
 

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 std::vector<Mistake> mistakes_of(CourseSide& course, const LabPlan& plan) {
   std::vector<const course::Mutant*> mutants;
   for (const course::Mutant& mutant : course.mutants())
-    if (!mutant.step.empty() && std::stoi(mutant.step) == plan.lab.number) mutants.push_back(&mutant);
+    if (mutant.same.empty() && std::stoi(mutant.step) == plan.lab.number) mutants.push_back(&mutant);
   std::vector<Mistake> all(mutants.size());
   in_parallel(processors(), mutants.size(),
               [&](std::size_t i) { all[i] = course.mistake_of(plan, *mutants[i]); });

@@ -28,10 +28,11 @@ double angle_between(const dvec3& a, const dvec3& b) {
   return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
 }
 
-/// How far apart two vectors are that should be unit vectors: the angle, or the difference of their lengths as
-/// an angle whose arc is as long, if that is larger.
+/// How far apart two vectors are that should be unit vectors: the angle, or the difference of their lengths
+/// as an angle whose arc is as long, if that is larger.
 double degrees_between(const dvec3& a, const dvec3& b) {
-  return std::max(angle_between(a, b), std::min(180.0, glm::degrees(std::abs(glm::length(a) - glm::length(b)))));
+  return std::max(angle_between(a, b),
+                  std::min(180.0, glm::degrees(std::abs(glm::length(a) - glm::length(b)))));
 }
 
 /// For each vertex the sum over its triangles of their angle there, in degrees, times their unit normal.

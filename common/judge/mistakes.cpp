@@ -150,9 +150,9 @@ const Mistake* recognise(const std::vector<Mistake>& mistakes, const LabPlan& pl
       least = std::min(least, part);
       sum += part;
     }
-    // What the mistake would have spoilt besides, but did not, tells it from a smaller one.
+    // A mistake that would have spoilt other cases too is another one.
     const double fit = mistake.cases.empty() ? 0 : sum / static_cast<double>(mistake.cases.size());
-    if (least >= kPart && fit > most) {
+    if (least >= kPart && fit >= kPart && fit > most) {
       best = &mistake;
       most = fit;
     }

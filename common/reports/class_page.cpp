@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "course/mutant_file.hpp"
 #include "page.hpp"
 #include "reports/reports.hpp"
 #include "wording.hpp"
@@ -189,8 +190,9 @@ std::string mistakes_section(const ClassResult& results) {
           "preserveAspectRatio=\"none\" aria-hidden=\"true\"><rect width=\"{0}\" height=\"1\"/></svg>"
           "<div><button type=\"button\" class=\"pick\" data-mistake=\"{2}\" title=\"Show these students\">{3}"
           "</button> <span class=\"quiet\">step {4}</span><p>{5}</p></div></li>\n",
-          mistake.students, mistakes.front().students, escaped(mistake.name), escaped(in_words(mistake.name)),
-          escaped(fmt::format("{}", fmt::join(mistake.steps, ", "))), escaped(mistake.says));
+          mistake.students, mistakes.front().students, escaped(mistake.name),
+          escaped(course::title_of(mistake.says)), escaped(fmt::format("{}", fmt::join(mistake.steps, ", "))),
+          escaped(mistake.says));
     html += "</ol>\n";
   }
   html += unnamed == 0 && mistakes.empty()

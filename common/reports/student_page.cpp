@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "course/mutant_file.hpp"
 #include "page.hpp"
 #include "reports/reports.hpp"
 #include "wording.hpp"
@@ -12,8 +13,9 @@ namespace {
 
 std::string callout(const std::string& mistake, const std::string& says) {
   if (mistake.empty()) return "";
-  return fmt::format("<p class=\"cause\">This looks like: <b>{}</b>. {}</p>\n", escaped(in_words(mistake)),
-                     escaped(says));
+  const std::string title = course::title_of(says);
+  return fmt::format("<p class=\"cause\">This looks like: <b>{}</b>{}</p>\n", escaped(title),
+                     escaped(says.substr(title.size())));
 }
 
 /// One of the two pictures. The script makes a canvas of it; without a script it is a picture all the same.

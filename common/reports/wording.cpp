@@ -71,14 +71,8 @@ std::string counted(std::size_t count, const std::string& what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-std::string in_words(const std::string& mistake) {
-  std::string words = mistake;
-  std::replace(words.begin(), words.end(), '-', ' ');
-  return words;
-}
-
 std::string cause(const std::string& mistake, const std::string& says) {
-  return mistake.empty() ? "" : fmt::format("This looks like: {}. {}", in_words(mistake), says);
+  return mistake.empty() ? "" : fmt::format("This looks like: {}", says);
 }
 
 std::string distance(const CaseResult& result) {

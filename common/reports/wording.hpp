@@ -27,10 +27,7 @@ std::string number(double value, int decimals = 2);
 /// "1 case", "2 cases".
 std::string counted(std::size_t count, const std::string& what);
 
-/// A mutant's name in words: "normal green flipped".
-std::string in_words(const std::string& mistake);
-
-/// "This looks like: normal green flipped. Green is turned round: …", or "" where no mistake is known.
+/// "This looks like: Green is inverted: …", or "" where no mistake is known.
 std::string cause(const std::string& mistake, const std::string& says);
 
 /// How far off a case is, in its unit: "12.3 degrees off; full marks up to 0.2", or "judged alone, 12.3

@@ -27,11 +27,11 @@ void main() {
 #else
   show(vec4(look_up(cube_map, direction).rgb, 1.0));
 #endif
+#elif VIEW == VIEW_TEXCOORD
+  picture = vec4(sphere_footprint(object_normal).texcoord, 0.0, 1.0);  // does not depend on the length
 #else
   Footprint footprint = sphere_footprint(direction);
-#if VIEW == VIEW_TEXCOORD
-  picture = vec4(footprint.texcoord, 0.0, 1.0);
-#elif VIEW == VIEW_LOD
+#if VIEW == VIEW_LOD
   vec2 size = vec2(textureSize(color_map, 0));
   picture = vec4(vec3(level_of_gradients(footprint.dx * size, footprint.dy * size)), 1.0);
 #else

@@ -107,7 +107,9 @@ TEST_P(OpenGl, an_error_in_an_included_file_names_that_file) {
 }
 
 TEST_P(OpenGl, a_byte_order_mark_at_the_head_of_a_file_is_no_error) {
-  write_file(folder_ / "step.glsl", "\xEF\xBB\xBF" "float one() { return 1.0; }\n");
+  write_file(folder_ / "step.glsl",
+             "\xEF\xBB\xBF"
+             "float one() { return 1.0; }\n");
   EXPECT_EQ(compile_error("\xEF\xBB\xBF#version 330 core\n#include \"step.glsl\"\nout vec4 c;\n"
                           "void main() { c = vec4(one()); }\n"),
             "");

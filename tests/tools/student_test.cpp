@@ -93,8 +93,7 @@ TEST(CourseTree, passes_its_own_checks) {
 TEST(CourseTree, has_its_catalogue_in_the_samples_of_mistakes) {
   // ./run expected renews them.
   std::map<std::string, course::Mutant> catalogue;
-  for (const course::Mutant& mutant : course::read_catalogue(kRoot / "tests/mutants"))
-    catalogue[mutant.name] = mutant;
+  for (const course::Mutant& mutant : course::read_mistakes(kRoot)) catalogue[mutant.name] = mutant;
   for (const course::Lab& lab : course::read_labs(kRoot / "labs")) {
     const json mistakes = test::parse_json(read_file(kRoot / "labs" / lab.folder / "expected/mistakes.json"));
     EXPECT_GE(mistakes.size(), 6U) << lab.folder;

@@ -70,6 +70,7 @@ TEST_F(Mistakes, that_would_have_spoilt_more_than_what_failed_are_not_meant) {
   const Failed failed{picture("s", 8, 0.5F), ""};
   EXPECT_EQ(known(mistakes, {{"a", failed}, {"b", failed}}), "in two");
   EXPECT_EQ(known(mistakes, {{"a", failed}, {"b", failed}, {"c", failed}}), "everywhere");
+  EXPECT_EQ(known(mistakes, {{"a", failed}}), "") << "a wrong name is worse than none";
 }
 
 TEST_F(Mistakes, that_draw_nothing_are_known_by_what_the_program_says) {

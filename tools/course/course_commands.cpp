@@ -90,6 +90,22 @@ void add_expected(CLI::App& app, ExpectedCommand& command) {
   expected->add_option("--cache", command.cache, "Folder for starter, references and programs [build/grade]");
 }
 
+void add_marks(CLI::App& app, MarksCommand& command) {
+  CLI::App* marks = app.add_subcommand(
+      "marks", "Check that each mistake of the catalogue loses marks, and no right answer");
+  marks->add_option("LAB", command.labs, "Numbers of labs [all]")->check(CLI::Range(1, 99));
+  marks->add_option("--seeds", command.seeds, "With so many seeds of the hidden cases [3]")
+      ->check(CLI::Range(1, 1000));
+  marks->add_flag("--places", command.places,
+                  "Only check that no place of a step may stay as in the starter");
+  marks->add_flag("--list", command.list, "Print each solution");
+  marks->add_option("--markdown", command.markdown, "Write the table, as in docs/marks.md");
+  marks->add_option("--cache", command.cache, "Folder for starter, references and programs [build/grade]");
+  marks->footer(
+      "Exit codes: 0 holds, 1 a mistake passes, a right answer fails, or they are less than three times "
+      "apart,\n2 wrong usage, 3 could not draw.");
+}
+
 void add_renderers(CLI::App& app, RenderersCommand& command) {
   CLI::App* renderers =
       app.add_subcommand("renderers", "Compare each case's limit with the spread between renderers");
@@ -195,6 +211,7 @@ struct CourseCommands::Options {
   StarterOptions starter;
   GradeCommands grade;
   ExpectedCommand expected;
+  MarksCommand marks;
   RenderersCommand renderers;
 };
 
@@ -204,6 +221,7 @@ CourseCommands::CourseCommands(CLI::App& app) : app_(app), options_(std::make_un
   add_starter(app, options_->starter);
   add_grade(app, options_->grade);
   add_expected(app, options_->expected);
+  add_marks(app, options_->marks);
   add_renderers(app, options_->renderers);
 }
 
@@ -215,6 +233,7 @@ std::optional<Exit> CourseCommands::run() const {
   if (app_.got_subcommand("starter")) return starter(options_->starter);
   if (app_.got_subcommand("grade")) return run_grade(app_, options_->grade);
   if (app_.got_subcommand("expected")) return expected(options_->expected);
+  if (app_.got_subcommand("marks")) return marks(options_->marks);
   if (app_.got_subcommand("renderers")) return renderers(options_->renderers);
   return {};
 }

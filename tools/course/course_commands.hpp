@@ -44,6 +44,18 @@ struct ExpectedCommand {
 /// `texel expected`: draws what `check` compares with.
 Exit expected(const ExpectedCommand& command);
 
+struct MarksCommand {
+  std::vector<int> labs;  ///< numbers; none for all
+  int seeds = 3;
+  bool places = false;                    ///< no catalogue: only the steps' places as the starter has them
+  bool list = false;                      ///< every solution, not only each step's nearest
+  std::filesystem::path markdown, cache;  ///< a file to write, or none; empty: build/grade of the course
+};
+
+/// `texel marks`: what right and wrong solutions of each step get. Differs when a mistake passes, a right
+/// answer fails, or they are less than three times apart.
+Exit marks(const MarksCommand& command);
+
 struct RenderersCommand {
   std::filesystem::path out = "out/renderers";  ///< folder of the pictures, one for each renderer
   std::filesystem::path cache;                  ///< empty: build/grade of the course

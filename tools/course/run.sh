@@ -25,6 +25,8 @@ For teachers and makers of the course:
                        times the spread. Without args it writes docs/renderers.json and the end of docs/accuracy.md.
                        To include machines with another Mesa, copy their folders into out/renderers first
 ./run mutants [args]   make small wrong changes in a copy of the tree, and check that the tests notice
+./run marks [N ..]     check that each mistake of the catalogue loses marks, and no right answer does;
+                       --markdown docs/marks.md writes the table
 ./run format           format the C++ files
 ./run assets           generate the textures, cube maps and models again
 ./run expected [N ..]  draw the expected pictures of check again, with the solutions
@@ -131,7 +133,7 @@ course_command() { # command, arguments
   case $command in
     test) run_all_tests "$@" ;;
     bench) run_bench "$@" ;;
-    expected | grade)
+    expected | grade | marks)
       build_programs >&2
       texel "$command" "$@"
       ;;

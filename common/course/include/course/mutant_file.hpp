@@ -7,8 +7,9 @@
 #include "core/error.hpp"
 
 /// The catalogue of mutants, `tests/mutants/*.toml`: small wrong changes of the kind that a student or a
-/// maintainer makes. The tests must notice them, and the grader recognises them in a student's pictures. And
-/// the catalogue of equivalents, `tests/equivalents/*.toml`: right solutions written another way, which the
+/// maintainer makes. The tests must notice them, and the grader recognises them in a student's pictures.
+/// `tests/mistakes/*.toml` has more mistakes that students make; only the grader must notice those. And the
+/// catalogue of equivalents, `tests/equivalents/*.toml`: right solutions written another way, which the
 /// grader must accept.
 ///
 ///     [[mutant]]                                            # or [[equivalent]]
@@ -18,8 +19,12 @@
 ///     what = "return color * 2.0 - 1.0;"
 ///     by = "return (color * 2.0 - 1.0) * vec3(1.0, -1.0, 1.0);"
 ///     step = "5.1"                                          # optional: the step that it is a solution of
-///     # One sentence: what a student should read; of an equivalent, what is different and why it is right.
+///     # What a student should read: what is wrong, and after a colon or full stop what is right. Of an
+///     # equivalent, what is different and why it is right.
 ///     says = "Green points down in your map: +Y is up."
+///     same = "blue-flipped"                                 # optional: the mutant of the step that draws
+///     the
+///                                                           # same pictures; its text fits both
 ///     survives = "…"                                        # optional, no equivalent has it: why no test
 ///                                                           # can notice
 namespace texel::course {
@@ -31,6 +36,7 @@ struct Mutant {
   std::string what, by;
   std::string step;  ///< "5.1", or ""
   std::string says;
+  std::string same;      ///< the mutant from which no picture tells it, or ""
   std::string survives;  ///< why it is right that no test notices it, or ""
   Place place;           ///< where the catalogue has it
 };
@@ -40,6 +46,14 @@ struct Mutant {
 /// has other signs, a file that is no path below the root, a step that is not like 5.1, and a replacement
 /// that changes nothing.
 std::vector<Mutant> read_mutants(const std::filesystem::path& file);
+
+/// What a mistake's sentences begin with, up to a colon or a full stop, as a title: "Green is inverted" of
+/// "Green is inverted: in these maps green points up (+Y)."
+std::string title_of(const std::string& says);
+
+/// The mutants of the course's tree that a student may make, of both folders. Throws Error (exit 3) as
+/// read_catalogue, and when `same` names no other mutant of the step.
+std::vector<Mutant> read_mistakes(const std::filesystem::path& tree);
 
 /// Every .toml file of the folder, by name. Throws Error (exit 3) when there is nothing in them, when two
 /// files have entries of the same name, or as read_mutants.

@@ -39,7 +39,7 @@ struct Failed {
   std::string refused;  ///< Drawn::refused
 };
 
-/// The mistake of the step that has most of what all its failed cases show, or none.
+/// The mistake of the step that has most of what all its failed cases show, and fails no others; or none.
 const Mistake* recognise(const std::vector<Mistake>& mistakes, const LabPlan& plan, const std::string& step,
                          const std::map<std::string, Failed>& failed);
 
