@@ -26,7 +26,7 @@ For teachers and makers of the course:
                        To include machines with another Mesa, copy their folders into out/renderers first
 ./run mutants [args]   make small wrong changes in a copy of the tree, and check that the tests notice
 ./run marks [N ..]     check that each mistake of the catalogue loses marks, and no right answer does;
-                       --markdown docs/marks.md writes the table
+                       --markdown FILE writes the table
 ./run format           format the C++ files
 ./run assets           generate the textures, cube maps and models again
 ./run expected [N ..]  draw the expected pictures of check again, with the solutions
