@@ -71,7 +71,8 @@ TEST_F(JudgedAlone, costs_each_mistake_one_step_and_right_ones_none) {
       for (const grade::LabResult& lab : student.labs)
         for (const grade::StepResult& step : lab.steps)
           if (step.any(grade::Judged::alone) && step.status == grade::Status::passed) {
-            EXPECT_EQ(step.spoilt_by.size(), 1U) << student.id << " " << step.id;
+            // None where it is in another lab and lab.toml does not say that it is needed.
+            EXPECT_LE(step.spoilt_by.size(), 1U) << student.id << " " << step.id;
           }
   }
   EXPECT_GE(wrong, 40U);
