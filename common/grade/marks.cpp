@@ -27,7 +27,7 @@ struct Solution {
 };
 
 /// What a solution got with all seeds: its step's cases, the public ones first.
-struct Judged {
+struct BySeed {
   std::vector<CaseResult> shown;
   std::vector<std::vector<CaseResult>> hidden;  ///< by seed
   std::string called;                           ///< by the first seed
@@ -74,14 +74,14 @@ Far furthest(const std::string& by, const std::vector<CaseResult>& cases) {
 }
 
 /// Judges the step with each seed. The worse or the better one for the course is kept.
-Far judged_by_seeds(const course::Step& step, const Solution& of, const Judged& judged,
+Far judged_by_seeds(const course::Step& step, const Solution& of, const BySeed& judged,
                     std::vector<std::string>& faults) {
   Far kept;
   for (std::size_t seed = 0; seed < judged.hidden.size(); ++seed) {
     std::vector<CaseResult> cases = judged.shown;
     cases.insert(cases.end(), judged.hidden[seed].begin(), judged.hidden[seed].end());
     Far far = furthest(of.name, cases);
-    const StepResult result = step_result(step, std::move(cases), {});
+    const StepResult result = step_result(step, std::move(cases));
     far.mark = result.score;
     if ((result.status == Status::passed) != of.is_right)
       faults.push_back(fmt::format("{}: '{}' {} with seed {}: {} {} off in {}, {:.3g} times the limit",
@@ -121,7 +121,7 @@ std::vector<StepMarks> marks_of(const CourseTree& tree, int seeds, bool only_pla
     std::vector<const Solution*> own;
     for (const Solution& one : all)
       if (std::stoi(one.step) == lab.number) own.push_back(&one);
-    std::vector<Judged> judged(own.size());
+    std::vector<BySeed> judged(own.size());
     for (int seed = 0; seed < seeds; ++seed) {
       LabPlan plan = full_plan({lab}, fmt::format("seed {}", seed + 1), tree.cache / "models").front();
       // The public cases are the same for all seeds.
