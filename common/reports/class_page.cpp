@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "course/mutant_file.hpp"
@@ -150,6 +151,15 @@ std::string foot(const ClassResult& results, const std::vector<LabResult>& labs)
       cells);
 }
 
+/// What a mistake's text says after its title, as a sentence; or "".
+std::string rest_of(const std::string& says) {
+  const std::size_t begin = says.find_first_not_of(".:; ", course::title_of(says).size());
+  if (begin == std::string::npos) return "";
+  std::string rest = says.substr(begin);
+  rest.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(rest.front())));
+  return rest;
+}
+
 std::string students_section(const ClassResult& results, const std::vector<LabResult>& labs) {
   std::string rows;
   for (const StudentResult& student : results.students) rows += row(student, labs);
@@ -164,7 +174,7 @@ std::string students_section(const ClassResult& results, const std::vector<LabRe
       "<p id=\"shown\" role=\"status\"></p>\n</div>\n"
       "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Students and steps\">\n"
       "<table class=\"class\">\n{}<tbody>\n{}</tbody>\n{}</table>\n</div>\n"
-      "<p class=\"legend\"><span class=\"passed\">✓</span> passed <span class=\"failed\">◐</span> in part "
+      "<p class=\"legend\"><span class=\"passed\">✓</span> passed <span class=\"partial\">◐</span> in part "
       "<span class=\"failed\">✗</span> not yet <span class=\"skipped\">–</span> not begun "
       "<span>·</span> not judged "
       "<span>*</span> set by the teacher</p>\n</section>\n",
@@ -192,7 +202,7 @@ std::string mistakes_section(const ClassResult& results) {
           "</button> <span class=\"quiet\">step {4}</span><p>{5}</p></div></li>\n",
           mistake.students, mistakes.front().students, escaped(mistake.name),
           escaped(course::title_of(mistake.says)), escaped(fmt::format("{}", fmt::join(mistake.steps, ", "))),
-          escaped(mistake.says));
+          escaped(rest_of(mistake.says)));
     html += "</ol>\n";
   }
   html += unnamed == 0 && mistakes.empty()

@@ -62,7 +62,7 @@ Standing standing(const StepResult& step) {
   if (step.status == Status::passed) return {"passed", "✓", "passed"};
   if (step.cases.empty()) return {"skipped", "·", "not judged"};
   if (step.is_untouched()) return {"skipped", "–", "not begun"};
-  return step.score > 0 ? Standing{"failed", "◐", "not yet, in part"} : Standing{"failed", "✗", "not yet"};
+  return step.score > 0 ? Standing{"partial", "◐", "not yet, in part"} : Standing{"failed", "✗", "not yet"};
 }
 
 }  // namespace texel::grade

@@ -56,7 +56,8 @@ std::string wrong_case(const CaseResult& result, const StepResult& step, Picture
                       : fmt::format(" <span class=\"tag\">{} view</span>", escaped(name_of(result.view))),
                   result.passed() ? " <span class=\"tag\">right, only other steps spoil it</span>" : "");
   if (!result.message.empty()) html += fmt::format("<p>{}</p>\n", escaped(result.message));
-  std::string figures = result.passed() ? "" : distance(result);
+  // The message of a picture that was not judged alone has its distance.
+  std::string figures = result.is_alone() && !result.passed() ? distance(result) : "";
   if (result.score > 0 && !result.passed())
     figures +=
         fmt::format("{}{} % of the case's marks", figures.empty() ? "" : "; ", number(100 * result.score, 0));
@@ -89,6 +90,7 @@ std::string details(const StepResult& step, Pictures& pictures) {
   if (!step.hints.empty())
     html += fmt::format("<details class=\"hint\"><summary>Hint</summary><p>{}</p></details>\n",
                         escaped(step.hints.front()));
+  if (step.is_untouched()) return html;  // its pictures say nothing of the student
   for (const CaseResult& result : step.cases)
     if (!result.passed()) html += wrong_case(result, step, pictures);
   return html + passed_cases(step);
@@ -132,7 +134,9 @@ std::string lab_section(const LabResult& lab, Pictures& pictures) {
       "points</p></div>\n</header>\n",
       lab.lab.number, escaped(lab.lab.title), number(lab.points()), number(lab.max_points()));
   for (const std::string& note : lab.notes) html += fmt::format("<p class=\"cause\">{}</p>\n", escaped(note));
-  for (const StepResult& step : lab.steps) html += step_section(step, pictures);
+  for (const bool begun : {true, false})  // what is not begun comes last
+    for (const StepResult& step : lab.steps)
+      if (step.is_untouched() != begun) html += step_section(step, pictures);
   return html + "</section>\n";
 }
 
@@ -172,13 +176,16 @@ std::string first_thing(const StudentResult& student) {
     return fmt::format("<div class=\"start failed\"><p>The submission could not be read: {}</p></div>\n",
                        escaped(student.fault));
   if (const StepResult* step = first_failing(student))
-    return fmt::format(
-        "<div class=\"start failed\"><p>{} <a href=\"#step-{}\">step {}: {}</a></p>\n{}{}</div>\n",
-        student.logs.empty() ? "Correct this first:"
-                             : "Correct the <a href=\"#compiler\">compiler's errors</a>, then",
-        escaped(step->id), escaped(step->id), escaped(step->title),
-        step->message.empty() ? "" : fmt::format("<p>{}</p>\n", escaped(step->message)),
-        callout(step->mistake, step->mistake_says));
+    return fmt::format("<div class=\"start {}\"><p>{} <a href=\"#step-{}\">step {}: {}</a></p>\n{}{}</div>\n",
+                       step->is_untouched() ? "skipped" : "failed",
+                       !student.logs.empty() ? "Correct the <a href=\"#compiler\">compiler's errors</a>, then"
+                       : step->is_untouched() ? "All that you began is right. Next is"
+                                              : "Correct this first:",
+                       escaped(step->id), escaped(step->id), escaped(step->title),
+                       step->message.empty() || step->is_untouched()
+                           ? ""
+                           : fmt::format("<p>{}</p>\n", escaped(step->message)),
+                       callout(step->mistake, step->mistake_says));
   if (student.labs.empty()) return "";
   return "<div class=\"start passed\"><p>Every step passed.</p></div>\n";
 }

@@ -115,9 +115,10 @@ std::size_t count_failed(const std::vector<CaseResult>& cases, bool hidden) {
 }
 
 const StepResult* first_failing(const StudentResult& student) {
-  for (const LabResult& lab : student.labs)
-    for (const StepResult& step : lab.steps)
-      if (step.status == Status::failed) return &step;
+  for (const bool begun : {true, false})
+    for (const LabResult& lab : student.labs)
+      for (const StepResult& step : lab.steps)
+        if (step.status == Status::failed && step.is_untouched() != begun) return &step;
   return nullptr;
 }
 

@@ -47,7 +47,7 @@ std::string command(const CaseResult& result);
 std::size_t count_failed(const std::vector<CaseResult>& cases, bool hidden);
 std::size_t count(const std::vector<CaseResult>& cases, bool hidden);
 
-/// The first step that did not pass, or null.
+/// The first step that was begun and did not pass; else the first that was not begun; or null.
 const StepResult* first_failing(const StudentResult& student);
 
 /// What is said of a student whom the grader failed.

@@ -316,7 +316,11 @@ TEST_F(ReportPages, fit_on_a_phone) {
       browser_.evaluate("document.querySelector('.viewer:has(img)').scrollIntoView(); 0");
       browser_.wait_for("document.querySelector('.viewer.ready')");
     }
-    EXPECT_LE(int(browser_.evaluate("document.documentElement.scrollWidth")), 390) << page;
+    EXPECT_LE(int(browser_.evaluate("document.documentElement.scrollWidth")), 390)
+        << page << ": "
+        << browser_.evaluate(
+               "[...document.querySelectorAll('body *')].filter(e => e.getBoundingClientRect().right > 391)"
+               ".map(e => e.outerHTML.slice(0, 90)).join('\\n')");
   }
 }
 
