@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <thread>
@@ -348,10 +349,11 @@ class Watching {
       ::_exit(127);
     }
   }
-  /// Waits until the output has the text so many times; false after a minute.
+  /// Waits until the output has the text so many times, wherever its lines end; false after a minute.
   [[nodiscard]] bool shows(const std::string& text, std::size_t times = 1) const {
     for (int i = 0; i < 600; ++i) {
-      const std::string all = fs::exists(output_) ? read_file(output_) : "";
+      std::string all = fs::exists(output_) ? read_file(output_) : "";
+      if (text.find("  ") == text.npos) all = std::regex_replace(all, std::regex("\\s+"), " ");
       std::size_t count = 0;
       for (std::size_t at = 0; (at = all.find(text, at)) != all.npos; ++at) ++count;
       if (count >= times) return true;
