@@ -22,16 +22,13 @@ namespace texel::grade {
 /// nothing but the pictures comes back, for the judge alone: not what programs, compiler and driver say, and
 /// not why a picture is missing. Of cases that were refused (Drawn::refused) their file and place come back,
 /// for grade::recognise alone. Nothing comes back where markers in the step's files are gone. Throws Error
-/// (exit 3), which says nothing of the files either, for faults of the machine. All of it counts to the student's
-/// time.
-std::optional<std::map<std::string, std::string>> draw_alone(const Preparation& preparation,
-                                                             const GradeOptions& options,
-                                                             const std::map<std::string, std::string>& files,
-                                                             const LabPlan& plan, const std::string& step,
-                                                             const std::vector<course::Case>& cases,
-                                                             const std::filesystem::path& work,
-                                                             const std::filesystem::path& out,
-                                                             TimeBudget* budget);
+/// (exit 3), which says nothing of the files either, for faults of the machine. All of it counts to the
+/// student's time.
+std::optional<std::map<std::string, std::string>> draw_alone(
+    const Preparation& preparation, const GradeOptions& options,
+    const std::map<std::string, std::string>& files, const LabPlan& plan, const std::string& step,
+    const std::vector<course::Case>& cases, const std::filesystem::path& work,
+    const std::filesystem::path& out, TimeBudget* budget);
 
 /// A mark, or an error in the case's unit, of such pictures, in steps of a hundredth of it at least: exact
 /// numbers could carry text out. The mark is rounded down.

@@ -139,7 +139,7 @@ std::vector<StepMarks> marks_of(const CourseTree& tree, int seeds, bool only_pla
           if (!result.passed() && seed == 0) failed[one.name] = course.drawn_in(drawn, one);
           (one.hidden ? judged[i].hidden.back() : judged[i].shown).push_back(std::move(result));
         }
-        if (seed == 0 && !failed.empty())
+        if (seed == 0 && of.mutant != nullptr && !failed.empty())
           if (const Mistake* known = course.recognise(plan, of.step, failed)) judged[i].called = known->name;
       });
       say(fmt::format("lab {}, seed {} of {}: {} solutions", lab.number, seed + 1, seeds, own.size()));

@@ -24,7 +24,8 @@ using test::has;
 using test::Result;
 
 Result marks(const std::string& arguments) {
-  return test::shell(fmt::format("{}/texel marks {} --cache '{}/marks'", test::kBin, arguments, test::kBin));
+  return test::shell(
+      fmt::format("{}/texel marks {} --cache '{}/grade'", test::kBin, arguments, test::kBuild));
 }
 
 TEST(Marks, are_lost_with_any_place_of_a_step_left_as_the_starter_has_it) {
