@@ -131,9 +131,10 @@ endfunction()
 # texel_test(name SOURCES … DEPENDS …): the same with one ctest entry for each test case
 # (WHOLE: one entry for the program, for tests that share a costly context). Those of a source that holds what a renderer
 # draws to a limit have the label "limits", by which `./run renderers` finds them. Those of the sources, the build and the
-# documents say nothing of behaviour (TREE): they have the label "tree", and `./run mutants` does not ask them.
+# documents say nothing of behaviour (TREE): they have the label "tree", and `./run mutants` does not ask them. Tests that take
+# minutes begin first (SLOW).
 function(texel_test name)
-  cmake_parse_arguments(ARG "WHOLE;TREE" "" "" ${ARGN})
+  cmake_parse_arguments(ARG "WHOLE;TREE;SLOW" "" "" ${ARGN})
   cmake_parse_arguments(OF "" "" "SOURCES;DEPENDS" ${ARG_UNPARSED_ARGUMENTS})
   texel_test_program(${name} ${ARG_UNPARSED_ARGUMENTS})
   set(labels)
@@ -146,10 +147,14 @@ function(texel_test name)
   if(ARG_TREE)
     set(labels tree)
   endif()
+  set(cost 0)
+  if(ARG_SLOW)
+    set(cost 100)
+  endif()
   if(ARG_WHOLE)
     add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
-    set_tests_properties(${name} PROPERTIES LABELS "${labels}")
+    set_tests_properties(${name} PROPERTIES LABELS "${labels}" COST ${cost})
   else()
-    gtest_discover_tests(${name} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${labels}")
+    gtest_discover_tests(${name} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${labels}" COST ${cost})
   endif()
 endfunction()
