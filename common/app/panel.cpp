@@ -51,8 +51,8 @@ bool combo(const char* id, std::span<const params::Item> items, const std::strin
 
 void number_widget(params::Parameter& p) {
   const auto least = static_cast<float>(p.least), most = static_cast<float>(p.most);
-  const std::string format =
-      p.unit == "degrees" ? "%.1f\xC2\xB0" : "%.4g" + (p.unit.empty() ? "" : " " + std::string(p.unit));
+  std::string format = p.unit == "degrees" ? "%.1f\xC2\xB0" : "%.4g";
+  if (p.unit != "degrees" && !p.unit.empty()) format.append(" ").append(p.unit);
   ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat;
   if (p.scale == params::Scale::logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
   if (p.type == Type::integer) {
