@@ -338,9 +338,11 @@ Program Workshop::make(const std::string& program, const std::map<std::string, s
   std::map<std::string, std::string> sound;
   std::vector<CompilerLog> refused;
   for (const auto& [path, object] : objects) {
-    const std::vector<CompilerLog> alone = objects.size() == 1
-                                               ? std::vector<CompilerLog>{{path, log}}
-                                               : make(program, {{path, files.at(path)}}, budget).refused;
+    std::vector<CompilerLog> alone = {{path, log}};
+    if (objects.size() > 1) {
+      const std::map<std::string, std::string> one_file = {{path, files.at(path)}};
+      alone = make(program, one_file, budget).refused;
+    }
     if (alone.empty())
       sound[path] = files.at(path);
     else
