@@ -90,8 +90,12 @@ void Canvas::draw_into(const gl::Target& target, View view, const std::optional<
     glDisable(GL_SCISSOR_TEST);
   }
   target.resolve();
-  if (const std::vector<std::string> errors = context_.take_errors(); !errors.empty())
-    throw Error::failed("OpenGL: " + errors.front());
+  if (const std::vector<std::string> errors = context_.take_errors(); !errors.empty()) {
+    // Mesa says "GL_INVALID_VALUE in glUniform1i(why)": the call is the place.
+    const std::string& said = errors.front();
+    const std::size_t why = std::min(said.find('('), said.size());
+    throw Error::failed("OpenGL refused this call " + said.substr(why), {said.substr(0, why)});
+  }
 }
 
 void Canvas::draw(View view, glm::ivec2 size, int samples, const std::optional<Split>& split) {

@@ -151,6 +151,8 @@ GradeSummary grade_class(const GradeOptions& given, const std::function<void(con
   const unsigned jobs = options.jobs > 0 ? options.jobs : processors();
 
   const Stopwatch stopwatch;
+  if (options.run == run_locked_in && !memory_group_fault().empty())
+    say("the kernel does not count the sandboxes' memory: " + memory_group_fault());
   say("preparing: starter, solution and references");
   const Preparation preparation = prepare(options, jobs);
   say(fmt::format("ready after {}", duration_text(stopwatch.milliseconds() / 1000)));

@@ -83,11 +83,15 @@ bool are_same(std::span<const double> a, std::span<const double> b, double most)
   return true;
 }
 
-/// So many of the indices, evenly spread.
+/// So many of the indices: one of each of as many equal parts, and not always its middle, since then samples
+/// of a picture could lie below each other in one column.
 void spread(const Values& of, const std::vector<std::size_t>& indices, std::size_t count, Samples& samples) {
   count = std::min(count, indices.size());
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t index = indices[(2 * i + 1) * indices.size() / (2 * count)];
+    const std::size_t begin = i * indices.size() / count, end = (i + 1) * indices.size() / count;
+    const double within = std::fmod(static_cast<double>(i) * std::numbers::phi, 1);
+    const std::size_t index =
+        indices[begin + static_cast<std::size_t>(within * static_cast<double>(end - begin))];
     Samples::Sample sample{index, {}};
     for (const double value : of.at(index)) sample.values.push_back(std::round(value * kDigits) / kDigits);
     samples.samples.push_back(std::move(sample));

@@ -49,6 +49,14 @@ struct Pipe {
   }
 };
 
+/// Of all memory that the kernel counts. Files are in memory too; what processes show is held to
+/// `limits.memory` by looking. 128 MiB more are for pipes (64 MiB, see `sandbox_test`), page tables (2 MiB
+/// for each GiB of a process) and stacks in the kernel.
+std::uint64_t most_memory(const Confines& confines) {
+  const ProcessLimits& limits = confines.limits;
+  return limits.memory + limits.disk * (confines.writable.size() + 1) + (128U << 20U);
+}
+
 /// A file in memory that a child can read.
 Descriptor file_of(const std::string& bytes) {
   Descriptor file(::memfd_create("sandbox", MFD_CLOEXEC));
@@ -157,7 +165,8 @@ void Stream::drain(std::size_t keep) {
   }
 }
 
-Process::Process(const Confines& confines, const Launch& launch) : confines_(confines) {
+Process::Process(const Confines& confines, const Launch& launch)
+    : confines_(confines), group_(most_memory(confines)) {
   const Descriptor nothing(::open("/dev/null", O_RDONLY | O_CLOEXEC));
   const Descriptor arguments = file_of(launch.arguments);
   const Descriptor filter = file_of(launch.filter);
@@ -178,6 +187,7 @@ Process::Process(const Confines& confines, const Launch& launch) : confines_(con
     if (!child_handle_.is_open()) throw error_of_system("watch a process");
     wait_until_ready(ready.read_end, info.read_end);
     open_inside();
+    group_.take(first_);
     // While the other end is open here too, this cannot meet a closed pipe.
     if (::write(go_.get(), "\n", 1) != 1) throw error_of_system("start the program");
   } catch (...) {
@@ -271,6 +281,7 @@ Limit Process::exceeded(double seconds, const Usage& usage) const {
 }
 
 Limit Process::limit_behind(const Outcome& outcome) const {
+  if (group_.was_exceeded()) return Limit::memory;
   if (outcome.signal == SIGXCPU) return Limit::cpu;
   if (outcome.signal == SIGKILL && outcome.cpu_seconds > confines_.limits.cpu_seconds) return Limit::cpu;
   if (outcome.signal == SIGXFSZ) return Limit::disk;

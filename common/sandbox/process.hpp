@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "memory_group.hpp"
 #include "sandbox/descriptor.hpp"
 #include "sandbox/sandbox.hpp"
 
@@ -82,6 +83,7 @@ class Process {
   Ended end();
 
   const Confines& confines_;
+  MemoryGroup group_;
   pid_t child_ = -1;               ///< bwrap, outside
   pid_t first_ = -1;               ///< process 1 inside
   Descriptor child_handle_;        ///< shows the child's end

@@ -38,7 +38,11 @@ std::string EveryLab::unique_name() {
 }
 
 Result run_lab(const std::string& lab, const std::string& arguments, const std::string& before) {
-  return shell(fmt::format("{} {}/{} {}", before, kBin, lab, arguments));
+  Result result = shell(fmt::format("{} {}/{} {}", before, kBin, lab, arguments));
+  // A slow machine shows progress, in one line that is written again and again.
+  if (const std::size_t begin = result.errors.find('\r'); begin != std::string::npos)
+    result.errors.erase(begin, std::min(result.errors.find('\n', begin), result.errors.size()) + 1 - begin);
+  return result;
 }
 
 Result run_batch(const std::string& lab, const std::vector<Shot>& shots, const TemporaryFolder& folder,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
@@ -28,12 +29,15 @@ class Mistakes : public testing::Test {
     }
   }
 
-  /// A ramp, of which `wrong` rows from the bottom are off by `by`.
-  [[nodiscard]] std::string picture(const std::string& name, int wrong, float by) const {
+  /// A ramp, of which `wrong` rows from the bottom are off by `by`, in each second column by `odd` if given.
+  [[nodiscard]] std::string picture(const std::string& name, int wrong, float by,
+                                    std::optional<float> odd = {}) const {
     ImageF image(16, 16, 3);
     for (int y = 0; y < 16; ++y)
-      for (int x = 0; x < 16; ++x)
-        image.at(x, y, 0) = static_cast<float>(x) / 16 + (y < wrong ? by : 0), image.at(x, y, 1) = 0.5F;
+      for (int x = 0; x < 16; ++x) {
+        const float here = x % 2 == 1 ? odd.value_or(by) : by;
+        image.at(x, y, 0) = static_cast<float>(x) / 16 + (y < wrong ? here : 0), image.at(x, y, 1) = 0.5F;
+      }
     image::save_pfm(folder_.path() / (name + ".pfm"), image);
     return read_file(folder_.path() / (name + ".pfm"));
   }
@@ -61,6 +65,13 @@ TEST_F(Mistakes, are_known_by_their_pictures_and_not_by_others) {
   EXPECT_EQ(known(mistakes, {{"a", {picture("s", 8, 0.25F), ""}}}), "");
   EXPECT_EQ(known(mistakes, {{"a", {picture("s", 16, 0.5F), ""}}}), "") << "where the mistake is right";
   EXPECT_EQ(known(mistakes, {}), "");
+}
+
+/// Each twelfth of 240 pixels would be in the columns 2, 6, 10 and 14 alone.
+TEST_F(Mistakes, are_told_apart_by_all_columns) {
+  const std::vector<Mistake> mistakes = {{"everywhere", "1.1", "", {{"a", samples(15, 0.5F)}}}};
+  EXPECT_EQ(known(mistakes, {{"a", {picture("s", 15, 0.5F), ""}}}), "everywhere");
+  EXPECT_EQ(known(mistakes, {{"a", {picture("s", 15, 0.5F, 0.25F), ""}}}), "");
 }
 
 TEST_F(Mistakes, that_would_have_spoilt_more_than_what_failed_are_not_meant) {

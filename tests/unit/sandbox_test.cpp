@@ -239,6 +239,17 @@ TEST_F(SandboxTest, ends_a_program_that_takes_too_much_memory) {
   EXPECT_GT(outcome.peak_memory, sandbox.limits.memory);
 }
 
+/// Needs a control group that the kernel lets us divide: tests/machines/control_groups makes such a machine.
+TEST_F(SandboxTest, ends_a_program_whose_memory_only_the_kernel_counts) {
+  if (!memory_group_fault().empty()) GTEST_SKIP() << memory_group_fault();
+  Confines sandbox = small_sandbox();
+  sandbox.limits.memory = 64U << 20U;
+  const Outcome outcome = run_guest("tables", own("tables"), sandbox);
+  EXPECT_EQ(outcome.limit, Limit::memory);
+  EXPECT_EQ(outcome.signal, SIGKILL);
+  EXPECT_FALSE(runs(own("tables")));
+}
+
 TEST_F(SandboxTest, has_a_limit_on_the_address_space) {
   Confines sandbox = small_sandbox();
   sandbox.limits.address_space = 128U << 20U;

@@ -24,9 +24,10 @@ For teachers and makers of the course:
 ./run renderers [args] draw all cases with every renderer of this machine into out/renderers. Each limit must be three
                        times the spread. Without args it writes docs/renderers.json and the end of docs/accuracy.md.
                        To include machines with another Mesa, copy their folders into out/renderers first
-./run mutants [args]   make small wrong changes in a copy of the tree, and check that the tests notice
-./run marks [N ..]     check that each mistake of the catalogue loses marks, and no right answer does;
-                       --markdown FILE writes the table
+./run mutants [args]   make small wrong changes in a copy of the tree, and check that the tests notice. Without args it
+                       writes docs/mutants.md, and goes on where it was cut off (hours)
+./run marks [N ..]     check that each mistake of the catalogue loses marks, and no right answer does. Without args it
+                       writes docs/marks.md (half an hour)
 ./run format           format the C++ files
 ./run assets           generate the textures, cube maps and models again
 ./run expected [N ..]  draw the expected pictures of check again, with the solutions
@@ -135,6 +136,7 @@ course_command() { # command, arguments
     bench) run_bench "$@" ;;
     expected | grade | marks)
       build_programs >&2
+      [[ $command != marks ]] || (($#)) || set -- --markdown "$root/docs/marks.md"
       texel "$command" "$@"
       ;;
     starter)
@@ -153,7 +155,9 @@ course_command() { # command, arguments
       build release all rsqrt
       texel renderers --out "$root/out/renderers" "$@"
       ;;
-    mutants) run_mutants "$@" ;;
+    mutants)
+      if (($#)); then run_mutants "$@"; else run_mutants --resume --report "$root/docs/mutants.md"; fi
+      ;;
     format)
       need "${format_packages[@]}"
       sources | xargs -0 clang-format -i

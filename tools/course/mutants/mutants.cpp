@@ -108,10 +108,11 @@ std::string outcome(const MutantResult& result) {
 /// Where the results of earlier calls stand, with those of this one in place of what they were.
 class Record {
  public:
-  Record(fs::path store, fs::path report) : store_(std::move(store)), report_(std::move(report)) {}
+  Record(fs::path store, fs::path report, const std::vector<course::Mutant>& catalogue)
+      : store_(std::move(store)), report_(std::move(report)), catalogue_(catalogue) {}
 
   /// Takes up what earlier calls found.
-  void read(const std::vector<course::Mutant>& catalogue) { results_ = read_report(store_, catalogue); }
+  void read() { results_ = read_report(store_, catalogue_); }
 
   /// What is known of a mutant in a tree of this state, or null.
   [[nodiscard]] const MutantResult* find(const std::string& name, const std::string& state) const {
@@ -132,12 +133,15 @@ class Record {
     write();
   }
   void write() const {
-    write_report(store_, results_);
-    if (!report_.empty()) write_report(report_, results_);
+    const auto wrong = static_cast<std::size_t>(
+        std::count_if(catalogue_.begin(), catalogue_.end(), [](const auto& one) { return !one.is_right; }));
+    write_report(store_, results_, wrong);
+    if (!report_.empty()) write_report(report_, results_, wrong);
   }
 
  private:
   fs::path store_, report_;
+  const std::vector<course::Mutant>& catalogue_;
   std::vector<MutantResult> results_;
 };
 
@@ -196,9 +200,9 @@ Exit mutants(const MutantsOptions& options) {
   say("running the tests once without a mutant");
   suite.measure(state);
 
-  Record record(fs::absolute(work) / "results.json", options.report);
+  Record record(fs::absolute(work) / "results.json", options.report, catalogue);
   const bool is_whole = options.only.empty() && options.every == 1;
-  if (options.resume || !is_whole) record.read(catalogue);
+  if (options.resume || !is_whole) record.read();
   check_unchanged(tree, state, suite, catalogue, record);
   std::vector<MutantResult> results;
   const Stopwatch stopwatch;

@@ -107,11 +107,16 @@ std::string unchanged(const std::vector<MutantResult>& results) {
   return lines.empty() ? "" : "\n## Changes that change nothing\n\n" + lines;
 }
 
-std::string markdown(const std::vector<MutantResult>& results) {
+std::string markdown(const std::vector<MutantResult>& results, std::size_t catalogue) {
   const Score total = score(results);
   std::set<std::string> trees;
   for (const MutantResult& result : results) trees.insert(result.tree);
-  return fmt::format("# Mutants\n\n{}; {} survive for a reason. {}\n", total.text(), total.explained,
+  return "# Mutants\n\nWritten by `./run mutants`, which [CONTRIBUTING.md](../CONTRIBUTING.md#mutants) "
+         "explains.\n\n" +
+         fmt::format("{}; {} survive for a reason. {} {}\n", total.text(), total.explained,
+                     total.all < catalogue
+                         ? fmt::format("This is a sample: the catalogue has {} mutants.", catalogue)
+                         : "These are all mutants of the catalogue.",
                      trees.size() > 1 ? "Not all are of one state of the tree." : "All are of one tree.") +
          by_folder(results) + unchanged(results) + table(results, Fate::broken, "Broken", "why") +
          table(results, Fate::survived, "Survivors", "why that is right") + by_test(results) +
@@ -167,8 +172,9 @@ std::vector<MutantResult> read_report(const std::filesystem::path& file,
   return results;
 }
 
-void write_report(const std::filesystem::path& file, const std::vector<MutantResult>& results) {
-  write_file(file, file.extension() == ".json" ? json_text(results) : markdown(results));
+void write_report(const std::filesystem::path& file, const std::vector<MutantResult>& results,
+                  std::size_t catalogue) {
+  write_file(file, file.extension() == ".json" ? json_text(results) : markdown(results, catalogue));
 }
 
 }  // namespace texel::tools

@@ -40,7 +40,9 @@ Score score(const std::vector<MutantResult>& results);
 std::vector<MutantResult> read_report(const std::filesystem::path& file,
                                       const std::vector<course::Mutant>& mutants);
 
-/// Writes a report, JSON or Markdown by the file's ending. Throws Error (exit 3) when it cannot.
-void write_report(const std::filesystem::path& file, const std::vector<MutantResult>& results);
+/// Writes a report, JSON or Markdown by the file's ending. `catalogue`: how many mutants there are, made or
+/// not. Throws Error (exit 3) when it cannot.
+void write_report(const std::filesystem::path& file, const std::vector<MutantResult>& results,
+                  std::size_t catalogue);
 
 }  // namespace texel::tools

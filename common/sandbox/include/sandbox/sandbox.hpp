@@ -25,6 +25,11 @@ namespace texel::grade {
 /// and a path that is not absolute.
 Outcome run_locked_in(const Confines& confines, const std::vector<std::string>& command);
 
+/// Why the kernel does not count a sandbox's memory on this machine, or "" when it does: it is then held to
+/// its limit by what its processes show, every few milliseconds. Tried once, when the first sandbox starts or
+/// when asked; from then on this process is in a control group of its own.
+const std::string& memory_group_fault();
+
 /// Why programs cannot be locked in on this machine, or "" when they can. Tried once.
 const std::string& sandbox_fault();
 
