@@ -12,6 +12,7 @@
 #include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "course/markers.hpp"
+#include "course/starter.hpp"
 #include "fingerprint.hpp"
 #include "grade/hidden_cases.hpp"
 
@@ -56,6 +57,8 @@ Preparation prepare(const GradeOptions& options, unsigned jobs) {
                                           options.cache, options.context);
   p.workshop = std::make_unique<Workshop>(p.starter, options.cache, options.run);
   p.allowed = course::step_files(p.starter.source);
+  for (const course::StarterFile& file : course::starter_files(options.course))
+    p.given[file.path] = file.text ? file.text->size() : fs::file_size(file.source);
   for (const std::string& path : p.allowed) {
     p.solution[path] =
         course::with_steps(read_file(options.course / path), path, [](const std::string&) { return true; });

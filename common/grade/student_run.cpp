@@ -68,11 +68,15 @@ StudentRun::~StudentRun() {
   fs::remove_all(folder_, ignored);
 }
 
-/// Nothing is wrong with the file, and the starter has one of that name.
+/// The starter has the same file (by its size), or ./run, an editor or git made it there.
 bool StudentRun::is_of_course(const std::string& path) const {
-  std::error_code too_long;
-  return submission_.sound.contains(path) && path.starts_with(submission_.root) &&
-         fs::exists(preparation_.starter.source / path.substr(submission_.root.size()), too_long);
+  if (!path.starts_with(submission_.root)) return false;
+  const std::string below = path.substr(submission_.root.size());
+  for (const std::string folder : {"build", "out", ".starter", ".before-update", ".devcontainer", ".git", ".vscode", ".cache"})
+    if (below == folder || below.starts_with(folder + "/")) return true;
+  const auto given = preparation_.given.find(below);
+  return below.ends_with(".before-reset") || below == ".gitignore" ||
+         (given != preparation_.given.end() && given->second == submission_.sizes.at(path));
 }
 
 std::vector<Ignored> StudentRun::worth_telling() const {

@@ -157,11 +157,11 @@ Submission unpack(const Entry& entry, const std::vector<std::string>& allowed, c
   std::map<std::size_t, std::string> wanted;
   for (const auto& [file, item] : root.files) wanted[item->position] = file;
   for (const Item& item : listing.items) {
-    if (!item.refused.empty())
-      submission.ignored.push_back({name_to_show(item.path), item.refused});
-    else if (wanted.count(item.position) == 0)
-      submission.ignored.push_back({item.path, reason(item, root, endings, small_endings)}),
-          submission.sound.insert(item.path);
+    if (item.refused.empty() && wanted.count(item.position) > 0) continue;
+    const std::string path = item.refused.empty() ? item.path : name_to_show(item.path);
+    submission.ignored.push_back(
+        {path, item.refused.empty() ? reason(item, root, endings, small_endings) : item.refused});
+    submission.sizes[path] = item.size;
   }
   read(entry, wanted, limits, submission);
   if (!submission.fault.empty()) submission.files.clear();

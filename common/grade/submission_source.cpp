@@ -102,6 +102,7 @@ class FolderList {
       item.refused = "is in too many nested folders";
     }
     if (item.refused.empty()) item.refused = refuse_kind(is_known, status);
+    item.size = static_cast<std::uint64_t>(is_known ? status.st_size : 0);
     listing.items.push_back(std::move(item));
   }
 
@@ -289,6 +290,7 @@ Listing list_archive(const Entry& entry, std::string_view bytes, const UnpackLim
     if (::archive_entry_filetype(found) == AE_IFDIR) continue;
     item.refused = refuse_or_clean(item.path);
     if (item.refused.empty()) item.refused = refuse_kind(found, limits);
+    item.size = size;
     listing.items.push_back(std::move(item));
   }
   listing.fault = archive.fault();

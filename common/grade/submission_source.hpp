@@ -14,6 +14,7 @@ struct Item {
   std::string refused;     ///< why it can never be taken, or ""
   std::size_t position;    ///< among all that was listed, folders too
   std::string place = {};  ///< of a file in a folder: its path from there, in the disk's own bytes
+  std::uint64_t size = 0;  ///< bytes, by the word of the disk or the archive
 };
 
 struct Listing {

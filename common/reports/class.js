@@ -54,3 +54,22 @@ heads.forEach((head, column) => head.firstElementChild.addEventListener('click',
   rows.sort((a, b) => sign * compare(a, b));
   table.tBodies[0].append(...rows);
 }));
+
+// Wide classes: which labs are out of view, and a button that goes there.
+const scroller = document.querySelector('.scroll');
+const more = document.getElementById('more');
+function tellMore() {
+  const right = scroller.getBoundingClientRect().right;
+  const hidden = [...table.tHead.rows[0].querySelectorAll('th')].filter((lab) => lab.getBoundingClientRect().right > right + 1);
+  const isAtEnd = scroller.scrollLeft + scroller.clientWidth >= scroller.scrollWidth - 1;
+  more.hidden = scroller.scrollWidth <= scroller.clientWidth;
+  more.textContent = isAtEnd || !hidden.length ? '← Back to the first lab' :
+      `More to the right: ${hidden.map((lab) => lab.textContent).join(', ')} →`;
+  more.dataset.end = isAtEnd;
+}
+more.addEventListener('click', () => {
+  const names = table.tHead.rows[1].cells[0].offsetWidth;  // they stay in view
+  scroller.scrollTo({left: more.dataset.end === 'true' ? 0 : scroller.scrollLeft + scroller.clientWidth - names});
+});
+scroller.addEventListener('scroll', tellMore);
+new ResizeObserver(tellMore).observe(scroller);

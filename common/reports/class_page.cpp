@@ -21,6 +21,47 @@ struct Mistake {
   std::size_t students = 0;
 };
 
+/// How a step went in the class.
+struct Tried {
+  const StepResult* step = nullptr;   ///< of anybody
+  std::size_t begun = 0, failed = 0;  ///< students
+};
+
+/// The steps that anybody began, those first that fail most often.
+std::vector<Tried> tried_steps(const ClassResult& results) {
+  std::map<std::string, Tried> by_step;
+  for (const StudentResult& student : results.students)
+    for (const LabResult& lab : student.labs)
+      for (const StepResult& step : lab.steps) {
+        if (!student.fault.empty() || step.cases.empty() || step.is_untouched()) continue;
+        Tried& tried = by_step[step.id];
+        tried.step = &step, ++tried.begun;
+        if (step.status != Status::passed) ++tried.failed;
+      }
+  std::vector<Tried> all;
+  for (const auto& [id, tried] : by_step) all.push_back(tried);
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Tried& a, const Tried& b) { return a.failed > b.failed; });
+  return all;
+}
+
+/// "3 of 40 who began it": how many a number of students is among those who began a step.
+std::string share(std::size_t students, const std::vector<Tried>& all, const std::string& step) {
+  for (const Tried& tried : all)
+    if (tried.step->id == step)
+      return fmt::format("{} of {} who began {}", students, counted(tried.begun, "student"), step);
+  return counted(students, "student");
+}
+
+/// A line of a histogram: a number and its bar, at most `most` long.
+std::string histogram_line(std::size_t count, std::size_t most, const std::string& text) {
+  return fmt::format(
+      "<li><span class=\"count\">{0}</span><svg class=\"bar\" viewBox=\"0 0 {1} 1\" "
+      "preserveAspectRatio=\"none\" aria-hidden=\"true\"><rect width=\"{0}\" height=\"1\"/></svg>"
+      "<div>{2}</div></li>\n",
+      count, most, text);
+}
+
 /// By how many students made them, then by name.
 std::vector<Mistake> histogram(const ClassResult& results) {
   std::map<std::string, Mistake> by_name;
@@ -172,6 +213,7 @@ std::string students_section(const ClassResult& results, const std::vector<LabRe
       "graded</option>"
       "</select></label>\n<button type=\"button\" id=\"mistake\" hidden></button>\n"
       "<p id=\"shown\" role=\"status\"></p>\n</div>\n"
+      "<button type=\"button\" id=\"more\" hidden></button>\n"
       "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Students and steps\">\n"
       "<table class=\"class\">\n{}<tbody>\n{}</tbody>\n{}</table>\n</div>\n"
       "<p class=\"legend\"><span class=\"passed\">✓</span> passed <span class=\"partial\">◐</span> in part "
@@ -181,7 +223,21 @@ std::string students_section(const ClassResult& results, const std::vector<LabRe
       head(labs), rows, foot(results, labs));
 }
 
-std::string mistakes_section(const ClassResult& results) {
+std::string steps_section(const std::vector<Tried>& all) {
+  std::string items;
+  for (const Tried& tried : all)
+    if (tried.failed > 0)
+      items += histogram_line(tried.failed, all.front().failed,
+                              fmt::format("{} {} <span class=\"quiet\">{} % of {} who began it</span>",
+                                          escaped(tried.step->id), with_code(tried.step->title),
+                                          100 * tried.failed / tried.begun, counted(tried.begun, "student")));
+  return "<section id=\"steps\">\n<h2>Steps that are not right yet</h2>\n" +
+         (items.empty() ? "<p>None of those that are begun.</p>\n"
+                        : "<ol class=\"histogram\">\n" + items + "</ol>\n") +
+         "</section>\n";
+}
+
+std::string mistakes_section(const ClassResult& results, const std::vector<Tried>& tried) {
   const std::vector<Mistake> mistakes = histogram(results);
   std::size_t unnamed = 0;
   for (const StudentResult& student : results.students)
@@ -195,14 +251,15 @@ std::string mistakes_section(const ClassResult& results) {
   if (!mistakes.empty()) {
     html += "<ol class=\"histogram\">\n";
     for (const Mistake& mistake : mistakes)
-      html += fmt::format(
-          "<li><span class=\"count\">{0}</span><svg class=\"bar\" viewBox=\"0 0 {1} 1\" "
-          "preserveAspectRatio=\"none\" aria-hidden=\"true\"><rect width=\"{0}\" height=\"1\"/></svg>"
-          "<div><button type=\"button\" class=\"pick\" data-mistake=\"{2}\" title=\"Show these students\">{3}"
-          "</button> <span class=\"quiet\">step {4}</span><p>{5}</p></div></li>\n",
-          mistake.students, mistakes.front().students, escaped(mistake.name),
-          escaped(course::title_of(mistake.says)), escaped(fmt::format("{}", fmt::join(mistake.steps, ", "))),
-          escaped(rest_of(mistake.says)));
+      html += histogram_line(
+          mistake.students, mistakes.front().students,
+          fmt::format("<button type=\"button\" class=\"pick\" data-mistake=\"{}\" title=\"Show these "
+                      "students\">{}</button> <span class=\"quiet\">{}</span><p>{}</p>",
+                      escaped(mistake.name), with_code(course::title_of(mistake.says)),
+                      mistake.steps.size() == 1
+                          ? escaped(share(mistake.students, tried, *mistake.steps.begin()))
+                          : escaped(fmt::format("steps {}", fmt::join(mistake.steps, ", "))),
+                      with_code(rest_of(mistake.says))));
     html += "</ol>\n";
   }
   html += unnamed == 0 && mistakes.empty()
@@ -276,17 +333,19 @@ std::string summary(const ClassResult& results) {
 
 std::string class_page(const ClassResult& results) {
   const std::vector<LabResult> labs = all_labs(results);
+  const std::vector<Tried> tried = tried_steps(results);
   const std::string incidents = incidents_section(results), changes = changes_section(results);
   return page(
       "Class report",
-      fmt::format(
-          "<header class=\"masthead\">\n<h1>Class report</h1>\n<p>{}</p>\n</header>\n"
-          "<nav aria-label=\"Sections\"><ol><li><a href=\"#students\">Students</a></li>"
-          "<li><a href=\"#mistakes\">Mistakes</a></li>{}{}<li><a href=\"#facts\">Facts</a></li></ol></nav>\n"
-          "<main>\n{}{}{}{}<section id=\"facts\">\n<h2>Facts</h2>\n{}</section>\n</main>\n",
-          summary(results), incidents.empty() ? "" : "<li><a href=\"#incidents\">Not graded</a></li>",
-          changes.empty() ? "" : "<li><a href=\"#changes\">Changed</a></li>", students_section(results, labs),
-          mistakes_section(results), incidents, changes, facts_list(results.facts, true)),
+      fmt::format("<header class=\"masthead\">\n<h1>Class report</h1>\n<p>{}</p>\n</header>\n"
+                  "<nav aria-label=\"Sections\"><ol><li><a href=\"#students\">Students</a></li>"
+                  "<li><a href=\"#steps\">Steps</a></li><li><a "
+                  "href=\"#mistakes\">Mistakes</a></li>{}{}<li><a href=\"#facts\">Facts</a></li></ol></nav>\n"
+                  "<main>\n{}{}{}{}{}<section id=\"facts\">\n<h2>Facts</h2>\n{}</section>\n</main>\n",
+                  summary(results), incidents.empty() ? "" : "<li><a href=\"#incidents\">Not graded</a></li>",
+                  changes.empty() ? "" : "<li><a href=\"#changes\">Changed</a></li>",
+                  students_section(results, labs), steps_section(tried), mistakes_section(results, tried),
+                  incidents, changes, facts_list(results.facts, true)),
       kClassScript);
 }
 

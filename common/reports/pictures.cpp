@@ -42,6 +42,19 @@ Image8 planes(const ImageF& values) {
   return result;
 }
 
+/// In half the size: means of 2x2 pixels.
+Image8 halved(const Image8& picture) {
+  Image8 half(picture.width / 2, picture.height / 2, picture.channels);
+  for (int y = 0; y < half.height; ++y)
+    for (int x = 0; x < half.width; ++x)
+      for (int c = 0; c < half.channels; ++c)
+        half.at(x, y, c) = static_cast<std::uint8_t>(
+            (picture.at(2 * x, 2 * y, c) + picture.at(2 * x + 1, 2 * y, c) + picture.at(2 * x, 2 * y + 1, c) +
+             picture.at(2 * x + 1, 2 * y + 1, c) + 2) /
+            4);
+  return half;
+}
+
 }  // namespace
 
 std::uint32_t upper24(float value) {
@@ -70,7 +83,7 @@ std::string Pictures::data_url(const Image8& picture) const {
   return "data:image/png;base64," + base64(read_file(file));
 }
 
-Picture Pictures::read(const std::string& path, const std::string& view) const {
+Picture Pictures::read(const std::string& path, const std::string& view, Shown shown) const {
   Picture picture;
   const auto problem = [&](const std::string& what) {
     picture.problem = what;
@@ -107,14 +120,15 @@ Picture Pictures::read(const std::string& path, const std::string& view) const {
   } catch (const Error&) {
     return problem("The picture cannot be read.");
   }
+  if (shown == Shown::small && std::min(picture.width, picture.height) > 1) colours = halved(colours);
   picture.url = data_url(colours);
-  if (is_data) picture.values = data_url(planes(values));
+  if (is_data && shown == Shown::with_numbers) picture.values = data_url(planes(values));
   return picture;
 }
 
-const Picture& Pictures::reference(const std::string& path, const std::string& view) {
-  const auto [place, is_new] = references_.try_emplace(path);
-  if (is_new) place->second = read(path, view);
+const Picture& Pictures::reference(const std::string& path, const std::string& view, Shown shown) {
+  const auto [place, is_new] = references_.try_emplace({path, shown});
+  if (is_new) place->second = read(path, view, shown);
   return place->second;
 }
 

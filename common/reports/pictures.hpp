@@ -21,6 +21,9 @@ struct Picture {
   int channels = 0;  ///< of the numbers
 };
 
+/// How much of a picture a page shows: with its numbers, to be compared; as a picture; in half its size.
+enum class Shown { with_numbers, plain, small, not_at_all };
+
 /// The upper 24 of a float's 32 bits, rounded to nearest: 16 digits of mantissa, so that a number is at most
 /// 2^-16 of itself off, and a direction 0.001 degrees, 50 times less than the smallest limit. NaN stays NaN
 /// and infinity infinity. The lowest byte is noise, which would make a page half as large again.
@@ -35,16 +38,18 @@ class Pictures {
   Pictures& operator=(const Pictures&) = delete;
 
   /// The picture at a path relative to the folder. Beyond 1024 pixels a side it is only said to be too large.
-  [[nodiscard]] Picture read(const std::string& path, const std::string& view) const;
+  [[nodiscard]] Picture read(const std::string& path, const std::string& view,
+                             Shown shown = Shown::with_numbers) const;
   /// The same, kept for the next student.
-  const Picture& reference(const std::string& path, const std::string& view);
+  const Picture& reference(const std::string& path, const std::string& view,
+                           Shown shown = Shown::with_numbers);
 
  private:
   [[nodiscard]] std::string data_url(const image::Image8& picture) const;
 
   std::filesystem::path folder_;
   std::filesystem::path scratch_;  ///< nobody else's: pictures are written by way of a file
-  std::map<std::string, Picture> references_;
+  std::map<std::pair<std::string, Shown>, Picture> references_;
 };
 
 }  // namespace texel::grade

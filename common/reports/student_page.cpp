@@ -14,8 +14,8 @@ namespace {
 std::string callout(const std::string& mistake, const std::string& says) {
   if (mistake.empty()) return "";
   const std::string title = course::title_of(says);
-  return fmt::format("<p class=\"cause\">This looks like: <b>{}</b>{}</p>\n", escaped(title),
-                     escaped(says.substr(title.size())));
+  return fmt::format("<p class=\"cause\">This looks like: <b>{}</b>{}</p>\n", with_code(title),
+                     with_code(says.substr(title.size())));
 }
 
 /// One of the two pictures. The script makes a canvas of it; without a script it is a picture all the same.
@@ -33,13 +33,29 @@ std::string pane(const char* name, const char* label, const Picture& picture) {
       name, picture.url, picture.width, picture.height, label, values, label);
 }
 
-std::string viewer(const CaseResult& result, Pictures& pictures) {
-  if (result.is_mesh() || (result.picture.empty() && result.reference.empty())) return "";
+/// How the pictures of a step's first wrong case are shown, and those of its others.
+struct Detail {
+  Shown first, others;
+};
+
+/// From all that there is to the least. A page takes the first with which it is small enough.
+constexpr Detail kDetails[] = {{Shown::with_numbers, Shown::with_numbers},
+                               {Shown::with_numbers, Shown::plain},
+                               {Shown::with_numbers, Shown::small},
+                               {Shown::plain, Shown::small},
+                               {Shown::small, Shown::small},
+                               {Shown::small, Shown::not_at_all}};
+constexpr std::size_t kLargestPage = 1'500'000;
+
+std::string viewer(const CaseResult& result, Pictures& pictures, Shown shown) {
+  if (result.is_mesh() || shown == Shown::not_at_all) return "";
+  if (result.picture.empty() && result.reference.empty()) return "";
   std::string panes;
   if (!result.picture.empty())
-    panes += pane("yours", "Yours", pictures.read(result.picture, name_of(result.view)));
+    panes += pane("yours", "Yours", pictures.read(result.picture, name_of(result.view), shown));
   if (!result.reference.empty())
-    panes += pane("expected", "Expected", pictures.reference(result.reference, name_of(result.view)));
+    panes += pane("expected", "Expected", pictures.reference(result.reference, name_of(result.view), shown));
+  if (shown != Shown::with_numbers) return "<div class=\"panes\">\n" + panes + "</div>\n";
   return fmt::format(
       "<div class=\"viewer\" data-view=\"{}\" data-unit=\"{}\" data-limit=\"{}\">\n<div class=\"panes\">\n{}"
       "</div>\n</div>\n",
@@ -47,7 +63,7 @@ std::string viewer(const CaseResult& result, Pictures& pictures) {
 }
 
 /// A case whose picture is wrong; it is right itself where only other steps spoil the picture.
-std::string wrong_case(const CaseResult& result, const StepResult& step, Pictures& pictures) {
+std::string wrong_case(const CaseResult& result, const StepResult& step, Pictures& pictures, Shown shown) {
   std::string html =
       fmt::format("<article class=\"case\">\n<h4>{}{}{}{}</h4>\n", escaped(result.name),
                   result.hidden ? " <span class=\"tag\">hidden case</span>" : "",
@@ -55,7 +71,7 @@ std::string wrong_case(const CaseResult& result, const StepResult& step, Picture
                       ? ""
                       : fmt::format(" <span class=\"tag\">{} view</span>", escaped(name_of(result.view))),
                   result.passed() ? " <span class=\"tag\">right, only other steps spoil it</span>" : "");
-  if (!result.message.empty()) html += fmt::format("<p>{}</p>\n", escaped(result.message));
+  if (!result.message.empty()) html += fmt::format("<p>{}</p>\n", with_code(result.message));
   // The message of a picture that was not judged alone has its distance.
   std::string figures = result.is_alone() && !result.passed() ? distance(result) : "";
   if (result.score > 0 && !result.passed())
@@ -63,7 +79,7 @@ std::string wrong_case(const CaseResult& result, const StepResult& step, Picture
         fmt::format("{}{} % of the case's marks", figures.empty() ? "" : "; ", number(100 * result.score, 0));
   if (!figures.empty()) html += fmt::format("<p class=\"quiet\">{}.</p>\n", escaped(figures));
   if (result.mistake != step.mistake) html += callout(result.mistake, result.mistake_says);
-  html += viewer(result, pictures);
+  html += viewer(result, pictures, shown);
   if (const std::string typed = command(result); !typed.empty()) html += command_line(typed);
   return html + "</article>\n";
 }
@@ -79,30 +95,34 @@ std::string passed_cases(const StepResult& step) {
       "<p class=\"others\"><span class=\"passed\" aria-hidden=\"true\">✓</span> Passed: {}</p>\n", names);
 }
 
-std::string details(const StepResult& step, Pictures& pictures) {
+std::string details(const StepResult& step, Pictures& pictures, const Detail& detail) {
   std::string html;
   const bool said_below =  // the message is the first failed case's, which has it again with its picture
       std::any_of(step.cases.begin(), step.cases.end(), [](const CaseResult& c) { return !c.passed(); });
-  if (!step.message.empty() && !said_below) html += fmt::format("<p>{}</p>\n", escaped(step.message));
+  if (!step.message.empty() && !said_below) html += fmt::format("<p>{}</p>\n", with_code(step.message));
   html += callout(step.mistake, step.mistake_says);
   if (const std::string file = place(step); !file.empty())
     html += fmt::format("<p class=\"place\">Written in <code>{}</code></p>\n", escaped(file));
   if (!step.hints.empty())
     html += fmt::format("<details class=\"hint\"><summary>Hint</summary><p>{}</p></details>\n",
-                        escaped(step.hints.front()));
+                        with_code(step.hints.front()));
   if (step.is_untouched()) return html;  // its pictures say nothing of the student
-  for (const CaseResult& result : step.cases)
-    if (!result.passed()) html += wrong_case(result, step, pictures);
+  Shown shown = detail.first;
+  for (const CaseResult& result : step.cases) {
+    if (result.passed()) continue;
+    html += wrong_case(result, step, pictures, shown);
+    shown = detail.others;
+  }
   return html + passed_cases(step);
 }
 
 /// The cases that are right, but whose pictures other steps spoil.
-std::string spoilt_cases(const StepResult& step, Pictures& pictures) {
+std::string spoilt_cases(const StepResult& step, Pictures& pictures, const Detail& detail) {
   std::string cases;
   std::size_t count = 0;
   for (const CaseResult& result : step.cases)
     if (result.passed() && result.is_alone()) {
-      cases += wrong_case(result, step, pictures);
+      cases += wrong_case(result, step, pictures, detail.others);
       ++count;
     }
   if (count == 0) return "";
@@ -110,7 +130,7 @@ std::string spoilt_cases(const StepResult& step, Pictures& pictures) {
                      counted(count, "picture"), cases);
 }
 
-std::string step_section(const StepResult& step, Pictures& pictures) {
+std::string step_section(const StepResult& step, Pictures& pictures, const Detail& detail) {
   const Standing stands = standing(step);
   std::string html = fmt::format(
       "<section class=\"step {0}\" id=\"step-{1}\">\n<h3><span class=\"symbol\" "
@@ -123,11 +143,11 @@ std::string step_section(const StepResult& step, Pictures& pictures) {
         fmt::format("<p class=\"cause\">The teacher set these points: {}</p>\n", escaped(step.overridden));
   if (const std::string told = judging(step); !told.empty())
     html += fmt::format("<p>{}</p>\n", escaped(told));
-  if (step.status != Status::passed) html += details(step, pictures);
-  return html + spoilt_cases(step, pictures) + "</section>\n";
+  if (step.status != Status::passed) html += details(step, pictures, detail);
+  return html + spoilt_cases(step, pictures, detail) + "</section>\n";
 }
 
-std::string lab_section(const LabResult& lab, Pictures& pictures) {
+std::string lab_section(const LabResult& lab, Pictures& pictures, const Detail& detail) {
   std::string html = fmt::format(
       "<section class=\"lab\" id=\"lab{0}\" aria-labelledby=\"title{0}\">\n<header>\n"
       "<p class=\"number\" aria-hidden=\"true\">{0}</p>\n<div><h2 id=\"title{0}\">{1}</h2>\n<p>{2} of {3} "
@@ -136,7 +156,7 @@ std::string lab_section(const LabResult& lab, Pictures& pictures) {
   for (const std::string& note : lab.notes) html += fmt::format("<p class=\"cause\">{}</p>\n", escaped(note));
   for (const bool begun : {true, false})  // what is not begun comes last
     for (const StepResult& step : lab.steps)
-      if (step.is_untouched() != begun) html += step_section(step, pictures);
+      if (step.is_untouched() != begun) html += step_section(step, pictures, detail);
   return html + "</section>\n";
 }
 
@@ -184,22 +204,20 @@ std::string first_thing(const StudentResult& student) {
                        escaped(step->id), escaped(step->id), escaped(step->title),
                        step->message.empty() || step->is_untouched()
                            ? ""
-                           : fmt::format("<p>{}</p>\n", escaped(step->message)),
+                           : fmt::format("<p>{}</p>\n", with_code(step->message)),
                        callout(step->mistake, step->mistake_says));
   if (student.labs.empty()) return "";
   return "<div class=\"start passed\"><p>Every step passed.</p></div>\n";
 }
 
-}  // namespace
-
-std::string student_page(const StudentResult& student, const std::map<std::string, std::string>& facts,
-                         Pictures& pictures) {
+std::string page_with(const StudentResult& student, const std::map<std::string, std::string>& facts,
+                      Pictures& pictures, const Detail& detail) {
   std::string contents, labs;
   for (const LabResult& lab : student.labs) {
     contents +=
         fmt::format("<li><a href=\"#lab{0}\"><b>{0}</b> {1} <span>{2}/{3}</span></a></li>\n", lab.lab.number,
                     escaped(lab.lab.title), number(lab.points()), number(lab.max_points()));
-    labs += lab_section(lab, pictures);
+    labs += lab_section(lab, pictures, detail);
   }
   if (!contents.empty()) contents = "<nav aria-label=\"Labs\"><ol>\n" + contents + "</ol></nav>\n";
   std::string mark = "Not graded";
@@ -207,9 +225,13 @@ std::string student_page(const StudentResult& student, const std::map<std::strin
     mark = student.labs.empty() ? "0 <small>points</small>"
                                 : fmt::format("{} <small>of {} points</small>", number(student.points()),
                                               number(student.max_points()));
-  const char* repeat = student.labs.empty() ? ""
-                                            : "<p class=\"quiet\">The command below a picture draws it again "
-                                              "in your own tree.</p>\n";
+  const bool has_pictures = labs.find("<div class=\"panes\">") != labs.npos;
+  std::string repeat;
+  if (has_pictures && labs.find("<div class=\"command\">") != labs.npos)
+    repeat = "<p class=\"quiet\">The command below a picture draws it again in your own tree.</p>\n";
+  if (has_pictures && detail.others != Shown::with_numbers)
+    repeat +=
+        "<p class=\"quiet\">To keep this page small, some pictures are small or have no difference.</p>\n";
   return page(
       student.name,
       fmt::format("<header class=\"masthead student\">\n<div><h1><bdi>{}</bdi></h1>\n<p>{}</p></div>\n"
@@ -218,6 +240,18 @@ std::string student_page(const StudentResult& student, const std::map<std::strin
                   escaped(student.name), escaped(student.number), mark, first_thing(student), contents,
                   logs_section(student), labs, ignored_section(student), facts_list(facts, false), repeat),
       kStudentScript);
+}
+
+}  // namespace
+
+std::string student_page(const StudentResult& student, const std::map<std::string, std::string>& facts,
+                         Pictures& pictures) {
+  std::string html;
+  for (const Detail& detail : kDetails) {
+    html = page_with(student, facts, pictures, detail);
+    if (html.size() <= kLargestPage) break;
+  }
+  return html;
 }
 
 }  // namespace texel::grade

@@ -42,6 +42,16 @@ std::string escaped(std::string_view text) {
   return html_escaped(cleaned);
 }
 
+std::string with_code(std::string_view text) {
+  std::string html = escaped(text);
+  for (std::size_t open = html.find('`'); open != html.npos; open = html.find('`', open)) {
+    const std::size_t close = html.find('`', open + 1);
+    if (close == html.npos) break;
+    html.replace(close, 1, "</code>").replace(open, 1, "<code>");
+  }
+  return html;
+}
+
 std::string base64(std::string_view bytes) {
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string result;

@@ -19,6 +19,9 @@ std::string shortened(const std::string& text, std::size_t bytes);
 /// Cleaned text as it stands in HTML or XML, within elements and within quoted attributes.
 std::string escaped(std::string_view text);
 
+/// The same, with what stands between backquotes as code.
+std::string with_code(std::string_view text);
+
 std::string base64(std::string_view bytes);
 
 /// A number with at most so many decimals, without zeros at its end: "2.5".

@@ -7,6 +7,7 @@
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/vfs.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -23,6 +24,7 @@ extern "C" {
 #include <cstring>
 #include <sstream>
 
+#include "another_user.hpp"
 #include "copy.hpp"
 #include "core/stopwatch.hpp"
 
@@ -109,28 +111,23 @@ pid_t spawn(const Launch& launch, const std::vector<int>& descriptors) {
   return child;
 }
 
-/// Of the processes that a /proc shows, with those of their children that have ended.
-Usage usage_of_all(const Descriptor& proc) {
-  constexpr std::size_t longest = 4096;
-  static const double ticks = static_cast<double>(::sysconf(_SC_CLK_TCK));
-  Usage usage;
-  for (const std::string& name : names_in(proc, most_names)) {
-    if (name[0] < '1' || name[0] > '9') continue;
-    const Descriptor process = open_in(proc, name);
-    const std::string status = read_some(open_in(process, "status"), longest);
-    for (const std::string key : {"\nRssAnon:", "\nRssShmem:"}) {
-      const std::size_t found = status.find(key);
-      if (found != std::string::npos)
-        usage.memory += std::strtoull(status.c_str() + found + key.size(), nullptr, 10) * 1024;
-    }
-    // proc(5): behind the name in brackets, which may hold anything, the 12th to 15th word are the times.
-    const std::string stat = read_some(open_in(process, "stat"), longest);
-    std::istringstream words(stat.substr(std::min(stat.rfind(')') + 1, stat.size())));
-    std::string word;
-    for (int i = 1; i <= 15 && words >> word; ++i)
-      if (i >= 12) usage.cpu_seconds += static_cast<double>(std::strtoull(word.c_str(), nullptr, 10)) / ticks;
+/// The number behind a word of /proc/…/status, or 0.
+std::uint64_t number_behind(const std::string& key, const std::string& status) {
+  const std::size_t found = status.find(key);
+  return found == status.npos ? 0 : std::strtoull(status.c_str() + found + key.size(), nullptr, 10);
+}
+
+/// What lies in the folders of a disk that others use too: bytes, or more than any limit for too many files.
+std::uint64_t size_of(const std::filesystem::path& folder, std::uint64_t most_files) {
+  std::error_code error;  // files come and go
+  std::uint64_t size = 0, files = 0;
+  for (std::filesystem::recursive_directory_iterator it(folder, error), end; !error && it != end;
+       it.increment(error)) {
+    struct stat status {};
+    if (::lstat(it->path().c_str(), &status) == 0) size += static_cast<std::uint64_t>(status.st_blocks) * 512;
+    if (++files > most_files) return ~0ULL;
   }
-  return usage;
+  return size;
 }
 
 double seconds_of(const timeval& time) {
@@ -138,6 +135,28 @@ double seconds_of(const timeval& time) {
 }
 
 }  // namespace
+
+Usage usage_of_all(const Descriptor& proc, unsigned user) {
+  constexpr std::size_t longest = 4096;
+  static const double ticks = static_cast<double>(::sysconf(_SC_CLK_TCK));
+  Usage usage;
+  for (const std::string& name : names_in(proc, most_names)) {
+    if (name[0] < '1' || name[0] > '9') continue;
+    const Descriptor process = open_in(proc, name);
+    const std::string status = read_some(open_in(process, "status"), longest);
+    if (user != 0 && number_behind("\nUid:", status) != user) continue;
+    for (const char* key : {"\nRssAnon:", "\nRssShmem:"}) usage.memory += number_behind(key, status) * 1024;
+    // proc(5): behind the name in brackets, which may hold anything, the 12th to 15th word are the times.
+    const std::string stat = read_some(open_in(process, "stat"), longest);
+    std::istringstream words(stat.substr(std::min(stat.rfind(')') + 1, stat.size())));
+    std::string word;
+    for (int i = 1; i <= 15 && words >> word; ++i) {
+      if (i == 1 && word != "Z") ++usage.processes;
+      if (i >= 12) usage.cpu_seconds += static_cast<double>(std::strtoull(word.c_str(), nullptr, 10)) / ticks;
+    }
+  }
+  return usage;
+}
 
 Error sandbox_error(const std::string& what, const std::string& remedy) {
   return Error::failed("the sandbox failed: " + what, {}, remedy);
@@ -166,7 +185,41 @@ void Stream::drain(std::size_t keep) {
 }
 
 Process::Process(const Confines& confines, const Launch& launch)
-    : confines_(confines), group_(most_memory(confines)) {
+    : confines_(confines), group_(most_memory(confines)), user_(launch.user) {
+  try {
+    if (user_ == 0)
+      start_in_namespaces(launch);
+    else
+      start_as_another_user(launch);
+  } catch (...) {
+    if (child_ > 0) end();
+    throw;
+  }
+}
+
+void Process::take_streams(Descriptor output, Descriptor errors) {
+  child_handle_ = Descriptor(::pidfd_open(child_, 0));
+  if (!child_handle_.is_open()) throw error_of_system("watch a process");
+  streams_.emplace_back(std::move(output));
+  streams_.emplace_back(std::move(errors));
+}
+
+void Process::start_as_another_user(const Launch& launch) {
+  const Descriptor nothing(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+  proc_ = Descriptor(::open("/proc", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  for (const std::filesystem::path& folder : confines_.writable)
+    disks_.emplace_back(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  Pipe output;
+  Pipe errors;
+  child_ = spawn_filtered(launch.command, launch.environment, launch.filter,
+                          {nothing.get(), output.write_end.get(), errors.write_end.get()},
+                          confines_.working_folder);
+  if (child_ < 0) throw error_of_system("start a process");
+  group_.take(child_);
+  take_streams(std::move(output.read_end), std::move(errors.read_end));
+}
+
+void Process::start_in_namespaces(const Launch& launch) {
   const Descriptor nothing(::open("/dev/null", O_RDONLY | O_CLOEXEC));
   const Descriptor arguments = file_of(launch.arguments);
   const Descriptor filter = file_of(launch.filter);
@@ -178,22 +231,14 @@ Process::Process(const Confines& confines, const Launch& launch)
   child_ =
       spawn(launch, {nothing.get(), output.write_end.get(), errors.write_end.get(), ready.write_end.get(),
                      go.read_end.get(), arguments.get(), filter.get(), info.write_end.get()});
-  child_handle_ = Descriptor(::pidfd_open(child_, 0));
-  streams_.emplace_back(std::move(output.read_end));
-  streams_.emplace_back(std::move(errors.read_end));
   go_ = std::move(go.write_end);
   for (Pipe* pipe : {&output, &errors, &ready, &info}) pipe->write_end.close();
-  try {
-    if (!child_handle_.is_open()) throw error_of_system("watch a process");
-    wait_until_ready(ready.read_end, info.read_end);
-    open_inside();
-    group_.take(first_);
-    // While the other end is open here too, this cannot meet a closed pipe.
-    if (::write(go_.get(), "\n", 1) != 1) throw error_of_system("start the program");
-  } catch (...) {
-    if (child_ > 0) end();
-    throw;
-  }
+  take_streams(std::move(output.read_end), std::move(errors.read_end));
+  wait_until_ready(ready.read_end, info.read_end);
+  open_inside();
+  group_.take(first_);
+  // While the other end is open here too, this cannot meet a closed pipe.
+  if (::write(go_.get(), "\n", 1) != 1) throw error_of_system("start the program");
 }
 
 Process::~Process() {
@@ -246,7 +291,7 @@ Outcome Process::watch() {
       if (seconds() - stopped_at > end_seconds) throw sandbox_error("a killed program does not end");
       continue;
     }
-    const Usage usage = usage_of_all(proc_);
+    const Usage usage = usage_of_all(proc_, user_);
     outcome.peak_memory = std::max(outcome.peak_memory, usage.memory);
     outcome.cpu_seconds = std::max(outcome.cpu_seconds, usage.cpu_seconds);
     outcome.limit = exceeded(seconds(), usage);
@@ -289,6 +334,10 @@ Limit Process::limit_behind(const Outcome& outcome) const {
 }
 
 bool Process::is_disk_full() const {
+  if (user_ != 0)
+    return std::any_of(confines_.writable.begin(), confines_.writable.end(), [&](const auto& folder) {
+      return size_of(folder, confines_.limits.files) > confines_.limits.disk;
+    });
   return std::any_of(disks_.begin(), disks_.end(), [&](const Descriptor& disk) {
     struct statfs status {};
     return ::fstatfs(disk.get(), &status) == 0 &&
@@ -308,12 +357,19 @@ void Process::drain() {
 }
 
 void Process::stop() {
+  if (user_ != 0) {
+    kill_all_of(user_);
+    return;
+  }
   // bubblewrap itself ends when its first process has, and then with the times of all.
   ::pidfd_send_signal(first_handle_.get(), SIGKILL, nullptr, 0);
 }
 
 Process::Ended Process::end() {
-  ::kill(-child_, SIGKILL);
+  if (user_ == 0)
+    ::kill(-child_, SIGKILL);
+  else if (!kill_all_of(user_))
+    throw sandbox_error("a killed program does not end");
   int status = 0;
   rusage usage{};
   while (::wait4(child_, &status, 0, &usage) < 0 && errno == EINTR) {
@@ -324,10 +380,10 @@ Process::Ended Process::end() {
            seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime)}};
 }
 
-bool Process::copy_writable() const {
+bool Process::copy_writable(const std::vector<std::filesystem::path>& to) const {
   bool all = true;
-  for (std::size_t i = 0; i < confines_.writable.size(); ++i)
-    all = copy_results(disks_[i], confines_.writable[i], confines_.limits.disk) && all;
+  for (std::size_t i = 0; i < to.size(); ++i)
+    all = copy_results(disks_[i], to[i], confines_.limits.disk) && all;
   return all;
 }
 

@@ -21,6 +21,7 @@ struct Launch {
   std::vector<std::string> environment;  ///< "NAME=value"
   std::string arguments;                 ///< what can be read at descriptor 5
   std::string filter;                    ///< what can be read at descriptor 6; bwrap tells of itself at 7
+  unsigned user = 0;                     ///< the id of the program where there are no namespaces, or 0
 };
 
 /// The shell that runs first inside, before the untrusted program's own words. It says that all walls stand
@@ -48,7 +49,11 @@ class Stream {
 struct Usage {
   std::uint64_t memory = 0;  ///< resident bytes that are no file's
   double cpu_seconds = 0;
+  std::size_t processes = 0;  ///< that did not end yet
 };
+
+/// Of the processes that a /proc shows, with those of their children that have ended: of one user, or of all.
+Usage usage_of_all(const Descriptor& proc, unsigned user = 0);
 
 /// A sandbox from its start to its end; killed when it is destroyed before.
 class Process {
@@ -63,8 +68,9 @@ class Process {
   /// Waits until the program and all that it started is gone, of itself or because of a limit.
   Outcome watch();
 
-  /// Copies what the program wrote into the real folders; whether there was room for all.
-  [[nodiscard]] bool copy_writable() const;
+  /// Copies what the program wrote into these folders, one for each writable one; whether there was room for
+  /// all.
+  [[nodiscard]] bool copy_writable(const std::vector<std::filesystem::path>& to) const;
 
  private:
   struct Ended {
@@ -72,6 +78,9 @@ class Process {
     Usage usage;  ///< its memory is that of the largest process
   };
 
+  void start_in_namespaces(const Launch& launch);
+  void start_as_another_user(const Launch& launch);
+  void take_streams(Descriptor output, Descriptor errors);
   void wait_until_ready(const Descriptor& ready, const Descriptor& info);
   void open_inside();
   [[nodiscard]] bool has_ended();
@@ -84,7 +93,8 @@ class Process {
 
   const Confines& confines_;
   MemoryGroup group_;
-  pid_t child_ = -1;               ///< bwrap, outside
+  unsigned user_ = 0;              ///< of the program where there are no namespaces, or 0
+  pid_t child_ = -1;               ///< bwrap, outside; without namespaces the program
   pid_t first_ = -1;               ///< process 1 inside
   Descriptor child_handle_;        ///< shows the child's end
   Descriptor first_handle_;        ///< kills all that is inside

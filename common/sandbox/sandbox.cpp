@@ -6,9 +6,11 @@
 
 #include <atomic>
 #include <fstream>
+#include <memory>
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/scratch_folder.hpp"
 #include "filter.hpp"
 #include "process.hpp"
 
@@ -132,19 +134,87 @@ Outcome run_locked_in(const Confines& confines, const Words& command) {
   check(confines, command);
   Process process(confines, launch_of(confines, command));
   Outcome outcome = process.watch();
-  if (!process.copy_writable() && outcome.limit == Limit::none) outcome.limit = Limit::disk;
+  if (!process.copy_writable(confines.writable) && outcome.limit == Limit::none) outcome.limit = Limit::disk;
+  return outcome;
+}
+
+namespace {
+
+/// An empty folder in place of a real one, which is put aside; afterwards the real one is back.
+class Instead {
+ public:
+  Instead(fs::path folder, unsigned owner) : folder_(std::move(folder)), aside_(folder_.string() + ".aside") {
+    fs::rename(folder_, aside_);
+    fs::create_directory(folder_);
+    if (::chown(folder_.c_str(), owner, owner) != 0) throw sandbox_error("cannot give away a folder");
+  }
+  ~Instead() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+    fs::rename(aside_, folder_, ignored);
+  }
+  Instead(const Instead&) = delete;
+  Instead& operator=(const Instead&) = delete;
+  [[nodiscard]] const fs::path& aside() const { return aside_; }
+
+ private:
+  fs::path folder_, aside_;
+};
+
+/// Why a program that does nothing does not run so, or "".
+std::string fault_of(Run run) {
+  try {
+    const Outcome outcome = run({}, {"true"});
+    return outcome.succeeded() ? "" : "a program that does nothing fails: " + outcome.errors;
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+Outcome run_as_another_user(const Confines& given, const Words& command) {
+  if (::geteuid() != 0) throw sandbox_error("only root can run a program as another user");
+  check(given, command);
+  const unsigned user = unprivileged_id();
+  // What the compiler keeps meanwhile: /tmp is shared.
+  const ScratchFolder scratch;
+  fs::permissions(scratch.path(), fs::perms::owner_all | fs::perms::group_exec | fs::perms::others_exec);
+  const fs::path temporary = scratch.path() / "tmp";
+  fs::create_directory(temporary);
+  Confines confines = given;
+  for (const char* name : {"HOME", "TMPDIR"}) confines.environment.emplace_back(name, temporary.string());
+  confines.writable.push_back(temporary);
+  std::vector<std::unique_ptr<Instead>> folders;
+  for (const fs::path& folder : confines.writable) folders.push_back(std::make_unique<Instead>(folder, user));
+
+  Launch launch;
+  launch.user = user;
+  launch.filter = seccomp_filter();
+  if (launch.filter.empty()) throw sandbox_error("there is no filter for this processor's system calls");
+  const std::string id = fmt::format("{}", user);
+  launch.command = {
+      "setpriv", "--reuid", id, "--regid", id, "--clear-groups", "--inh-caps=-all", "--bounding-set=-all",
+      "--"};
+  append(launch.command, prlimit_words(confines.limits));
+  append(launch.command, {fmt::format("--nproc={}", confines.limits.processes), "--"});
+  append(launch.command, command);
+  for (const auto& [name, value] : environment_of(confines)) launch.environment.push_back(name + "=" + value);
+  Process process(confines, launch);
+  Outcome outcome = process.watch();
+  std::vector<fs::path> real;
+  for (std::size_t i = 0; i < given.writable.size(); ++i) real.push_back(folders[i]->aside());
+  if (!process.copy_writable(real) && outcome.limit == Limit::none) outcome.limit = Limit::disk;
   return outcome;
 }
 
 const std::string& sandbox_fault() {
-  static const std::string fault = []() -> std::string {
-    try {
-      const Outcome outcome = run_locked_in({}, {"true"});
-      return outcome.succeeded() ? "" : "a program that does nothing fails: " + outcome.errors;
-    } catch (const Error& error) {
-      return error.what();
-    }
-  }();
+  static const std::string fault = fault_of(run_locked_in);
+  return fault;
+}
+
+const std::string& another_user_fault() {
+  static const std::string fault = fault_of(run_as_another_user);
   return fault;
 }
 

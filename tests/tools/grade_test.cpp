@@ -321,6 +321,40 @@ TEST_F(GradedClass, has_reports_in_every_format) {
   EXPECT_TRUE(has(read_file(out / "report/index.html"), "</html>"));
 }
 
+/// The guide tells students to hand in the whole folder. What they did not change is not worth a line.
+TEST_F(GradedClass, tells_a_student_who_packs_the_whole_folder_only_what_is_theirs) {
+  Class whole{kWork / "whole", "9", {}};
+  fs::remove_all(whole.folder);
+  fs::create_directories(whole.folder);
+  const fs::path tree = fresh("whole_tree") / "my-labs";
+  const std::string texel = (kBin / "texel").string(), pack = "cmake -E tar cf ../../whole/";
+  ASSERT_EQ(shell(fmt::format("{} starter --out {}", texel, tree.string())).exit_code, 0);
+  for (const char* path : {"build/release/build.ninja", "out/gallery/index.html", ".git/HEAD"}) {
+    fs::create_directories((tree / path).parent_path());
+    write_file(tree / path, "made there");
+  }
+  const auto packed = [&](const std::string& line) {
+    const Result result = shell(fmt::format("cd {} && {} 2>&1", tree.string(), line));
+    EXPECT_EQ(result.exit_code, 0) << result.output;
+  };
+  packed(pack + "inside.zip --format=zip -- . ");
+  packed("cd .. && cmake -E tar cfz ../whole/around.tar.gz my-labs");
+  write_file(tree / "common/core/include/core/error.hpp", "#pragma once\n");
+  write_file(tree / "notes.txt", "mine");
+  packed("cp -r . ../../whole/changed");
+  const Result result = grade(whole, fresh("whole_out"));
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  for (const grade::StudentResult& student : grade::read_results(kWork / "whole_out", kSource).students) {
+    std::set<std::string> told;
+    for (const grade::Ignored& one : student.ignored) told.insert(one.path);
+    EXPECT_EQ(student.fault, "");
+    EXPECT_EQ(told, student.id == "changed"
+                        ? std::set<std::string>({"common/core/include/core/error.hpp", "notes.txt"})
+                        : std::set<std::string>())
+        << student.id;
+  }
+}
+
 TEST_F(GradedClass, is_found_again_by_a_second_run_that_judges_nothing) {
   const Result again = grade(few_, kWork / "few_out", "--resume --format csv");
   EXPECT_EQ(again.exit_code, 0) << again.output;

@@ -167,6 +167,11 @@ void add_grade(CLI::App& app, GradeCommands& all) {
   add_context(grade, g.context);
   grade->add_flag("--unsafe", g.unsafe,
                   "Run the students' programs without a sandbox; only for code that you trust");
+  grade
+      ->add_option("--walls", g.walls,
+                   "What holds the students' programs: namespaces; or user, for one student, as root in a "
+                   "container that forbids namespaces [namespaces]")
+      ->check(CLI::IsMember({"namespaces", "user"}));
   add_formats(grade, g.formats);
 
   CLI::App* merge = grade->add_subcommand("merge", "Merge the results of shards");
@@ -223,6 +228,8 @@ CourseCommands::CourseCommands(CLI::App& app) : app_(app), options_(std::make_un
   add_expected(app, options_->expected);
   add_marks(app, options_->marks);
   add_renderers(app, options_->renderers);
+  app.add_subcommand("course", "classroom, gradebook, gradescope, similar: see docs/course.md")
+      ->prefix_command();
 }
 
 CourseCommands::~CourseCommands() = default;
@@ -235,6 +242,8 @@ std::optional<Exit> CourseCommands::run() const {
   if (app_.got_subcommand("expected")) return expected(options_->expected);
   if (app_.got_subcommand("marks")) return marks(options_->marks);
   if (app_.got_subcommand("renderers")) return renderers(options_->renderers);
+  if (const CLI::App* course = app_.get_subcommand("course"); course->parsed())
+    return run_script(course->remaining());
   return {};
 }
 

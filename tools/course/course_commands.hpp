@@ -93,7 +93,7 @@ struct GradeCommand {
   std::filesystem::path cache, seed_file;  ///< empty: build/grade of the course; `out`/seed.txt
   std::vector<int> labs;                   ///< numbers; none for all
   unsigned jobs = 0;                       ///< 0: one for each processor
-  std::string shard = "1/1", context = "auto";
+  std::string shard = "1/1", context = "auto", walls = "namespaces";
   std::vector<std::string> formats;
   bool resume = false, unsafe = false;
 };
@@ -131,6 +131,10 @@ struct GradeReportCommand {
 
 /// `texel grade report`: writes the reports again.
 Exit grade_report(const GradeReportCommand& command);
+
+/// `texel course NAME …`: a script of tools/course/box, in place of this process. Returns only by an Error:
+/// exit 2 for a name that there is not, 3 when the script cannot be started.
+Exit run_script(const std::vector<std::string>& words);
 
 /// Adds them all to the command line, and afterwards runs the one that was asked for.
 class CourseCommands {

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "commands.hpp"
+
 namespace texel::tools {
 namespace {
 
@@ -67,6 +69,13 @@ const char* word_of(const StepResult& step, const StepResult* next) {
   return passed(step) ? "done" : &step == next ? "next" : step.status == Status::skipped ? "waits" : "to do";
 }
 
+/// The command for the lab after this one, or "" after the last.
+std::string what_follows(int number) {
+  for (const course::Lab& lab : course_labs())
+    if (lab.number == number + 1) return fmt::format(" Next: ./run watch {}", lab.number);
+  return {};
+}
+
 }  // namespace
 
 bool wants_colours() {
@@ -118,7 +127,8 @@ std::string report(const LabResult& lab, bool colours) {
       text += step.status == Status::skipped ? wrapped(step.message, 12) : details(step, paint);
   }
   if (next == nullptr)
-    text += paint(kGreen, "All done.") + "\n";
+    text += paint(kGreen, fmt::format("All done: {:g} of {:g} points.", lab.points(), lab.max_points())) +
+            what_follows(lab.lab.number) + "\n";
   else
     text += fmt::format("A hint: ./run hint {}\n", next->id);
   for (const std::string& note : lab.notes) text += paint(kDim, wrapped(note, 0));

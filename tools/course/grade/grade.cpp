@@ -80,7 +80,9 @@ Exit grade_class(const GradeCommand& command) {
   options.labs = command.labs;
   options.jobs = command.jobs;
   options.resume = command.resume;
-  options.run = command.unsafe ? run_plainly : grade::run_locked_in;
+  options.run = command.unsafe            ? run_plainly
+                : command.walls == "user" ? grade::run_as_another_user
+                                          : grade::run_locked_in;
   options.context = command.context;
   options.seed_file = command.seed_file;
   read_shard(command.shard, options);

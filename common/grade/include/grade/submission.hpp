@@ -53,9 +53,9 @@ struct UnpackLimits {
 };
 
 struct Submission {
-  std::map<std::string, std::string> files;  ///< by path in the tree: what was taken
-  std::vector<Ignored> ignored;              ///< in the submission's order
-  std::set<std::string> sound;               ///< paths of `ignored` that have nothing wrong but no steps
+  std::map<std::string, std::string> files;    ///< by path in the tree: what was taken
+  std::vector<Ignored> ignored;                ///< in the submission's order
+  std::map<std::string, std::uint64_t> sizes;  ///< of the files of `ignored`, by their own word
   std::string
       root;  ///< the folder of the submission that stands for the tree's root, as text; "" for the top
   std::string fault;  ///< why nothing was taken (broken, a bomb, too large, no step), or ""

@@ -25,12 +25,23 @@ namespace texel::grade {
 /// and a path that is not absolute.
 Outcome run_locked_in(const Confines& confines, const std::vector<std::string>& command);
 
+/// The same where nobody may make namespaces, as in the container of an autograder: the program runs under an
+/// id that nobody else has, without any right and with the seccomp filter. So it reaches no network, no other
+/// user's process and no file that is closed to others. It has all limits; every process of its id is killed
+/// at the end. **What does not hold:** it sees which processes run, and reads and writes all that is open to
+/// everybody. So the caller must be root, close what is secret, run one program at a time, and throw the
+/// machine away afterwards. Throws as `run_locked_in`.
+Outcome run_as_another_user(const Confines& confines, const std::vector<std::string>& command);
+
+/// Why programs cannot be run so on this machine, or "" when they can. Tried once.
+const std::string& another_user_fault();
+
+/// Why programs cannot be locked in on this machine, or "" when they can. Tried once.
+const std::string& sandbox_fault();
+
 /// Why the kernel does not count a sandbox's memory on this machine, or "" when it does: it is then held to
 /// its limit by what its processes show, every few milliseconds. Tried once, when the first sandbox starts or
 /// when asked; from then on this process is in a control group of its own.
 const std::string& memory_group_fault();
-
-/// Why programs cannot be locked in on this machine, or "" when they can. Tried once.
-const std::string& sandbox_fault();
 
 }  // namespace texel::grade
