@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.hpp"
+#include "core/stopwatch.hpp"
 #include "gl/upload.hpp"
 
 namespace texel::app {
@@ -175,18 +178,34 @@ image::ImageF Canvas::measured_picture(const Measure& measure, glm::ivec2 size) 
   return picture;
 }
 
-void Canvas::draw_error(glm::ivec2 size) {
-  const std::optional<Measure> measure = lab_.measure();
-  if (!measure) throw Error::usage("this lab has no view 'error'");
+double Canvas::work_on_truth(glm::ivec2 size, double milliseconds) {
+  if (!lab_.measure()) throw Error::usage("this lab has no view 'error'");
+  const Stopwatch stopwatch;
   const std::string key = fmt::format("{} {}x{}", lab_.parameters().key(), size.x, size.y);
-  if (key != truth_key_) {
-    const Truth truth = lab_.truth(size);
-    if (!truth)
-      throw Error::failed("there is no exact answer for these parameters", {},
-                          "choose a built-in model, picture or cube map that has a formula");
-    if (!agrees(truth_, truth, size)) truth_ = truth_picture(truth, size);
+  const bool is_known = key == truth_key_;
+  if (is_known && truth_rows_ == size.y) return 1;
+  const Truth truth = lab_.truth(size);
+  if (!truth)
+    throw Error::failed("there is no exact answer for these parameters", {},
+                        "choose a built-in model, picture or cube map that has a formula");
+  if (!is_known) {
+    const bool is_same = truth_rows_ == truth_.height && agrees(truth_, truth, size);
+    if (!is_same) truth_ = image::ImageF(size.x, size.y, 4);
+    truth_rows_ = is_same ? size.y : 0;
     truth_key_ = key;
   }
+  constexpr int kRows = 8;  // in one go
+  while (truth_rows_ < size.y && stopwatch.milliseconds() < milliseconds) {
+    const int end = std::min(truth_rows_ + kRows, size.y);
+    add_truth_rows(truth_, truth, truth_rows_, end);
+    truth_rows_ = end;
+  }
+  return static_cast<double>(truth_rows_) / size.y;
+}
+
+void Canvas::draw_error(glm::ivec2 size) {
+  work_on_truth(size, std::numeric_limits<double>::infinity());
+  const std::optional<Measure> measure = lab_.measure();
   error_ = error_picture(measured_picture(*measure, size), truth_, *measure);
   figures_ = figures_of(*error_);
   const double scale = error_scale_ > 0 ? error_scale_ : round_up(figures_->p99);
@@ -203,6 +222,12 @@ void Canvas::copy_to_window(glm::ivec2 origin, glm::ivec2 size) const {
   glBlitFramebuffer(0, 0, picture_->width(), picture_->height(), origin.x, origin.y, origin.x + size.x,
                     origin.y + size.y, GL_COLOR_BUFFER_BIT, GL_LINEAR);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+image::ImageF Canvas::values_of(View view, glm::ivec2 size) {
+  const gl::Target& data = fit(data_, gl::Target::Kind::data, size, 1);
+  draw_into(data, view, {});
+  return data.read_float();
 }
 
 glm::vec4 Canvas::value_at(View view, glm::ivec2 size, glm::ivec2 pixel) {

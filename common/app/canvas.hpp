@@ -47,6 +47,12 @@ class Canvas {
   /// The error at which the heat map ends; 0 takes the 99th percentile, rounded up to 1, 2 or 5 times a power
   /// of ten.
   void set_error_scale(double scale) { error_scale_ = scale; }
+  /// Works for about so many milliseconds on the exact answer that the view `error` needs for the present
+  /// parameters and size, and returns how much of it is there, 0 to 1. draw() does what is left. Throws Error
+  /// where there is no exact answer.
+  double work_on_truth(glm::ivec2 size, double milliseconds);
+  /// A data view's values, as read_float() after draw() has them; the picture stays as it is.
+  [[nodiscard]] image::ImageF values_of(View view, glm::ivec2 size);
   /// The value of a data view at one pixel, counted from the bottom left.
   [[nodiscard]] glm::vec4 value_at(View view, glm::ivec2 size, glm::ivec2 pixel);
 
@@ -92,6 +98,7 @@ class Canvas {
   std::optional<ErrorFigures> figures_;
   std::string truth_key_;  ///< of which look truth_ is
   image::ImageF truth_;
+  int truth_rows_ = 0;  ///< so many of its rows are there
 };
 
 }  // namespace texel::app

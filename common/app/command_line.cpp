@@ -124,8 +124,8 @@ std::optional<CommandLine> read_command_line(AnyLab& lab, int argc, char** argv)
   for (const params::Parameter& p : lab.parameters())
     app.add_option("--" + p.flag(), values[std::string(p.name)], describe(p))->group("Parameters");
   app.footer(
-      "In the window: drag orbit, wheel zoom, J default look, M normal map, K/L texture, space pause, "
-      "R reset view, F5 reload, F12 snapshot, H panel, Esc quit");
+      "In the window: drag orbit, wheel zoom, G looks, J default look, space pause; F1 lists all keys, Esc "
+      "quit");
 
   try {
     app.parse(argc, argv);
@@ -145,6 +145,9 @@ std::optional<CommandLine> read_command_line(AnyLab& lab, int argc, char** argv)
     model_parameter(lab.parameters())->set(bare ? "./" + model : model);
   }
   line.turn_given = lab.parameters().find("turn") != nullptr && app.count("--turn") > 0;
+  line.look_given = !config.empty() || !model.empty() || app.count("--view") > 0 || !line.see.empty();
+  for (const params::Parameter& p : lab.parameters())
+    line.look_given = line.look_given || (p.name != "turn" && app.count("--" + p.flag()) > 0);
   if (app.count("--size") > 0) line.size = parse_size(size);
   find_view(lab, line.view);
   if (!line.batch.empty() && line.out.empty()) throw Error::usage("--batch needs --out DIR");

@@ -20,6 +20,7 @@ struct CommandLine {
   int samples = 4;
   int frames = 0;
   bool list_parameters = false, list_views = false, print_shader = false, json = false;
+  bool look_given = false;  ///< a parameter other than turn, a view or a step: the window opens with it
   bool turn_given = false;  ///< the user chose how far the model is turned: it does not turn by itself
 };
 

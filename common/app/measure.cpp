@@ -49,17 +49,21 @@ void write(image::Image8& picture, const std::string& text, double left, double 
 
 }  // namespace
 
-image::ImageF truth_picture(const Truth& truth, glm::ivec2 size) {
-  image::ImageF picture(size.x, size.y, 4);
-  in_parallel(processors(), static_cast<std::size_t>(size.y), [&](std::size_t row) {
-    const int y = static_cast<int>(row);
-    for (int x = 0; x < size.x; ++x) {
+void add_truth_rows(image::ImageF& picture, const Truth& truth, int first, int end) {
+  in_parallel(processors(), static_cast<std::size_t>(end - first), [&](std::size_t row) {
+    const int y = first + static_cast<int>(row);
+    for (int x = 0; x < picture.width; ++x) {
       const std::optional<glm::dvec3> value = truth(glm::dvec2(x + 0.5, y + 0.5));
       if (!value || !std::isfinite(value->x + value->y + value->z)) continue;
       for (int c = 0; c < 3; ++c) picture.at(x, y, c) = static_cast<float>((*value)[c]);
       picture.at(x, y, 3) = 1;
     }
   });
+}
+
+image::ImageF truth_picture(const Truth& truth, glm::ivec2 size) {
+  image::ImageF picture(size.x, size.y, 4);
+  add_truth_rows(picture, truth, 0, size.y);
   return picture;
 }
 

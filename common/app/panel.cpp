@@ -9,12 +9,12 @@
 #include <cmath>
 #include <functional>
 
+#include "theme.hpp"
+
 namespace texel::app {
 namespace {
 
 using Type = params::Parameter::Type;
-
-const ImVec4 kAmber(1.0F, 0.78F, 0.35F, 1), kRed(1.0F, 0.45F, 0.40F, 1), kGrey(0.62F, 0.66F, 0.72F, 1);
 
 /// "bump_strength" → "bump strength"
 std::string label_of(std::string_view name) {
@@ -28,7 +28,7 @@ void tooltip(std::string_view help, std::string_view more = {}) {
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
   ImGui::TextUnformatted(help.data(), help.data() + help.size());
-  if (!more.empty()) ImGui::TextColored(kGrey, "%.*s", static_cast<int>(more.size()), more.data());
+  if (!more.empty()) ImGui::TextColored(theme().dim, "%.*s", static_cast<int>(more.size()), more.data());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }
@@ -74,7 +74,7 @@ void parameter_widget(params::Parameter& p) {
   if (p.is_default())
     ImGui::TextUnformatted(label.c_str());
   else
-    ImGui::TextColored(kAmber, "%s", label.c_str());
+    ImGui::TextColored(theme().next, "%s", label.c_str());
   const bool ranged = p.type == Type::integer || p.type == Type::number;
   const std::string range = ranged ? fmt::format("{} to {} {}", p.least, p.most, p.unit) : std::string();
   tooltip(p.help, fmt::format("--{}, default {}{}{}\nCtrl+click a slider to type a value", p.flag(),
@@ -135,8 +135,8 @@ void view_section(AnyLab& lab, WindowState& state) {
     ImGui::PushTextWrapPos(0);
     ImGui::Text("mean %.3g, P99 %.3g, most %.3g %s over %lld pixels", f.mean, f.p99, f.max,
                 name_of(lab.measure()->unit), f.pixels);
-    ImGui::TextColored(f.non_finite == 0 ? kGrey : kRed, "%lld not finite; compared with the %s",
-                       f.non_finite, lab.measure()->truth);
+    ImGui::TextColored(f.non_finite == 0 ? theme().dim : theme().wrong,
+                       "%lld not finite; compared with the %s", f.non_finite, lab.measure()->truth);
     ImGui::PopTextWrapPos();
   }
 
@@ -190,113 +190,50 @@ void statistics_section(const WindowState& state) {
   ImGui::Text("%s of attributes, %s of textures", bytes_text(attribute_bytes).c_str(),
               bytes_text(texture_bytes).c_str());
   for (const auto& use : record.attributes)
-    ImGui::TextColored(kGrey, "  %s  %s", use.name.c_str(), bytes_text(use.bytes).c_str());
+    ImGui::TextColored(theme().dim, "  %s  %s", use.name.c_str(), bytes_text(use.bytes).c_str());
   for (const auto& use : record.textures)
-    ImGui::TextColored(kGrey, "  %s  %dx%d %s", use.name.c_str(), use.width, use.height, use.format.c_str());
+    ImGui::TextColored(theme().dim, "  %s  %dx%d %s", use.name.c_str(), use.width, use.height,
+                       use.format.c_str());
   const auto lines = [](const std::vector<std::string>& texts, const ImVec4& colour) {
     ImGui::PushTextWrapPos(0);
     for (const std::string& text : texts) ImGui::TextColored(colour, "%s", text.c_str());
     ImGui::PopTextWrapPos();
   };
-  lines(state.notes.warnings, kAmber);
-  lines(state.notes.facts, kGrey);
-}
-
-/// A name, and its value in a column.
-void pixel_row(const char* name, const std::string& value) {
-  ImGui::TextUnformatted(name);
-  ImGui::SameLine(ImGui::GetFontSize() * 6);
-  ImGui::TextUnformatted(value.c_str());
-}
-
-/// Three components, or as many as the view has, each in a column of its own.
-void pixel_row(const char* name, const glm::dvec3& value, int components, const char* format) {
-  ImGui::TextUnformatted(name);
-  for (int c = 0; c < components; ++c) {
-    ImGui::SameLine(ImGui::GetFontSize() * (6 + 5 * static_cast<float>(c)));
-    ImGui::Text(format, value[c]);
-  }
-}
-
-/// How a value of the view is written; 8-bit steps for colours.
-void pixel_row(const char* name, View view, const glm::dvec3& value) {
-  switch (view) {
-    case View::mesh:  // no picture
-    case View::lod:
-    case View::depth:
-    case View::mask:
-    case View::error:
-      return pixel_row(name, value, 1, "%.5g");
-    case View::texcoord:
-      return pixel_row(name, value, 2, "%.5f");
-    case View::color:
-      return pixel_row(name, value, 3, "%.1f");
-    case View::normal:
-    case View::tangent:
-    case View::direction:
-      return pixel_row(name, value, 3, "%+.4f");
-  }
-}
-
-void pixel_section(const WindowState& state) {
-  if (!ImGui::CollapsingHeader("Pixel", ImGuiTreeNodeFlags_DefaultOpen)) return;
-  if (!state.inspected) {
-    ImGui::TextColored(kGrey, "click the picture to inspect a pixel");
-    return;
-  }
-  ImGui::Text("x %d, y %d (from the bottom left)", state.inspected->pixel.x, state.inspected->pixel.y);
-  for (const auto& [view, value] : state.inspected->values) {
-    const char* name = name_of(view);
-    if (value.w <= 0)
-      pixel_row(name, "background");
-    else
-      pixel_row(name, view, glm::dvec3(value));
-  }
-  if (!state.inspected->comparison) return;
-  const Canvas::Comparison& c = *state.inspected->comparison;
-  ImGui::Separator();
-  ImGui::TextColored(kGrey, "%s against the truth", name_of(c.measure.view));
-  pixel_row("method", c.measure.view, c.value);
-  pixel_row("truth", c.measure.view, c.truth);
-  pixel_row("error", fmt::format("{:.4g} {}", c.error, name_of(c.measure.unit)));
+  lines(state.notes.warnings, theme().next);
+  lines(state.notes.facts, theme().dim);
 }
 
 Action buttons(WindowState& state) {
   Action action = Action::none;
-  const auto button = [&](const char* label, Action value, const char* help) {
+  const auto button = [&](const char* label, Action value, const char* help, bool is_first = false) {
+    // On the same line while there is room.
+    const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+    if (!is_first) ImGui::SameLine();
+    if (!is_first && ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
     if (ImGui::Button(label)) action = value;
     tooltip(help);
   };
-  button("Copy command", Action::copy_command_line, "Copies the command that draws this look");
-  ImGui::SameLine();
+  if (state.looks && !state.looks->entries().empty())
+    button("Looks", Action::show_looks, "Small pictures of the gallery's looks: click one to have it (G)",
+           true);
+  button("Default", Action::default_look, "Sets the look with which the lab opens (J)",
+         !state.looks || state.looks->entries().empty());
+  button("Undo", Action::undo, "Takes back the last change of a parameter (Ctrl+Z)");
+  button("Redo", Action::redo, "Makes it again (Ctrl+Y)");
+  button("Keys", Action::show_keys, "All keys (F1)");
   button("Snapshot", Action::snapshot,
-         "Writes the picture into the folder where you started the program (F12)");
-  ImGui::SameLine();
-  button("Default look", Action::reset_parameters, "Sets all parameters to their defaults (J)");
-  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 13.5F);
+         "Writes the picture into the folder where you started the program (F12)", true);
+  button("Copy", Action::copy_picture, "Copies the picture into the clipboard (Ctrl+C)");
+  button("Command", Action::copy_command_line, "Copies the command that draws this look");
+  button("Turntable", Action::turntable,
+         "Writes 36 pictures of one turn into the folder where you started the program");
+  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 10.5F);
   ImGui::InputText("##config", &state.config_file);
   tooltip("The file for Save and Load: all parameters, in the format of --config");
-  ImGui::SameLine();
   button("Save", Action::save_config, "Writes all parameters to the file");
-  ImGui::SameLine();
   button("Load", Action::load_config, "Reads parameters from the file");
+  button(state.light_theme ? "Dark" : "Light", Action::toggle_theme, "Changes the panel's colours");
   return action;
-}
-
-/// Text on a dark plate: it can be read over any picture.
-void plate(ImVec2 at, const ImVec4& colour, const std::string& text, float wrap_width,
-           ImVec2 pivot = {0, 0}) {
-  ImGui::SetNextWindowPos(at, ImGuiCond_Always, pivot);
-  ImGui::SetNextWindowBgAlpha(0.86F);
-  const std::string id = fmt::format("##plate{}{}", at.x, at.y);
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                                      ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
-                                      ImGuiWindowFlags_NoFocusOnAppearing;
-  ImGui::Begin(id.c_str(), nullptr, kFlags);
-  ImGui::PushTextWrapPos(wrap_width);
-  ImGui::TextColored(colour, "%s", text.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::End();
 }
 
 /// Two lines of text below a line.
@@ -308,10 +245,12 @@ float status_bar_height() {
 void status_bar(const WindowState& state) {
   ImGui::Separator();
   const bool is_checking = state.steps && state.steps->is_running();
-  const std::string text = state.message + (is_checking ? "\nchecking your steps" : "");
+  std::string text = state.message;
+  if (!state.progress.empty()) text.append(text.empty() ? "" : "\n").append(state.progress);
+  if (is_checking) text.append(text.empty() ? "" : "\n").append("checking your steps");
   ImGui::BeginChild("status", {0, 0}, 0, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PushTextWrapPos(0);
-  ImGui::TextColored(kGrey, "%s", text.c_str());
+  ImGui::TextColored(theme().dim, "%s", text.c_str());
   ImGui::PopTextWrapPos();
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
   ImGui::EndChild();
@@ -345,55 +284,17 @@ Action draw_panel(AnyLab& lab, WindowState& state, float scale) {
   state.panel_width = ImGui::GetWindowWidth();
   ImGui::BeginChild("sections", {0, -status_bar_height()});
   ImGui::PushTextWrapPos(0);
-  ImGui::TextColored(kGrey, "%s", info.lesson);
+  ImGui::TextColored(theme().dim, "%s", info.lesson);
   ImGui::PopTextWrapPos();
   const Action action = buttons(state);
   steps_section(lab, state);
   view_section(lab, state);
   parameters_section(lab.parameters());
   statistics_section(state);
-  pixel_section(state);
-  if (ImGui::CollapsingHeader("Keys"))
-    ImGui::TextUnformatted(
-        "drag    orbit        wheel  zoom\nJ       default look R      reset view\nM       normal map   K/L  "
-        "  texture\n"
-        "space   pause        F5     reload\nF12     snapshot     H      hide panel\nEsc     quit");
   ImGui::EndChild();
   status_bar(state);
   ImGui::End();
   return action;
-}
-
-void draw_overlay(AnyLab& lab, const WindowState& state, glm::vec2 size, float pixels_per_unit, float scale) {
-  ImDrawList& canvas = *ImGui::GetBackgroundDrawList();
-  const float origin = state.panel_width;
-  if (state.split && state.view != View::error) {  // the error is drawn whole
-    const float x = std::round(origin + state.split->position * size.x);
-    canvas.AddLine({x, 0}, {x, size.y}, IM_COL32(255, 255, 255, 220), 2 * scale);
-    const std::string left = lab.parameters().at(state.split->parameter).text(), right = state.split->value;
-    const float y = size.y - 28 * scale, gap = 10 * scale;
-    const float width = ImGui::CalcTextSize(left.c_str()).x;
-    canvas.AddRectFilled({x - width - 2 * gap, y - gap / 2}, {x, size.y - gap / 2}, IM_COL32(0, 0, 0, 170));
-    canvas.AddText({x - width - gap, y}, IM_COL32_WHITE, left.c_str());
-    const float right_width = ImGui::CalcTextSize(right.c_str()).x;
-    canvas.AddRectFilled({x, y - gap / 2}, {x + right_width + 2 * gap, size.y - gap / 2},
-                         IM_COL32(0, 0, 0, 170));
-    canvas.AddText({x + gap, y}, IM_COL32_WHITE, right.c_str());
-  }
-  if (state.inspected) {
-    const glm::vec2 pixel = glm::vec2(state.inspected->pixel) + 0.5F;
-    const ImVec2 at(origin + pixel.x / pixels_per_unit, size.y - pixel.y / pixels_per_unit);
-    canvas.AddCircle(at, 5 * scale, IM_COL32(0, 0, 0, 255), 16, 3 * scale);
-    canvas.AddCircle(at, 5 * scale, IM_COL32(255, 255, 255, 255), 16, 1.5F * scale);
-  }
-  const float wrap = size.x * 0.8F;
-  if (!state.error.empty()) {
-    plate({origin + size.x - 12 * scale, 12 * scale}, kRed, state.error, wrap, {1, 0});
-  } else if (!state.record.warnings.empty()) {
-    std::string text;
-    for (const std::string& warning : state.record.warnings) text += (text.empty() ? "" : "\n") + warning;
-    plate({origin + size.x - 12 * scale, size.y - 12 * scale}, kAmber, text, wrap, {1, 1});
-  }
 }
 
 }  // namespace texel::app

@@ -5,7 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "actions.hpp"
 #include "canvas.hpp"
+#include "frame_lines.hpp"
+#include "history.hpp"
+#include "looks.hpp"
+#include "shader_message.hpp"
 #include "steps.hpp"
 
 namespace texel::app {
@@ -14,15 +19,19 @@ namespace texel::app {
 struct WindowState {
   View view = View::color;
   std::optional<Canvas::Split> split;
+  /// Which of the looks was chosen last, or none: the view goes back to its camera.
+  std::optional<std::size_t> look;
   bool paused = false;
   bool panel_visible = true;
-  float panel_width = 0;  ///< window units, 0 while hidden; the picture has the rest
+  float panel_width = 0;  ///< window units, 0 while hidden
+  glm::vec2 dock{0};      ///< window units that the step has beside the picture: at the right, or below
 
   gl::Record record;  ///< of the last frame that was inspected
   Notes notes;        ///< of the lab
   double frame_milliseconds = 0;
   std::optional<ErrorFigures> figures;  ///< while the view `error` is shown
-  std::string error;                    ///< over the last good picture, until it is mended
+  ErrorMessage error;                   ///< over the last good picture, until it is mended
+  bool all_messages = false;            ///< not only the error's first
   std::string message;                  ///< what the last action did
 
   /// The pixel that was clicked, from the bottom left, and the value of each data view there.
@@ -30,17 +39,21 @@ struct WindowState {
     glm::ivec2 pixel;
     std::vector<std::pair<View, glm::vec4>> values;
     std::optional<Canvas::Comparison> comparison;  ///< of the method with the truth
+    gl::Texture around;  ///< the pixels around it, kAround in a row; bottom row first
+    static constexpr int kAround = 15;
   };
   std::optional<Inspected> inspected;
 
   std::optional<StepsCheck> steps;           ///< none where there is nothing to check
   std::map<std::string, std::size_t> hints;  ///< how many are shown, by step
   std::optional<CasePictures> case_pictures;
+  std::optional<SavedLook> own_look;  ///< as it was before a case was picked
+  std::optional<Looks> looks;
+  bool looks_open = false, keys_open = false, light_theme = false, wireframe = false, axes = false;
+  std::vector<FrameLine> frame_lines;  ///< while `axes` is on
+  std::string progress;                ///< what goes on for longer than a frame, or ""
   std::string config_file;
 };
-
-/// What a button asked for.
-enum class Action { none, copy_command_line, save_config, load_config, snapshot, reset_parameters, reload };
 
 /// The section "Steps": each with its figure; its cases, which set the look when they are picked; its hints.
 void steps_section(AnyLab& lab, WindowState& state);
@@ -48,8 +61,20 @@ void steps_section(AnyLab& lab, WindowState& state);
 /// Sets the look of the step's case that says most, and shows that case's pictures.
 void pick_step(AnyLab& lab, WindowState& state, const grade::StepResult& step);
 
-/// Over the picture: the pictures of the case that was picked. As draw_overlay.
-void draw_case(WindowState& state, glm::vec2 size, float scale);
+/// Beside the picture: the step and the pictures of the case that was picked, in the room `state.dock`.
+Action draw_step(WindowState& state, glm::vec2 window, float scale);
+
+/// The room that the step needs beside a picture that would have `size` window units without it.
+glm::vec2 dock_size(const WindowState& state, glm::vec2 size, float scale);
+
+/// Over the picture: the gallery's looks with small pictures; choosing one sets parameters and view.
+void draw_looks(AnyLab& lab, WindowState& state, glm::vec2 size, float scale);
+
+/// Beside the pixel that was clicked: it and its neighbours magnified, and the value of each view there.
+void draw_pixel(WindowState& state, glm::vec2 size, float pixels_per_unit, float scale);
+
+/// Over the picture: all keys.
+void draw_keys(WindowState& state, glm::vec2 size);
 
 /// How wide the panel is until it is resized, in units of a window so wide.
 float default_panel_width(float window, float scale);
@@ -57,9 +82,9 @@ float default_panel_width(float window, float scale);
 /// Draws the panel for one frame with ImGui, at the left edge; changes parameters and state in place.
 Action draw_panel(AnyLab& lab, WindowState& state, float scale);
 
-/// The error or warning over the picture, the split line and its labels, the mark of the inspected pixel. The
-/// picture lies right of the panel and is `size` window units large.
-void draw_overlay(AnyLab& lab, const WindowState& state, glm::vec2 size, float pixels_per_unit, float scale);
+/// The split line and its labels, the mark of the inspected pixel, and the error or warning over the picture.
+/// The picture lies right of the panel and is `size` window units large.
+Action draw_overlay(AnyLab& lab, WindowState& state, glm::vec2 size, float pixels_per_unit, float scale);
 
 /// "lab05_normal_map --method averaged --view normal": what draws the present look again.
 std::string command_line(AnyLab& lab, View view);

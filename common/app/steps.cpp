@@ -9,21 +9,12 @@
 #include "check/files.hpp"
 #include "core/error.hpp"
 #include "core/process.hpp"
-#include "gl/upload.hpp"
 #include "judge/results_json.hpp"
+#include "picture_texture.hpp"
 
 namespace texel::app {
-namespace {
 
 namespace fs = std::filesystem;
-gl::Texture upload(const image::Image8& picture) {
-  gl::Sampling sampling;
-  sampling.minify = GL_LINEAR, sampling.magnify = GL_NEAREST;
-  sampling.wrap_s = sampling.wrap_t = GL_CLAMP_TO_EDGE;
-  return gl::make_texture_2d(picture, image::Encoding::linear, sampling);
-}
-
-}  // namespace
 
 struct StepsCheck::Shared {
   int lab;
@@ -85,14 +76,23 @@ bool StepsCheck::is_running() const {
   return shared_->is_running;
 }
 
-CasePictures load_case(const std::string& step, const grade::CaseResult& one) {
+const fs::path& StepsCheck::root() const {
+  return shared_->root;
+}
+
+CasePictures load_case(const fs::path& root, const std::string& lab, const grade::StepResult& step,
+                       const grade::CaseResult& one) {
   CasePictures pictures;
-  pictures.step = step, pictures.name = one.name;
+  pictures.step = step.id, pictures.name = one.name, pictures.title = step.title;
+  pictures.message = one.message, pictures.unit = name_of(one.unit()), pictures.limit = one.limit;
+  pictures.text = read_step_text(root, lab, step.id, step.file, step.line);
   try {
     const image::Compared all = grade::compared(one);
     pictures.width = all.own.width, pictures.height = all.own.height;
-    pictures.own = upload(all.own), pictures.expected = upload(all.expected);
-    pictures.difference = upload(all.difference), pictures.heat_map = upload(all.heat_map);
+    pictures.own = picture_texture(all.own), pictures.expected = picture_texture(all.expected);
+    pictures.difference = picture_texture(all.difference);
+    pictures.heat_map = picture_texture(all.heat_map);
+    pictures.figures = all.figures;
   } catch (const Error& error) {
     pictures.fault = error.what();
   }

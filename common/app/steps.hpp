@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "app/lab.hpp"
+#include "image/difference.hpp"
 #include "judge/results.hpp"
+#include "step_text.hpp"
 
 namespace texel::app {
 
@@ -25,6 +27,7 @@ class StepsCheck {
   bool poll();
 
   [[nodiscard]] bool is_running() const;
+  [[nodiscard]] const std::filesystem::path& root() const;
   [[nodiscard]] const std::vector<grade::StepResult>& steps() const { return steps_; }
   /// Why there are no steps, or "".
   [[nodiscard]] const std::string& fault() const { return fault_; }
@@ -36,16 +39,23 @@ class StepsCheck {
   std::string fault_;
 };
 
-/// A case's pictures side by side: the student's, the expected one, and how they differ.
+/// A case's pictures: the student's, the expected one, and how they differ; beside them the step's text.
 struct CasePictures {
   std::string step, name, fault;  ///< why there is nothing to be seen, or ""
   enum class Shown { split, difference, heat_map } shown = Shown::split;
   float position = 0.5F;  ///< of the split line, 0 to 1; the expected picture is right of it
   int width = 0, height = 0;
   gl::Texture own, expected, difference, heat_map;  ///< bottom row first
+  image::Difference figures;                        ///< the heat map's hottest colour is `max`
+  std::string unit;                                 ///< of the figures
+  double limit = 0;
+  std::string title, message;  ///< of the step; of the case, what is wrong, or ""
+  StepText text;
 };
 
-/// Loads a case's pictures. Files that are missing or broken are said so in `fault`.
-CasePictures load_case(const std::string& step, const grade::CaseResult& one);
+/// Loads a case's pictures, and the step's text from the tree `root` and its folder `lab`. Files that are
+/// missing or broken are said so in `fault`.
+CasePictures load_case(const std::filesystem::path& root, const std::string& lab,
+                       const grade::StepResult& step, const grade::CaseResult& one);
 
 }  // namespace texel::app

@@ -29,16 +29,17 @@ Image8 absolute_difference(const Image8& a, const Image8& b) {
 
 Compared compared(const Image8& own, const Image8& expected) {
   need_one_size(own, expected);
-  return {own, expected, absolute_difference(own, expected), heatmap(expected, own)};
+  return {own, expected, absolute_difference(own, expected), heatmap(expected, own), compare(expected, own)};
 }
 
 Compared compared(const ImageF& own, const ImageF& expected, const std::string& view, Unit unit) {
   need_one_size(own, expected);
-  Compared all{shown(own, view), shown(expected, view), {}, {}};
+  Compared all{shown(own, view), shown(expected, view), {}, {}, {}};
   all.difference = absolute_difference(all.own, all.expected);
   Comparing comparing;
   comparing.unit = unit;
   all.heat_map = heatmap(expected, own, 0, comparing);
+  all.figures = compare(expected, own, comparing);
   return all;
 }
 

@@ -27,9 +27,9 @@ check 'and the picture shows the mistake' changed_from "$work/first"
 settle "$work/wrong"
 
 # The first step's triangle, then its first case: below two lines each of error and mistake, and the button for a hint.
-xdotool mousemove --window "$window" 19 127 click 1
+xdotool mousemove --window "$window" 19 151 click 1
 sleep 1
-xdotool mousemove --window "$window" 70 258 click 1
+xdotool mousemove --window "$window" 70 282 click 1
 check 'a case that is picked sets its look' changed_from "$work/wrong"
 settle "$work/case"
 # The picture of the case stands at the lower right, with a white line between yours and the expected one.

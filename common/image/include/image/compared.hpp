@@ -11,8 +11,9 @@ namespace texel::image {
 /// A picture beside the expected one, as one looks at them: data views in colours.
 struct Compared {
   Image8 own, expected;
-  Image8 difference;  ///< of each channel, absolute
-  Image8 heat_map;    ///< of the error; the largest one has the hottest colour
+  Image8 difference;   ///< of each channel, absolute
+  Image8 heat_map;     ///< of the error; the largest one has the hottest colour
+  Difference figures;  ///< the largest error and its pixel
 };
 
 /// Throws Error (exit 3) if the sizes differ.

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "looks.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/error.hpp"
+#include "picture_texture.hpp"
+#include "settings.hpp"
+
+namespace texel::app {
+
+Looks::Looks(AnyLab& lab, const Assets& assets) {
+  const std::filesystem::path file =
+      assets.shader_root().parent_path() / "labs" / lab.info().folder() / "lab.toml";
+  if (!std::filesystem::exists(file)) return;
+  try {
+    for (course::Look& look : course::read_lab(file).looks)
+      if (std::ranges::count(lab.views(), look.view) > 0)
+        entries_.push_back({std::move(look), {}, false, {}});
+  } catch (const Error& error) {
+    fault_ = error.what();
+  }
+  std::ranges::stable_partition(entries_, [](const Entry& entry) { return entry.look.hero; });
+}
+
+std::size_t Looks::drawn() const {
+  return static_cast<std::size_t>(std::ranges::count(entries_, true, &Entry::is_drawn));
+}
+
+void Looks::forget() {
+  for (Entry& entry : entries_) entry.is_drawn = false;
+}
+
+void Looks::choose(const course::Look& look, AnyLab& lab, View& view) {
+  check_settings(lab.parameters(), look.settings);
+  lab.parameters().reset();
+  for (const auto& [parameter, value] : look.settings) lab.parameters().at(parameter).set(value);
+  view = look.view;
+}
+
+double Looks::aspect_of(const course::Look& look) {
+  return std::max(1.0, static_cast<double>(look.size.width) / look.size.height);
+}
+
+bool Looks::draw_next(gl::Context& context, const Assets& assets, AnyLab& lab) {
+  const auto next = std::ranges::find(entries_, false, &Entry::is_drawn);
+  if (next == entries_.end()) return false;
+  next->is_drawn = true;
+  next->fault.clear();
+  const StartValues before(lab.parameters());
+  try {
+    View view{};
+    choose(next->look, lab, view);
+    Canvas canvas(context, assets, lab);  // the window's own keeps its picture
+    canvas.draw(view, kSize, 4);
+    next->picture = picture_texture(canvas.read8());
+  } catch (const Error& error) {
+    next->fault = error.what();
+  }
+  before.set({});
+  return true;
+}
+
+}  // namespace texel::app

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <vector>
+
+#include "canvas.hpp"
+#include "course/lab_file.hpp"
+#include "gl/objects.hpp"
+
+namespace texel::app {
+
+/// The gallery's looks of a lab (labs/NN_name/lab.toml), hero first, with small pictures of them.
+class Looks {
+ public:
+  static constexpr glm::ivec2 kSize{192, 128};  ///< of a small picture, in pixels
+
+  /// No looks where the lab's file is missing; those with a view that this tree does not have are left out.
+  /// A file that cannot be read is said so in fault().
+  Looks(AnyLab& lab, const Assets& assets);
+
+  struct Entry {
+    course::Look look;
+    gl::Texture picture;  ///< bottom row first
+    bool is_drawn = false;
+    std::string fault;  ///< why it could not be drawn, or ""
+  };
+  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+  [[nodiscard]] const std::string& fault() const { return fault_; }
+
+  /// How many small pictures are done.
+  [[nodiscard]] std::size_t drawn() const;
+  /// Draws the next small picture that is missing; the lab keeps its parameters. False when none is missing.
+  bool draw_next(gl::Context& context, const Assets& assets, AnyLab& lab);
+  /// All are drawn again: a shader or picture was edited.
+  void forget();
+
+  /// Sets the parameters and the view. Throws Error (usage) when the lab does not have them.
+  static void choose(const course::Look& look, AnyLab& lab, View& view);
+  /// How many times as wide as high the look is meant to be seen, 1 or more.
+  static double aspect_of(const course::Look& look);
+
+ private:
+  std::vector<Entry> entries_;
+  std::string fault_;
+};
+
+}  // namespace texel::app

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "gl/upload.hpp"
+
+namespace texel::app {
+
+/// A picture for ImGui: its bytes as they are, enlarged to squares.
+inline gl::Texture picture_texture(const image::Image8& picture) {
+  gl::Sampling sampling;
+  sampling.minify = GL_LINEAR, sampling.magnify = GL_NEAREST;
+  sampling.wrap_s = sampling.wrap_t = GL_CLAMP_TO_EDGE;
+  return gl::make_texture_2d(picture, image::Encoding::linear, sampling);
+}
+
+}  // namespace texel::app

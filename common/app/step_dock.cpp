@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// The step beside the picture: its lines, what the handout says of them, and yours beside the expected
+// picture.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "image/colour.hpp"
+#include "panel.hpp"
+#include "theme.hpp"
+
+namespace texel::app {
+namespace {
+
+using Shown = CasePictures::Shown;
+
+void wrapped(const ImVec4& colour, const std::string& text) {
+  if (text.empty()) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, colour);
+  ImGui::TextWrapped("%s", text.c_str());
+  ImGui::PopStyleColor();
+}
+
+/// The file, a button that opens it, the handout's task, and the step's lines.
+Action text_part(WindowState& state) {
+  Action action = Action::none;
+  const CasePictures& pictures = *state.case_pictures;
+  const StepText& text = pictures.text;
+  if (ImGui::SmallButton("Open in editor")) action = Action::open_in_editor;
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", "By $VISUAL, else by code -g (E)");
+  if (state.own_look) {
+    ImGui::SameLine();
+    if (ImGui::SmallButton("Back to my look")) action = Action::own_look;
+    if (ImGui::IsItemHovered())
+      ImGui::SetTooltip("%s", "Sets parameters and view as they were before you picked a case");
+  }
+  ImGui::SameLine();
+  if (ImGui::SmallButton("Close")) state.case_pictures.reset();
+  if (!state.case_pictures) return action;
+  wrapped(theme().dim, fmt::format("{}:{}", text.shown_file, text.first_line));
+  wrapped(theme().text, text.task);
+  if (text.lines.empty()) return action;
+  ImGui::Separator();
+  ImGui::BeginChild(
+      "lines", {0, ImGui::GetTextLineHeightWithSpacing() * (static_cast<float>(text.lines.size()) + 1.2F)},
+      /*border=*/0, ImGuiWindowFlags_HorizontalScrollbar);
+  for (std::size_t i = 0; i < text.lines.size(); ++i) {
+    ImGui::TextColored(theme().dim, "%4d", text.first_line + static_cast<int>(i));
+    ImGui::SameLine();
+    const bool is_marker = text.lines[i].find("//@") != std::string::npos;
+    ImGui::TextColored(is_marker ? theme().dim : theme().text, "%s", text.lines[i].c_str());
+  }
+  ImGui::EndChild();
+  return action;
+}
+
+/// What the pictures' scale is, and how far off the worst pixel.
+std::string caption(const CasePictures& p) {
+  if (p.figures.non_finite > 0)
+    return fmt::format("{} pixels are not finite (green in the heat map)", p.figures.non_finite);
+  const std::string worst = p.figures.max == 0
+                                ? "equal to the expected picture"
+                                : fmt::format("worst pixel ({}, {}): {:.3g} {} off", p.figures.worst_x,
+                                              p.figures.worst_y, p.figures.max, p.unit);
+  return fmt::format("{}; limit {:g}", worst, p.limit);
+}
+
+/// The bar below the heat map: from 0 to the largest error.
+void heat_scale(const CasePictures& p, float width) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetTextLineHeight() * 0.6F;
+  constexpr int kParts = 64;
+  for (int i = 0; i < kParts; ++i) {
+    const std::array<float, 3> c = image::heat((static_cast<float>(i) + 0.5F) / kParts);
+    const float step = width / kParts, left = at.x + step * static_cast<float>(i);
+    ImGui::GetWindowDrawList()->AddRectFilled({left, at.y}, {left + step + 1, at.y + height},
+                                              ImGui::GetColorU32({c[0], c[1], c[2], 1}));
+  }
+  ImGui::Dummy({width, height});
+  ImGui::TextColored(theme().dim, "0");
+  const std::string most = fmt::format("{:.3g} {}", p.figures.max, p.unit);
+  ImGui::SameLine(width - ImGui::CalcTextSize(most.c_str()).x);
+  ImGui::TextColored(theme().dim, "%s", most.c_str());
+}
+
+void picture_part(CasePictures& p, float side) {
+  if (!p.fault.empty()) {
+    wrapped(theme().next, p.fault);
+    wrapped(theme().next, without_markdown(p.message));
+    return;
+  }
+  const auto choose = [&](const char* name, Shown value) {
+    if (value != Shown::split) ImGui::SameLine();
+    if (ImGui::RadioButton(name, p.shown == value)) p.shown = value;
+  };
+  choose("yours | expected", Shown::split), choose("difference", Shown::difference);
+  choose("heat map", Shown::heat_map);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = side * static_cast<float>(p.height) / static_cast<float>(p.width);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const auto show = [&](const gl::Texture& texture, float from, float to) {
+    const auto id = ImTextureID(std::uintptr_t{texture.id()});  // a pointer, since ImGui 1.91 a number
+    // Bottom row first: v runs upwards.
+    list.AddImage(id, {at.x + from * side, at.y}, {at.x + to * side, at.y + height}, {from, 1}, {to, 0});
+  };
+  if (p.shown == Shown::split) {
+    show(p.own, 0, p.position);
+    show(p.expected, p.position, 1);
+    const float x = at.x + p.position * side;
+    list.AddLine({x, at.y}, {x, at.y + height}, IM_COL32_WHITE, 1);
+  } else {
+    show(p.shown == Shown::difference ? p.difference : p.heat_map, 0, 1);
+  }
+  if (p.figures.max > 0) {  // the worst pixel
+    const float pixel = side / static_cast<float>(p.width);
+    const ImVec2 worst(at.x + (static_cast<float>(p.figures.worst_x) + 0.5F) * pixel,
+                       at.y + height - (static_cast<float>(p.figures.worst_y) + 0.5F) * pixel);
+    list.AddCircle(worst, 7, IM_COL32_BLACK, 0, 4);
+    list.AddCircle(worst, 7, IM_COL32(255, 64, 255, 255), 0, 2);
+  }
+  // The picture is a slider: the line follows the mouse.
+  ImGui::InvisibleButton("##picture", {side, height});
+  if (ImGui::IsItemActive() && p.shown == Shown::split)
+    p.position = std::clamp((ImGui::GetIO().MousePos.x - at.x) / side, 0.0F, 1.0F);
+  if (p.shown == Shown::heat_map) heat_scale(p, side);
+  wrapped(theme().dim, caption(p));
+  wrapped(theme().next, without_markdown(p.message));
+}
+
+}  // namespace
+
+glm::vec2 dock_size(const WindowState& state, glm::vec2 size, float scale) {
+  if (!state.case_pictures) return {0, 0};
+  if (size.x > 1.3F * size.y) return {std::min(420 * scale, 0.45F * size.x), 0};
+  return {0, std::min(340 * scale, 0.5F * size.y)};
+}
+
+Action draw_step(WindowState& state, glm::vec2 window, float /*scale*/) {
+  if (!state.case_pictures || state.dock == glm::vec2(0)) return Action::none;
+  const bool is_below = state.dock.y > 0;
+  const glm::vec2 at(is_below ? state.panel_width : window.x - state.dock.x,
+                     is_below ? window.y - state.dock.y : 0);
+  ImGui::SetNextWindowPos({at.x, at.y});
+  ImGui::SetNextWindowSize({window.x - at.x, window.y - at.y});
+  const CasePictures& p = *state.case_pictures;
+  ImGui::Begin(fmt::format("{} {}: {}###case", p.step, without_markdown(p.title), p.name).c_str(), nullptr,
+               ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoResize);
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float aspect = p.width > 0 ? static_cast<float>(p.height) / static_cast<float>(p.width) : 1;
+  // Below the picture: its buttons, the scale and three lines of text.
+  const float texts = ImGui::GetFrameHeightWithSpacing() + 4 * ImGui::GetTextLineHeightWithSpacing();
+  Action action = Action::none;
+  if (!p.fault.empty()) {
+    action = text_part(state);
+    if (state.case_pictures) picture_part(*state.case_pictures, 0);
+  } else if (is_below) {
+    const float side = std::clamp((room.y - texts) / aspect, 64.0F, 0.5F * room.x);
+    const float column = std::max(side, std::min(ImGui::GetFontSize() * 23, 0.5F * room.x));
+    ImGui::BeginChild("text", {room.x - column - ImGui::GetStyle().ItemSpacing.x, 0});
+    action = text_part(state);
+    ImGui::EndChild();
+    ImGui::SameLine();
+    ImGui::BeginChild("pictures");
+    if (state.case_pictures) picture_part(*state.case_pictures, side);
+    ImGui::EndChild();
+  } else {
+    picture_part(*state.case_pictures,
+                 std::min(room.x - ImGui::GetStyle().ScrollbarSize, (0.6F * room.y - texts) / aspect));
+    ImGui::Separator();
+    action = text_part(state);
+  }
+  ImGui::End();
+  return action;
+}
+
+}  // namespace texel::app

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "step_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+
+namespace texel::app {
+namespace {
+
+constexpr std::size_t kMostLines = 200;  // of a step whose last marker is gone
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+/// The index behind the bracket that closes the one at `open`.
+std::size_t behind_bracket(std::string_view text, std::size_t open) {
+  int depth = 0;
+  for (std::size_t i = open; i < text.size(); ++i) {
+    depth += text[i] == '{' ? 1 : text[i] == '}' ? -1 : 0;
+    if (depth == 0) return i + 1;
+  }
+  return text.size();
+}
+
+/// Digits raised and lowered, as Unicode has them.
+constexpr std::array<const char*, 10> kRaised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+constexpr std::array<const char*, 10> kLowered = {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
+
+/// LaTeX as the handouts use it, as one line of Unicode.
+std::string formula(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const char next = i + 1 < text.size() ? text[i + 1] : '\0';
+    if (c == '\\') {
+      std::size_t end = i + 1;
+      while (end < text.size() && std::isalpha(static_cast<unsigned char>(text[end])) != 0) ++end;
+      const std::string_view word = text.substr(i + 1, end - i - 1);
+      i = end - 1;
+      if (word == "qquad") {
+        result += "\n";
+        while (i + 1 < text.size() && text[i + 1] == ' ') ++i;
+      } else if (word == "lvert" || word == "rvert") {
+        result += "|";
+      } else if (word == "sqrt" && end < text.size() && text[end] == '{') {
+        const std::size_t behind = behind_bracket(text, end);
+        result += "√(" + formula(text.substr(end + 1, behind - end - 2)) + ")";
+        i = behind - 1;
+      } else if (word == "mathrm" || word == "mathbf" || word == "text") {
+        if (i + 1 < text.size() && text[i + 1] == ' ') ++i;
+      } else {
+        result += word;  // \cos; of "\ " nothing
+      }
+    } else if ((c == '^' || c == '_') && next >= '0' && next <= '9') {
+      const auto digit = static_cast<std::size_t>(next - '0');
+      result += c == '^' ? kRaised.at(digit) : kLowered.at(digit);
+      ++i;
+    } else if (c != '{' && c != '}') {
+      result += c;
+    }
+  }
+  return result;
+}
+
+/// The "Write:" of a section and, above it, its formulas that stand in lines of their own.
+std::string task_of(const std::vector<std::string>& lines, const std::string& step) {
+  std::string formulas, task;
+  bool is_here = false, writes = false;
+  for (const std::string& line : lines) {
+    if (line.starts_with("#")) is_here = line.starts_with("### " + step + " ");
+    if (!is_here) continue;
+    if (line.starts_with("$$")) formulas += line + "\n";
+    if (line.starts_with("- ")) writes = line.starts_with("- **Write:**");
+    if (writes && line.empty()) writes = false;
+    if (!writes) continue;
+    const std::size_t text = line.find_first_not_of(' ');
+    if (text != std::string::npos) task += (task.empty() ? "" : " ") + line.substr(text);
+  }
+  constexpr std::string_view kBullet = "- **Write:** ";
+  if (task.starts_with(kBullet)) task.erase(0, kBullet.size());
+  return without_markdown(formulas + task);
+}
+
+}  // namespace
+
+std::string without_markdown(std::string_view text) {
+  std::string result;
+  bool is_code = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '`') {
+      is_code = !is_code;
+    } else if (c == '$' && !is_code) {
+      const std::size_t marks = i + 1 < text.size() && text[i + 1] == '$' ? 2 : 1;
+      const std::size_t end = text.find('$', i + marks);
+      if (end == std::string_view::npos) {
+        result += c;
+        continue;
+      }
+      result += formula(text.substr(i + marks, end - i - marks));
+      i = end + marks - 1;
+    } else if (text.substr(i, 2) == "**" && !is_code) {
+      ++i;
+    } else if (c == '[' && !is_code) {  // of a link only its text
+      const std::size_t end = text.find(']', i);
+      if (end == std::string_view::npos) {
+        result += c;
+        continue;
+      }
+      result += without_markdown(text.substr(i + 1, end - i - 1));
+      i = end;
+      if (i + 1 < text.size() && text[i + 1] == '(') i = std::min(text.find(')', i), text.size() - 1);
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+StepText read_step_text(const std::filesystem::path& root, const std::string& lab_folder,
+                        const std::string& step, const std::string& file, int line) {
+  StepText text;
+  text.file = root / file, text.shown_file = file, text.first_line = line;
+  try {
+    const std::vector<std::string> lines = lines_of(read_file(text.file));
+    for (auto i = static_cast<std::size_t>(std::max(line, 1)) - 1; i < lines.size(); ++i) {
+      if (lines[i].find("//@starter") != std::string::npos || text.lines.size() == kMostLines) break;
+      text.lines.push_back(lines[i]);
+      if (lines[i].find("//@end") != std::string::npos) break;
+    }
+  } catch (const Error&) {
+    text.lines.clear();  // the file's name still helps
+  }
+  try {
+    text.task = task_of(lines_of(read_file(root / "labs" / lab_folder / "README.md")), step);
+  } catch (const Error&) {
+    text.task.clear();
+  }
+  return text;
+}
+
+}  // namespace texel::app

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace texel::app {
+
+/// What a student needs beside the picture: the step's own lines, and what the handout says to write.
+struct StepText {
+  std::filesystem::path file;      ///< on this machine
+  std::string shown_file;          ///< in the tree: "shaders/05_normal_map/decode_normal.glsl"
+  int first_line = 0;              ///< of `lines`, counted from 1
+  std::vector<std::string> lines;  ///< from the first marker to the last; none where the file cannot be read
+  std::string task;                ///< the handout's "Write:" and its formulas, as plain text; or ""
+};
+
+/// Reads the step's file from `line` on, and the section "### ID …" of the lab's README.md, both below
+/// `root`.
+StepText read_step_text(const std::filesystem::path& root, const std::string& lab_folder,
+                        const std::string& step, const std::string& file, int line);
+
+/// A handout's text without Markdown's marks; formulas in Unicode: "$T_1 = \sqrt{a^2}$" is "T₁ = √(a²)".
+std::string without_markdown(std::string_view text);
+
+}  // namespace texel::app

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/scratch_folder.hpp"
+#include "core/stopwatch.hpp"
+#include "core/watcher.hpp"
+#include "fitted_view.hpp"
+#include "gui.hpp"
+#include "history.hpp"
+#include "panel.hpp"
+#include "turntable.hpp"
+#include "window.hpp"
+
+namespace texel::app {
+
+/// A lab's window. window.cpp has its frames, window_input.cpp what keys, mouse and buttons do.
+class Window {
+ public:
+  Window(AnyLab& lab, const Assets& assets, const CommandLine& line);
+
+  void run();
+
+  /// Draws `count` frames as they are on a change of the look, and prints when the first picture stood, and
+  /// the panel, how long the others took, and which part of that the panel, the statistics and the parameters
+  /// had.
+  void time_frames(int count);
+
+ private:
+  /// The X server answers when the picture is on the screen.
+  void wait_until_shown() const;
+
+  /// Of the main thread: on a software renderer its rasteriser wants the same processors.
+  static double plumbing_milliseconds();
+
+  static Window& self(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
+  [[nodiscard]] GLFWwindow* window() const { return context_.window(); }
+  [[nodiscard]] params::Parameter* turn() { return lab_.parameters().find("turn"); }
+  [[nodiscard]] bool turning();
+  /// Whether a frame goes on with what takes longer than a frame.
+  [[nodiscard]] bool is_busy() const;
+
+  /// Asks for the window's size, once a frame: each question waits for the window system's answer.
+  void ask_size();
+  [[nodiscard]] float pixels_per_unit() const;
+  /// The picture lies right of the panel, and left of or above the step: its size in units and in pixels, and
+  /// a window position within it.
+  [[nodiscard]] glm::vec2 picture_units() const { return glm::max(room() - state_.dock, glm::vec2(16)); }
+  /// Beside the panel.
+  [[nodiscard]] glm::vec2 room() const;
+  [[nodiscard]] glm::ivec2 picture_pixels() const;
+  [[nodiscard]] glm::vec2 in_picture(glm::vec2 position) const;
+
+  /// The look that was chosen last, or null.
+  [[nodiscard]] const course::Look* chosen_look() const {
+    return state_.look ? &state_.looks->entries()[*state_.look].look : nullptr;
+  }
+  /// The camera of a narrow window: as wide as the chosen look, or as a square.
+  [[nodiscard]] FittedView fitted_view() {
+    return {lab_.parameters(), picture_pixels(),
+            chosen_look() != nullptr ? Looks::aspect_of(*chosen_look()) : 1};
+  }
+
+  [[nodiscard]] bool is_seen() const { return pixels_.x > 0 && pixels_.y > 0; }  // not iconified
+
+  /// Shows the first picture, then makes what draws the panel: a software renderer compiles that for 70 ms.
+  void open();
+
+  void frame();
+
+  void show_picture();
+
+  /// The last picture and the panel.
+  void show();
+
+  /// Edited shaders are compiled again, edited pictures and models loaded again.
+  void watch();
+
+  /// Steps are checked when the first picture stands, and after every save.
+  void follow_steps();
+
+  void reload(bool assets);
+
+  void advance();
+
+  /// What the picture depends on; nothing is drawn again while it stays the same.
+  struct Look {
+    std::string key;
+    View view = View::color;
+    glm::ivec2 size{0};
+    std::string split;
+    bool wireframe = false, axes = false;
+    bool operator==(const Look&) const = default;
+  };
+
+  void draw_picture();
+
+  /// Reads the data views at the clicked pixel.
+  void inspect();
+
+  void perform(Action action);
+  /// Sets parameters, view and gallery's look.
+  void go_to(const SavedLook& look);
+  /// "lab05_normal_map-001.png": the first such name that is free.
+  [[nodiscard]] std::filesystem::path free_name(const std::string& ending) const;
+  /// The picture without the panel.
+  void write_picture(const std::filesystem::path& file);
+  void copy_picture();
+  void go_on_with_turntable();
+  /// The shader error's place, else the step's.
+  void open_place();
+  /// The previous or next item of a list.
+  static void step(params::Parameter* parameter, int by);
+  /// The picture that K and L change: `texture`, else `cube_map`.
+  params::Parameter* texture_parameter();
+  void on_key(int key, int action, bool control);
+  /// A model or a picture that was dropped on the window.
+  void on_drop(const std::filesystem::path& file);
+  void change(const char* name, double factor, double offset);
+  /// Adds to an angle that goes round.
+  void turn_round(const char* name, float degrees);
+  /// By the mouse's place now: ImGui's WantCaptureMouse is that of the last frame.
+  [[nodiscard]] bool over_picture() const;
+  void on_scroll(double dy);
+  void on_button(int button, int action);
+  void click();
+  void on_move(glm::vec2 mouse);
+
+  enum class Drag { none, picture, split_line, light };
+
+  AnyLab& lab_;
+  const Assets& assets_;
+  int samples_;
+  gl::WindowContext context_;
+  Canvas canvas_;
+  std::optional<Gui> gui_;
+  WindowState state_;
+  Watcher watcher_;
+  Stopwatch watch_clock_, frame_clock_;
+  glm::ivec2 pixels_{0};  ///< of the framebuffer
+  glm::ivec2 units_{0};   ///< of the window, in the units in which the mouse's place is told
+  Look drawn_;
+  History history_;
+  std::optional<Turntable> turntable_;    ///< while it is written
+  std::optional<ScratchFolder> scratch_;  ///< for the clipboard
+  double truth_share_ = 1;                ///< of the exact answer that the view `error` needs
+  bool opens_with_hero_ = false;
+  bool inspected_once_ = false;
+  bool steps_begun_ = false;
+  std::string see_;  ///< the step that is shown as soon as it is checked, or ""
+  std::filesystem::path own_program_;
+  float scale_ = 1;
+  Drag drag_ = Drag::none;
+  glm::vec2 mouse_{0}, pressed_at_{0};
+};
+
+}  // namespace texel::app

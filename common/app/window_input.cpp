@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+// What keys, mouse and buttons do in a lab's window.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "config.hpp"
+#include "core/error.hpp"
+#include "core/plain_text.hpp"
+#include "desktop.hpp"
+#include "settings.hpp"
+#include "snapshot.hpp"
+#include "window_class.hpp"
+
+namespace texel::app {
+namespace {
+
+constexpr float kDegreesPerUnit = 0.35F;  // of dragging
+constexpr float kClickTolerance = 3;      // window units that a click may move
+
+}  // namespace
+
+void Window::perform(Action action) {
+  try {
+    switch (action) {
+      case Action::none:
+        return;
+      case Action::copy_command_line:
+        state_.message = command_line(lab_, state_.view);
+        glfwSetClipboardString(window(), state_.message.c_str());
+        return;
+      case Action::copy_picture:
+        copy_picture();
+        return;
+      case Action::save_config:
+        save_config(state_.config_file, lab_.info(), lab_.parameters());
+        state_.message = "saved " + state_.config_file;
+        return;
+      case Action::load_config:
+        load_config(state_.config_file, lab_.info(), lab_.parameters());
+        state_.message = "loaded " + state_.config_file;
+        return;
+      case Action::snapshot: {
+        const std::filesystem::path file = free_name(".png");
+        write_picture(file);
+        state_.message = "wrote " + file.string();
+        return;
+      }
+      case Action::turntable:
+        turntable_.emplace(free_name("-turntable"));
+        return;
+      case Action::default_look:
+        lab_.parameters().reset();
+        state_.look.reset();
+        if (opens_with_hero_) state_.look = 0;  // the hero
+        if (const course::Look* hero = chosen_look()) Looks::choose(*hero, lab_, state_.view);
+        return;
+      case Action::show_looks:
+        state_.looks_open = !state_.looks_open && !state_.looks->entries().empty();
+        return;
+      case Action::own_look:
+        if (state_.own_look) go_to(*state_.own_look);
+        state_.own_look.reset();
+        state_.case_pictures.reset();
+        return;
+      case Action::undo:
+        if (const SavedLook* look = history_.undo())
+          go_to(*look);
+        else
+          state_.message = "nothing to undo";
+        return;
+      case Action::redo:
+        if (const SavedLook* look = history_.redo())
+          go_to(*look);
+        else
+          state_.message = "nothing to redo";
+        return;
+      case Action::reload:
+        reload(/*assets=*/true);
+        return;
+      case Action::open_in_editor:
+        open_place();
+        return;
+      case Action::toggle_normal_map:
+        if (params::Parameter* p = lab_.parameters().find("normal_mapping"))
+          p->set_value(p->value() != 0 ? 0 : 1);
+        return;
+      case Action::toggle_pause:
+        state_.paused = !state_.paused;
+        return;
+      case Action::toggle_panel:
+        state_.panel_visible = !state_.panel_visible;
+        return;
+      case Action::toggle_theme:
+        state_.light_theme = !state_.light_theme;
+        set_theme(state_.light_theme, scale_);
+        return;
+      case Action::toggle_wireframe:
+        state_.wireframe = !state_.wireframe;
+        return;
+      case Action::toggle_axes:
+        state_.axes = !state_.axes;
+        if (std::ranges::count(lab_.views(), View::normal) == 0)
+          state_.message = "this lab has no normals to show";
+        return;
+      case Action::previous_texture:
+        step(texture_parameter(), -1);
+        return;
+      case Action::next_texture:
+        step(texture_parameter(), +1);
+        return;
+      case Action::reset_view:
+        for (const char* name : {"yaw", "pitch", "distance", "field_of_view", "turn"})
+          if (params::Parameter* p = lab_.parameters().find(name)) {
+            p->reset();
+            for (const auto& [parameter, value] :
+                 chosen_look() != nullptr ? chosen_look()->settings : Settings())
+              if (parameter == name) p->set(value);
+          }
+        return;
+      case Action::show_keys:
+        state_.keys_open = !state_.keys_open;
+        return;
+      case Action::quit:
+        // Esc closes what is open first.
+        if (std::exchange(state_.looks_open, false) || std::exchange(state_.keys_open, false)) return;
+        glfwSetWindowShouldClose(window(), GLFW_TRUE);
+        return;
+    }
+  } catch (const Error& error) {
+    state_.message = error.what();
+  }
+}
+
+void Window::go_to(const SavedLook& look) {
+  restore(look, lab_.parameters());
+  state_.view = look.view, state_.look = look.look;
+}
+
+std::filesystem::path Window::free_name(const std::string& ending) const {
+  for (int i = 1; i < 1000; ++i) {
+    const std::filesystem::path name = fmt::format("{}-{:03}{}", lab_.info().program(), i, ending);
+    if (!std::filesystem::exists(name)) return name;
+  }
+  throw Error::failed("there are already 999 snapshots here", {}, "remove some of them");
+}
+
+void Window::write_picture(const std::filesystem::path& file) {
+  if (truth_share_ < 1)
+    throw Error::failed("the exact answer is not there yet", {},
+                        "wait until the status line no longer says so");
+  const FittedView fitted = fitted_view();
+  take_snapshot(canvas_, lab_, state_.view, picture_pixels(), file).write();
+}
+
+void Window::copy_picture() {
+  if (!scratch_) scratch_.emplace();
+  const std::filesystem::path file = scratch_->path() / "picture.png";
+  write_picture(file);
+  copy_png(file);
+  state_.message = "the picture is in the clipboard";
+}
+
+void Window::go_on_with_turntable() {
+  const FittedView fitted = fitted_view();
+  try {
+    turntable_->write_next(canvas_, lab_, state_.view, picture_pixels(), samples_);
+  } catch (const Error&) {
+    turntable_.reset();
+    throw;
+  }
+  state_.message = fmt::format("{} of {} pictures in {}/", turntable_->written(), Turntable::kPictures,
+                               turntable_->folder().string());
+  if (turntable_->written() == Turntable::kPictures) turntable_.reset();
+  drawn_ = {};
+}
+
+void Window::open_place() {
+  if (!state_.error.file.empty())
+    app::open_in_editor(state_.error.file, state_.error.line, state_.error.column);
+  else if (state_.case_pictures)
+    app::open_in_editor(state_.case_pictures->text.file, state_.case_pictures->text.first_line);
+  else
+    state_.message = "pick a case of a step first";
+}
+
+void Window::step(params::Parameter* parameter, int by) {
+  if (parameter == nullptr || parameter->items.empty()) return;
+  const auto count = static_cast<int>(parameter->items.size());
+  int index = -1;
+  for (int i = 0; i < count; ++i)
+    if (parameter->text() == parameter->items[static_cast<std::size_t>(i)].name) index = i;
+  parameter->set(parameter->items[static_cast<std::size_t>((index + by + count) % count)].name);
+}
+
+params::Parameter* Window::texture_parameter() {
+  params::Parameter* texture = lab_.parameters().find("texture");
+  return texture != nullptr ? texture : lab_.parameters().find("cube_map");
+}
+
+void Window::on_key(int key, int action, bool control) {
+  if (action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
+  perform(action_of(key, control));
+}
+
+void Window::on_drop(const std::filesystem::path& file) {
+  const bool is_model = lower_case(file.extension().string()) == ".obj";
+  params::Parameter* parameter = is_model ? model_parameter(lab_.parameters()) : texture_parameter();
+  if (parameter == nullptr || parameter->type != params::Parameter::Type::file) {
+    state_.message = fmt::format("this lab takes no {}", is_model ? "model" : "picture");
+    return;
+  }
+  try {
+    parameter->set(file.string());
+    state_.message = fmt::format("{} is {}", parameter->name, file.string());
+  } catch (const Error& error) {
+    state_.message = error.what();
+  }
+}
+
+void Window::change(const char* name, double factor, double offset) {
+  if (params::Parameter* p = lab_.parameters().find(name))
+    p->set_value(std::clamp(p->value() * factor + offset, p->least, p->most));
+}
+
+void Window::turn_round(const char* name, float degrees) {
+  if (params::Parameter* p = lab_.parameters().find(name))
+    p->set_value(std::remainder(p->value() + static_cast<double>(degrees), 360));
+}
+
+bool Window::over_picture() const {
+  const glm::vec2 at = in_picture(mouse_), size = picture_units();
+  const bool inside = at.x >= 0 && at.x < size.x && at.y < size.y;
+  const bool is_covered = state_.looks_open || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup) ||
+                          ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow);
+  return inside && !is_covered;
+}
+
+void Window::on_scroll(double dy) {
+  if (over_picture()) change("distance", std::pow(0.9, dy), 0);
+}
+
+void Window::on_button(int button, int action) {
+  if (button == GLFW_MOUSE_BUTTON_RIGHT) {
+    drag_ = action == GLFW_PRESS && over_picture() ? Drag::light : Drag::none;
+    return;
+  }
+  if (button != GLFW_MOUSE_BUTTON_LEFT) return;
+  if (action == GLFW_PRESS && over_picture()) {
+    drag_ = Drag::picture;
+    if (state_.split &&
+        std::abs(in_picture(mouse_).x - state_.split->position * picture_units().x) < 8 * scale_)
+      drag_ = Drag::split_line;
+    pressed_at_ = mouse_;
+  } else if (action == GLFW_RELEASE) {
+    if (drag_ == Drag::picture && glm::distance(pressed_at_, mouse_) <= kClickTolerance) click();
+    drag_ = Drag::none;
+  }
+}
+
+void Window::click() {
+  const glm::vec2 pixel = in_picture(mouse_) * pixels_per_unit();
+  state_.inspected.emplace();
+  state_.inspected->pixel = {static_cast<int>(pixel.x), picture_pixels().y - 1 - static_cast<int>(pixel.y)};
+  drawn_ = {};
+}
+
+void Window::on_move(glm::vec2 mouse) {
+  const glm::vec2 moved = mouse - mouse_;
+  mouse_ = mouse;
+  if (drag_ == Drag::split_line && state_.split)
+    state_.split->position = std::clamp(in_picture(mouse).x / picture_units().x, 0.0F, 1.0F);
+  if (drag_ == Drag::light) {
+    turn_round("light_yaw", kDegreesPerUnit * moved.x);
+    change("light_pitch", 1, static_cast<double>(-kDegreesPerUnit * moved.y));
+  }
+  if (drag_ != Drag::picture || glm::distance(pressed_at_, mouse) <= kClickTolerance) return;
+  turn_round("yaw", -kDegreesPerUnit * moved.x);
+  change("pitch", 1, static_cast<double>(kDegreesPerUnit * moved.y));
+}
+
+}  // namespace texel::app

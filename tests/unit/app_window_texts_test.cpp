@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// The window's parts that need no window: the step's text, a compiler's message, undo and redo.
+#include <gtest/gtest.h>
+
+#include "core/files.hpp"
+#include "core/scratch_folder.hpp"
+#include "history.hpp"
+#include "shader_message.hpp"
+#include "step_text.hpp"
+
+namespace texel::app {
+namespace {
+
+TEST(StepText, formulas_become_unicode) {
+  EXPECT_EQ(without_markdown("the normal: $n = 2c − 1$. `DECODE` says **which**"),
+            "the normal: n = 2c − 1. DECODE says which");
+  EXPECT_EQ(without_markdown("$$E_1 = Δs_1\\ T \\qquad E_2 = 0$$"), "E₁ = Δs₁ T \nE₂ = 0");
+  EXPECT_EQ(without_markdown("$\\mathrm{atan}(\\sqrt{n_x^2 + 1}, \\lvert a \\rvert)$"),
+            "atan(√(n_x² + 1), | a |)");
+  EXPECT_EQ(without_markdown("the [Slides] and [a page](https://example.org/a) cost $5"),
+            "the Slides and a page cost $5");
+}
+
+TEST(StepText, has_the_steps_lines_and_the_handouts_task) {
+  const ScratchFolder root;
+  std::filesystem::create_directories(root.path() / "labs/05_x");
+  write_file(root.path() / "a.glsl", "vec3 f() {\n  //@step 5.1 begin\n  return x;\r\n  //@end\n}\n");
+  write_file(root.path() / "labs/05_x/README.md",
+             "### 5.1 One\n$$a = b$$\n- **Where:** here\n- **Write:** the value,\n  and more.\n- **Checked "
+             "by:** us\n"
+             "### 5.10 Other\n- **Write:** nothing\n");
+  const StepText text = read_step_text(root.path(), "05_x", "5.1", "a.glsl", 2);
+  EXPECT_EQ(text.lines, (std::vector<std::string>{"  //@step 5.1 begin", "  return x;", "  //@end"}));
+  EXPECT_EQ(text.task, "a = b\nthe value, and more.");
+}
+
+TEST(StepText, stops_before_the_starters_text_and_bears_missing_files) {
+  const ScratchFolder root;
+  write_file(root.path() / "a.glsl", "//@step 5.1 begin\nright\n//@starter\n// wrong\n//@end\n");
+  const StepText text = read_step_text(root.path(), "05_x", "5.1", "a.glsl", 1);
+  EXPECT_EQ(text.lines.size(), 2U);
+  EXPECT_EQ(text.task, "");
+  EXPECT_TRUE(read_step_text(root.path(), "05_x", "5.1", "missing.glsl", 1).lines.empty());
+}
+
+TEST(ErrorMessage, has_the_first_message_its_line_and_how_many_follow) {
+  const ScratchFolder root;
+  const std::filesystem::path shaders = root.path() / "shaders";
+  std::filesystem::create_directory(shaders);
+  write_file(shaders / "a.frag", "one\n  two two \nthree\n");
+  const ErrorMessage message = read_message("a.frag:2:7: error: no\na.frag:3: error: also\nend", shaders);
+  EXPECT_EQ(message.first, "shaders/a.frag:2:7: error: no");
+  EXPECT_EQ(message.source_line, "two two");
+  EXPECT_EQ(message.file, shaders / "a.frag");
+  EXPECT_EQ(message.line, 2);
+  EXPECT_EQ(message.column, 7);
+  EXPECT_EQ(message.others, 2);
+}
+
+TEST(ErrorMessage, of_another_kind_stays_as_it_is) {
+  const ErrorMessage message = read_message("brick.png: is cut off; restore it", "/nowhere");
+  EXPECT_EQ(message.first, "brick.png: is cut off; restore it");
+  EXPECT_TRUE(message.file.empty());
+  EXPECT_EQ(message.others, 0);
+}
+
+TEST(History, goes_back_and_forth_and_forgets_what_was_undone) {
+  const auto look = [](const char* value) { return SavedLook{{value}, View::color, {}}; };
+  History history;
+  for (const char* value : {"a", "a", "b", "c"}) history.note(look(value));
+  EXPECT_EQ(*history.undo(), look("b"));
+  EXPECT_EQ(*history.undo(), look("a"));
+  EXPECT_EQ(history.undo(), nullptr);
+  EXPECT_EQ(*history.redo(), look("b"));
+  history.note(look("d"));
+  EXPECT_EQ(history.redo(), nullptr);
+  EXPECT_EQ(*history.undo(), look("b"));
+}
+
+}  // namespace
+}  // namespace texel::app
