@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: MIT
+// The pages of the labs in a real browser, with a stand-in for the engine (engine/). CHROMIUM names the browser.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { cpSync, existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { after, before, beforeEach, test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { serve } from "./serve.mjs";
+
+const here = dirname(fileURLToPath(import.meta.url));
+const site = join(here, "../../web/site");
+if (!existsSync(join(site, "node_modules"))) {
+  console.log("skipped: the packages of web/site are not installed (npm ci)");
+  process.exit(77);
+}
+const require = createRequire(join(site, "package.json"));
+const puppeteer = require("puppeteer-core");
+const { unzipSync, strFromU8, zipSync, strToU8 } = require("fflate");
+
+const folder = mkdtempSync(join(tmpdir(), "texel_pages_"));
+const kFile = "shaders/05_normal_map/decode_normal.glsl";
+let server, browser, page, complaints;
+
+before(async () => {
+  cpSync(join(here, "engine"), join(folder, "engine"), { recursive: true });
+  const built = spawnSync(process.execPath, [join(site, "build.mjs"), "--out", folder], { encoding: "utf8" });
+  assert.equal(built.status, 0, built.stderr);
+  server = await serve(folder, "/some/where/");
+  browser = await puppeteer.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", headless: true,
+    args: ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"] });
+});
+after(async () => {
+  await browser?.close();
+  server?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+beforeEach(async () => {
+  await page?.browserContext().close();
+  page = await (await browser.createBrowserContext()).newPage();
+  complaints = [];
+  page.on("pageerror", (error) => complaints.push(String(error)));
+  page.on("requestfailed", (request) => complaints.push(request.url()));
+  await page.setViewport({ width: 1300, height: 900 });
+});
+
+/** Opens the page of lab 5 and waits for its steps. */
+async function open(search = "") {
+  await page.goto(`${server.url}05_normal_map/index.html${search}`);
+  await page.evaluate(() => texel.ready);
+}
+const text = (selector) => page.$eval(selector, (node) => node.textContent);
+const until = (condition, ...values) => page.waitForFunction(condition, { timeout: 20_000 }, ...values);
+/** Types into the editor of step 5.1, in place of all that stands there. */
+async function type(code) {
+  await page.evaluate(() => document.querySelector(".workbench").scrollIntoView());
+  await page.waitForSelector(".cm-content", { timeout: 20_000 });
+  await page.focus(".cm-content");
+  await page.keyboard.down("Control");
+  await page.keyboard.press("a");
+  await page.keyboard.up("Control");
+  await page.keyboard.type(code);
+}
+const badge = (wanted) => until((w) => document.querySelector(".badge").textContent === w, wanted);
+
+test("the panel is made from the declaration", async () => {
+  await open();
+  const controls = await page.$$eval(".parameter > label", (labels) => labels.map((label) => [label.textContent, document.getElementById(label.htmlFor)?.type ?? ""]));
+  const made = Object.fromEntries(controls);
+  assert.equal(made.method, "select-one");
+  assert.equal(made["normal mapping"], "checkbox");
+  assert.equal(made.segments, "range");
+  assert.deepEqual(await page.$$eval("#parameter-method option", (options) => options.map((o) => [o.value, o.title])),
+    [["raw", "The map as it is"], ["averaged", "Averaged per vertex"], ["mikktspace", "Mikkelsen's rules"]]);
+  assert.equal(await page.$eval("[data-part=parameters-Camera]", (part) => part.open), false);
+  // The middle of a logarithmic slider from 0.0001 to 10 is their geometric mean.
+  await page.$eval("#parameter-near", (slider) => {
+    slider.value = 500;
+    slider.dispatchEvent(new Event("input"));
+  });
+  assert.equal(await page.$eval("#parameter-near", (slider) => slider.getAttribute("aria-valuetext")), "0.03162 units");
+  await until(() => location.search === "?near=0.03162");
+  await page.click("[aria-label='Reset near to 0.1']");
+  await until(() => location.search === "");
+  assert.deepEqual(complaints, []);
+});
+
+test("the address is the state, there and back", async () => {
+  await open("?method=raw&yaw=75&view=normal&compare=method:averaged:0.25");
+  const state = () => page.evaluate(() => ({
+    method: document.getElementById("parameter-method").value, yaw: document.getElementById("parameter-yaw").value,
+    view: document.querySelector(".views input:checked").value, left: document.querySelector(".divider .left").textContent,
+    right: document.querySelector(".divider .right").textContent, at: document.querySelector(".divider").getAttribute("aria-valuenow"),
+  }));
+  const first = await state();
+  assert.deepEqual({ ...first, yaw: undefined }, { method: "raw", yaw: undefined, view: "normal", left: "raw", right: "averaged", at: "25" });
+  await page.focus("#picture");
+  await page.keyboard.press("ArrowLeft");  // turns the camera
+  await until(() => new URLSearchParams(location.search).get("yaw") === "87");
+  const address = page.url();
+  await page.goto("about:blank");
+  await page.goto(address);
+  await page.evaluate(() => texel.ready);
+  assert.deepEqual(await state(), { ...first, yaw: await page.$eval("#parameter-yaw", (slider) => slider.value) });
+  assert.equal(page.url(), address);
+  await page.click("[data-look=cube_raw]");
+  await until(() => location.search === "?method=raw");
+  assert.equal(await page.$eval(".divider", (divider) => divider.hidden), true);
+  // Names that the lab does not have change nothing.
+  await open("?nonsense=1&view=nonsense");
+  assert.equal(await page.$eval(".message", (message) => message.hidden), true);
+});
+
+test("a look by name, and a command of the handout, set the picture", async () => {
+  await open("?look=raw");
+  assert.equal(await page.$eval(".views input:checked", (input) => input.value), "normal");
+  await page.$eval("a.see[href='?method=raw&normal_map=bump&view=normal']", (link) => link.click());
+  assert.equal(await page.$eval("#parameter-method", (select) => select.value), "raw");
+  await page.evaluate(() => texel.ready.then(() => [...document.querySelectorAll(".workbench button")].find((b) => b.textContent === "See the step's look").click()));
+  await until(() => location.search === "?method=raw&view=normal");
+});
+
+test("what is written is judged after a pause, and survives a reload", async () => {
+  await open();
+  assert.equal(await text(".badge"), "to do");
+  await type("  return swapped;");
+  await until(() => document.querySelector(".cause").textContent === "This looks like: red and green swapped");
+  assert.match(await text(".verdict"), /Off by 12.4 degrees/);
+  await type("  return right;");
+  await badge("done");
+  assert.match(await text(".progress b"), /^1 of 1 shader steps is right, 1 of 1 points/);
+  await page.reload();
+  await page.evaluate(() => texel.ready);
+  await badge("done");
+  assert.match(await text(".editor"), /return right;/);
+  await page.evaluate(() => [...document.querySelectorAll(".workbench button")].find((b) => b.textContent === "Start over").click());
+  await badge("to do");
+  await page.reload();
+  await page.evaluate(() => texel.ready);
+  assert.match(await text(".editor"), /return color;/);
+});
+
+test("an error of the compiler stands at its line, over the last good picture", async () => {
+  await open();
+  await type("  float a;\nsyntax error");
+  await badge("does not compile");
+  assert.match(await text(".workbench .problem"), /^line 5: /);
+  assert.equal(await page.$$eval(".cm-lint-marker-error", (marks) => marks.length), 1);
+  assert.equal(await text(".verdict"), "");  // the last verdict is of another text
+  await type("  return right;");
+  await badge("done");
+  assert.equal(await page.$eval(".workbench .problem", (problem) => problem.hidden), true);
+});
+
+test("a case shows yours and the expected picture", async () => {
+  await open();
+  await page.evaluate(() => document.querySelector(".cases button").click());
+  await page.waitForSelector(".viewer canvas", { timeout: 20_000 });
+  const pixel = (x) => page.evaluate((at) => document.querySelector(".viewer canvas").getContext("2d").getImageData(at, 0, 1, 1).data[0], x);
+  assert.deepEqual([await pixel(0), await pixel(3)], [40, 200]);
+  await page.click(".viewer input[value=heat_map]");
+  assert.equal(await pixel(0), 90);
+  assert.equal(await page.$eval("#parameter-method", (select) => select.value), "raw");
+});
+
+test("a .zip goes out and comes in again with the same text", async () => {
+  await open();
+  await page.evaluate(() => texel.write("5.1", "  return right; // é\n"));
+  // What the page gives to the user, without a folder for downloads.
+  await page.evaluate(() => {
+    window.given = new Promise((done) => {
+      const make = URL.createObjectURL;
+      URL.createObjectURL = (blob) => {
+        blob.arrayBuffer().then((bytes) => done([...new Uint8Array(bytes)]));
+        return make(blob);
+      };
+    });
+    [...document.querySelectorAll(".progress button")].find((b) => b.textContent === "Save as .zip").click();
+  });
+  const bytes = Uint8Array.from(await page.evaluate(() => window.given));
+  const files = unzipSync(bytes);
+  assert.deepEqual(Object.keys(files), [kFile]);
+  assert.match(strFromU8(files[kFile]), /begin\n {2}return right; \/\/ é\n {2}\/\/@end/);
+  // In a browser that has nothing yet; a folder around the tree does not matter.
+  await page.evaluate(() => localStorage.clear());
+  await open();
+  const bring = async (content) => {
+    await page.evaluate((list) => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([Uint8Array.from(list)], "work.zip"));
+      const input = document.querySelector(".progress input[type=file]");
+      input.files = transfer.files;
+      input.dispatchEvent(new Event("change"));
+    }, [...content]);
+  };
+  await bring(zipSync({ [`my-labs/${kFile}`]: files[kFile] }));
+  await badge("done");
+  assert.match(await text(".editor"), /return right; \/\/ é/);
+  await bring(zipSync({ "notes.txt": strToU8("none") }));
+  await until((path) => document.querySelector(".progress [role=status]").textContent.includes(path), kFile);
+  await bring(Uint8Array.from([1, 2, 3]));
+  await until(() => document.querySelector(".progress [role=status]").textContent.includes("no .zip"));
+});
+
+test("an endless shader is stopped, and its last change can be undone", async () => {
+  await open();
+  await page.evaluate(() => texel.write("5.1", "  return right;\n"));
+  await badge("done");
+  await type("for (;;)");
+  await until(() => document.querySelector(".message button")?.textContent === "Undo the last change and start again");
+  assert.match(await text(".message"), /step 5.1 may loop for ever/);
+  assert.equal(await page.evaluate(() => 6 * 7), 42);  // the page itself goes on
+  await page.click(".message button");
+  await badge("done");
+  assert.match(await text(".editor"), /return right;/);
+  await until(() => document.querySelector(".message").hidden);
+  // After a reload in the middle of it the same is offered: only the first text is known to draw.
+  await type("for (;;)");
+  await page.waitForSelector(".message button", { timeout: 20_000 });
+  await page.reload();
+  await page.waitForSelector(".message button", { timeout: 20_000 });
+});
+
+test("a lost context comes back with the same look", async () => {
+  await open("?method=raw");
+  await page.evaluate(() => { window.old = document.querySelector(".picture canvas"); });
+  await page.evaluate(() => texel.lose());
+  await until(() => document.querySelector(".picture canvas") !== window.old && document.querySelector(".message").hidden);
+  await page.evaluate(() => texel.draw({ size: "8x8" }));
+  assert.equal(page.url().split("?")[1], "method=raw");
+});
+
+test("pages fit a phone, a desk and a large screen, in light and dark", async () => {
+  for (const width of [375, 768, 1300, 1920, 2560])
+    for (const scheme of ["light", "dark"]) {
+      await page.setViewport({ width, height: 900 });
+      await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: scheme }]);
+      for (const path of ["index.html", "05_normal_map/index.html", "guide/index.html"]) {
+        await page.goto(server.url + path);
+        await page.evaluate(() => window.texel?.ready);
+        const widest = await page.evaluate(() => Math.max(document.documentElement.scrollWidth, ...[...document.querySelectorAll(".handout, .panel")].map((e) => e.scrollWidth - e.clientWidth + innerWidth)));
+        assert.ok(widest <= width, `${path} is ${widest} wide at ${width}, ${scheme}`);
+      }
+    }
+  assert.deepEqual(complaints, []);
+});
+
+test("every control has a name and can be reached and worked by keys", async () => {
+  await open();
+  const nameless = await page.evaluate(() => [...document.querySelectorAll("button, input, select, a, [role=slider], [tabindex='0']")]
+    .filter((e) => e.checkVisibility() && !(e.getAttribute("aria-label") || e.textContent.trim() || e.labels?.length || e.title || e.querySelector("img[alt]")?.alt))
+    .map((e) => e.outerHTML.slice(0, 120)));
+  assert.deepEqual(nameless, []);
+  const reached = new Set();
+  for (let i = 0; i < 60; ++i) {
+    await page.keyboard.press("Tab");
+    reached.add(await page.evaluate(() => document.activeElement.id || document.activeElement.dataset.tool || document.activeElement.className));
+  }
+  for (const wanted of ["skip", "picture", "turn", "snapshot", "look", "parameter-method", "parameter-segments"]) assert.ok(reached.has(wanted), wanted);
+  await page.focus("#parameter-segments");
+  await page.keyboard.press("ArrowRight");
+  await until(() => location.search === "?segments=25");
+  await page.focus("#picture");
+  await page.keyboard.press("Enter");
+  await until(() => !document.querySelector(".pixel").hidden);
+  assert.deepEqual(await page.$$eval(".pixel td", (cells) => cells.map((cell) => cell.textContent)), ["0.0000  0.6000  -0.8000", "background"]);
+  await page.keyboard.press("j");
+  await until(() => location.search === "");
+  await page.keyboard.press(" ");
+  await until(() => document.querySelector("[data-tool=turn]").getAttribute("aria-pressed") === "true");
+});
+
+test("fingers and the wheel turn and zoom, and a tap reads a pixel", async () => {
+  await page.setViewport({ width: 375, height: 812, isMobile: true, hasTouch: true });
+  await open();
+  await page.touchscreen.tap(100, 200);
+  await until(() => document.querySelector(".pixel").textContent.startsWith("Pixel"));
+  await page.touchscreen.touchStart(100, 200);
+  await page.touchscreen.touchMove(140, 200);
+  await page.touchscreen.touchMove(160, 200);
+  await page.touchscreen.touchEnd();
+  await until(() => new URLSearchParams(location.search).has("yaw"));
+});
+
+test("the pages work without a net after the first visit", async () => {
+  await open();
+  const kept = (file) => page.evaluate((name) => caches.match(new URL(name, location.href).href).then(Boolean), file);
+  const all = ["../09_bump/index.html", "../engine/worker.mjs", "../pictures/steps/9.4.png"];
+  for (let i = 0; i < 200 && !(await Promise.all(all.map(kept))).every(Boolean); ++i) await new Promise((done) => setTimeout(done, 100));
+  server.close();
+  try {
+    await open("?method=raw");
+    assert.equal(await page.$eval("#parameter-method", (select) => select.value), "raw");
+  } finally {
+    server = await serve(folder, "/some/where/", Number(new URL(server.url).port));
+  }
+});
+
+test("formulas are typeset in the page, and no page names another host", () => {
+  for (const lab of ["05_normal_map", "08_reflection"]) {
+    const html = readFileSync(join(folder, lab, "index.html"), "utf8");
+    assert.match(html, /class="katex"/);
+    assert.doesNotMatch(html.replace(/<annotation[^]*?<\/annotation>/g, ""), />[^<]*\$[a-zA-Z\\]/);
+    assert.doesNotMatch(html, /(?:src|href)="(?:https?:)?\/\//);
+  }
+});

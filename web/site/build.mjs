@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Writes the pages: node build.mjs --out DIR [--tree DIR] [--gallery DIR]. `--out` is the site's folder (out/web), which has
+// the engine in `engine/`; `--gallery` is a gallery's folder, for the looks' small pictures.
+import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { dirname, join, relative, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+import { parseArgs } from "node:util";
+import esbuild from "esbuild";
+import { readLabs } from "./build/course.mjs";
+import { handout } from "./build/handout.mjs";
+import { indexPage, labPage, textPage } from "./build/page.mjs";
+import { galleryPicture, pngSize, smallPicture } from "./build/pictures.mjs";
+
+const here = dirname(fileURLToPath(import.meta.url));
+
+function options() {
+  const usage = (text) => {
+    console.error(`web/site: ${text}. Usage: npm run build -- --out DIR [--tree DIR] [--gallery DIR]`);
+    process.exit(2);
+  };
+  try {
+    const { values } = parseArgs({ options: { out: { type: "string" }, tree: { type: "string" }, gallery: { type: "string" } } });
+    if (!values.out) usage("where to?");
+    const tree = resolve(values.tree ?? join(here, "../.."));
+    if (!existsSync(join(tree, "labs"))) usage(`${tree} is not the course's folder`);
+    return { out: resolve(values.out), tree, gallery: values.gallery && resolve(values.gallery) };
+  } catch (error) {
+    return usage(error.message);
+  }
+}
+
+const { out, tree, gallery } = options();
+const write = (path, content) => {
+  mkdirSync(dirname(join(out, path)), { recursive: true });
+  writeFileSync(join(out, path), content);
+};
+const docs = (path) => join(tree, "docs", path);
+
+/** Scripts and styles, into site/. */
+async function bundle() {
+  rmSync(join(out, "site"), { recursive: true, force: true });
+  await esbuild.build({
+    absWorkingDir: here,
+    entryPoints: ["src/lab.js", "src/index.js"],
+    outdir: join(out, "site"),
+    bundle: true, splitting: true, format: "esm", minify: true, target: ["es2022"], legalComments: "none", logLevel: "error",
+    chunkNames: "[name]-[hash]",
+    external: ["../engine/client.mjs"],
+  });
+  const css = ["common/core/page.css", "web/site/src/style.css"].map((file) => readFileSync(join(tree, file), "utf8")).join("\n");
+  write("site/style.css", (await esbuild.transform(css, { loader: "css", minify: true })).code);
+}
+
+/** KaTeX' style and fonts; formulas are typeset already. */
+function mathFonts() {
+  const from = join(here, "node_modules/katex/dist");
+  write("site/katex/katex.css", readFileSync(join(from, "katex.min.css"), "utf8").replace(/,url\([^)]*\.(?:woff|ttf)\) format\("[^"]*"\)/g, ""));
+  mkdirSync(join(out, "site/katex/fonts"), { recursive: true });
+  for (const font of readdirSync(join(from, "fonts")).filter((name) => name.endsWith(".woff2")))
+    copyFileSync(join(from, "fonts", font), join(out, "site/katex/fonts", font));
+}
+
+function pages() {
+  const labs = readLabs(tree);
+  const copies = new Set();
+  const sizeOf = (path) => pngSize(docs(`pictures/${path.replace("../pictures/", "")}`));
+  for (const lab of labs) {
+    const thumbnails = new Map();
+    for (const look of lab.looks) {
+      const picture = galleryPicture(gallery, lab, look);
+      if (!picture) continue;
+      write(`${lab.folder}/looks/${look.name}.jpg`, smallPicture(picture, 144, 144, 72));
+      thumbnails.set(look.name, `looks/${look.name}.jpg`);
+    }
+    const markdown = readFileSync(join(tree, "labs", lab.folder, "README.md"), "utf8");
+    write(`${lab.folder}/index.html`, labPage({ lab, labs, handout: handout(markdown, lab, copies, sizeOf), thumbnails }));
+  }
+  const guide = handout(readFileSync(docs("student.md"), "utf8"), null, copies, sizeOf);
+  write("guide/index.html", textPage({ labs, title: "The student’s guide", html: guide }));
+
+  const heroes = new Map(labs.map((lab) => {
+    const file = docs(`pictures/${lab.folder}.png`);
+    write(`pictures/${lab.folder}.jpg`, smallPicture(file, 600, 400, 82));
+    return [lab.folder, { src: `pictures/${lab.folder}.jpg`, width: 600, height: 400 }];
+  }));
+  const kind = existsSync(join(tree, "tools/course")) ? "course" : "starter";
+  write("index.html", indexPage({ labs, heroes, kind }));
+  for (const picture of copies) {
+    mkdirSync(dirname(join(out, "pictures", picture)), { recursive: true });
+    copyFileSync(docs(`pictures/${picture}`), join(out, "pictures", picture));
+  }
+}
+
+const filesBelow = (folder) => (existsSync(folder) ? readdirSync(folder, { withFileTypes: true }) : []).flatMap((entry) =>
+  entry.isDirectory() ? filesBelow(join(folder, entry.name)) : [join(folder, entry.name)]);
+
+/** The service worker keeps pages, scripts and the engine at once; the pictures and what the labs read later. */
+function serviceWorker() {
+  const files = filesBelow(out).map((file) => relative(out, file).split("\\").join("/")).filter((file) => file !== "sw.js");
+  const isLater = (file) => /^engine\/tree\/|^pictures\/|\/looks\//.test(file);
+  const list = (kept) => () => JSON.stringify(kept);
+  write("sw.js", readFileSync(join(here, "src/sw.js"), "utf8")
+    .replace("/* shell */ []", list(files.filter((file) => !isLater(file))))
+    .replace("/* rest */ []", list(files.filter(isLater))));
+}
+
+await bundle();
+mathFonts();
+pages();
+serviceWorker();
+console.log(`the pages: ${join(out, "index.html")}`);

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// A handout's Markdown becomes HTML: formulas typeset, pictures beside it, and its commands live.
+import katex from "katex";
+import { Marked } from "marked";
+import { query } from "./course.mjs";
+
+export const escaped = (text) =>
+  text.replace(/[&<>"']/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" })[c]);
+
+/** A heading's address, as code hosts make it. */
+const slug = (text) => text.toLowerCase().replace(/[^\p{L}\p{N} -]/gu, "").trim().replace(/ /g, "-");
+
+/** A formula as HTML with MathML inside it for screen readers. Throws where KaTeX does not understand it. */
+const typeset = (tex, displayMode) =>
+  katex.renderToString(tex, { displayMode, throwOnError: true, strict: (code) => (code === "unicodeTextInMathMode" ? "ignore" : "error") });
+
+const formulas = {
+  extensions: [
+    {
+      name: "display",
+      level: "inline",
+      start: (src) => src.indexOf("$$"),
+      tokenizer: (src) => {
+        const match = /^\$\$([^$]+)\$\$/.exec(src);
+        return match && { type: "display", raw: match[0], tex: match[1] };
+      },
+      renderer: ({ tex }) => typeset(tex, true),
+    },
+    {
+      name: "formula",
+      level: "inline",
+      start: (src) => src.indexOf("$"),
+      tokenizer: (src) => {
+        const match = /^\$([^$\n]+(?:\n[^$\n]+)?)\$/.exec(src);
+        return match && { type: "formula", raw: match[0], tex: match[1] };
+      },
+      renderer: ({ tex }) => typeset(tex, false),
+    },
+  ],
+};
+
+/**
+ * The look of a command such as `./run lab 5 --method raw --view normal`: {set, view}, or null where it does something
+ * else, or has an option that is no parameter.
+ */
+export function lookOf(command, lab) {
+  const words = command.trim().split(/\s+/);
+  if (words.splice(0, 3).join(" ") !== `./run lab ${lab.number}`) return null;
+  const look = { set: {}, view: "color" };
+  while (words.length > 0) {
+    const name = /^--([a-z][a-z-]*)$/.exec(words.shift())?.[1];
+    const value = words.shift();
+    if (name === undefined || value === undefined || value.startsWith("--") || value.includes("…")) return null;
+    if (["snapshot", "measure", "stats", "mesh", "batch", "bench", "frames", "config", "size"].includes(name)) return null;
+    if (name === "view") look.view = value;
+    else look.set[name.replaceAll("-", "_")] = value;
+  }
+  return look;
+}
+
+/** Where a link of the tree leads on the site: pictures are copied, the guide is a page, the rest stays text. */
+function site(href, copies) {
+  if (/^(https?:|#)/.test(href)) return href;
+  const [path, anchor] = href.split("#");
+  if (path.endsWith("docs/student.md")) return `../guide/index.html${anchor ? `#${anchor}` : ""}`;
+  const picture = /docs\/pictures\/(.+\.(?:png|svg))$/.exec(path);
+  if (picture) {
+    copies.add(picture[1]);
+    return `../pictures/${picture[1]}`;
+  }
+  return null;
+}
+
+/**
+ * The handout as HTML. `lab` may be absent (the student's guide). Each step is a section with an empty place for its
+ * editor. Pictures that it shows are added to `copies`, by their path below docs/pictures.
+ */
+export function handout(markdown, lab, copies, sizeOf = () => ({})) {
+  const steps = new Map((lab?.steps ?? []).map((step) => [step.id, step]));
+  const live = (command) => {
+    const look = lab && lookOf(command, lab);
+    return look && `<a class="see" href="${escaped(query(look) || "?")}" title="Show this look in the picture">`;
+  };
+  const renderer = {
+    html: ({ text }) => escaped(text),
+    heading({ tokens, depth, text }) {
+      return `<h${depth} id="${slug(text)}">${this.parser.parseInline(tokens)}</h${depth}>\n`;
+    },
+    codespan({ text }) {
+      const link = live(text);
+      const code = `<code>${escaped(text)}</code>`;
+      return link ? `${link}${code}</a>` : code;
+    },
+    code({ text }) {
+      const lines = text.split("\n").map((line) => {
+        const link = live(line.replace(/\s+#.*$/, ""));
+        return link ? `${link}${escaped(line)}</a>` : escaped(line);
+      });
+      return `<pre tabindex="0"><code>${lines.join("\n")}</code></pre>\n`;
+    },
+    link({ href, tokens }) {
+      const text = this.parser.parseInline(tokens);
+      const to = site(href, copies);
+      return to === null ? text : `<a href="${escaped(to)}">${text}</a>`;
+    },
+    image({ href, text }) {
+      const to = site(href, copies);
+      if (to === null) throw new Error(`the handout shows ${href}, which is no file below docs/pictures`);
+      const { width, height } = sizeOf(to);
+      const size = width ? ` width="${width}" height="${height}"` : "";
+      return `<img src="${escaped(to)}" alt="${escaped(text)}"${size} loading="lazy" decoding="async">`;
+    },
+    table(token) {
+      const inline = (cell) => this.parser.parseInline(cell.tokens);
+      const head = token.header.map((cell) => (cell.text === "" ? "<td></td>" : `<th scope="col">${inline(cell)}</th>`)).join("");
+      const rows = token.rows.map((row) => `<tr>${row.map((cell) => `<td>${inline(cell)}</td>`).join("")}</tr>`).join("\n");
+      return `<div class="scroll" tabindex="0"><table>\n<thead><tr>${head}</tr></thead>\n<tbody>${rows}</tbody>\n</table></div>\n`;
+    },
+  };
+  const marked = new Marked(formulas, { renderer });
+  const tokens = marked.lexer(markdown);
+  let html = "", open = "";
+  const close = () => {
+    html += open;
+    open = "";
+  };
+  for (const token of tokens) {
+    if (token.type === "heading" && token.depth <= 3) {
+      close();
+      if (token.depth === 1) continue;  // the page's own
+      const step = token.depth === 3 && steps.get(token.text.split(" ")[0]);
+      if (step) {
+        html += stepHead(step);
+        open = `${stepPlace(step)}</section>\n`;
+        continue;
+      }
+    }
+    html += marked.parser([token]);
+  }
+  close();
+  return html;
+}
+
+const points = (n) => `${n} point${n === 1 ? "" : "s"}`;
+
+function stepHead(step) {
+  return `<section class="step" id="step-${step.id}" data-step="${step.id}" data-look="${escaped(query(step))}">\n` +
+    `<h3><span class="id">${step.id}</span> <span class="title">${escaped(step.title)}</span> ` +
+    `<span class="points">${points(step.points)}</span></h3>\n`;
+}
+
+function stepPlace(step) {
+  if (step.kind === "shader")
+    return `<div class="workbench" role="group" aria-label="Step ${step.id}: your code"><p class="quiet">The editor needs ` +
+      `JavaScript and WebGL 2.</p></div>\n`;
+  return `<p class="by-program"><b>Done by the program.</b> This step is C++, and a browser cannot compile it. Here the finished ` +
+    `code runs. You write it in the desktop course: <a href="../guide/index.html">how to begin</a>.</p>\n`;
+}

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// The pages' HTML. All links are relative and name their file: the folder works below any address.
+import { query } from "./course.mjs";
+import { escaped } from "./handout.mjs";
+
+function document({ title, description, root, body, script = "", classes }) {
+  return `<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<meta name="description" content="${escaped(description)}">
+<link rel="icon" href="data:,">
+<title>${escaped(title)}</title>
+<link rel="stylesheet" href="${root}site/style.css">
+${script}</head>
+<body class="${classes}">
+${body}</body>
+</html>
+`;
+}
+
+function bar(labs, root, here) {
+  const items = labs.map((lab) =>
+    `<li><a href="${root}${lab.folder}/index.html"${lab.number === here ? ' aria-current="page"' : ""} ` +
+    `aria-label="Lab ${lab.number}: ${escaped(lab.title)}" title="${escaped(lab.title)}">${lab.number}</a></li>`);
+  return `<header class="bar">
+<a class="home" href="${root}index.html">Texel Labs</a>
+<nav aria-label="Labs"><ol>${items.join("")}</ol></nav>
+<a class="guide" href="${root}guide/index.html">Guide</a>
+</header>
+`;
+}
+
+/** Buttons over the picture; their work is in src/tools.js. */
+const tools = [
+  ["turn", "Turntable", "Turn the model slowly (space)"],
+  ["view", "Reset view", "The camera as it was at first (R)"],
+  ["look", "Default look", "All parameters as they were at first (J)"],
+  ["link", "Copy link", "The address of just this picture"],
+  ["snapshot", "Snapshot", "Save the picture as a PNG (S)"],
+];
+
+function looksList(looks, thumbnails) {
+  const items = looks.map((look) => {
+    const picture = thumbnails.get(look.name);
+    const image = picture ? `<img src="${picture}" alt="" width="128" height="128" loading="lazy" decoding="async">` : "";
+    return `<li><a class="look" href="${escaped(query(look) || "?")}" data-look="${look.name}">${image}<span>${escaped(look.caption)}</span></a></li>`;
+  });
+  return `<ul class="looks">\n${items.join("\n")}\n</ul>`;
+}
+
+/** The page of a lab. `thumbnails`: the looks' small pictures by name; a look without one is only its caption. */
+export function labPage({ lab, labs, handout, thumbnails }) {
+  const at = labs.indexOf(lab);
+  const beside = (other, text) => (other ? `<a href="../${other.folder}/index.html">${text} ${other.number}: ${escaped(other.title)}</a>` : "<span></span>");
+  const body = `<a class="skip" href="#handout">To the handout</a>
+${bar(labs, "../", lab.number)}<main class="lab" data-lab="${lab.number}">
+<section class="stage" aria-label="Picture">
+<div class="frame">
+<div class="picture" id="picture" tabindex="0" role="application" aria-roledescription="picture" aria-label="Picture of the lab ${escaped(lab.title)}" aria-describedby="picture-keys"></div>
+<p class="spoken" id="picture-keys">Arrow keys turn the camera, plus and minus zoom, Enter reads the pixel in the middle.</p>
+<div class="divider" role="slider" tabindex="0" aria-label="Where the compared picture begins" aria-valuemin="0" aria-valuemax="100" hidden><span class="left"></span><span class="right"></span></div>
+<div class="message" role="alert" hidden></div>
+<aside class="pixel" aria-label="Pixel" aria-live="polite" hidden></aside>
+<p class="waiting">The picture is on its way.</p>
+<noscript><p class="waiting">The picture needs JavaScript. The handout does not.</p></noscript>
+</div>
+<div class="tools" role="toolbar" aria-label="Picture">
+${tools.map(([id, text, help]) => `<button type="button" data-tool="${id}" title="${help}"${id === "turn" ? ' aria-pressed="false"' : ""}>${text}</button>`).join("\n")}
+<output class="said" aria-live="polite"></output>
+</div>
+</section>
+<section class="panel" aria-label="Panel">
+<details class="part looks-part" data-part="looks" open><summary>Looks</summary>
+${looksList(lab.looks, thumbnails)}
+</details>
+<div class="controls-of-lab"></div>
+<p class="help" aria-hidden="true"></p>
+</section>
+<article class="handout" id="handout">
+<header><p class="number" aria-hidden="true">${lab.number}</p><div><h1>${escaped(lab.title)}</h1><p>${escaped(lab.lesson)}</p></div></header>
+<div class="progress" hidden></div>
+${handout}<footer>${beside(labs[at - 1], "Lab")}${beside(labs[at + 1], "Lab")}</footer>
+</article>
+</main>
+`;
+  return document({
+    title: `Lab ${lab.number}: ${lab.title} – Texel Labs`,
+    description: lab.lesson,
+    root: "../",
+    body,
+    classes: "of-lab",
+    script: `<link rel="stylesheet" href="../site/katex/katex.css">\n<link rel="modulepreload" href="../engine/client.mjs">\n<script type="module" src="../site/lab.js"></script>\n` +
+      `<script>if (location.protocol === "file:") addEventListener("DOMContentLoaded", () => { document.querySelector(".waiting").textContent = ` +
+      `"A browser does not run this page from a file. In the folder of the pages type: python3 -m http.server"; });</script>\n`,
+  });
+}
+
+/** The first page: a picture of each lab, as in the gallery. */
+export function indexPage({ labs, heroes, kind }) {
+  const cards = labs.map((lab) => {
+    const hero = heroes.get(lab.folder);
+    const shader = lab.steps.filter((step) => step.kind === "shader").length;
+    const steps = lab.steps.length === 0 ? "" : shader === 0 ? `${lab.steps.length} steps, all in C++`
+      : shader === lab.steps.length ? `${shader} steps, all here` : `${lab.steps.length} steps, ${shader} of them here`;
+    return `<li><a href="${lab.folder}/index.html" data-lab="${lab.number}">` +
+      `<img src="${hero.src}" alt="" width="${hero.width}" height="${hero.height}"${lab.number > 6 ? ' loading="lazy"' : ""}>` +
+      `<h2><b>${lab.number}</b> ${escaped(lab.title)}</h2><p>${escaped(lab.lesson)}</p><p class="quiet">${steps}</p></a></li>`;
+  });
+  const about = kind === "starter"
+    ? "Turn the pictures, change their parameters, and write the missing lines of the shaders: each step is checked while you type."
+    : "Turn the pictures, change their parameters, and edit the shaders: each step is checked while you type. All steps are solved here.";
+  const body = `<header class="masthead">
+<h1>Texel Labs</h1>
+<p>Texture mapping, normal mapping and environment mapping in nine small OpenGL programs, here in your browser. ${about}</p>
+<p class="quiet"><a href="guide/index.html">The student&#8217;s guide</a></p>
+</header>
+<main>
+<ul class="cards">
+${cards.join("\n")}
+</ul>
+</main>
+`;
+  return document({
+    title: "Texel Labs",
+    description: "Nine labs on texture mapping, normal mapping and environment mapping, in the browser",
+    root: "",
+    body,
+    classes: "of-index",
+    script: `<script type="module" src="site/index.js"></script>\n`,
+  });
+}
+
+/** A document of the course as a page of its own. */
+export function textPage({ labs, title, html }) {
+  return document({
+    title: `${title} – Texel Labs`,
+    description: title,
+    root: "../",
+    body: `${bar(labs, "../", 0)}<main class="text"><article class="handout">
+<h1>${escaped(title)}</h1>
+${html}</article></main>
+`,
+    classes: "of-text",
+    script: `<link rel="stylesheet" href="../site/katex/katex.css">\n`,
+  });
+}

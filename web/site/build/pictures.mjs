@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Pictures of the tree, as small as a page needs them.
+import { existsSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import jpeg from "jpeg-js";
+import { PNG } from "pngjs";
+
+/** Width and height of a PNG, without decoding it. */
+export function pngSize(file) {
+  const bytes = readFileSync(file);
+  return { width: bytes.readUInt32BE(16), height: bytes.readUInt32BE(20) };
+}
+
+const linear = Float64Array.from({ length: 256 }, (_, i) => (i / 255 <= 0.04045 ? i / 255 / 12.92 : ((i / 255 + 0.055) / 1.055) ** 2.4));
+const encoded = (value) => Math.round(255 * (value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055));
+
+/** The middle of a PNG, fitted to width x height by averaging in linear light, as JPEG. */
+export function smallPicture(file, width, height, quality) {
+  const from = PNG.sync.read(readFileSync(file));
+  const scale = Math.min(from.width / width, from.height / height);
+  const left = (from.width - scale * width) / 2, top = (from.height - scale * height) / 2;
+  const data = Buffer.alloc(4 * width * height, 255);
+  for (let y = 0; y < height; ++y)
+    for (let x = 0; x < width; ++x) {
+      const x0 = Math.floor(left + x * scale), x1 = Math.max(x0 + 1, Math.floor(left + (x + 1) * scale));
+      const y0 = Math.floor(top + y * scale), y1 = Math.max(y0 + 1, Math.floor(top + (y + 1) * scale));
+      for (let c = 0; c < 3; ++c) {
+        let sum = 0;
+        for (let v = y0; v < y1; ++v) for (let u = x0; u < x1; ++u) sum += linear[from.data[4 * (v * from.width + u) + c]];
+        data[4 * (y * width + x) + c] = encoded(sum / ((x1 - x0) * (y1 - y0)));
+      }
+    }
+  return jpeg.encode({ data, width, height }, quality).data;
+}
+
+/** The gallery's picture of a look, or null where the gallery was not drawn. */
+export function galleryPicture(gallery, lab, look) {
+  if (!gallery) return null;
+  const file = join(gallery, lab.folder, `${look.name}.png`);
+  return existsSync(file) ? file : null;
+}

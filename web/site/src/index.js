@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+// The first page.
+import { keepOffline } from "./offline.js";
+
+keepOffline("sw.js", false);

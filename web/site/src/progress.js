@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Above the steps: how far the student is, and the way of the work out of the browser and in again.
+import { download, element } from "./dom.js";
+
+/** Fills `host`. `labNumbers`: of all labs; `benches`: the workbenches of this one. Gives `{show()}`. */
+export function buildProgress({ host, labNumbers, benches, session, work, checkAll }) {
+  const count = element("b");
+  const said = element("p", { className: "quiet", role: "status" });
+  const button = (text, title, act) => {
+    const made = element("button", { type: "button", title }, text);
+    made.addEventListener("click", () => act().catch((error) => (said.textContent = error.message)));
+    return made;
+  };
+  const file = element("input", { type: "file", accept: ".zip,application/zip", hidden: true });
+  file.addEventListener("change", async () => {
+    try {
+      if (file.files[0]) await bringIn(await file.files[0].arrayBuffer());
+    } catch (error) {
+      said.textContent = error.message;
+    }
+    file.value = "";
+  });
+
+  // The judge has the texts of all labs.
+  async function shaderSteps() {
+    const labs = await Promise.all(labNumbers.map((number) => session.judge("steps_of", number)));
+    return labs.flat().filter((step) => step.kind === "shader");
+  }
+  async function takeOut() {
+    const { packed } = await import("./archive.js");
+    const texts = {};
+    for (const { file: path } of await shaderSteps()) texts[path] ??= await session.judge("file", path);
+    download("texel-labs.zip", await packed(texts));
+    said.textContent = "Unpack it over your folder of the course: ./run check says the same there.";
+  }
+  async function bringIn(bytes) {
+    const { unpacked } = await import("./archive.js");
+    const steps = await shaderSteps();
+    const texts = await unpacked(bytes, [...new Set(steps.map((step) => step.file))]);
+    for (const [path, text] of Object.entries(texts))
+      await session.judge("put", path, text).catch((error) => {
+        if (!error.problems?.length) throw error;  // what does not compile is taken, and its step says so
+      });
+    const taken = [];
+    for (const { id, file: path } of steps) {
+      if (!(path in texts)) continue;
+      const { text, first } = await session.judge("read", id);
+      if (text === (work.text(id) ?? first)) continue;
+      taken.push(id);
+      if (benches.has(id)) await benches.get(id).write(text);
+      else work.write(id, text);
+    }
+    said.textContent = taken.length === 0 ? "The .zip has nothing new." : `Taken from the .zip: ${taken.join(", ")}.`;
+  }
+
+  host.replaceChildren(
+    element("p", {}, count, work.lasts ? " Your code stays in this browser." : " This browser keeps nothing: take your code out before you leave."),
+    element("div", { className: "buttons" }, button("Check all", "Check every step of this lab", checkAll),
+      button("Save as .zip", "Your shader files of all labs, with the paths of the course's folder", takeOut),
+      button("Load a .zip", "Take your shader files from a .zip", async () => file.click()), file), said);
+  host.hidden = benches.size === 0;
+
+  const show = () => {
+    const all = [...benches.values()];
+    const done = all.filter((bench) => bench.result?.status === "passed");
+    const unknown = all.filter((bench) => !bench.result && !bench.step.untouched);
+    const points = (list) => list.reduce((sum, bench) => sum + bench.step.points, 0);
+    const also = unknown.length === 0 ? "" : ` ${unknown.length} ${unknown.length === 1 ? "is" : "are"} not checked yet.`;
+    count.textContent = `${done.length} of ${all.length} shader steps ${all.length === 1 ? "is" : "are"} right, ${points(done)} of ${points(all)} points.${also}`;
+  };
+  show();
+  return { show };
+}
