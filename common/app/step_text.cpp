@@ -86,7 +86,9 @@ std::string task_of(const std::vector<std::string>& lines, const std::string& st
     if (writes && line.empty()) writes = false;
     if (!writes) continue;
     const std::size_t text = line.find_first_not_of(' ');
-    if (text != std::string::npos) task += (task.empty() ? "" : " ") + line.substr(text);
+    if (text == std::string::npos) continue;
+    if (!task.empty()) task += ' ';
+    task.append(line, text);
   }
   constexpr std::string_view kBullet = "- **Write:** ";
   if (task.starts_with(kBullet)) task.erase(0, kBullet.size());
