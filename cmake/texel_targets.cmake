@@ -19,8 +19,9 @@ endif()
 add_library(texel_flags INTERFACE)
 target_compile_options(texel_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow
-  # GCC 12 warns of overlapping copies inside std::string's operator+ that cannot happen (GCC bug 105651).
+  # GCC 12 warns of copies inside std::string's operator+: that they overlap, or are too long. Neither can happen (GCC bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-stringop-overflow>
   # The sanitizers' own code makes GCC warn of std::regex; without them the same files are warned of as ever.
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${TEXEL_SANITIZE}>>:-Wno-maybe-uninitialized>
   # A fused multiply-add would give other bytes on another machine.
