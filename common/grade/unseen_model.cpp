@@ -252,6 +252,12 @@ std::string shared(Random& random) {
           faces.back().push_back({v[at], texcoord->second, normal->second});
         }
       }
+  // One triangle once more, above: only v tells its corners from the first one's.
+  faces.push_back(faces.front());
+  const auto above = relief.cell(0, 0).front();
+  for (std::size_t k = 0; k < 3; ++k)
+    faces.back()[k].v =
+        text.position(relief.points[static_cast<std::size_t>(above[k])] + glm::dvec3(0, 0, 0.3));
   random.shuffle(faces);  // equal corners lie far apart
   for (const std::vector<Corner>& face : faces) text.face(face);
   return text.take();

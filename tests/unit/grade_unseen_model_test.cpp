@@ -207,21 +207,23 @@ TEST(UnseenNegative, counts_from_the_front_and_from_the_back_in_every_list) {
   }
 }
 
-TEST(UnseenShared, has_corners_that_differ_in_vt_alone_in_vn_alone_and_in_nothing) {
+TEST(UnseenShared, has_corners_that_differ_in_v_alone_in_vt_alone_in_vn_alone_and_in_nothing) {
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     const mesh::ObjData data = mesh::parse_obj(unseen_model("shared", seed), "unseen");
-    std::set<std::pair<std::uint32_t, std::uint32_t>> with_texcoord, with_normal;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> with_texcoord, with_normal, without_place;
     std::set<std::uint32_t> places;
     for (const mesh::Corner& corner : data.corners) {
       places.insert(corner.position);
       with_texcoord.emplace(corner.position, corner.texcoord);
       with_normal.emplace(corner.position, corner.normal);
+      without_place.emplace(corner.texcoord, corner.normal);
     }
     const std::size_t vertices = mesh::weld(data).vertex_count();
     EXPECT_GT(with_texcoord.size(), places.size());
     EXPECT_GT(with_normal.size(), places.size());
     EXPECT_GT(vertices, with_texcoord.size());
     EXPECT_GT(vertices, with_normal.size());
+    EXPECT_GT(vertices, without_place.size());
     EXPECT_LT(vertices, data.corners.size());
   }
 }
