@@ -3,6 +3,7 @@
 # The guide's script on a real slurmctld and slurmd of this machine: an array of three, of which one task is killed and
 # requeued; merged, it is equal to one run. slurm.sh BIN FOLDER. Needs root and the packages slurmctld, slurmd, munge.
 set -euo pipefail
+[[ -n ${TEXEL_TEST_ALL:-} ]] || { echo 'skipped: takes minutes; TEXEL_TEST_ALL=1 runs it'; exit 77; }
 bin=$1 work=$2/slurm
 course=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
 for program in slurmctld slurmd munged sbatch; do
@@ -69,12 +70,12 @@ grade --out one --format csv >one.log 2>&1 || fail "one run: $(tail -n 5 one.log
 
 job=$(sbatch --parsable --array=1-3 --cpus-per-task=1 --output="$work/task%a.log" --open-mode=append \
   "$course/tools/course/box/slurm.sh" "$work/class" "$work" 9 "$work/seed.txt")
-# The first task is killed as soon as it has judged something.
+# The first task is killed as soon as it has judged something. Slurm starts it again after two minutes.
 for _ in {1..600}; do [[ -n $(find part1/pictures -type f 2>/dev/null | head -n 1) ]] && break || sleep 0.1; done
 scontrol requeue "${job}_1" || fail 'the first task was too fast to be requeued'
 for _ in {1..1200}; do [[ -z $(squeue -h -j "$job" 2>/dev/null) ]] && break || sleep 0.5; done
 [[ -z $(squeue -h -j "$job") ]] || fail "the job does not end: $(squeue)"
-grep -q 'Requeue' slurmctld.log || grep -qi 'requeue' slurmctld.log || fail 'nothing was requeued'
+grep -q 'JOB REQUEUE' task1.log || fail 'the first task was not killed'
 "$TEXEL" grade merge part1 part2 part3 --out merged --format csv >merge.log 2>&1 || fail "merge: $(tail -n 3 merge.log)"
 cmp one/class.csv merged/class.csv || fail 'the merged class is another than that of one run'
 grep -c graded task?.log

@@ -110,6 +110,16 @@ TEST_P(Document, shows_commands_that_work) {
   fs::copy_file(kRoot / "docs/pictures/01_texture_quad.png", work_ / "right.png");
   fs::copy_file(kRoot / "docs/pictures/01_texture_quad.png", work_ / "mine.png");
   write_file(work_ / "looks.json", R"([{"name": "brick", "size": "64x64", "set": {"texture": "brick"}}])");
+  write_file(work_ / "seed.txt", "a seed of the course\n");
+  write_file(work_ / "roster.csv", "number,sis,name\n1,s1,Ada\n");
+  write_file(work_ / "due.csv", "lab,due\n5,2026-11-20T23:59+01:00\n");
+  write_file(work_ / "times.csv", "number,submitted\n1,2026-11-21T12:00+01:00\n");
+  fs::create_directories(work_ / "CLASS/ada");
+  for (const char* lab : {"1", "5"}) {
+    fs::create_directories(work_ / fmt::format("out/lab{}", lab));
+    write_file(work_ / fmt::format("out/lab{}/class.csv", lab),
+               fmt::format("name,id,number,lab {}\nAda,ada-1,1,6\n", lab));
+  }
   for (const std::string& command : commands) {
     SCOPED_TRACE(command);
     std::smatch words;
@@ -127,6 +137,13 @@ TEST_P(Document, shows_commands_that_work) {
       // The measuring itself is tested by accuracy.*; this has the same page made of what was measured.
       const Result result = run(fmt::format("TEXEL_ROOT={} {} bench{} --from docs/accuracy.json --out bench",
                                             shell_word(kRoot.string()), kTexel, words[1].str()));
+      EXPECT_EQ(result.exit_code, 0) << result.output;
+    } else if (std::regex_match(command, words, std::regex(R"((?:\./run|texel) (course .*))"))) {
+      if (has(command, "classroom")) run_as_student("true");  // makes the starter beside this folder
+      std::string line = std::regex_replace(words[1].str(), std::regex(R"(\.\./my-labs)"), "../starter");
+      if (line == "course NAME") line = "course --help";
+      if (has(line, "similar") && shell("command -v sim_c").exit_code != 0) continue;
+      const Result result = run(kTexel + " " + line);
       EXPECT_EQ(result.exit_code, 0) << result.output;
     } else if (std::regex_match(command, words, std::regex(R"((?:\./run|texel) (grade .*))"))) {
       // Whole classes are graded in grade_test; here what it is told is understood, and only the class is
@@ -158,9 +175,9 @@ TEST_P(Document, shows_commands_that_work) {
 
 /// The guides, and each lab's handout.
 std::vector<std::string> documents() {
-  std::vector<std::string> all = {"README.md",           "CONTRIBUTING.md",  "docs/student.md",
-                                  "docs/instructor.md",  "docs/accuracy.md", "docs/architecture.md",
-                                  "docs/adding_a_lab.md"};
+  std::vector<std::string> all = {
+      "README.md",      "CONTRIBUTING.md",  "docs/student.md",      "docs/instructor.md",
+      "docs/course.md", "docs/accuracy.md", "docs/architecture.md", "docs/adding_a_lab.md"};
   for (const course::Lab& lab : course::read_labs(kRoot / "labs"))
     all.push_back("labs/" + lab.folder + "/README.md");
   return all;
@@ -195,8 +212,8 @@ TEST(Documents, show_pictures_of_the_present_code) {
 
 TEST(Documents, name_only_files_that_are_there) {
   const std::regex link("\\]\\(([^):#]+)|src=\"([^\"]+)");
-  std::vector<std::string> documents = {"README.md", "CONTRIBUTING.md", "docs/architecture.md",
-                                        "docs/student.md", "docs/instructor.md"};
+  std::vector<std::string> documents = {"README.md",       "CONTRIBUTING.md",    "docs/architecture.md",
+                                        "docs/student.md", "docs/instructor.md", "docs/course.md"};
   for (const course::Lab& lab : course::read_labs("labs"))
     documents.push_back("labs/" + lab.folder + "/README.md");
   for (const std::string& document : documents) {

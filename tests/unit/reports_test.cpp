@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 #include <set>
 
@@ -649,6 +650,70 @@ TEST_F(Reports, count_a_mistake_once_a_student) {
   EXPECT_EQ(counted_as("tangent-not-orthogonal"), "1");
   EXPECT_TRUE(has(html, "Changed since the last grading"));
   EXPECT_TRUE(has(html, "<td class=\"number\">25 %</td>"));
+}
+
+TEST_F(Reports, count_those_who_tried_and_begin_with_the_step_that_most_fail) {
+  write_html(results_, folder_);
+  const std::string html = read_file(folder_ / "report/index.html");
+  std::map<std::string, std::pair<int, int>> steps;  // begun and failed
+  for (const StudentResult& each : results_.students)
+    for (const LabResult& lab : each.labs)
+      for (const StepResult& step : lab.steps) {
+        if (!each.fault.empty() || step.cases.empty() || step.is_untouched()) continue;
+        ++steps[step.id].first;
+        if (step.status != Status::passed) ++steps[step.id].second;
+      }
+  const std::size_t section = html.find("<section id=\"steps\">");
+  ASSERT_NE(section, html.npos);
+  const std::string text = html.substr(section, html.find("</section>", section) - section);
+  int before = 1000, lines = 0;
+  for (std::size_t at = text.find("<div>"); at != text.npos; at = text.find("<div>", at + 1), ++lines) {
+    const auto& [begun, failed] = steps.at(text.substr(at + 5, 3));
+    EXPECT_LE(failed, before);
+    EXPECT_GT(failed, 0);
+    before = failed;
+    EXPECT_TRUE(has(text.substr(at, 300), fmt::format("% of {} student", begun))) << text.substr(at, 300);
+  }
+  EXPECT_GE(lines, 2);
+}
+
+TEST_F(Reports, show_code_as_code) {
+  StudentResult& ada = results_.students[1];
+  StepResult& step = ada.labs[1].steps[1];
+  step.mistake = "repeats", step.mistake_says = "`repeats` <b> is inverted: use `clamp`";
+  step.hints = {"Read `texcoord`"};
+  const std::string html = page(ada), all = read_file(folder_ / "report/index.html");
+  EXPECT_TRUE(has(html, "<b><code>repeats</code> &lt;b&gt; is inverted</b>: use <code>clamp</code>"));
+  EXPECT_TRUE(has(html, "Read <code>texcoord</code>"));
+  EXPECT_TRUE(has(all, "><code>repeats</code> &lt;b&gt; is inverted</button>"));
+  EXPECT_EQ(with_code("one ` alone"), "one ` alone");
+}
+
+/// Up to 42 steps of 6 cases, all wrong, with pictures that a PNG cannot make smaller.
+TEST_F(Reports, keep_a_students_page_below_a_megabyte_and_a_half) {
+  StudentResult& ada = results_.students[1];
+  EXPECT_TRUE(has(page(ada), "data-values"));
+  EXPECT_TRUE(has(page(ada), "The command below a picture draws it again"));
+  StepResult wrong = ada.labs[1].steps[1];
+  wrong.cases.clear();
+  for (int i = 0; i < 6; ++i)
+    wrong.cases.push_back(
+        test::demo_case("05_normal_map", wrong.id, fmt::format("case_{}", i), "normal", false, false));
+  image::ImageF noise = test::ball(64, false);
+  for (std::size_t i = 0; i < noise.samples.size(); ++i)
+    noise.samples[i] = static_cast<float>(i * 2654435761U % 1000) / 500 - 1;
+  image::save_pfm(folder_ / "pictures/wrong.pfm", noise);
+  for (const std::size_t count : {1U, 42U}) {
+    ada.labs[1].steps.assign(count, wrong);
+    const std::string html = page(ada);
+    EXPECT_LE(html.size(), 1'500'000U);
+    EXPECT_TRUE(has(html, "<img src="));
+    EXPECT_EQ(has(html, "To keep this page small"), count > 1) << count;
+  }
+  for (CaseResult& result : wrong.cases) result.picture = result.reference = "";
+  ada.labs = {ada.labs[1]};
+  ada.labs[0].steps.assign(1, wrong);
+  EXPECT_FALSE(has(page(ada), "The command below"));
 }
 
 TEST_F(Reports, say_so_where_a_picture_is_missing_broken_or_too_large) {

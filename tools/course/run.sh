@@ -4,9 +4,9 @@
 
 packages+=(libarchive-dev libsodium-dev libsqlite3-dev bubblewrap)
 format_packages=(clang-format)
-test_packages=(libgtest-dev libtinyobjloader-dev xvfb xauth xdotool x11-utils imagemagick chromium)
+test_packages=(libgtest-dev libtinyobjloader-dev xvfb xauth xdotool x11-utils imagemagick chromium similarity-tester python3)
 bench_packages=(libbenchmark-dev libosmesa6-dev libtinyobjloader-dev xvfb xauth)
-all_packages=(clang-tidy parallel)
+all_packages=(clang-tidy parallel mmdebstrap debian-archive-keyring slurmctld slurmd slurm-client munge)
 
 course_help() {
   cat <<'TEXT'
@@ -14,9 +14,11 @@ course_help() {
 For teachers and makers of the course:
 ./run starter DIR      write the tree that students start with; see docs/student.md
 ./run grade CLASS [..] grade a class: a folder with one folder or archive per student; see docs/instructor.md
+./run course NAME [..] autograder for Gradescope, GitHub workflow, gradebook, similarity; see docs/course.md
 ./run test [--all]     check the formatting, build, run all tests, and run the parsers' tests with sanitizers;
                        --all adds clang-tidy for the libraries below common/app, a class with all wrong and all
-                       hostile solutions, and the last commit on bare machines of three releases (hours)
+                       hostile solutions, a Gradescope container, a Slurm cluster, and the last commit on bare
+                       machines of three releases (hours)
 ./run bench [N] [args] measure the cost and the error of each method of each lab, into out/bench/index.html
 ./run accuracy         the same, into docs/accuracy.md, its plots and docs/accuracy.json
 ./run performance      compare the programs with hand-written floor programs, and kernels with plain versions and other
@@ -134,7 +136,7 @@ course_command() { # command, arguments
   case $command in
     test) run_all_tests "$@" ;;
     bench) run_bench "$@" ;;
-    expected | grade | marks)
+    course | expected | grade | marks)
       build_programs >&2
       [[ $command != marks ]] || (($#)) || set -- --markdown "$root/docs/marks.md"
       texel "$command" "$@"
