@@ -109,7 +109,8 @@ Action draw_overlay(AnyLab& lab, WindowState& state, glm::vec2 size, float pixel
     action = error_plate(state, size, scale);
   } else if (!state.record.warnings.empty()) {
     std::string text;
-    for (const std::string& warning : state.record.warnings) text += (text.empty() ? "" : "\n") + warning;
+    for (const std::string& warning : state.record.warnings)
+      text.append(text.empty() ? "" : "\n").append(warning);
     plate({origin + size.x - 12 * scale, size.y - 12 * scale}, theme().next, text, size.x * 0.8F, {1, 1});
   }
   return action;

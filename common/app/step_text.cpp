@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "step_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -56,7 +58,7 @@ std::string formula(std::string_view text) {
         result += "|";
       } else if (word == "sqrt" && end < text.size() && text[end] == '{') {
         const std::size_t behind = behind_bracket(text, end);
-        result += "√(" + formula(text.substr(end + 1, behind - end - 2)) + ")";
+        result.append("√(").append(formula(text.substr(end + 1, behind - end - 2))).append(")");
         i = behind - 1;
       } else if (word == "mathrm" || word == "mathbf" || word == "text") {
         if (i + 1 < text.size() && text[i + 1] == ' ') ++i;
@@ -77,18 +79,17 @@ std::string formula(std::string_view text) {
 /// The "Write:" of a section and, above it, its formulas that stand in lines of their own.
 std::string task_of(const std::vector<std::string>& lines, const std::string& step) {
   std::string formulas, task;
+  const std::string heading = fmt::format("### {} ", step);
   bool is_here = false, writes = false;
   for (const std::string& line : lines) {
-    if (line.starts_with("#")) is_here = line.starts_with("### " + step + " ");
+    if (line.starts_with("#")) is_here = line.starts_with(heading);
     if (!is_here) continue;
-    if (line.starts_with("$$")) formulas += line + "\n";
+    if (line.starts_with("$$")) formulas.append(line).append("\n");
     if (line.starts_with("- ")) writes = line.starts_with("- **Write:**");
     if (writes && line.empty()) writes = false;
     if (!writes) continue;
     const std::size_t text = line.find_first_not_of(' ');
-    if (text == std::string::npos) continue;
-    if (!task.empty()) task += ' ';
-    task.append(line, text);
+    if (text != std::string::npos) task.append(task.empty() ? "" : " ").append(line.substr(text));
   }
   constexpr std::string_view kBullet = "- **Write:** ";
   if (task.starts_with(kBullet)) task.erase(0, kBullet.size());
