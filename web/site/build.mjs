@@ -47,7 +47,7 @@ async function bundle() {
     chunkNames: "[name]-[hash]",
     external: ["../engine/client.mjs"],
   });
-  const css = ["common/core/page.css", "web/site/src/style.css"].map((file) => readFileSync(join(tree, file), "utf8")).join("\n");
+  const css = [join(tree, "common/core/page.css"), join(here, "src/style.css")].map((file) => readFileSync(file, "utf8")).join("\n");
   write("site/style.css", (await esbuild.transform(css, { loader: "css", minify: true })).code);
 }
 

@@ -89,6 +89,7 @@ const calls = {
   },
   zoom: () => frame(),
   turn: () => frame(),
+  samples: () => frame(),
   frame: () => frame(),
   draw([{ size }]) {
     const [width, height] = size.split("x").map(Number);

@@ -2,4 +2,4 @@
 // The first page.
 import { keepOffline } from "./offline.js";
 
-keepOffline("sw.js", false);
+keepOffline("sw.js");

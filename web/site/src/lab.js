@@ -49,14 +49,32 @@ async function drawn(promise, moved = false) {
     now.report = await promise;
     say(null);
     showStatistics();
-    if (moved) readBack();
-    else saveState();
+    if (moved) {
+      readBack();
+      keepMoving();
+    } else saveState();
     return true;
   } catch (error) {
     complain(error);
     return false;
   }
 }
+
+const kSlow = 100;  // milliseconds of a frame: from here on a picture that follows the hand jerks
+let isCoarse = false;
+
+/** On a slow machine a moving picture has one sample a pixel, and four when it rests. */
+function keepMoving() {
+  rest();
+  if (isCoarse || now.report.frame_ms < kSlow) return;
+  isCoarse = true;
+  session.call("samples", 1).catch(() => {});
+}
+const rest = afterPause(400, () => {
+  if (!isCoarse) return;
+  isCoarse = false;
+  drawn(session.call("samples", 4));
+});
 
 /** A message over the last good picture; null takes it away. With a button, where something can be done. */
 function say(text, button, act) {
@@ -96,6 +114,7 @@ function lost(message, step) {
 }
 
 function restarted() {
+  isCoarse = false;
   say(null);
   drawn(session.call("frame"));
 }
@@ -211,7 +230,7 @@ function turn(on) {
 async function turnOn(last) {
   while (turning) {
     const time = await new Promise(requestAnimationFrame);
-    if (!(await drawn(session.call("turn", 0.03 * Math.min(Math.max(time - last, 0), 100))))) turn(false);
+    if (!(await drawn(session.call("turn", 0.03 * Math.min(Math.max(time - last, 0), 100)), true))) turn(false);
     last = time;
   }
   readBack();
@@ -332,6 +351,7 @@ async function start() {
 async function startSteps() {
   benches = await buildSteps({ article: ui.article, session, work, showCase: setLook, changed: () => progress?.show() });
   progress = buildProgress({ host: ui.progress, labNumbers: [...document.querySelectorAll(".bar li")].map((_, i) => i + 1), benches, session, work, checkAll: () => check() });
+  for (const [id, bench] of benches) if (work.text(id) !== undefined) await bench.check().catch(complain);
 }
 
 /** Judges the whole lab and shows each step's verdict. */
@@ -344,7 +364,7 @@ async function check() {
 
 const ready = start();
 const withSteps = ready.then(startSteps);
-ready.then(() => void keepOffline("../sw.js", true)).catch((error) => {
+ready.then(() => void keepOffline("../sw.js", main.dataset.lab.padStart(2, "0"))).catch((error) => {
   ui.waiting?.remove();
   complain(error);
 });

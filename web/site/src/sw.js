@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The net first, what was kept second: the pages are always the newest, and work without a net after the first visit. What
-// every page needs is kept at once; the rest (pictures, models) when a page has drawn and says so. The build fills in both
-// lists.
+// every page needs is kept at once; what a lab needs besides (pictures, models) when its page has drawn and says so. The
+// build fills in both lists.
 const kept = "texel-labs";
 const shell = /* shell */ [];
 const rest = /* rest */ [];
@@ -19,13 +19,17 @@ self.addEventListener("fetch", (event) => {
 });
 
 self.addEventListener("message", (event) => {
-  if (event.data === "keep the rest") event.waitUntil(keepRest());
+  if (event.data.keep) event.waitUntil(keepRest(event.data.keep));
 });
 
-/** One after the other: what a user does meanwhile comes first. */
-async function keepRest() {
+/** The lab whose file it is ("05"), or nothing: textures and models are of all. */
+const labOf = (file) => /(?:^|\/)(\d\d)_\w+[/.]/.exec(file)?.[1] ?? /steps\/(\d)\./.exec(file)?.[1].padStart(2, "0");
+
+/** What a lab needs, one file after the other: what a user does meanwhile comes first. */
+async function keepRest(lab) {
   const cache = await caches.open(kept);
   for (const file of rest) {
+    if ((labOf(file) ?? lab) !== lab) continue;
     const url = new URL(file, self.registration.scope).href;
     if (!(await cache.match(url))) await cache.add(url).catch(() => {});
   }
