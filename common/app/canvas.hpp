@@ -38,6 +38,8 @@ class Canvas {
 
   /// The picture as 8-bit sRGB, RGBA. A data view is shown in colours (shaders/app/present.frag).
   [[nodiscard]] image::Image8 read8() const { return picture_->read8(); }
+  /// The picture itself, which must have been drawn.
+  [[nodiscard]] const gl::Target& picture() const { return *picture_; }
   /// The values of a data view: RGBA, alpha 1 where the scene is and 0 where the background is.
   [[nodiscard]] image::ImageF read_float() const { return error_ ? *error_ : data_->read_float(); }
   /// Of the last picture, when it was the view `error`.

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "check/files.hpp"
-#include "check/studio.hpp"
 #include "core/error.hpp"
 #include "core/file_lock.hpp"
 #include "core/files.hpp"
@@ -40,27 +39,16 @@ std::map<std::string, std::string> texts_of_steps(const fs::path& source) {
   return texts;
 }
 
-Studio studio_of(const OwnTree& tree, const course::Lab& lab, const std::string& context) {
-  Studio studio;
-  studio.program = tree.build / "bin" / lab.program();
-  studio.root = tree.source, studio.context = context;
-  studio.shader_cache = tree.build / "check/shaders";
-  return studio;
-}
-
 /// One lab's cases.
 class LabCheck {
  public:
   LabCheck(const OwnTree& tree, const LabPlan& plan, const std::set<std::string>& untouched,
-           const std::string& context)
+           const Draws& draws)
       : plan_(plan),
         untouched_(untouched),
         expected_(expected_folder(tree.source, plan.lab)),
         own_(checked_folder(tree) / plan.lab.folder),
-        studio_(studio_of(tree, plan.lab, context)) {
-    if (!fs::exists(studio_.program))
-      throw Error::failed("is not built", {studio_.program.string()},
-                          fmt::format("build it with ./run check {}", plan.lab.number));
+        draws_(draws) {
     if (!fs::exists(expected_))
       throw Error::failed("is missing; it contains the expected pictures", {expected_.string()},
                           "copy the folder from the course again; the course draws it with ./run expected");
@@ -100,8 +88,9 @@ class LabCheck {
     std::vector<std::vector<Case>> parts(std::min<std::size_t>(processes, plan_.cases.size()));
     for (std::size_t i = 0; i < plan_.cases.size(); ++i) parts[i % parts.size()].push_back(plan_.cases[i]);
     std::vector<Drawn> drawn(parts.size());
-    in_parallel(processes, parts.size(),
-                [&](std::size_t i) { drawn[i] = draw(studio_, parts[i], own_ / fmt::format("{}", i)); });
+    in_parallel(processes, parts.size(), [&](std::size_t i) {
+      drawn[i] = draws_.cases(plan_.lab, parts[i], own_ / fmt::format("{}", i));
+    });
     for (std::size_t i = 0; i < parts.size(); ++i) {
       faults_.merge(drawn[i].faults);
       refused_.merge(drawn[i].refused);
@@ -134,7 +123,7 @@ class LabCheck {
   const LabPlan& plan_;
   const std::set<std::string>& untouched_;
   fs::path expected_, own_;
-  Studio studio_;
+  const Draws& draws_;
   std::map<std::string, std::string> faults_;   ///< why a picture is missing, by its file
   std::map<std::string, std::string> refused_;  ///< as Drawn has it
 };
@@ -185,8 +174,7 @@ std::set<std::string> untouched_steps(const OwnTree& tree) {
   return steps;
 }
 
-std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>& labs,
-                             const std::string& context) {
+std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>& labs, const Draws& draws) {
   const std::vector<LabPlan> plans = public_plan(with_needed(labs, course::read_labs(tree.source / "labs")));
   const std::set<std::string> as_at_first = untouched_steps(tree);
   const std::map<std::string, std::string> texts = texts_of_steps(tree.source);
@@ -195,14 +183,11 @@ std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>
   std::string renderer;
   in_parallel(processors(), plans.size() + 1, [&](std::size_t i) {
     if (i == plans.size()) {
-      try {
-        renderer = renderer_of(studio_of(tree, plans.front().lab, context));
-      } catch (const Error&) {  // its cases say why the program does not draw
-      }
+      renderer = draws.renderer(plans.front().lab);
       return;
     }
     found[i] =
-        LabCheck(tree, plans[i], as_at_first, context).run(processors() / static_cast<unsigned>(at_once));
+        LabCheck(tree, plans[i], as_at_first, draws).run(processors() / static_cast<unsigned>(at_once));
   });
   std::vector<course::Lab> all;
   std::vector<CaseResult> cases;
@@ -227,6 +212,18 @@ std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>
       lab.notes.push_back(renderer_note(renderer, expected_by(tree.source, lab.lab)));
   put_places(results, places);
   return results;
+}
+
+LabResult check_step(const OwnTree& tree, const course::Lab& lab, const std::string& step,
+                     const Draws& draws) {
+  LabPlan plan = public_plan({lab}).front();
+  std::erase_if(plan.cases, [&](const Case& one) { return one.step != step; });
+  if (plan.cases.empty()) throw Error::usage(fmt::format("this lab has no step '{}'", step));
+  std::vector<LabResult> results =
+      lab_results({plan.lab}, LabCheck(tree, plan, untouched_steps(tree), draws).run(processors()));
+  std::erase_if(results.front().steps, [&](const StepResult& one) { return one.id != step; });
+  put_places(results, course::step_places(tree.source));
+  return results.front();
 }
 
 std::vector<fs::path> edited_files(const fs::path& source, const course::Lab& lab) {

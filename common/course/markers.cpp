@@ -235,11 +235,14 @@ std::map<std::string, Place> step_places(const std::filesystem::path& tree) {
 std::vector<std::string> step_files(const std::filesystem::path& tree) {
   std::vector<std::string> files;
   std::error_code missing;
+  using Folders = std::filesystem::recursive_directory_iterator;
   for (const char* folder : {"common", "labs", "shaders"})
-    for (const std::filesystem::directory_entry& entry :
-         std::filesystem::recursive_directory_iterator(tree / folder, missing))
+    for (Folders at(tree / folder, missing); at != Folders(); ++at) {
+      const std::filesystem::directory_entry& entry = *at;
+      if (entry.path().filename() == "expected") at.disable_recursion_pending();  // pictures
       if (entry.is_regular_file() && !entry.is_symlink() && has_marker(read_file(entry.path())))
         files.push_back(std::filesystem::relative(entry.path(), tree).generic_string());
+    }
   if (files.empty())
     throw Error::failed("contains no file with steps (//@step)", {tree.string()},
                         "name the folder that contains labs and shaders");

@@ -9,6 +9,8 @@
 
 #include "core/error.hpp"
 #include "core/stages.hpp"
+#include "gl/es_source.hpp"
+#include "gl/web_context.hpp"
 
 namespace texel::gl {
 namespace {
@@ -18,7 +20,11 @@ class Shader {
  public:
   Shader(GLenum stage, const ShaderSource& source, const std::vector<Define>& defines)
       : id_(glCreateShader(stage)) {
+#ifdef __EMSCRIPTEN__
+    const std::string text = es_source(source.text(defines), stage == GL_FRAGMENT_SHADER, subpixel_bits());
+#else
     const std::string text = source.text(defines);
+#endif
     const char* data = text.c_str();
     glShaderSource(id_, 1, &data, nullptr);
     glCompileShader(id_);
@@ -30,12 +36,19 @@ class Shader {
     std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
     glGetShaderInfoLog(id_, length, nullptr, log.data());
     glDeleteShader(id_);
+#ifdef __EMSCRIPTEN__
+    log = es_message(log.substr(0, log.find('\0')));
+#endif
     throw Error::failed(source.locate(log));
   }
-  ~Shader() { glDeleteShader(id_); }
+  ~Shader() {
+    glDeleteShader(id_);
+  }
   Shader(const Shader&) = delete;
   Shader& operator=(const Shader&) = delete;
-  [[nodiscard]] GLuint id() const { return id_; }
+  [[nodiscard]] GLuint id() const {
+    return id_;
+  }
 
  private:
   GLuint id_;
@@ -75,6 +88,7 @@ Program::Program(std::shared_ptr<const ShaderSource> vertex, std::shared_ptr<con
     Uniform uniform;
     glGetActiveUniform(id_, static_cast<GLuint>(i), sizeof text, nullptr, &size, &uniform.type, text);
     uniform.name = text;
+    if (uniform.name.starts_with(kAddedUniforms)) continue;  // the context sets it
     uniform.location = glGetUniformLocation(id_, text);
     if (uniform.location >= 0) uniforms_.push_back(std::move(uniform));
   }

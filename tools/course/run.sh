@@ -13,6 +13,7 @@ course_help() {
 
 For teachers and makers of the course:
 ./run starter DIR      write the tree that students start with; see docs/student.md
+./run web --starter    the same pages with the starter's steps, without solutions, into out/web_starter
 ./run grade CLASS [..] grade a class: a folder with one folder or archive per student; see docs/instructor.md
 ./run course NAME [..] autograder for Gradescope, GitHub workflow, gradebook, similarity; see docs/course.md
 ./run test [--all]     check the formatting, build, run all tests, and run the parsers' tests with sanitizers;

@@ -113,7 +113,8 @@ class Watch {
     try {
       if (!build_first || build()) {
         const Stopwatch stopwatch;
-        const std::vector<grade::LabResult> labs = grade::check(tree_, {lab_}, options_.context);
+        const std::vector<grade::LabResult> labs =
+            grade::check(tree_, {lab_}, grade::by_programs(tree_, options_.context));
         const grade::StepResult* next = next_step(labs.front());
         next_ = next != nullptr ? next->id : "";
         if (is_terminal) fmt::print("\033[2J\033[H");

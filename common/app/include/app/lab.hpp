@@ -144,7 +144,8 @@ class AnyLab {
 template <class TheLab>
 class LabOf final : public AnyLab {
   using Parameters = typename TheLab::Parameters;
-  static constexpr bool kKnowsTruth = std::ranges::count(TheLab::info.views, View::error) == 1;
+  static constexpr bool kKnowsTruth =
+      std::count(TheLab::info.views.begin(), TheLab::info.views.end(), View::error) == 1;
   static constexpr bool kMeasures = requires(const Parameters& p) {
     { TheLab::measure(p) } -> std::same_as<Measure>;
   };
@@ -211,7 +212,7 @@ int run(AnyLab& lab, int argc, char** argv);
 
 template <class TheLab>
 int run(int argc, char** argv) {
-  LabOf<TheLab> lab;
+  static LabOf<TheLab> lab;  // in the browser it outlives this call
   return run(lab, argc, argv);
 }
 

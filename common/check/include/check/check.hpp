@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "check/drawn.hpp"
 #include "judge/results.hpp"
 
 /// The grader on a student's own machine: the public cases of a tree, drawn by its own programs and judged
@@ -33,15 +34,30 @@ std::string renderer_note(const std::string& own, const std::string& expected);
 /// The steps that are as they were at first. Throws Error (exit 3) where markers are spoilt.
 std::set<std::string> untouched_steps(const OwnTree& tree);
 
-/// Draws the public cases of the labs, and of those whose steps they need, by the programs as they are built,
-/// and judges them as the grader does. A renderer in software draws, unless the environment asks for another
-/// or the machine has none; a note of each lab is its renderer_note. Steps that are as they were at first are
-/// said to be so. The build folder remembers what passed: a step that passed, and fails since another one
-/// changed, is skipped and names that one. Each case's `picture` and `reference` are paths of files; there
-/// are no partial scores, only 0 and 1. Throws Error (exit 3) when a program was not built, expected pictures
-/// are missing, or markers are spoilt.
-std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>& labs,
-                             const std::string& context);
+/// What draws a tree's cases: its programs, or in a browser the labs themselves.
+struct Draws {
+  /// Draws cases of a lab into a folder. Called by several threads at once, unless there is one processor.
+  std::function<Drawn(const course::Lab&, const std::vector<course::Case>&, const std::filesystem::path&)>
+      cases;
+  /// The name of what draws a lab, or "" where nothing can be drawn.
+  std::function<std::string(const course::Lab&)> renderer;
+};
+/// The programs of the tree, as they are built. `context` is their --context.
+Draws by_programs(const OwnTree& tree, const std::string& context);
+
+/// Draws the public cases of the labs, and of those whose steps they need, and judges them as the grader
+/// does. A renderer in software draws, unless the environment asks for another or the machine has none; a
+/// note of each lab is its renderer_note. Steps that are as they were at first are said to be so. The build
+/// folder remembers what passed: a step that passed, and fails since another one changed, is skipped and
+/// names that one. Each case's `picture` and `reference` are paths of files; there are no partial scores,
+/// only 0 and 1. Throws Error (exit 3) when a program was not built, expected pictures are missing, or
+/// markers are spoilt.
+std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>& labs, const Draws& draws);
+
+/// One step of a lab alone, in the lab's results: no other one is drawn, and it is not skipped. Throws as
+/// check.
+LabResult check_step(const OwnTree& tree, const course::Lab& lab, const std::string& step,
+                     const Draws& draws);
 
 /// The files that a student of the lab edits: its sources and shaders, the shared shaders, and whatever else
 /// holds a step.

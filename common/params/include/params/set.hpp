@@ -70,12 +70,12 @@ struct Toggle {
 
 /// A number within [least, most]. In GLSL a uniform of the same name, where "degrees" arrive as radians.
 struct Number {
+  double initial, least, most;  // first: Clang 14 forgets the gap that 32-bit pointers need before them
   const char *name, *unit, *help;
-  double initial, least, most;
   Scale scale;
   consteval Number(const char* name_, double initial_, double least_, double most_, const char* unit_,
                    const char* help_, Scale scale_ = Scale::linear)
-      : name(name_), unit(unit_), help(help_), initial(initial_), least(least_), most(most_), scale(scale_) {
+      : initial(initial_), least(least_), most(most_), name(name_), unit(unit_), help(help_), scale(scale_) {
     detail::check(name, help);
     if (!(least < most)) throw "a range goes from a smaller to a larger value";
     if (!(least <= initial && initial <= most)) throw "the default is outside the range";

@@ -5,7 +5,6 @@
 #include <spng.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -13,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/stages.hpp"
+#include "writable.hpp"
 
 namespace texel::image {
 namespace {
@@ -26,14 +26,6 @@ void check(int result, const std::filesystem::path& path, const char* doing, con
 
 void check_written(int result, const std::filesystem::path& path) {
   check(result, path, "make the PNG", "check the picture's size and texts");
-}
-
-template <class Sample>
-void check_not_empty(const std::filesystem::path& path, const Image<Sample>& image) {
-  if (image.width < 1 || image.height < 1 || image.channels < 1 || image.channels > 4)
-    throw Error::failed(
-        fmt::format("cannot write {}x{} pixels of {} channels", image.width, image.height, image.channels),
-        {path.string()}, "use a picture of at least 1x1 pixels with 1 to 4 channels");
 }
 
 bool is_ascii(const std::string& text) {
@@ -125,24 +117,6 @@ std::vector<Text> read_png_text(const std::filesystem::path& path) {
   std::vector<Text> texts;
   for (const spng_text& chunk : chunks) texts.push_back({chunk.keyword, {chunk.text, chunk.length}});
   return texts;
-}
-
-void save_pfm(const std::filesystem::path& path, const ImageF& image) {
-  check_not_empty(path, image);
-  const int channels = image.channels == 1 ? 1 : 3;
-  const std::string header =
-      fmt::format("{}\n{} {}\n-1.0\n", channels == 1 ? "Pf" : "PF", image.width, image.height);
-  const std::size_t samples =
-      image.samples.size() / static_cast<std::size_t>(image.channels) * static_cast<std::size_t>(channels);
-  std::string bytes(header.size() + samples * sizeof(float), '\0');
-  char* out = std::copy(header.begin(), header.end(), bytes.data());
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      for (int c = 0; c < channels; ++c) {
-        const auto bits = std::bit_cast<std::uint32_t>(c < image.channels ? image.at(x, y, c) : 0.0F);
-        for (int shift = 0; shift < 32; shift += 8) *out++ = static_cast<char>(bits >> shift & 0xffU);
-      }
-  write_file(path, bytes);
 }
 
 }  // namespace texel::image

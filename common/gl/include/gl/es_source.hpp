@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+
+namespace texel::gl {
+
+/// A shader in GLSL 3.30, as ShaderSource::text gives it, in the language of OpenGL ES 3.0 and WebGL 2. The
+/// only place that knows the difference. The lines keep their numbers.
+///
+/// OpenGL ES cannot write into an sRGB picture without encoding. So a fragment shader that writes a colour
+/// `picture` gets a uniform kKeepsBytes: where it is set, the colour is decoded first, and the picture has
+/// the values that the shader wrote.
+///
+/// A renderer rounds a vertex's place in the picture to so many bits of a pixel. OpenGL ES allows 4, and
+/// SwiftShader has 4; what is interpolated is then off by up to 1/32 of its change to the next pixel, and
+/// the limits of cases were measured with 8 bits. With fewer than 8 bits the vertex shader passes on by how
+/// much it was rounded (it gets the picture's size, kPictureSize), and the fragment shader moves each of its
+/// inputs back. Which triangle covers a pixel is not mended so: for that a picture can be drawn several
+/// times, each moved by another part of a pixel (kShift), which is taken back in the same way.
+std::string es_source(const std::string& text, bool is_fragment, int subpixel_bits);
+/// All uniforms that it adds begin so.
+inline constexpr const char* kAddedUniforms = "texel_";
+inline constexpr const char* kKeepsBytes = "texel_keeps_bytes";
+inline constexpr const char* kPictureSize = "texel_picture_size";
+inline constexpr const char* kShift = "texel_shift";
+/// So many bits are as good as the renderers have with which the limits were measured.
+inline constexpr int kEnoughSubpixelBits = 8;
+
+/// A compiler's message, with what to do about it where only OpenGL ES refuses a line: numbers are not
+/// converted from int to float.
+std::string es_message(const std::string& log);
+
+}  // namespace texel::gl

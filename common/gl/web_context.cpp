@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// WebGL 2, whose context the page's worker has made current. In place of context.cpp.
+#include <fmt/format.h>
+#include <glad/gl.h>
+
+#include <utility>
+#include <vector>
+
+#include "gl/context.hpp"
+#include "gl/es_source.hpp"
+#include "gl/web_context.hpp"
+
+namespace texel::gl {
+namespace {
+
+constexpr GLenum kUnmaskedRenderer = 0x9246;  // WEBGL_debug_renderer_info
+
+bool encodes = true;  ///< GL_FRAMEBUFFER_SRGB
+float shift_x = 0, shift_y = 0;
+GLsizei width = 1, height = 1;  ///< of the viewport, which is the whole picture
+
+void tell(GLuint program) {
+  if (program == 0) return;
+  glUniform1i(glGetUniformLocation(program, kKeepsBytes), encodes ? 0 : 1);
+  glUniform2f(glGetUniformLocation(program, kShift), shift_x, shift_y);
+  glUniform2f(glGetUniformLocation(program, kPictureSize), static_cast<float>(width),
+              static_cast<float>(height));
+}
+
+class WebContext : public Context {
+ public:
+  WebContext() : Context(Shaders::quick_to_draw) {}
+  void make_current() override {}
+  [[nodiscard]] const char* kind_name() const override { return "webgl"; }
+};
+
+}  // namespace
+
+void switch_capability(GLenum capability, bool on) {
+  if (capability == GL_TEXTURE_CUBE_MAP_SEAMLESS) return;  // always on
+  if (capability != GL_FRAMEBUFFER_SRGB) {
+    (on ? glEnable : glDisable)(capability);
+    return;
+  }
+  encodes = on;
+  GLint program = 0;
+  glGetIntegerv(GL_CURRENT_PROGRAM, &program);
+  tell(static_cast<GLuint>(program));
+}
+
+void use_program(GLuint program) {
+  (glUseProgram)(program);
+  tell(program);
+}
+
+int subpixel_bits() {
+  GLint bits = 0;
+  glGetIntegerv(GL_SUBPIXEL_BITS, &bits);
+  return bits;
+}
+
+void set_shift(float x, float y) {
+  shift_x = x, shift_y = y;
+}
+
+void set_viewport(GLint x, GLint y, GLsizei width_, GLsizei height_) {
+  (glViewport)(x, y, width_, height_);
+  width = width_, height = height_;
+}
+
+void upload_image(GLenum target, GLint level, GLint internal, GLsizei columns, GLsizei rows, GLint border,
+                  GLenum format, GLenum type, const void* data) {
+  if (internal != GL_SRGB8 || data == nullptr) {
+    (glTexImage2D)(target, level, internal, columns, rows, border, format, type, data);
+    return;
+  }
+  GLint alignment = 4;
+  glGetIntegerv(GL_UNPACK_ALIGNMENT, &alignment);
+  const auto width3 = static_cast<std::size_t>(columns) * 3, unit = static_cast<std::size_t>(alignment);
+  const std::size_t stride = (width3 + unit - 1) / unit * unit;
+  std::vector<unsigned char> opaque;
+  opaque.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) * 4);
+  const auto* bytes = static_cast<const unsigned char*>(data);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(rows); ++y)
+    for (std::size_t x = 0; x < static_cast<std::size_t>(columns); ++x) {
+      const unsigned char* texel = bytes + y * stride + x * 3;
+      opaque.insert(opaque.end(), {texel[0], texel[1], texel[2], 255});
+    }
+  (glTexImage2D)(target, level, GL_SRGB8_ALPHA8, columns, rows, border, GL_RGBA, type, opaque.data());
+}
+
+Context::Context(Shaders) {}
+
+std::string Context::renderer() const {
+  const auto* name = reinterpret_cast<const char*>(glGetString(kUnmaskedRenderer));
+  static_cast<void>(glGetError());  // where the browser does not tell
+  return name != nullptr ? name : reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+}
+std::string Context::version() const {
+  return reinterpret_cast<const char*>(glGetString(GL_VERSION));
+}
+std::string Context::name() const {
+  return renderer() + ", " + version();
+}
+
+std::vector<std::string> Context::take_errors() {
+  constexpr GLenum lost = 0x9242;  // CONTEXT_LOST_WEBGL: the worker is told of it by an event
+  while (const GLenum code = glGetError())
+    if (code != lost) errors_.push_back(fmt::format("OpenGL error 0x{:04x}", code));
+  return std::exchange(errors_, {});
+}
+
+std::unique_ptr<Context> create_headless(Shaders) {
+  return std::make_unique<WebContext>();
+}
+
+}  // namespace texel::gl

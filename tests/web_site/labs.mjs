@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// node tests/web_site/labs.mjs OUT_WEB BIN TABLE.json: each lab's default look and data views in the browser beside the
+// desktop's snapshots of the same parameters. Writes the table; exit code 1 where a limit is passed.
+//
+// A data view may differ by the smallest limit of the lab's cases of that view (of any lab, where this one has no case), in
+// all pixels but one of a thousand, as the judge counts. Colours may differ by 2 levels in the same way. Edges are left
+// out: a pixel counts only where the desktop's picture has the object, or the background, in all of the 3x3 pixels around
+// it, and changes there by no more than `smooth`. Elsewhere a triangle's or a texture's edge passes, and which pixels it
+// covers is the rasteriser's choice.
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { enginePage, launch } from "./browser.mjs";
+
+const [site, bin, table] = process.argv.slice(2);
+const only = process.env.TEXEL_LABS?.split(",").map(Number);
+
+function readPfm(file) {
+  const bytes = readFileSync(file);
+  const header = bytes.subarray(0, 64).toString("latin1").match(/^P[Ff]\n(\d+) (\d+)\n(-?[\d.]+)\n/);
+  const data = new Float32Array(bytes.buffer.slice(bytes.byteOffset + header[0].length, bytes.byteOffset + bytes.length));
+  return { width: +header[1], height: +header[2], at: (x, y, c) => data[(y * header[1] + x) * 3 + c] };
+}
+
+/// The difference of two pixels in the view's unit.
+const differences = {
+  color: (a, b) => Math.max(...[0, 1, 2].map((c) => Math.abs(a[c] - b[c]))),
+  normal: angle, tangent: angle, direction: angle,
+  texcoord: (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]),
+  lod: (a, b) => Math.abs(a[0] - b[0]),
+  depth: (a, b) => Math.abs(a[0] - b[0]),
+  mask: (a, b) => Math.abs(a[0] - b[0]),
+};
+function angle(a, b) {
+  const cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+  return (Math.atan2(Math.hypot(...cross), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) * 180) / Math.PI;
+}
+
+/// So much a view may change from pixel to pixel where no edge is, in its unit.
+const smooth = { color: 24, normal: 10, tangent: 10, direction: 10, texcoord: 0.1, lod: 0.5, depth: 0.1, mask: 0 };
+
+function compare(view, size, own, desktop) {
+  const difference = differences[view];
+  const pixel = (picture, x, y) => [0, 1, 2].map((c) => picture.at(x, y, c));
+  const all = [];
+  for (let y = 1; y < size - 1; ++y)
+    for (let x = 1; x < size - 1; ++x) {
+      const here = pixel(desktop, x, y);
+      let edge = false;
+      for (let j = y - 1; j <= y + 1; ++j)
+        for (let i = x - 1; i <= x + 1; ++i) edge ||= !(difference(here, pixel(desktop, i, j)) <= smooth[view]);
+      if (edge) continue;
+      const found = difference(pixel(own, x, y), here);
+      all.push(Number.isNaN(found) ? Infinity : found);
+    }
+  all.sort((a, b) => a - b);
+  const at = (q) => all[Math.max(Math.ceil(q * all.length) - 1, 0)];
+  return { p999: at(0.999), max: at(1), mean: all.reduce((a, b) => a + b, 0) / all.length, compared: all.length / (size - 2) ** 2 };
+}
+
+const folder = mkdtempSync(join(tmpdir(), "texel_labs_"));
+const browser = await launch();
+const rows = [];
+let failed = 0;
+try {
+  const engine = await enginePage(browser, site);
+  const labs = JSON.parse(readFileSync(join(site, "engine/files.json"))).labs;
+  // The limits of the graded cases, by view.
+  const limits = {};
+  for (const lab of labs)
+    for (const step of await engine.call("steps_of", lab.number))
+      for (const one of step.cases) {
+        if (one.size === "") continue;
+        for (const key of [`${lab.number} ${one.view}`, one.view]) limits[key] = Math.min(limits[key] ?? Infinity, one.limit);
+      }
+  const size = 256;
+  for (const lab of labs) {
+    if (only && !only.includes(lab.number)) continue;
+    const { views } = await engine.call("open", lab.number);
+    const wanted = views.filter((view) => view !== "error");
+    writeFileSync(join(folder, "batch.json"), JSON.stringify(wanted.map((view) =>
+      ({ name: view === "color" ? "color.png" : `${view}.pfm`, view, size: `${size}x${size}`, set: {} }))));
+    execFileSync(join(bin, `lab${lab.folder}`), ["--batch", join(folder, "batch.json"), "--out", join(folder, lab.folder)]);
+    for (const view of wanted) {
+      const drawn = await engine.draw({ view, size: `${size}x${size}` });
+      const own = { at: (x, y, c) => drawn.data[(y * size + x) * drawn.channels + c] };
+      let desktop;
+      if (view === "color") {
+        // Bottom row first, as the engine's.
+        execFileSync("convert", [join(folder, lab.folder, "color.png"), "-flip", "-depth", "8", `rgb:${join(folder, "raw")}`]);
+        const raw = readFileSync(join(folder, "raw"));
+        desktop = { at: (x, y, c) => raw[(y * size + x) * 3 + c] };
+      } else desktop = readPfm(join(folder, lab.folder, `${view}.pfm`));
+      const limit = view === "color" ? 2 : limits[`${lab.number} ${view}`] ?? limits[view] ?? (view === "mask" ? 0 : 0.001);
+      const row = { lab: lab.folder, view, limit, ...compare(view, size, own, desktop) };
+      row.passed = row.p999 <= limit;
+      failed += row.passed ? 0 : 1;
+      rows.push(row);
+      console.log(`${row.passed ? "ok    " : "FAILED"} ${lab.folder} ${view}: ${row.p999.toPrecision(3)} of ${limit} (at most ${row.max.toPrecision(3)}, mean ${row.mean.toPrecision(2)}, ${(100 * row.compared).toFixed(0)} % compared)`);
+    }
+  }
+  const { renderer } = await engine.call("figures");
+  if (table) writeFileSync(table, JSON.stringify({ browser: await browser.version(), renderer, size, rows }, null, 1) + "\n");
+  engine.close();
+} finally {
+  await browser.close().catch(() => {});
+  rmSync(folder, { recursive: true, force: true });
+}
+process.exit(failed ? 1 : 0);

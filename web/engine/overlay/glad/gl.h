@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// OpenGL in the browser, under the name that the labs include: OpenGL ES 3.0 as WebGL 2 has it, and what the
+// labs use beyond it.
+#pragma once
+#include <GLES3/gl3.h>
+
+#define GLAD_API_PTR
+#define GL_TEXTURE_MAX_ANISOTROPY_EXT 0x84FE
+#define GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT 0x84FF
+
+// Two switches that OpenGL ES 3.0 has not. Cube maps are always filtered across their edges. Linear values
+// are always encoded when they are written into an sRGB picture: while that is off, the shader decodes them
+// first (gl/es_source.hpp), and the bytes are what the shader had.
+#define GL_FRAMEBUFFER_SRGB 0x8DB9
+#define GL_TEXTURE_CUBE_MAP_SEAMLESS 0x884F
+
+namespace texel::gl {
+/// glEnable and glDisable, with these two.
+void switch_capability(GLenum capability, bool on);
+/// glUseProgram, which tells the program whether colours are encoded.
+void use_program(GLuint program);
+/// glViewport, which keeps the picture's size for the programs.
+void set_viewport(GLint x, GLint y, GLsizei width, GLsizei height);
+/// glTexImage2D. GL_SRGB8 becomes GL_SRGB8_ALPHA8: for the first OpenGL ES makes no mipmaps.
+void upload_image(GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height, GLint border,
+                  GLenum format, GLenum type, const void* data);
+}  // namespace texel::gl
+#define glViewport(x, y, width, height) texel::gl::set_viewport(x, y, width, height)
+#define glTexImage2D(target, level, internal, width, height, border, format, type, data) \
+  texel::gl::upload_image(target, level, internal, width, height, border, format, type, data)
+#define glEnable(capability) texel::gl::switch_capability(capability, true)
+#define glDisable(capability) texel::gl::switch_capability(capability, false)
+#define glUseProgram(program) texel::gl::use_program(program)
+
+// Every browser that has WebGL 2 has it, and the worker asks for it; without it the limit reads as 0 or 1.
+#define GLAD_GL_EXT_texture_filter_anisotropic 1

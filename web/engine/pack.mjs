@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// node web/engine/pack.mjs TREE BUILD OUT KIND: puts the engine into OUT: the program, and what the labs of TREE read.
+// Shaders, lab files and sources with steps go into files.json, since a session reads them all; pictures, models and
+// expected pictures are files, loaded when they are needed.
+import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { dirname, join, relative } from "node:path";
+
+const [tree, build, out, kind] = process.argv.slice(2);
+const own = import.meta.dirname ?? dirname(new URL(import.meta.url).pathname);
+
+function* files(folder) {
+  for (const entry of readdirSync(join(tree, folder), { withFileTypes: true })) {
+    const path = join(folder, entry.name);
+    if (entry.isDirectory()) yield* files(path);
+    else yield path;
+  }
+}
+const has = (folder) => statSync(join(tree, folder), { throwIfNoEntry: false })?.isDirectory();
+const all = ["shaders", "labs", "common", ".starter", "assets/textures", "assets/normal_maps", "assets/cube_maps", "assets/models"]
+  .filter(has).flatMap((folder) => [...files(folder)]);
+
+const listing = { kind, labs: [], texts: {}, files: {} };
+rmSync(out, { recursive: true, force: true });
+mkdirSync(out, { recursive: true });
+const hasStep = (text) => /^\s*\/\/@step /m.test(text);
+for (const path of all) {
+  const source = join(tree, path);
+  const isPicture = path.startsWith("assets/") || path.includes("/expected/");
+  if (!isPicture) {
+    if (!/\.(glsl|vert|frag|toml|cpp|hpp)$/.test(path)) continue;
+    const text = readFileSync(source, "utf8");
+    if (/\.(cpp|hpp)$/.test(path) ? hasStep(text) : true) listing.texts[path] = text;
+    continue;
+  }
+  if (/\.(md|sha256)$|LICENSE/.test(path)) continue;
+  listing.files[path] = statSync(source).size;
+  mkdirSync(join(out, "tree", dirname(path)), { recursive: true });
+  cpSync(source, join(out, "tree", path));
+}
+for (const [path, text] of Object.entries(listing.texts)) {
+  if (!path.endsWith("/lab.toml")) continue;
+  const folder = path.split("/")[1], entry = (key) => text.match(new RegExp(`^${key} = "(.*)"$`, "m"))?.[1] ?? "";
+  listing.labs.push({ number: parseInt(folder), folder, title: entry("title"), lesson: entry("lesson") });
+}
+listing.labs.sort((a, b) => a.number - b.number);
+writeFileSync(join(out, "files.json"), JSON.stringify(listing));
+for (const file of ["client.mjs", "worker.mjs"]) cpSync(join(own, file), join(out, file));
+for (const file of ["engine.mjs", "engine.wasm"]) cpSync(join(build, file), join(out, file));
+console.log(`${relative(process.cwd(), out)}: ${Object.keys(listing.texts).length} texts, ${Object.keys(listing.files).length} files`);

@@ -1,0 +1,719 @@
+// SPDX-License-Identifier: MIT
+// The labs for a page: one function that takes a call as JSON and gives JSON. README.md has the calls;
+// worker.mjs makes them. It does what the window does (app/window.cpp), and the judge's work as `texel check`
+// does it.
+#include <emscripten.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <list>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "all_labs.inc"
+#include "app/lab.hpp"
+#include "canvas.hpp"
+#include "check/check.hpp"
+#include "check/files.hpp"
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "core/plain_text.hpp"
+#include "core/stopwatch.hpp"
+#include "course/lab_file.hpp"
+#include "course/markers.hpp"
+#include "gl/context.hpp"
+#include "gl/es_source.hpp"
+#include "gl/upload.hpp"
+#include "gl/web_context.hpp"
+#include "image/save.hpp"
+#include "judge/plan.hpp"
+#include "judge/results_json.hpp"
+#include "mesh/ply.hpp"
+#include "reports.hpp"
+#include "settings.hpp"
+
+namespace texel::app {
+namespace {
+AnyLab* registered = nullptr;
+}
+
+/// What each lab's main() calls: here it only hands over the lab.
+int run(AnyLab& lab, int, char**) {
+  registered = &lab;
+  return 0;
+}
+
+}  // namespace texel::app
+
+namespace texel::web {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using app::View;
+
+const fs::path kTree = "/tree", kBuild = "/build";
+constexpr float kDegreesPerUnit = 0.35F;  // of dragging, as in the window
+/// Between the parts of a step that is written in several places.
+constexpr const char* kNextPlace = "//@next";
+
+/// A lab that was opened, with what its canvas shows.
+struct Opened {
+  Opened(app::AnyLab& lab_, gl::Context& context, const app::Assets& assets)
+      : lab(lab_), start(lab_.parameters()), canvas(context, assets, lab_) {}
+  app::AnyLab& lab;
+  app::StartValues start;  ///< the defaults
+  app::Canvas canvas;
+  View view = View::color;
+  std::optional<app::Canvas::Split> split;
+};
+
+/// Copies a picture into the page's canvas: its texture decodes, the canvas has encoded bytes.
+class Display {
+ public:
+  explicit Display(const fs::path& shaders)
+      : program_(std::make_shared<const gl::ShaderSource>(shaders, "app/present.vert"),
+                 std::make_shared<const gl::ShaderSource>(shaders, "display", kFragment), {}) {}
+  void show(const gl::Target& picture) {
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, picture.width(), picture.height());
+    glEnable(GL_FRAMEBUFFER_SRGB);  // the shader encodes: nothing is to be decoded
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_SCISSOR_TEST);
+    program_.use();
+    gl::bind(0, GL_TEXTURE_2D, picture.texture());
+    program_.set("values", 0);
+    glBindVertexArray(no_attributes_.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+
+ private:
+  static constexpr const char* kFragment = R"(#version 330 core
+uniform sampler2D values;
+out vec4 shown;
+void main() {
+  vec3 light = texelFetch(values, ivec2(gl_FragCoord.xy), 0).rgb;
+  shown = vec4(mix(light * 12.92, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308))), 1.0);
+}
+)";
+  gl::Program program_;
+  gl::VertexArray no_attributes_;
+};
+
+/// A picture for the judge. A renderer that rounds vertices coarsely gives some pixels to a neighbour's
+/// triangle: there the picture is drawn several times, moved by other parts of its rounding, and each sample
+/// is the median. `read` gives the canvas' picture.
+template <class Read>
+auto steady(app::Canvas& canvas, View view, glm::ivec2 size, int samples, Read read) {
+  constexpr std::size_t times = 9;
+  const int bits = gl::subpixel_bits();
+  canvas.draw(view, size, samples);
+  auto result = read();
+  if (bits >= gl::kEnoughSubpixelBits || view == View::error) return result;
+  std::vector<decltype(result)> all;
+  for (std::size_t i = 0; i < times; ++i) {
+    // Evenly over one step of the rounding: x in order, y in the order of 4 i modulo 9.
+    const auto part = [&](std::size_t k) {
+      return ((static_cast<float>(k % times) + 0.5F) / times - 0.5F) / static_cast<float>(1 << bits);
+    };
+    gl::set_shift(part(i), part(4 * i));
+    canvas.draw(view, size, samples);
+    all.push_back(read());
+  }
+  gl::set_shift(0, 0);
+  std::array<typename decltype(result.samples)::value_type, times> values{};
+  for (std::size_t sample = 0; sample < result.samples.size(); ++sample) {
+    for (std::size_t i = 0; i < times; ++i) values[i] = all[i].samples[sample];
+    // A NaN of most stays one: those come last.
+    std::nth_element(values.begin(), values.begin() + times / 2, values.end(),
+                     [](auto a, auto b) { return a < b || (b != b && a == a); });
+    result.samples[sample] = values[times / 2];
+  }
+  return result;
+}
+
+/// A file of the tree as the student has it: with one text between a step's markers.
+std::string student_text(const std::string& text, const std::string& file) {
+  return text.find("@starter") == std::string::npos
+             ? text
+             : course::with_steps(text, file, [](const std::string&) { return true; });
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    lines.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return lines;
+}
+
+bool is_marker(const std::string& line, const std::string& marker) {
+  return plain_text(line).find(marker) != std::string::npos &&
+         line.find_first_not_of(" \t") == line.find(marker);
+}
+
+class Engine {
+ public:
+  Engine() : context_(gl::create_headless()), assets_(kTree) {
+    for (const auto& lab_main : kLabs) {
+      lab_main(0, nullptr);
+      labs_.push_back(app::registered);
+    }
+    course_ = course::read_labs(kTree / "labs");
+    for (const std::string& file : course::step_files(kTree)) {
+      const std::string text = read_file(kTree / file);
+      if (text.find("@starter") == std::string::npos) continue;
+      write_new(kTree / course::kFirstTexts / file,
+                course::with_steps(text, file, [](const std::string&) { return false; }));
+      write_file(kTree / file, student_text(text, file));
+    }
+    places_ = course::step_places(kTree);
+  }
+
+  Json call(const std::string& name, const Json& a) {
+    if (name == "open") return open(a.at("lab"));
+    if (name == "steps_of") return steps(lab_called(a.at("lab")));
+    if (name == "looks_of") return looks(lab_called(a.at("lab")));
+    if (current_ == nullptr) throw Error::usage("no lab is open", "call open first");
+    if (name == "parameters") return parameters();
+    if (name == "values") return values();
+    if (name == "looks") return looks(course_lab());
+    if (name == "set") return set(a);
+    if (name == "reset") return current_->lab.parameters().reset(), frame();
+    if (name == "view") return current_->view = view_called(a.at("name")), frame();
+    if (name == "split") return split(a);
+    if (name == "resize") return size_ = {a.at("width"), a.at("height")}, frame();
+    if (name == "samples") return samples_ = a.at("count"), frame();
+    if (name == "drag") return drag(a);
+    if (name == "zoom") return change("distance", std::pow(0.9, a.at("steps").get<double>()), 0), frame();
+    if (name == "turn") return turn(a.at("degrees")), frame();
+    if (name == "frame") return frame();
+    if (name == "draw") return draw(a);
+    if (name == "shown") return shown(a);
+    if (name == "pixel") return pixel({a.at("x"), a.at("y")});
+    if (name == "steps") return steps(course_lab());
+    if (name == "read") return read(a.at("step"));
+    if (name == "write") return write(a.at("step"), a.at("text"));
+    if (name == "file") return read_file(kTree / known_file(a.at("path")));
+    if (name == "files") return files();
+    if (name == "put") return put(a.at("path"), a.at("text"));
+    if (name == "check") return check(a.value("step", std::string()));
+    if (name == "compare") return compare(a.at("name"));
+    throw Error::usage(fmt::format("there is no call '{}'", name));
+  }
+
+  /// What a call leaves besides its JSON, until the next one.
+  struct Buffer {
+    const void* at;
+    std::size_t bytes;
+    const char* type;  ///< of its elements
+  };
+  std::vector<Buffer> buffers;
+
+ private:
+  // ---- labs and looks ----
+
+  const course::Lab& lab_called(const Json& which) const {
+    for (const course::Lab& lab : course_)
+      if (which == lab.number || which == lab.folder || which == std::to_string(lab.number)) return lab;
+    throw Error::usage(fmt::format("there is no lab {}", which.dump()));
+  }
+  const course::Lab& course_lab() const { return lab_called(current_->lab.info().number); }
+
+  Opened& opened(const course::Lab& lab) {
+    std::unique_ptr<Opened>& one = opened_[lab.number];
+    if (one == nullptr)
+      for (app::AnyLab* any : labs_)
+        if (any->info().number == lab.number) one = std::make_unique<Opened>(*any, *context_, assets_);
+    if (one == nullptr) throw Error::failed(fmt::format("lab {} is not in this program", lab.number));
+    return *one;
+  }
+
+  Json open(const Json& which) {
+    const course::Lab& lab = lab_called(which);
+    current_ = &opened(lab);
+    Json views = Json::array();
+    for (const View view : current_->lab.views()) views.push_back(name_of(view));
+    Json report = frame();
+    return {{"number", lab.number}, {"folder", lab.folder}, {"title", lab.title}, {"lesson", lab.lesson},
+            {"choice", lab.choice}, {"views", views},       {"report", report}};
+  }
+
+  View view_called(const std::string& name) const {
+    for (const View view : current_->lab.views())
+      if (name == name_of(view)) return view;
+    throw Error::usage(fmt::format("this lab has no view '{}'", name));
+  }
+
+  Json parameters() {
+    Json list = Json::parse(app::parameters_as_json(current_->lab.parameters()));
+    std::size_t i = 0;
+    for (const params::Parameter& p : current_->lab.parameters()) {
+      Json& one = list[i++];
+      one["value"] = p.text();
+      one["section"] = p.section;
+      one["flag"] = p.flag();
+      one["scale"] = p.scale == params::Scale::logarithmic ? "logarithmic" : "linear";
+    }
+    return list;
+  }
+
+  Json values() {
+    params::Set& parameters = current_->lab.parameters();
+    Json all = Json::object();
+    for (const params::Parameter& p : parameters) all[std::string(p.name)] = p.text();
+    return {{"values", all},
+            {"key", parameters.key()},
+            {"flags", parameters.flags()},
+            {"view", name_of(current_->view)},
+            {"command", command()}};
+  }
+
+  std::string command() {
+    app::AnyLab& lab = current_->lab;
+    std::string line = fmt::format("./run lab {}", lab.info().number);
+    if (const std::string flags = lab.parameters().flags(); !flags.empty()) line.append(" ").append(flags);
+    if (current_->view != View::color) line.append(" --view ").append(name_of(current_->view));
+    return line;
+  }
+
+  static Json set_of(const course::Case& one) {
+    Json set = Json::object();
+    for (const course::Setting& setting : one.settings) set[setting.parameter] = setting.value;
+    return set;
+  }
+
+  static Json looks(const course::Lab& lab) {
+    Json list = Json::array();
+    for (const course::Look& look : lab.looks)
+      list.push_back({{"name", look.name},
+                      {"caption", look.caption},
+                      {"source", look.source},
+                      {"hero", look.hero},
+                      {"view", name_of(look.view)},
+                      {"size", as_text(look.size)},
+                      {"set", set_of(look)}});
+    return list;
+  }
+
+  static app::Settings settings_of(const Json& set) {
+    app::Settings settings;
+    for (const auto& [name, value] : set.items())
+      settings.push_back({name, value.is_string()    ? value.get<std::string>()
+                                : value.is_boolean() ? (value.get<bool>() ? "on" : "off")
+                                                     : value.dump()});
+    return settings;
+  }
+
+  Json set(const Json& set) {
+    const app::Settings settings = settings_of(set);
+    params::Set& parameters = current_->lab.parameters();
+    app::check_settings(parameters, settings);
+    for (const auto& [name, value] : settings) parameters.at(name).set(value);
+    return frame();
+  }
+
+  Json split(const Json& a) {
+    current_->split.reset();
+    if (a.contains("parameter"))
+      current_->split = {a.at("parameter"), a.at("value").get<std::string>(), a.value("position", 0.5F)};
+    return frame();
+  }
+
+  void change(const char* name, double factor, double summand) {
+    if (params::Parameter* p = current_->lab.parameters().find(name))
+      p->set_value(std::clamp(p->value() * factor + summand, p->least, p->most));
+  }
+
+  Json drag(const Json& a) {
+    if (params::Parameter* yaw = current_->lab.parameters().find("yaw"))
+      yaw->set_value(std::remainder(yaw->value() - kDegreesPerUnit * a.at("dx").get<double>(), 360));
+    change("pitch", 1, kDegreesPerUnit * a.at("dy").get<double>());
+    return frame();
+  }
+
+  void turn(double degrees) {
+    params::Parameter* turn = current_->lab.parameters().find("turn");
+    if (turn == nullptr) return;
+    const double to = turn->value() + degrees;
+    turn->set_value(to > turn->most ? to - 360 : to < turn->least ? to + 360 : to);
+  }
+
+  /// Draws into the page's canvas.
+  Json frame() {
+    const Stopwatch stopwatch;
+    Opened& now = *current_;
+    Json report;
+    if (size_.x > 0 && size_.y > 0) {
+      now.canvas.draw(now.view, size_, samples_, now.split);
+      if (!display_) display_.emplace(assets_.shader_root());
+      display_->show(now.canvas.picture());
+      wait(now.canvas.picture());
+    }
+    report["frame_ms"] = stopwatch.milliseconds();
+    report["warnings"] = now.canvas.notes().warnings;
+    report["facts"] = now.canvas.notes().facts;
+    if (const auto& figures = now.canvas.error_figures())
+      report["error_figures"] = Json::parse(app::to_json(now.lab, *figures));
+    report["key"] = now.lab.parameters().key();
+    report["flags"] = now.lab.parameters().flags();
+    report["command"] = command();
+    return report;
+  }
+
+  /// Until all is drawn: glFinish only asks for it in a browser.
+  static void wait(const gl::Target& picture) {
+    unsigned char pixel[4];
+    picture.bind_for_reading();
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+  }
+
+  // ---- pictures beside the canvas ----
+
+  /// The present values while it lives; then the ones from before.
+  class Aside {
+   public:
+    explicit Aside(Opened& of) : before_(of.lab.parameters()) {}
+    ~Aside() { before_.set({}); }
+    Aside(const Aside&) = delete;
+    Aside& operator=(const Aside&) = delete;
+
+   private:
+    app::StartValues before_;
+  };
+
+  static glm::ivec2 size_of(const std::string& text) {
+    const auto size = course::find_size(text);
+    if (!size) throw Error::usage(fmt::format("'{}' is no size", text), "write it as 512x512");
+    return {size->width, size->height};
+  }
+
+  Json give(image::Image8 picture) {
+    given8_.push_back(std::move(picture));
+    const image::Image8& it = given8_.back();
+    buffers.push_back({it.samples.data(), it.samples.size(), "u8"});
+    return {{"width", it.width}, {"height", it.height}, {"channels", it.channels}};
+  }
+
+  Json draw(const Json& a) {
+    Opened& now = *current_;
+    const Aside aside(now);
+    const View view = view_called(a.value("view", std::string("color")));
+    const app::Settings settings = settings_of(a.value("set", Json::object()));
+    app::check_settings(now.lab.parameters(), settings);
+    now.start.set(settings);
+    const glm::ivec2 size = size_of(a.value("size", std::string("512x512")));
+    const int samples = a.value("samples", view == View::color ? 4 : 1);
+    if (view == View::color || a.value("colours", false))
+      return give(without_alpha(steady(now.canvas, view, size, samples, [&] { return now.canvas.read8(); })));
+    given_ = steady(now.canvas, view, size, samples, [&] { return now.canvas.read_float(); });
+    buffers.push_back({given_.samples.data(), given_.samples.size() * sizeof(float), "f32"});
+    return {{"width", given_.width}, {"height", given_.height}, {"channels", given_.channels}};
+  }
+
+  Json shown(Json a) {
+    a["colours"] = true;
+    return draw(a);
+  }
+
+  static image::Image8 without_alpha(const image::Image8& rgba) {
+    image::Image8 rgb(rgba.width, rgba.height, 3);
+    for (std::size_t i = 0; i < rgb.samples.size(); ++i) rgb.samples[i] = rgba.samples[i / 3 * 4 + i % 3];
+    return rgb;
+  }
+
+  Json pixel(glm::ivec2 at) {
+    Opened& now = *current_;
+    if (at.x < 0 || at.y < 0 || at.x >= size_.x || at.y >= size_.y)
+      throw Error::usage("no pixel of the canvas");
+    Json views = Json::array();
+    for (const View view : now.lab.views()) {
+      if (view == View::color || view == View::error) continue;
+      const glm::vec4 value = now.canvas.value_at(view, size_, at);
+      views.push_back({{"view", name_of(view)}, {"values", {value.x, value.y, value.z, value.w}}});
+    }
+    Json result{{"x", at.x}, {"y", at.y}, {"views", views}};
+    if (const auto comparison = now.canvas.compare_at(size_, at)) {
+      const auto& [measure, value, truth, error] = *comparison;
+      result["comparison"] = {{"view", name_of(measure.view)},
+                              {"unit", name_of(measure.unit)},
+                              {"of", measure.truth},
+                              {"value", {value.x, value.y, value.z}},
+                              {"truth", {truth.x, truth.y, truth.z}},
+                              {"error", error}};
+    }
+    return result;
+  }
+
+  // ---- steps ----
+
+  static bool is_shader(const std::string& file) { return file.starts_with("shaders/"); }
+
+  std::string file_of(const std::string& step) const {
+    const auto place = places_.find(step);
+    if (place == places_.end()) throw Error::usage(fmt::format("there is no step '{}'", step));
+    return place->second.file;
+  }
+
+  Json steps(const course::Lab& lab) {
+    Json list = Json::array();
+    const std::set<std::string> untouched = grade::untouched_steps({kTree, kBuild});
+    for (const course::Step& step : lab.steps) {
+      const auto place = places_.find(step.id);
+      Json one{{"id", step.id},       {"title", step.title}, {"points", step.points},
+               {"needs", step.needs}, {"hints", step.hints}, {"untouched", untouched.contains(step.id)}};
+      const std::string file = place == places_.end() ? "" : place->second.file;
+      one["kind"] = is_shader(file) ? "shader" : "c++";
+      one["file"] = file;
+      one["line"] = place == places_.end() ? 0 : place->second.line;
+      one["cases"] = Json::array();
+      for (const grade::LabPlan& plan : grade::public_plan({lab}))
+        for (const course::Case& it : plan.cases)
+          if (it.step == step.id)
+            one["cases"].push_back({{"name", it.name},
+                                    {"view", name_of(it.view)},
+                                    {"size", it.is_mesh() ? "" : as_text(it.size)},
+                                    {"set", set_of(it)},
+                                    {"limit", it.limit},
+                                    {"unit", name_of(course::unit_of(it.view))},
+                                    {"command", grade::command(lab, it)}});
+      list.push_back(one);
+    }
+    return list;
+  }
+
+  /// The texts between a step's markers, and where the first begins.
+  static std::vector<std::string> places_of(const std::string& text, const std::string& step,
+                                            int& first_line) {
+    std::vector<std::string> places;
+    bool inside = false;
+    int number = 0;
+    for (const std::string& line : lines_of(text)) {
+      ++number;
+      if (is_marker(line, "//@step " + step + " begin")) {
+        if (places.empty()) first_line = number + 1;
+        inside = true, places.emplace_back();
+      } else if (is_marker(line, "//@end")) {
+        inside = false;
+      } else if (inside) {
+        places.back() += line + "\n";
+      }
+    }
+    return places;
+  }
+
+  static std::string joined(const std::vector<std::string>& places) {
+    std::string text;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      text += (i > 0 ? std::string(kNextPlace) + "\n" : "") + places[i];
+    return text;
+  }
+
+  Json read(const std::string& step) {
+    const std::string file = file_of(step);
+    int line = 0, ignored = 0;
+    const std::string text = joined(places_of(read_file(kTree / file), step, line));
+    return {{"text", text},
+            {"first", joined(places_of(course::first_text(kTree, file), step, ignored))},
+            {"file", file},
+            {"line", line}};
+  }
+
+  Json write(const std::string& step, const std::string& text) {
+    const std::string file = file_of(step);
+    if (!is_shader(file))
+      throw Error::usage(fmt::format("step {} is written in C++: do it on the desktop", step));
+    for (const char* marker : {"//@step", "//@end", "//@starter", "//@teacher"})
+      for (const std::string& line : lines_of(text))
+        if (is_marker(line, marker))
+          throw Error::usage(fmt::format("a step's text has no line '{}'", marker));
+    std::vector<std::string> parts(1);
+    for (const std::string& line : lines_of(text))
+      if (is_marker(line, kNextPlace))
+        parts.emplace_back();
+      else
+        parts.back() += line + "\n";
+    std::string result;
+    std::size_t part = 0;
+    bool inside = false;
+    for (const std::string& line : lines_of(read_file(kTree / file))) {
+      if (is_marker(line, "//@end")) inside = false;
+      if (!inside) result += line + "\n";
+      if (!is_marker(line, "//@step " + step + " begin")) continue;
+      inside = true;
+      if (part < parts.size()) result += parts[part];
+      ++part;
+    }
+    if (part != parts.size())
+      throw Error::usage(
+          fmt::format("step {} is written in {} places, and this text has {}", step, part, parts.size()),
+          fmt::format("put a line {} between them", kNextPlace));
+    return put(file, result);
+  }
+
+  std::string known_file(const std::string& path) const {
+    for (const std::string& file : course::step_files(kTree))
+      if (file == path) return path;
+    throw Error::usage(fmt::format("'{}' is no file with steps", path));
+  }
+
+  Json files() {
+    Json list = Json::array();
+    for (const std::string& file : course::step_files(kTree))
+      if (is_shader(file)) list.push_back(file);
+    return list;
+  }
+
+  Json put(const std::string& path, const std::string& text) {
+    const std::string plain = student_text(text, known_file(path));
+    const auto same = [](const std::vector<course::Marker>& a, const std::vector<course::Marker>& b) {
+      return a.size() == b.size() &&
+             std::equal(a.begin(), a.end(), b.begin(),
+                        [](const course::Marker& x, const course::Marker& y) { return x.step == y.step; });
+    };
+    if (!same(course::markers_of(plain, path), course::markers_of(course::first_text(kTree, path), path)))
+      throw Error::failed("has other markers (//@step) than the course's file", {path}, "put them back");
+    write_file(kTree / path, plain);
+    for (auto& [number, one] : opened_) one->canvas.programs().clear();
+    return frame();
+  }
+
+  // ---- the judge ----
+
+  static void write_new(const fs::path& file, const std::string& text) {
+    fs::create_directories(file.parent_path());
+    write_file(file, text);
+  }
+
+  grade::Drawn draw_cases(const course::Lab& lab, const std::vector<course::Case>& cases,
+                          const fs::path& out) {
+    Opened& one = opened(lab);
+    const Aside aside(one);
+    grade::Drawn drawn;
+    fs::create_directories(out);
+    for (const course::Case& it : cases) try {
+        one.start.set(it.settings);
+        if (it.is_mesh()) {
+          mesh::write_ply(out / it.file, *one.lab.mesh(assets_));
+          continue;
+        }
+        const glm::ivec2 size(it.size.width, it.size.height);
+        if (it.view == View::color)
+          image::save_png(out / it.file, without_alpha(steady(one.canvas, it.view, size, 1,
+                                                              [&] { return one.canvas.read8(); })));
+        else
+          image::save_pfm(out / it.file,
+                          steady(one.canvas, it.view, size, 1, [&] { return one.canvas.read_float(); }));
+      } catch (const Error& error) {
+        const Place& place = error.place();
+        const std::string file = fs::path(place.file).filename();
+        drawn.faults[it.file] = plain_lines(error.what());
+        drawn.refused[it.file] = place.line > 0 ? fmt::format("{}:{}", file, place.line) : file;
+      }
+    return drawn;
+  }
+
+  Json check(const std::string& step) {
+    const grade::Draws draws{[this](const course::Lab& lab, const std::vector<course::Case>& cases,
+                                    const fs::path& out) { return draw_cases(lab, cases, out); },
+                             [this](const course::Lab&) { return context_->name(); }};
+    const grade::OwnTree tree{kTree, kBuild};
+    checked_ = step.empty() ? grade::check(tree, {course_lab()}, draws).front()
+                            : grade::check_step(tree, course_lab(), step, draws);
+    return Json::parse(grade::to_json(checked_));
+  }
+
+  Json compare(const std::string& name) {
+    for (const grade::StepResult& step : checked_.steps)
+      for (const grade::CaseResult& one : step.cases) {
+        if (one.name != name || one.is_mesh() || one.picture.empty()) continue;
+        image::Compared all = grade::compared(one);
+        Json size = give(std::move(all.own));
+        give(std::move(all.expected)), give(std::move(all.difference)), give(std::move(all.heat_map));
+        return size;
+      }
+    return nullptr;
+  }
+
+ public:
+  /// Forgets the pictures that the last call gave.
+  void clear() { buffers.clear(), given8_.clear(); }
+
+ private:
+  std::unique_ptr<gl::Context> context_;
+  app::Assets assets_;
+  std::vector<app::AnyLab*> labs_;
+  std::vector<course::Lab> course_;
+  std::map<std::string, Place> places_;
+  std::map<int, std::unique_ptr<Opened>> opened_;
+  Opened* current_ = nullptr;
+  std::optional<Display> display_;
+  glm::ivec2 size_{0};
+  int samples_ = 4;
+  image::ImageF given_;
+  std::list<image::Image8> given8_;
+  grade::LabResult checked_;
+};
+
+/// A compiler's lines "file:line:column: what" in an error's text.
+Json problems_of(const std::string& text) {
+  Json list = Json::array();
+  for (const std::string& line : lines_of(text)) {
+    const std::size_t colon = line.find(':');
+    if (colon == std::string::npos || line.find('.') > colon) continue;
+    char* rest = nullptr;
+    const long number = std::strtol(line.c_str() + colon + 1, &rest, 10);
+    if (number <= 0 || *rest != ':') continue;
+    char* after = rest;
+    const long column = std::strtol(rest + 1, &after, 10);
+    const bool has_column = column > 0 && *after == ':';
+    const char* what = has_column ? after + 1 : rest + 1;
+    while (*what == ' ') ++what;
+    list.push_back({{"file", line.substr(0, colon)},
+                    {"line", number},
+                    {"column", has_column ? column : 0},
+                    {"message", what}});
+  }
+  return list;
+}
+
+std::string answer(const char* request) {
+  static std::unique_ptr<Engine> engine;
+  Json result;
+  try {
+    if (engine == nullptr) engine = std::make_unique<Engine>();
+    engine->clear();
+    const Json call = Json::parse(request);
+    result["result"] = engine->call(call.at("call"), call.value("with", Json::object()));
+    result["buffers"] = Json::array();
+    for (const Engine::Buffer& buffer : engine->buffers)
+      result["buffers"].push_back({{"at", reinterpret_cast<std::uintptr_t>(buffer.at)},
+                                   {"bytes", buffer.bytes},
+                                   {"type", buffer.type}});
+  } catch (const Error& error) {
+    const Json problems = problems_of(error.what());
+    result = {{"error",
+               {{"message", error.what()},
+                {"kind", error.exit_code() == Exit::usage ? "usage" : "failed"},
+                {"file", problems.empty() ? Json(error.place().file) : problems[0]["file"]},
+                {"line", problems.empty() ? Json(error.place().line) : problems[0]["line"]},
+                {"column", problems.empty() ? Json(error.place().column) : problems[0]["column"]},
+                {"problems", problems}}}};
+  } catch (const std::exception& error) {
+    result = {{"error", {{"message", error.what()}, {"kind", "internal"}, {"problems", Json::array()}}}};
+  }
+  return result.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+}  // namespace texel::web
+
+extern "C" EMSCRIPTEN_KEEPALIVE const char* texel_call(const char* request) {
+  static std::string text;
+  text = texel::web::answer(request);
+  return text.c_str();
+}

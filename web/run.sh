@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: MIT
+# shellcheck shell=bash
+# ./run web: the labs as pages with WebAssembly.
+
+web_packages=(cmake ninja-build ccache emscripten node-acorn libglm-dev libfmt-dev libstb-dev libtomlplusplus-dev nlohmann-json3-dev)
+
+# Compiles the labs of a tree into a build folder.
+compile_engine() { # tree, build folder
+  local log
+  say "Compiling the labs for a browser"
+  # Emscripten's own scripts need Debian's acorn, also where another node is first on the path.
+  log=$(NODE_PATH=/usr/share/nodejs emcmake cmake -G Ninja -S "$root/web/engine" -B "$2" -D CMAKE_BUILD_TYPE=Release -D TEXEL_TREE="$1" 2>&1) ||
+    fail 3 "cmake failed:"$'\n'"$log"
+  NODE_PATH=/usr/share/nodejs cmake --build "$2" --parallel "$(nproc)" || fail 3 "the build failed"
+}
+
+# The steps that are written in C++: a page draws them as solved, and they are done on the desktop.
+cpp_steps() { grep -rhoE '//@step [0-9]+\.[0-9]+' "$root/labs" "$root/common" --include='*.[ch]pp' | cut -d' ' -f2 | sort -uV | paste -sd,; }
+
+web() { # --serve [PORT], --starter
+  local serve='' port=8080 kind=course tree=$root program=$root build=$root/build/web out=$root/out/web
+  is_course || kind=starter
+  while (($#)); do
+    case $1 in
+      --serve)
+        serve=yes
+        [[ ! ${2:-} =~ ^[0-9]+$ ]] || { port=$2; shift; }
+        ;;
+      --starter)
+        is_course || fail 2 "this tree is a starter already: type ./run web"
+        kind=starter
+        ;;
+      *) fail 2 "there is no option '$1'; ./run web takes --serve [PORT] and, in the course's tree, --starter" ;;
+    esac
+    shift
+  done
+  # Another node than Debian's, with its own npm, is as good.
+  local programs=()
+  command -v node >/dev/null || programs+=(nodejs)
+  command -v npm >/dev/null || programs+=(npm)
+  need "${web_packages[@]}" "${programs[@]}"
+  if is_course && [[ $kind == starter ]]; then
+    build_release texel
+    build=$root/build/web_starter
+    tree=$build/tree program=$build/program out=$root/out/web_starter
+    rm -rf "$tree"
+    texel starter --out "$tree"
+    # Files that are the same keep their time, and are not compiled again.
+    rm -rf "$build/fresh"
+    texel starter --out "$build/fresh" --solve "$(cpp_steps)"
+    mkdir -p "$program"
+    (cd "$build/fresh" && find . -type f -print0) | while IFS= read -r -d '' file; do
+      cmp -s "$build/fresh/$file" "$program/$file" || install -D "$build/fresh/$file" "$program/$file"
+    done
+    rm -rf "$build/fresh"
+  fi
+  compile_engine "$program" "$build"
+  mkdir -p "$out"
+  node "$root/web/engine/pack.mjs" "$tree" "$build" "$out/engine" "$kind"
+  if [[ -e $root/web/site/package.json ]]; then
+    say "Making the pages"
+    (cd "$root/web/site" && npm ci --no-audit --no-fund --loglevel=error && npm run --silent build -- --out "$out" --tree "$tree" $([[ ! -d $root/out/gallery ]] || echo --gallery "$root/out/gallery")) ||
+      fail 3 "the pages could not be made"
+  fi
+  say "Ready after $SECONDS s"
+  printf 'static files for any web server   %s\n' "$out"
+  [[ -z $serve ]] || exec node "$root/web/engine/serve.mjs" "$out" "$port"
+  printf 'look at them here                 ./run web --serve\n'
+}
