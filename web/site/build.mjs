@@ -79,9 +79,11 @@ function pages() {
   write("guide/index.html", textPage({ labs, title: "The student’s guide", html: guide }));
 
   const heroes = new Map(labs.map((lab) => {
-    const file = docs(`pictures/${lab.folder}.png`);
-    write(`pictures/${lab.folder}.jpg`, smallPicture(file, 600, 400, 82));
-    return [lab.folder, { src: `pictures/${lab.folder}.jpg`, width: 600, height: 400 }];
+    const file = galleryPicture(gallery, lab, lab.looks.find((look) => look.hero)) ?? docs(`pictures/${lab.folder}.png`);
+    const { width, height } = pngSize(file), wide = Math.min(600, width, Math.floor(1.5 * height));
+    const size = { width: wide, height: Math.round(wide / 1.5) };
+    write(`pictures/${lab.folder}.jpg`, smallPicture(file, size.width, size.height, 82));
+    return [lab.folder, { src: `pictures/${lab.folder}.jpg`, ...size }];
   }));
   const kind = existsSync(join(tree, "tools/course")) ? "course" : "starter";
   write("index.html", indexPage({ labs, heroes, kind }));

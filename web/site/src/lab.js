@@ -38,7 +38,7 @@ const session = new Session({
   freshCanvas: picture.fresh,
   work,
   state: () => ({ set: changed(now.parameters, now.values), view: now.view, split: now.split, size: picture.size() }),
-  on: { stuck, lost, restarted, undone: (step, text) => benches.get(step)?.write(text).catch(complain) },
+  on: { stuck, lost, failed: complain, restarted, undone: (step, text) => benches.get(step)?.write(text).catch(complain) },
 });
 
 // ---- What a frame says ----

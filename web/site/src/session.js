@@ -24,7 +24,7 @@ export class Session {
 
   /**
    * `lab`: number. `freshCanvas()`: an empty canvas in the picture's place. `work`: the texts (storage.js). `state()`: what to
-   * show, {set, view, split, size}. `on`: stuck(step), lost(message, step), restarted(), undone(step, text); `step` was written
+   * show, {set, view, split, size}. `on`: stuck(step), lost(message, step), failed(error), restarted(), undone(step, text); `step` was written
    * last, or null.
    */
   constructor({ lab, freshCanvas, work, state, on }) {
@@ -175,7 +175,7 @@ export class Session {
     const again = now - this.#lastLoss < 10_000 && this.#lastLoss > 0;
     this.#lastLoss = now;
     if (!again) {
-      this.restart().catch(() => {});
+      this.restart().catch((error) => this.on.failed(error));
       return;
     }
     this.#stopped = true;
