@@ -72,7 +72,8 @@ StudentRun::~StudentRun() {
 bool StudentRun::is_of_course(const std::string& path) const {
   if (!path.starts_with(submission_.root)) return false;
   const std::string below = path.substr(submission_.root.size());
-  for (const std::string folder : {"build", "out", ".starter", ".before-update", ".devcontainer", ".git", ".vscode", ".cache"})
+  for (const std::string folder :
+       {"build", "out", ".starter", ".before-update", ".devcontainer", ".git", ".vscode", ".cache"})
     if (below == folder || below.starts_with(folder + "/")) return true;
   const auto given = preparation_.given.find(below);
   return below.ends_with(".before-reset") || below == ".gitignore" ||

@@ -48,6 +48,7 @@ export SLURM_CONF=$work/slurm.conf
 processes=()
 stop() {
   for process in "${processes[@]}"; do kill "$process" 2>/dev/null || true; done
+  wait || true
   rm -rf "$sockets"
 }
 trap stop EXIT
