@@ -89,7 +89,6 @@ void heat_scale(const CasePictures& p, float width) {
 void picture_part(CasePictures& p, float side) {
   if (!p.fault.empty()) {
     wrapped(theme().next, p.fault);
-    wrapped(theme().next, without_markdown(p.message));
     return;
   }
   const auto choose = [&](const char* name, Shown value) {
@@ -156,7 +155,11 @@ Action draw_step(WindowState& state, glm::vec2 window, float /*scale*/) {
   Action action = Action::none;
   if (!p.fault.empty()) {
     action = text_part(state);
-    if (state.case_pictures) picture_part(*state.case_pictures, 0);
+    // A shader's error stands over the picture already, and in one place only.
+    if (!state.error.first.empty())
+      wrapped(theme().next, "No picture: the shader does not compile.");
+    else if (state.case_pictures)
+      picture_part(*state.case_pictures, 0);
   } else if (is_below) {
     const float side = std::clamp((room.y - texts) / aspect, 64.0F, 0.5F * room.x);
     const float column = std::max(side, std::min(ImGui::GetFontSize() * 23, 0.5F * room.x));

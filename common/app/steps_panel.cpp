@@ -48,7 +48,7 @@ void pick(AnyLab& lab, WindowState& state, const grade::StepResult& step, const 
 
 void step_details(AnyLab& lab, WindowState& state, const grade::StepResult& step) {
   wrapped(theme().dim, fmt::format("{}:{}", step.file, step.line));
-  if (step.status != Status::passed) wrapped(theme().text, step.message);
+  if (step.status != Status::passed && state.error.first.empty()) wrapped(theme().text, step.message);
   if (!step.mistake_says.empty()) wrapped(theme().next, "This looks like: " + step.mistake_says);
   std::size_t& shown = state.hints[step.id];
   for (std::size_t i = 0; i < std::min(shown, step.hints.size()); ++i)

@@ -35,7 +35,9 @@ check 'G shows the looks' changed_from "$work/first"
 xdotool mousemove --window "$window" 650 90
 sleep 1
 xdotool click 1
-# Its small pictures may still be drawn: the snapshot comes after the click.
+# Their window is darker than the picture's background.
+are_closed() { look "$work/now" 20x20+900+690 && (($(convert "$work/now" -colorspace gray -format '%[fx:mean>0.12]' info:) == 1)); }
+check 'a click on the second look closes them' eventually are_closed
 check 'a snapshot is written' snapshot
 check 'a click on the second look has set it' has_no_parameter "$snapshot" model=gator
 check 'the picture comes to rest' settle "$work/second"
