@@ -38,7 +38,7 @@ test("what stands around a step reaches to the blank lines", () => {
 test("a state is the same after its way through the address", () => {
   const state = { set: { method: "a b&c", yaw: "-12.5" }, view: "normal", split: { parameter: "method", value: "x:y", position: 0.25 } };
   assert.deepEqual(readState(writeState(state)), { ...state, look: null });
-  assert.equal(writeState({ set: {}, view: "color", split: null }), "");
+  assert.equal(writeState({ set: {}, view: "color", split: null }), "?look=default");
   assert.equal(readState("?compare=method:raw:7").split, null);
 });
 

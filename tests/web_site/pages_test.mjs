@@ -66,7 +66,7 @@ async function type(code) {
 const badge = (wanted) => until((w) => document.querySelector(".badge").textContent === w, wanted);
 
 test("the panel is made from the declaration", async () => {
-  await open();
+  await open("?look=default");
   const controls = await page.$$eval(".parameter > label", (labels) => labels.map((label) => [label.textContent, document.getElementById(label.htmlFor)?.type ?? ""]));
   const made = Object.fromEntries(controls);
   assert.equal(made.method, "select-one");
@@ -83,7 +83,7 @@ test("the panel is made from the declaration", async () => {
   assert.equal(await page.$eval("#parameter-near", (slider) => slider.getAttribute("aria-valuetext")), "0.03162 units");
   await until(() => location.search === "?near=0.03162");
   await page.click("[aria-label='Reset near to 0.1']");
-  await until(() => location.search === "");
+  await until(() => location.search === "?look=default");
   assert.deepEqual(complaints, []);
 });
 
@@ -113,6 +113,11 @@ test("the address is the state, there and back", async () => {
   assert.equal(await page.$eval(".message", (message) => message.hidden), true);
 });
 
+test("without a state in the address the lab opens with its best look", async () => {
+  await open("");
+  assert.equal(await page.$eval("#parameter-segments", (slider) => slider.getAttribute("aria-valuetext")), "96");
+});
+
 test("a look by name, and a command of the handout, set the picture", async () => {
   await open("?look=raw");
   assert.equal(await page.$eval(".views input:checked", (input) => input.value), "normal");
@@ -123,7 +128,7 @@ test("a look by name, and a command of the handout, set the picture", async () =
 });
 
 test("what is written is judged after a pause, and survives a reload", async () => {
-  await open();
+  await open("?look=default");
   assert.equal(await text(".badge"), "to do");
   await type("  return swapped;");
   await until(() => document.querySelector(".cause").textContent === "This looks like: red and green swapped");
@@ -143,7 +148,7 @@ test("what is written is judged after a pause, and survives a reload", async () 
 });
 
 test("an error of the compiler stands at its line, over the last good picture", async () => {
-  await open();
+  await open("?look=default");
   await type("  float a;\nsyntax error");
   await badge("does not compile");
   assert.match(await text(".workbench .problem"), /^line 5: /);
@@ -155,7 +160,7 @@ test("an error of the compiler stands at its line, over the last good picture", 
 });
 
 test("a case shows yours and the expected picture", async () => {
-  await open();
+  await open("?look=default");
   await page.evaluate(() => document.querySelector(".cases button").click());
   await page.waitForSelector(".viewer canvas", { timeout: 20_000 });
   const pixel = (x) => page.evaluate((at) => document.querySelector(".viewer canvas").getContext("2d").getImageData(at, 0, 1, 1).data[0], x);
@@ -166,7 +171,7 @@ test("a case shows yours and the expected picture", async () => {
 });
 
 test("a .zip goes out and comes in again with the same text", async () => {
-  await open();
+  await open("?look=default");
   await page.evaluate(() => texel.write("5.1", "  return right; // é\n"));
   // What the page gives to the user, without a folder for downloads.
   await page.evaluate(() => {
@@ -185,7 +190,7 @@ test("a .zip goes out and comes in again with the same text", async () => {
   assert.match(strFromU8(files[kFile]), /begin\n {2}return right; \/\/ é\n {2}\/\/@end/);
   // In a browser that has nothing yet; a folder around the tree does not matter.
   await page.evaluate(() => localStorage.clear());
-  await open();
+  await open("?look=default");
   const bring = async (content) => {
     await page.evaluate((list) => {
       const transfer = new DataTransfer();
@@ -205,7 +210,7 @@ test("a .zip goes out and comes in again with the same text", async () => {
 });
 
 test("an endless shader is stopped, and its last change can be undone", async () => {
-  await open();
+  await open("?look=default");
   await page.evaluate(() => texel.write("5.1", "  return right;\n"));
   await badge("done");
   await type("for (;;)");
@@ -248,7 +253,7 @@ test("pages fit a phone, a desk and a large screen, in light and dark", async ()
 });
 
 test("every control has a name and can be reached and worked by keys", async () => {
-  await open();
+  await open("?look=default");
   const nameless = await page.evaluate(() => [...document.querySelectorAll("button, input, select, a, [role=slider], [tabindex='0']")]
     .filter((e) => e.checkVisibility() && !(e.getAttribute("aria-label") || e.textContent.trim() || e.labels?.length || e.title || e.querySelector("img[alt]")?.alt))
     .map((e) => e.outerHTML.slice(0, 120)));
@@ -267,14 +272,14 @@ test("every control has a name and can be reached and worked by keys", async () 
   await until(() => !document.querySelector(".pixel").hidden);
   assert.deepEqual(await page.$$eval(".pixel td", (cells) => cells.map((cell) => cell.textContent)), ["0.0000  0.6000  -0.8000", "background"]);
   await page.keyboard.press("j");
-  await until(() => location.search === "");
+  await until(() => location.search === "?look=default");
   await page.keyboard.press(" ");
   await until(() => document.querySelector("[data-tool=turn]").getAttribute("aria-pressed") === "true");
 });
 
 test("fingers and the wheel turn and zoom, and a tap reads a pixel", async () => {
   await page.setViewport({ width: 375, height: 812, isMobile: true, hasTouch: true });
-  await open();
+  await open("?look=default");
   await page.touchscreen.tap(100, 200);
   await until(() => document.querySelector(".pixel").textContent.startsWith("Pixel"));
   await page.touchscreen.touchStart(100, 200);
@@ -285,7 +290,7 @@ test("fingers and the wheel turn and zoom, and a tap reads a pixel", async () =>
 });
 
 test("the pages work without a net after the first visit", async () => {
-  await open();
+  await open("?look=default");
   const kept = (file) => page.evaluate((name) => caches.match(new URL(name, location.href).href).then(Boolean), file);
   const all = ["../09_bump/index.html", "../engine/worker.mjs", "../pictures/steps/5.7.png"];
   for (let i = 0; i < 200 && !(await Promise.all(all.map(kept))).every(Boolean); ++i) await new Promise((done) => setTimeout(done, 100));

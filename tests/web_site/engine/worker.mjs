@@ -57,7 +57,7 @@ const calls = {
   },
   parameters: () => parameters.map((p) => ({ ...p, value: values[p.name] })),
   values: () => ({ values, key: "", flags: "", view }),
-  looks: () => [{ name: "raw", caption: "Raw", view: "normal", size: "512x512", set: { method: "raw" } }],
+  looks: () => [{ name: "fine", caption: "Fine", hero: true, view: "color", size: "512x512", set: { segments: "96" } }, { name: "raw", caption: "Raw", view: "normal", size: "512x512", set: { method: "raw" } }],
   set([wanted]) {
     for (const [name, value] of Object.entries(wanted)) {
       const p = parameters.find((one) => one.name === name) ?? fail(`there is no parameter '${name}'`);

@@ -333,7 +333,9 @@ async function start() {
   now.lab = await session.start();
   now.parameters = await session.call("parameters");
   now.values = Object.fromEntries(now.parameters.map((p) => [p.name, textOf(p.value ?? p.default)]));
-  const named = wanted.look && (await session.call("looks")).find((look) => look.name === wanted.look);
+  // As the window does: without a state in the address the lab opens with its best look.
+  const looks = await session.call("looks");
+  const named = looks.find((look) => (location.search === "" ? look.hero : look.name === wanted.look));
   const state = known(named ? { ...wanted, view: named.view, set: { ...named.set, ...wanted.set } } : wanted);
   now.view = now.lab.views.includes(state.view) ? state.view : "color";
   now.split = state.split;

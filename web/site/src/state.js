@@ -17,13 +17,13 @@ export function readState(search) {
   return state;
 }
 
-/** The query of a state; "" for the default look. */
+/** The query of a state. That of the default look is not empty: an empty one opens the lab's best look. */
 export function writeState({ set, view, split }) {
   const search = new URLSearchParams(set);
   if (view && view !== "color") search.set("view", view);
   if (split) search.set("compare", `${split.parameter}:${split.value}:${Number(split.position.toFixed(3))}`);
   const text = search.toString();
-  return text === "" ? "" : `?${text}`;
+  return `?${text || "look=default"}`;
 }
 
 /** The values that are not the defaults. */
