@@ -12,7 +12,7 @@ namespace texel::app {
 /// The gallery's looks of a lab (labs/NN_name/lab.toml), hero first, with small pictures of them.
 class Looks {
  public:
-  static constexpr glm::ivec2 kSize{192, 128};  ///< of a small picture, in pixels
+  static constexpr glm::ivec2 kSize{240, 160};  ///< of a small picture, in pixels
 
   /// No looks where the lab's file is missing; those with a view that this tree does not have are left out.
   /// A file that cannot be read is said so in fault().

@@ -48,8 +48,10 @@ bool look_button(const Looks::Entry& entry, ImVec2 size) {
 void draw_looks(AnyLab& lab, WindowState& state, glm::vec2 size, float scale) {
   if (!state.looks_open || !state.looks) return;
   const float margin = 12 * scale;
+  const ImVec2 largest(size.x - 2 * margin, size.y - 2 * margin);
   ImGui::SetNextWindowPos({state.panel_width + margin, margin});
-  ImGui::SetNextWindowSize({size.x - 2 * margin, size.y - 2 * margin});
+  ImGui::SetNextWindowSizeConstraints({largest.x, 0}, largest);
+  ImGui::SetNextWindowSize({largest.x, 0});  // as high as the pictures
   const auto& entries = state.looks->entries();
   const std::string progress =
       state.looks->drawn() < entries.size()
@@ -57,8 +59,8 @@ void draw_looks(AnyLab& lab, WindowState& state, glm::vec2 size, float scale) {
           : "";
   ImGui::Begin(fmt::format("Looks{}###looks", progress).c_str(), &state.looks_open, kFlags);
   const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
-  const float columns =
-      std::max(1.0F, std::floor((room + gap) / (static_cast<float>(Looks::kSize.x) * scale * 0.8F + gap)));
+  const float columns = std::clamp(
+      std::floor((room + gap) / (static_cast<float>(Looks::kSize.x) * scale * 0.8F + gap)), 1.0F, 5.0F);
   const float width = (room - (columns - 1) * gap) / columns;
   const ImVec2 picture(width,
                        width * static_cast<float>(Looks::kSize.y) / static_cast<float>(Looks::kSize.x));
