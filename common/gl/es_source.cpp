@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <optional>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace texel::gl {
@@ -48,6 +51,14 @@ constexpr const char* kRounding =
     texel_rounding = (rounded - place / {2:.1f}) * gl_Position.w;
     gl_Position.xy = ((wanted + {1}) / {0} * 2.0 - 1.0) * gl_Position.w;
   }}
+)";
+
+// What is interpolated is linear in the picture when it is divided by w, so its difference to the next pixel
+// is its derivative. The second line: how far the vertices were moved is told at the place that was moved.
+constexpr const char* kMovingBack =
+    R"(  vec2 rounding = texel_rounding * gl_FragCoord.w;
+  rounding += dFdx(rounding) * rounding.x + dFdy(rounding) * rounding.y;
+  texel_fragment_w = gl_FragCoord.w + dFdx(gl_FragCoord.w) * rounding.x + dFdy(gl_FragCoord.w) * rounding.y;
 )";
 
 void replace_all(std::string& text, const std::string& from, const std::string& to) {
@@ -97,10 +108,98 @@ std::string for_each(const std::vector<std::string>& names, const std::string& s
   return result;
 }
 
+// A loop that never ends would stop the browser's drawing for good: its drivers do not give up. So all loops
+// of one pixel together have so many rounds.
+constexpr const char* kRounds =
+    R"(int texel_rounds = 0;
+bool texel_goes_on() {{ return ++texel_rounds <= {}; }}
+)";
+/// What a pixel shows whose loops had to be ended. No lab draws this alpha.
+constexpr const char* kEndless = "  if (texel_rounds > {}) picture = vec4(1.0, 0.0, 1.0, 0.5);\n";
+
+bool is_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// Where the comment or the line of the preprocessor ends that begins at `at`; `at` where none does.
+std::size_t after_comment(const std::string& text, std::size_t at) {
+  if (text.compare(at, 2, "/*") == 0) {
+    const std::size_t end = text.find("*/", at + 2);
+    return end == std::string::npos ? text.size() : end + 2;
+  }
+  if (text.compare(at, 2, "//") == 0 || text[at] == '#') {
+    std::size_t end = text.find('\n', at);
+    while (end != std::string::npos && end > 0 && text[end - 1] == '\\') end = text.find('\n', end + 1);
+    return std::min(end, text.size());
+  }
+  return at;
+}
+
+/// The condition of the loop whose keyword ends at `at`, as [first, second); nothing where it cannot be
+/// found, or declares a variable.
+std::optional<std::pair<std::size_t, std::size_t>> condition(const std::string& text, std::size_t at,
+                                                             bool is_for) {
+  int depth = 0, parts = 0;
+  std::size_t begin = 0, end = 0;
+  for (; at < text.size(); ++at) {
+    if (const std::size_t next = after_comment(text, at); next > at) {
+      at = next - 1;
+      continue;
+    }
+    const char c = text[at];
+    if (depth == 0 && c != '(' && std::isspace(static_cast<unsigned char>(c)) == 0) return {};
+    if (c == '(' && ++depth == 1) begin = at + 1;
+    if (c == ';' && depth == 1 && ++parts <= 2) (parts == 1 ? begin : end) = parts == 1 ? at + 1 : at;
+    if (c != ')' || --depth > 0) continue;
+    if (!is_for) end = at;
+    if (parts != (is_for ? 2 : 0)) return {};
+    const std::size_t word = text.find_first_not_of(" \t\r\n", begin);
+    if (text.compare(word, 5, "bool ") == 0) return {};
+    return std::pair(begin, end);
+  }
+  return {};
+}
+
+/// Counts the rounds of all loops. Changes no line's number. Gives whether there was a loop.
+bool guard_loops(std::string& text) {
+  std::string result;
+  std::size_t copied = 0;
+  std::vector<std::pair<std::size_t, std::string>> inserted;
+  for (std::size_t at = 0; at < text.size();) {
+    if (const std::size_t next = after_comment(text, at); next > at) {
+      at = next;
+      continue;
+    }
+    const std::size_t begin = at;
+    while (at < text.size() && is_word(text[at])) ++at;
+    if (at == begin) {
+      ++at;
+      continue;
+    }
+    const std::string word = text.substr(begin, at - begin);
+    if (word != "for" && word != "while") continue;
+    const auto found = condition(text, at, word == "for");
+    if (!found) continue;
+    const bool is_empty = text.find_first_not_of(" \t\r\n", found->first) >= found->second;
+    inserted.emplace_back(found->first, is_empty ? "texel_goes_on()" : "texel_goes_on() && (");
+    if (!is_empty) inserted.emplace_back(found->second, ")");
+  }
+  std::stable_sort(inserted.begin(), inserted.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [place, what] : inserted) {
+    result.append(text, copied, place - copied).append(what);
+    copied = place;
+  }
+  result.append(text, copied, std::string::npos);
+  text = std::move(result);
+  return !inserted.empty();
+}
+
 }  // namespace
 
 std::string es_source(const std::string& text, bool is_fragment, int subpixel_bits) {
   std::string body = text.substr(text.find('\n') + 1);  // without #version
+  const bool loops = guard_loops(body);
   const bool moves = subpixel_bits < kEnoughSubpixelBits && body.find("gl_VertexID ==") == std::string::npos;
   const bool decodes = is_fragment && body.find("out vec4 picture;") != std::string::npos;
   std::string declared, before, after;
@@ -110,11 +209,10 @@ std::string es_source(const std::string& text, bool is_fragment, int subpixel_bi
     if (!names.empty()) {
       replace_all(body, "gl_FragCoord.w", "texel_fragment_w");
       declared = "in vec2 texel_rounding;\nfloat texel_fragment_w;\n";
-      before =
-          "  vec2 rounding = texel_rounding * gl_FragCoord.w;  // linear in the picture\n"
-          "  texel_fragment_w = gl_FragCoord.w + dFdx(gl_FragCoord.w) * rounding.x + dFdy(gl_FragCoord.w) * "
-          "rounding.y;\n" +
-          for_each(names, "@ = texel_at_@ + dFdx(texel_at_@) * rounding.x + dFdy(texel_at_@) * rounding.y;");
+      before = kMovingBack +
+               for_each(names,
+                        "@ = texel_at_@ * gl_FragCoord.w;\n"
+                        "  @ = (@ + dFdx(@) * rounding.x + dFdy(@) * rounding.y) / texel_fragment_w;");
     }
   } else if (moves) {
     body = with_copies(body, "out", names);
@@ -130,7 +228,11 @@ std::string es_source(const std::string& text, bool is_fragment, int subpixel_bi
     declared += fmt::format("uniform bool {};\n", kKeepsBytes);
     after += kDecoding;
   }
-  if (declared.empty()) return kHead + body;
+  if (loops) {
+    declared += fmt::format(kRounds, kMostRounds);
+    if (decodes) after += fmt::format(kEndless, kMostRounds);
+  }
+  if (before.empty() && after.empty()) return kHead + declared + body;
   return std::string(kHead).append(declared).append("#define main texel_main\n").append(body) +
          "#undef main\nvoid main() {\n" + before + "  texel_main();\n" + after + "}\n";
 }

@@ -57,12 +57,14 @@ export class Engine {
     for (const { call, args } of [...this.#written.values()]) await this.#call(call, args).catch(() => {});
     if (values) await this.set(values);
     if (view) await this.view(view);
+    if (this.#split) await this.#call("split", this.#split);
     if (this.#canvasSize) await this.resize(...this.#canvasSize);
   }
   /// Leaves out a step's text at the next restart, as when it never ends.
   forget(step) { this.#written.delete(step); }
 
   #lastValues = null;
+  #split = null;
 
   #call(call, args = {}, transfer = [], patience = this.#options.patience) {
     const last = this.#waiting.at(-1);
@@ -106,7 +108,11 @@ export class Engine {
   }
 
   #remember({ call, args }, result) {
-    if (call === "open") this.#lab = args.lab;
+    if (call === "open") {
+      if (this.#lab !== args.lab) this.#split = null;
+      this.#lab = args.lab;
+    }
+    if (call === "split") this.#split = args.parameter === undefined ? null : args;
     if (call === "resize") this.#canvasSize = [args.width, args.height];
     if (call === "values") this.#lastValues = result;
   }
@@ -119,7 +125,11 @@ export class Engine {
     for (const one of all) { one.promise.catch(() => {}); one.reject(error); }
   }
 
-  end() { this.#worker.terminate(); }
+  /// Ends the worker. Calls that wait are rejected.
+  end() {
+    this.#worker.terminate();
+    this.#fail(new EngineError({ message: "the engine was ended", kind: "failed" }));
+  }
 }
 
 /// `canvas` may be left out by a page that only asks for pictures and checks.

@@ -106,9 +106,9 @@ onmessage = async ({ data: { id, call, args } }) => {
   try {
     const result = await (special[call] ? special[call](args) : ask(call, args).result);
     const report = result?.report ?? result;
-    if (report?.frame_ms !== undefined && call !== "figures") {
+    if (report?.drawn) {
       frameMs = report.frame_ms;
-      if (canvas.width > 16) firstPicture ??= performance.timeOrigin + performance.now() - timeOrigin;
+      firstPicture ??= performance.timeOrigin + performance.now() - timeOrigin;
     }
     postMessage({ id, result });
   } catch (error) {

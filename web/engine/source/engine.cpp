@@ -23,10 +23,12 @@
 #include "core/stopwatch.hpp"
 #include "course/lab_file.hpp"
 #include "course/markers.hpp"
+#include "coverage.hpp"
 #include "gl/context.hpp"
 #include "gl/es_source.hpp"
 #include "gl/upload.hpp"
 #include "gl/web_context.hpp"
+#include "image/load.hpp"
 #include "image/save.hpp"
 #include "judge/plan.hpp"
 #include "judge/results_json.hpp"
@@ -101,38 +103,6 @@ void main() {
   gl::Program program_;
   gl::VertexArray no_attributes_;
 };
-
-/// A picture for the judge. A renderer that rounds vertices coarsely gives some pixels to a neighbour's
-/// triangle: there the picture is drawn several times, moved by other parts of its rounding, and each sample
-/// is the median. `read` gives the canvas' picture.
-template <class Read>
-auto steady(app::Canvas& canvas, View view, glm::ivec2 size, int samples, Read read) {
-  constexpr std::size_t times = 9;
-  const int bits = gl::subpixel_bits();
-  canvas.draw(view, size, samples);
-  auto result = read();
-  if (bits >= gl::kEnoughSubpixelBits || view == View::error) return result;
-  std::vector<decltype(result)> all;
-  for (std::size_t i = 0; i < times; ++i) {
-    // Evenly over one step of the rounding: x in order, y in the order of 4 i modulo 9.
-    const auto part = [&](std::size_t k) {
-      return ((static_cast<float>(k % times) + 0.5F) / times - 0.5F) / static_cast<float>(1 << bits);
-    };
-    gl::set_shift(part(i), part(4 * i));
-    canvas.draw(view, size, samples);
-    all.push_back(read());
-  }
-  gl::set_shift(0, 0);
-  std::array<typename decltype(result.samples)::value_type, times> values{};
-  for (std::size_t sample = 0; sample < result.samples.size(); ++sample) {
-    for (std::size_t i = 0; i < times; ++i) values[i] = all[i].samples[sample];
-    // A NaN of most stays one: those come last.
-    std::nth_element(values.begin(), values.begin() + times / 2, values.end(),
-                     [](auto a, auto b) { return a < b || (b != b && a == a); });
-    result.samples[sample] = values[times / 2];
-  }
-  return result;
-}
 
 /// A file of the tree as the student has it: with one text between a step's markers.
 std::string student_text(const std::string& text, const std::string& file) {
@@ -348,12 +318,14 @@ class Engine {
     const Stopwatch stopwatch;
     Opened& now = *current_;
     Json report;
-    if (size_.x > 0 && size_.y > 0) {
+    const bool draws = size_.x > 0 && size_.y > 0;  // not before the page has said how large
+    if (draws) {
       now.canvas.draw(now.view, size_, samples_, now.split);
       if (!display_) display_.emplace(assets_.shader_root());
       display_->show(now.canvas.picture());
       wait(now.canvas.picture());
     }
+    report["drawn"] = draws;
     report["frame_ms"] = stopwatch.milliseconds();
     report["warnings"] = now.canvas.notes().warnings;
     report["facts"] = now.canvas.notes().facts;
@@ -408,9 +380,9 @@ class Engine {
     now.start.set(settings);
     const glm::ivec2 size = size_of(a.value("size", std::string("512x512")));
     const int samples = a.value("samples", view == View::color ? 4 : 1);
-    if (view == View::color || a.value("colours", false))
-      return give(without_alpha(steady(now.canvas, view, size, samples, [&] { return now.canvas.read8(); })));
-    given_ = steady(now.canvas, view, size, samples, [&] { return now.canvas.read_float(); });
+    now.canvas.draw(view, size, samples);
+    if (view == View::color || a.value("colours", false)) return give(without_alpha(now.canvas.read8()));
+    given_ = now.canvas.read_float();
     buffers.push_back({given_.samples.data(), given_.samples.size() * sizeof(float), "f32"});
     return {{"width", given_.width}, {"height", given_.height}, {"channels", given_.channels}};
   }
@@ -579,7 +551,27 @@ class Engine {
       throw Error::failed("has other markers (//@step) than the course's file", {path}, "put them back");
     write_file(kTree / path, plain);
     for (auto& [number, one] : opened_) one->canvas.programs().clear();
-    return frame();
+    Json report = frame();
+    if (shows_endless_loop())
+      report["endless"] = fmt::format(
+          "A loop goes on for more than {} rounds. It was ended there, and the picture is magenta.",
+          gl::kMostRounds);
+    return report;
+  }
+
+  /// Whether gl::es_source ended a loop in a pixel of the canvas.
+  bool shows_endless_loop() {
+    if (size_.x <= 0 || size_.y <= 0) return false;
+    const auto is_marked = [](const auto& picture, auto full, auto half, auto rounding) {
+      for (std::size_t i = 0; i + 4 <= picture.samples.size(); i += 4) {
+        const auto* p = &picture.samples[i];
+        if (p[0] == full && p[1] == 0 && p[2] == full && std::abs(p[3] - half) <= rounding) return true;
+      }
+      return false;
+    };
+    if (current_->view != View::color && current_->view != View::error)
+      return is_marked(current_->canvas.read_float(), 1.0F, 0.5F, 0.0F);
+    return is_marked(current_->canvas.read8(), 255, 128, 1);
   }
 
   // ---- the judge ----
@@ -602,12 +594,14 @@ class Engine {
           continue;
         }
         const glm::ivec2 size(it.size.width, it.size.height);
+        const std::string reference = read_file(grade::expected_folder(kTree, lab) / it.file);
         if (it.view == View::color)
-          image::save_png(out / it.file, without_alpha(steady(one.canvas, it.view, size, 1,
-                                                              [&] { return one.canvas.read8(); })));
+          image::save_png(out / it.file, without_alpha(covered_as(
+                                             image::parse_png(reference, it.file, size.x, size.y), one.canvas,
+                                             it.view, size, [&] { return one.canvas.read8(); })));
         else
-          image::save_pfm(out / it.file,
-                          steady(one.canvas, it.view, size, 1, [&] { return one.canvas.read_float(); }));
+          image::save_pfm(out / it.file, covered_as(image::parse_pfm(reference, it.file), one.canvas, it.view,
+                                                    size, [&] { return one.canvas.read_float(); }));
       } catch (const Error& error) {
         const Place& place = error.place();
         const std::string file = fs::path(place.file).filename();

@@ -88,12 +88,12 @@ export class Session {
     return this.#within(this.#judge[name](...values));
   }
 
-  /** A text of a step: kept, drawn, and told to the judge. Rejects where it does not compile; it is kept all the same. */
+  /** A text of a step: kept, drawn, and told to the judge. Gives the frame's report. Rejects where it does not compile; it is kept all the same. */
   async write(step, text) {
     this.work.write(step, text);
     this.#lastWritten = step;
     let problem = null;
-    await this.call("write", step, text).catch((error) => {
+    const report = await this.call("write", step, text).catch((error) => {
       if (error instanceof Stopped) throw error;
       problem = error;
     });
@@ -102,6 +102,7 @@ export class Session {
       await this.#tell(step, text);
     }
     if (problem) throw problem;
+    return report;
   }
 
   /** Takes the last change back and starts again. */

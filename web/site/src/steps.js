@@ -92,19 +92,20 @@ class Workbench {
   /** Writes the text, and judges it if it compiles. */
   async try(text) {
     const round = ++this.round;
-    const problem = await this.session.write(this.step.id, text).then(() => null, (error) => {
+    let problem = null;
+    const report = await this.session.write(this.step.id, text).catch((error) => {
       if (error instanceof Stopped) throw error;
-      return error;
+      problem = error;
     });
     if (round !== this.round) return;
-    this.showProblem(problem);
+    this.showProblem(problem ?? (report?.endless ? { message: report.endless } : null));
     if (problem) {
       this.show({ ...this.step, status: "failed" }, false);
       this.badge.textContent = "does not compile";
       return;
     }
     await this.check();
-    if (round === this.round) this.work.drewWell(this.step.id);
+    if (round === this.round && !report?.endless) this.work.drewWell(this.step.id);
   }
 
   /** Judges what stands there; `show` has the result. */
