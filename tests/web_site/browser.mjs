@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
 // A headless Chromium with WebGL 2 by SwiftShader, and a page that has nothing but the engine.
+import { existsSync, mkdtempSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
-import { serve } from "../../web/engine/serve.mjs";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { serve } from "./serve.mjs";
 
-const site = new URL("../../web/site/package.json", import.meta.url).pathname;
-const puppeteer = createRequire(process.env.TEXEL_PUPPETEER ?? site)("puppeteer-core");
+const site = join(dirname(fileURLToPath(import.meta.url)), "../../web/site");
+if (!existsSync(join(site, "node_modules"))) {
+  console.log("skipped: the packages of web/site are not installed (npm ci)");
+  process.exit(77);
+}
+const puppeteer = createRequire(join(site, "package.json"))("puppeteer-core");
 
-export const chromium = process.env.TEXEL_CHROMIUM ?? "/usr/bin/chromium";
+export const chromium = process.env.CHROMIUM ?? "/usr/bin/chromium";
 
 export async function launch() {
   const profile = mkdtempSync(join(tmpdir(), "texel_web_"));
@@ -26,18 +31,21 @@ export async function launch() {
 
 /// A page with `engine`, without a canvas, from the site in `folder`.
 export async function enginePage(browser, folder) {
-  writeFileSync(join(folder, "engine_test.html"), `<!doctype html><title>engine</title><canvas id="c" width="512" height="512"></canvas>
-<script type="module">
-import { startEngine } from "./engine/client.mjs";
-window.ready = startEngine({ canvas: document.getElementById("c"), patience: 600000 }).then((e) => (window.engine = e));
-window.text = (data) => { let s = ""; for (let i = 0; i < data.length; i += 32768) s += String.fromCharCode(...data.subarray(i, i + 32768)); return btoa(s); };
-</script>`);
   const server = await serve(folder);
   const page = await browser.newPage();
   page.on("console", (message) => process.env.TEXEL_VERBOSE && console.log("  page:", message.text()));
   page.on("pageerror", (error) => console.log("  page error:", error.message));
-  await page.goto(`http://127.0.0.1:${server.address().port}/engine_test.html`);
-  await page.evaluate(() => window.ready.then(() => null));
+  await page.goto(`${server.url}engine/files.json`);  // any page of the site
+  await page.evaluate(async () => {
+    const { startEngine } = await import("/engine/client.mjs");
+    const canvas = document.body.appendChild(document.createElement("canvas"));
+    window.engine = await startEngine({ canvas, patience: 600000 });
+    window.text = (data) => {
+      let text = "";
+      for (let i = 0; i < data.length; i += 32768) text += String.fromCharCode(...data.subarray(i, i + 32768));
+      return btoa(text);
+    };
+  });
   return {
     page,
     /// await call("open", 5)

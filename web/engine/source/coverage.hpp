@@ -3,49 +3,59 @@
 #include <cmath>
 #include <cstddef>
 #include <glm/glm.hpp>
+#include <numbers>
 
 #include "app/lab.hpp"
 #include "canvas.hpp"
+#include "course/case.hpp"
 #include "gl/es_source.hpp"
 #include "gl/web_context.hpp"
 
 namespace texel::web {
 
-/// A picture for the judge. Which triangle covers a pixel at an edge is the rasteriser's choice: OpenGL
-/// leaves it how finely it rounds a vertex's place. The limits were measured with 8 bits. A renderer with
-/// fewer draws the picture nine times, with the vertices moved by up to half a step of its rounding, and each
-/// pixel is the one nearest to the expected picture. Inside a triangle all nine are the same up to 1e-6, so
-/// that a mistake stays one; a value that is not finite stays too.
+/// A case's picture for the judge. Which triangle covers a pixel at an edge is the rasteriser's choice:
+/// OpenGL leaves it how finely it rounds a vertex's place. The limits were measured with 8 bits. A renderer
+/// with fewer draws the picture nine times, with the vertices moved by up to half a step of its rounding. A
+/// pixel that is past the limit in the first picture, and within it in another one, is taken from that.
+/// Inside a triangle all nine are the same up to 1e-6, so a mistake stays one; a value that is not finite
+/// stays too.
 ///
 /// `read` gives the canvas' picture, of 4 channels; `expected` is of 3, bottom row first.
 template <class Read, class Picture>
-Picture covered_as(const Picture& expected, app::Canvas& canvas, app::View view, glm::ivec2 size, Read read) {
+Picture covered_as(const Picture& expected, const course::Case& of, app::Canvas& canvas, Read read) {
+  const glm::ivec2 size(of.size.width, of.size.height);
   const auto draw = [&](float x, float y) {
     gl::set_shift(x, y);
-    canvas.draw(view, size, 1);
+    canvas.draw(of.view, size, 1);
     return read();
   };
-  Picture best = draw(0, 0);
+  Picture first = draw(0, 0);
   const int bits = gl::subpixel_bits();
-  if (bits >= gl::kEnoughSubpixelBits || expected.width != size.x || expected.height != size.y) return best;
+  if (bits >= gl::kEnoughSubpixelBits || expected.width != size.x || expected.height != size.y) return first;
   const auto distance = [&](const Picture& picture, std::size_t pixel) {
     double sum = 0;
-    for (std::size_t c = 0; c < 3; ++c)
-      sum += std::abs(static_cast<double>(picture.samples[4 * pixel + c]) -
-                      static_cast<double>(expected.samples[3 * pixel + c]));
-    return sum;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double one = static_cast<double>(picture.samples[4 * pixel + c]) -
+                         static_cast<double>(expected.samples[3 * pixel + c]);
+      sum += one * one;
+    }
+    return std::sqrt(sum);
   };
-  const float half = 0.5F / static_cast<float>(1 << bits);
+  // Of directions, which are unit vectors, the chord.
+  const double limit =
+      unit_of(of.view) == course::Unit::degrees ? of.limit * std::numbers::pi / 180 : of.limit;
+  // A little less than half a step: vertices lie at 1/256 of a pixel, and none may come to lie between two
+  // steps.
+  const float half = 15.0F / 32.0F / static_cast<float>(1 << bits);
   for (int i = 0; i < 9; ++i) {
     if (i == 4) continue;  // drawn already
     const Picture other = draw(static_cast<float>(i % 3 - 1) * half, static_cast<float>(i / 3 - 1) * half);
-    for (std::size_t pixel = 0; pixel < best.samples.size() / 4; ++pixel) {
-      if (!(distance(other, pixel) < distance(best, pixel))) continue;
-      for (std::size_t c = 4 * pixel; c < 4 * pixel + 4; ++c) best.samples[c] = other.samples[c];
-    }
+    for (std::size_t pixel = 0; pixel < first.samples.size() / 4; ++pixel)
+      if (distance(first, pixel) > limit && distance(other, pixel) <= limit)
+        for (std::size_t c = 4 * pixel; c < 4 * pixel + 4; ++c) first.samples[c] = other.samples[c];
   }
   gl::set_shift(0, 0);
-  return best;
+  return first;
 }
 
 }  // namespace texel::web

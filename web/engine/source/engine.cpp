@@ -24,6 +24,7 @@
 #include "course/lab_file.hpp"
 #include "course/markers.hpp"
 #include "coverage.hpp"
+#include "display.hpp"
 #include "gl/context.hpp"
 #include "gl/es_source.hpp"
 #include "gl/upload.hpp"
@@ -35,6 +36,7 @@
 #include "mesh/ply.hpp"
 #include "reports.hpp"
 #include "settings.hpp"
+#include "step_texts.hpp"
 
 namespace texel::app {
 namespace {
@@ -58,8 +60,6 @@ using app::View;
 
 const fs::path kTree = "/tree", kBuild = "/build";
 constexpr float kDegreesPerUnit = 0.35F;  // of dragging, as in the window
-/// Between the parts of a step that is written in several places.
-constexpr const char* kNextPlace = "//@next";
 
 /// A lab that was opened, with what its canvas shows.
 struct Opened {
@@ -71,60 +71,6 @@ struct Opened {
   View view = View::color;
   std::optional<app::Canvas::Split> split;
 };
-
-/// Copies a picture into the page's canvas: its texture decodes, the canvas has encoded bytes.
-class Display {
- public:
-  explicit Display(const fs::path& shaders)
-      : program_(std::make_shared<const gl::ShaderSource>(shaders, "app/present.vert"),
-                 std::make_shared<const gl::ShaderSource>(shaders, "display", kFragment), {}) {}
-  void show(const gl::Target& picture) {
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, picture.width(), picture.height());
-    glEnable(GL_FRAMEBUFFER_SRGB);  // the shader encodes: nothing is to be decoded
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_SCISSOR_TEST);
-    program_.use();
-    gl::bind(0, GL_TEXTURE_2D, picture.texture());
-    program_.set("values", 0);
-    glBindVertexArray(no_attributes_.id());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-  }
-
- private:
-  static constexpr const char* kFragment = R"(#version 330 core
-uniform sampler2D values;
-out vec4 shown;
-void main() {
-  vec3 light = texelFetch(values, ivec2(gl_FragCoord.xy), 0).rgb;
-  shown = vec4(mix(light * 12.92, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308))), 1.0);
-}
-)";
-  gl::Program program_;
-  gl::VertexArray no_attributes_;
-};
-
-/// A file of the tree as the student has it: with one text between a step's markers.
-std::string student_text(const std::string& text, const std::string& file) {
-  return text.find("@starter") == std::string::npos
-             ? text
-             : course::with_steps(text, file, [](const std::string&) { return true; });
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    lines.push_back(text.substr(at, end - at));
-    at = end + 1;
-  }
-  return lines;
-}
-
-bool is_marker(const std::string& line, const std::string& marker) {
-  return plain_text(line).find(marker) != std::string::npos &&
-         line.find_first_not_of(" \t") == line.find(marker);
-}
 
 class Engine {
  public:
@@ -458,33 +404,6 @@ class Engine {
     return list;
   }
 
-  /// The texts between a step's markers, and where the first begins.
-  static std::vector<std::string> places_of(const std::string& text, const std::string& step,
-                                            int& first_line) {
-    std::vector<std::string> places;
-    bool inside = false;
-    int number = 0;
-    for (const std::string& line : lines_of(text)) {
-      ++number;
-      if (is_marker(line, "//@step " + step + " begin")) {
-        if (places.empty()) first_line = number + 1;
-        inside = true, places.emplace_back();
-      } else if (is_marker(line, "//@end")) {
-        inside = false;
-      } else if (inside) {
-        places.back() += line + "\n";
-      }
-    }
-    return places;
-  }
-
-  static std::string joined(const std::vector<std::string>& places) {
-    std::string text;
-    for (std::size_t i = 0; i < places.size(); ++i)
-      text += (i > 0 ? std::string(kNextPlace) + "\n" : "") + places[i];
-    return text;
-  }
-
   Json read(const std::string& step) {
     const std::string file = file_of(step);
     int line = 0, ignored = 0;
@@ -596,12 +515,12 @@ class Engine {
         const glm::ivec2 size(it.size.width, it.size.height);
         const std::string reference = read_file(grade::expected_folder(kTree, lab) / it.file);
         if (it.view == View::color)
-          image::save_png(out / it.file, without_alpha(covered_as(
-                                             image::parse_png(reference, it.file, size.x, size.y), one.canvas,
-                                             it.view, size, [&] { return one.canvas.read8(); })));
+          image::save_png(out / it.file,
+                          without_alpha(covered_as(image::parse_png(reference, it.file, size.x, size.y), it,
+                                                   one.canvas, [&] { return one.canvas.read8(); })));
         else
-          image::save_pfm(out / it.file, covered_as(image::parse_pfm(reference, it.file), one.canvas, it.view,
-                                                    size, [&] { return one.canvas.read_float(); }));
+          image::save_pfm(out / it.file, covered_as(image::parse_pfm(reference, it.file), it, one.canvas,
+                                                    [&] { return one.canvas.read_float(); }));
       } catch (const Error& error) {
         const Place& place = error.place();
         const std::string file = fs::path(place.file).filename();

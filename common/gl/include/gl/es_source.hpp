@@ -19,8 +19,8 @@ namespace texel::gl {
 /// times, each with the vertices moved by another part of a pixel (kShift), which is taken back in the same
 /// way.
 ///
-/// Loops end after kMostRounds rounds, all of one vertex or pixel together. A pixel that got so far is magenta, with
-/// an alpha of one half.
+/// Loops end after kMostRounds rounds, all of one vertex or pixel together. A pixel that got so far is
+/// magenta, with an alpha of one half.
 std::string es_source(const std::string& text, bool is_fragment, int subpixel_bits);
 /// All uniforms that it adds begin so.
 inline constexpr const char* kAddedUniforms = "texel_";
@@ -28,8 +28,8 @@ inline constexpr const char* kKeepsBytes = "texel_keeps_bytes";
 inline constexpr const char* kPictureSize = "texel_picture_size";
 inline constexpr const char* kShift = "texel_shift";
 /// Four times what a pixel of a 16x16 supersampled picture needs; llvmpipe ends a loop at 65536. On two cores
-/// SwiftShader draws 512x512 pixels with 4096 rounds of a sine in 6.4 s: with so many it stays quick enough to
-/// write on.
+/// SwiftShader draws 512x512 pixels with 4096 rounds of a sine in 6.4 s: with so many it stays quick enough
+/// to write on.
 inline constexpr int kMostRounds = 1024;
 /// So many bits are as good as the renderers have with which the limits were measured.
 inline constexpr int kEnoughSubpixelBits = 8;

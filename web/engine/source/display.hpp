@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <memory>
+
+#include "gl/objects.hpp"
+#include "gl/program.hpp"
+#include "gl/target.hpp"
+#include "gl/upload.hpp"
+
+namespace texel::web {
+
+/// Copies a picture into the page's canvas: its texture decodes, the canvas has encoded bytes.
+class Display {
+ public:
+  explicit Display(const std::filesystem::path& shaders)
+      : program_(std::make_shared<const gl::ShaderSource>(shaders, "app/present.vert"),
+                 std::make_shared<const gl::ShaderSource>(shaders, "display", kFragment), {}) {}
+  void show(const gl::Target& picture) {
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, picture.width(), picture.height());
+    glEnable(GL_FRAMEBUFFER_SRGB);  // the shader encodes: nothing is to be decoded
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_SCISSOR_TEST);
+    program_.use();
+    gl::bind(0, GL_TEXTURE_2D, picture.texture());
+    program_.set("values", 0);
+    glBindVertexArray(no_attributes_.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+
+ private:
+  static constexpr const char* kFragment = R"(#version 330 core
+uniform sampler2D values;
+out vec4 shown;
+void main() {
+  vec3 light = texelFetch(values, ivec2(gl_FragCoord.xy), 0).rgb;
+  shown = vec4(mix(light * 12.92, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308))), 1.0);
+}
+)";
+  gl::Program program_;
+  gl::VertexArray no_attributes_;
+};
+
+}  // namespace texel::web
