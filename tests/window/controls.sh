@@ -32,11 +32,11 @@ check 'it opens with the hero of the gallery' has_parameter "$snapshot" model=ga
 
 press g
 check 'G shows the looks' changed_from "$work/first"
-xdotool mousemove --window "$window" 650 90
+xdotool mousemove --window "$window" 800 90
 sleep 1
 xdotool click 1
-# Their window is darker than the picture's background.
-are_closed() { look "$work/now" 20x20+900+690 && (($(convert "$work/now" -colorspace gray -format '%[fx:mean>0.12]' info:) == 1)); }
+# Between the first two looks their window is darker than the picture's background.
+are_closed() { look "$work/now" 4x160+641+60 && (($(convert "$work/now" -colorspace gray -format '%[fx:mean>0.12]' info:) == 1)); }
 check 'a click on the second look closes them' eventually are_closed
 check 'a snapshot is written' snapshot
 check 'a click on the second look has set it' has_no_parameter "$snapshot" model=gator
