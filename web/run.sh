@@ -39,6 +39,8 @@ web() { # --serve [PORT], --starter
   command -v node >/dev/null || programs+=(nodejs)
   command -v npm >/dev/null || programs+=(npm)
   need "${web_packages[@]}" "${programs[@]}"
+  # The small pictures of the looks are the gallery's.
+  [[ -d $root/out/gallery ]] || { build_programs && draw_gallery; }
   if is_course && [[ $kind == starter ]]; then
     build_release texel
     build=$root/build/web_starter
@@ -59,8 +61,8 @@ web() { # --serve [PORT], --starter
   node "$root/web/engine/pack.mjs" "$tree" "$build" "$out/engine" "$kind"
   if [[ -e $root/web/site/package.json ]]; then
     say "Making the pages"
-    (cd "$root/web/site" && npm ci --no-audit --no-fund --loglevel=error && npm run --silent build -- --out "$out" --tree "$tree" $([[ ! -d $root/out/gallery ]] || echo --gallery "$root/out/gallery")) ||
-      fail 3 "the pages could not be made"
+    (cd "$root/web/site" && { [[ node_modules/.package-lock.json -nt package-lock.json ]] || npm ci --no-audit --no-fund --loglevel=error; } &&
+      npm run --silent build -- --out "$out" --tree "$tree" --gallery "$root/out/gallery") || fail 3 "the pages could not be made"
   fi
   say "Ready after $SECONDS s"
   printf 'static files for any web server   %s\n' "$out"

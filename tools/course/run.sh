@@ -77,6 +77,7 @@ run_all_tests() {
     # clang-tidy 14 does not understand the labs' consteval parameters that come from a template's.
     build tidy texel_{core,params,course,image,mesh,judge,check,sandbox,store,reports,grade,procedural,gl}
     export TEXEL_TEST_ALL=1
+    "$root/run" web && "$root/run" web --starter
   fi
   # The driver's cache of compiled shaders starts empty, as on a new machine. Then all tests share it.
   rm -rf "$root/build/shaders"
