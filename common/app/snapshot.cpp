@@ -35,10 +35,7 @@ void Snapshot::write() const {
     image::save_pfm(file, values);
     return;
   }
-  image::Image8 rgb(colours.width, colours.height, 3);  // the target's alpha is no part of the picture
-  for (std::size_t pixel = 0; pixel < colours.samples.size() / 4; ++pixel)
-    for (std::size_t c = 0; c < 3; ++c) rgb.samples[pixel * 3 + c] = colours.samples[pixel * 4 + c];
-  image::save_png(file, rgb, texts);
+  image::save_png(file, image::without_alpha(colours), texts);  // alpha is no part of the picture
 }
 
 }  // namespace texel::app

@@ -6,25 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <sstream>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/plain_text.hpp"
 
 namespace texel::app {
 namespace {
 
 constexpr std::size_t kMostLines = 200;  // of a step whose last marker is gone
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) {
-    if (line.ends_with('\r')) line.pop_back();
-    lines.push_back(line);
-  }
-  return lines;
-}
 
 /// The index behind the bracket that closes the one at `open`.
 std::size_t behind_bracket(std::string_view text, std::size_t open) {

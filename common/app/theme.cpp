@@ -7,19 +7,19 @@
 namespace texel::app {
 namespace {
 
-const Theme kDark{{0.45F, 0.85F, 0.50F, 1},
-                  {1.0F, 0.78F, 0.35F, 1},
-                  {1.0F, 0.45F, 0.40F, 1},
-                  {0.62F, 0.66F, 0.72F, 1},
-                  {1, 1, 1, 1},
-                  {0.06F, 0.06F, 0.06F, 1}};
+const Theme kDark{.good = {0.45F, 0.85F, 0.50F, 1},
+                  .next = {1.0F, 0.78F, 0.35F, 1},
+                  .wrong = {1.0F, 0.45F, 0.40F, 1},
+                  .dim = {0.62F, 0.66F, 0.72F, 1},
+                  .text = {1, 1, 1, 1},
+                  .background = {0.06F, 0.06F, 0.06F, 1}};
 // Each has a contrast of at least 4.5 to 1 with the background (WCAG 2.1, 1.4.3).
-const Theme kLight{{0.05F, 0.40F, 0.13F, 1},
-                   {0.55F, 0.33F, 0.00F, 1},
-                   {0.72F, 0.09F, 0.06F, 1},
-                   {0.33F, 0.36F, 0.41F, 1},
-                   {0, 0, 0, 1},
-                   {0.95F, 0.95F, 0.95F, 1}};
+const Theme kLight{.good = {0.05F, 0.40F, 0.13F, 1},
+                   .next = {0.55F, 0.33F, 0.00F, 1},
+                   .wrong = {0.72F, 0.09F, 0.06F, 1},
+                   .dim = {0.33F, 0.36F, 0.41F, 1},
+                   .text = {0, 0, 0, 1},
+                   .background = {0.95F, 0.95F, 0.95F, 1}};
 bool is_light = false;
 
 }  // namespace

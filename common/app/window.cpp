@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/stages.hpp"
+#include "gestures.hpp"
 #include "picture_texture.hpp"
 #include "reports.hpp"
 #include "window_class.hpp"
@@ -130,8 +131,8 @@ double Window::plumbing_milliseconds() {
 
 bool Window::turning() {
   // The exact answer takes longer than a frame: under the view `error` the model stands still.
-  return turn() != nullptr && !state_.paused && state_.error.first.empty() && state_.view != View::error &&
-         !state_.looks_open && !turntable_;
+  return lab_.parameters().find("turn") != nullptr && !state_.paused && state_.error.first.empty() &&
+         state_.view != View::error && !state_.looks_open && !turntable_;
 }
 
 bool Window::is_busy() const {
@@ -274,9 +275,7 @@ void Window::reload(bool assets) {
 void Window::advance() {
   const double seconds = frame_clock_.milliseconds() / 1000;
   frame_clock_ = Stopwatch();
-  if (!turning()) return;
-  const double degrees = turn()->value() + kTurnPerSecond * std::min(seconds, 0.2);
-  turn()->set_value(degrees > turn()->most ? degrees - 360 : degrees);
+  if (turning()) turn(lab_.parameters(), kTurnPerSecond * std::min(seconds, 0.2));
 }
 
 void Window::draw_picture() {

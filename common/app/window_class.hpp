@@ -37,7 +37,6 @@ class Window {
 
   static Window& self(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
   [[nodiscard]] GLFWwindow* window() const { return context_.window(); }
-  [[nodiscard]] params::Parameter* turn() { return lab_.parameters().find("turn"); }
   [[nodiscard]] bool turning();
   /// Whether a frame goes on with what takes longer than a frame.
   [[nodiscard]] bool is_busy() const;
@@ -118,9 +117,6 @@ class Window {
   void on_key(int key, int action, bool control);
   /// A model or a picture that was dropped on the window.
   void on_drop(const std::filesystem::path& file);
-  void change(const char* name, double factor, double offset);
-  /// Adds to an angle that goes round.
-  void turn_round(const char* name, float degrees);
   /// By the mouse's place now: ImGui's WantCaptureMouse is that of the last frame.
   [[nodiscard]] bool over_picture() const;
   void on_scroll(double dy);

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/plain_text.hpp"
 #include "desktop.hpp"
+#include "gestures.hpp"
 #include "settings.hpp"
 #include "snapshot.hpp"
 #include "window_class.hpp"
@@ -17,8 +18,7 @@
 namespace texel::app {
 namespace {
 
-constexpr float kDegreesPerUnit = 0.35F;  // of dragging
-constexpr float kClickTolerance = 3;      // window units that a click may move
+constexpr float kClickTolerance = 3;  // window units that a click may move
 
 }  // namespace
 
@@ -220,16 +220,6 @@ void Window::on_drop(const std::filesystem::path& file) {
   }
 }
 
-void Window::change(const char* name, double factor, double offset) {
-  if (params::Parameter* p = lab_.parameters().find(name))
-    p->set_value(std::clamp(p->value() * factor + offset, p->least, p->most));
-}
-
-void Window::turn_round(const char* name, float degrees) {
-  if (params::Parameter* p = lab_.parameters().find(name))
-    p->set_value(std::remainder(p->value() + static_cast<double>(degrees), 360));
-}
-
 bool Window::over_picture() const {
   const glm::vec2 at = in_picture(mouse_), size = picture_units();
   const bool inside = at.x >= 0 && at.x < size.x && at.y < size.y;
@@ -239,7 +229,7 @@ bool Window::over_picture() const {
 }
 
 void Window::on_scroll(double dy) {
-  if (over_picture()) change("distance", std::pow(0.9, dy), 0);
+  if (over_picture()) zoom(lab_.parameters(), dy);
 }
 
 void Window::on_button(int button, int action) {
@@ -272,13 +262,9 @@ void Window::on_move(glm::vec2 mouse) {
   mouse_ = mouse;
   if (drag_ == Drag::split_line && state_.split)
     state_.split->position = std::clamp(in_picture(mouse).x / picture_units().x, 0.0F, 1.0F);
-  if (drag_ == Drag::light) {
-    turn_round("light_yaw", kDegreesPerUnit * moved.x);
-    change("light_pitch", 1, static_cast<double>(-kDegreesPerUnit * moved.y));
-  }
-  if (drag_ != Drag::picture || glm::distance(pressed_at_, mouse) <= kClickTolerance) return;
-  turn_round("yaw", -kDegreesPerUnit * moved.x);
-  change("pitch", 1, static_cast<double>(kDegreesPerUnit * moved.y));
+  if (drag_ == Drag::light) move_light(lab_.parameters(), moved);
+  if (drag_ == Drag::picture && glm::distance(pressed_at_, mouse) > kClickTolerance)
+    orbit(lab_.parameters(), moved);
 }
 
 }  // namespace texel::app

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The window's parts that need no window: the step's text, a compiler's message, undo and redo.
+// The window's parts that need no window: the step's text, a compiler's message, undo and redo, drags.
 #include <gtest/gtest.h>
 
 #include "core/files.hpp"
 #include "core/scratch_folder.hpp"
+#include "gestures.hpp"
 #include "history.hpp"
 #include "shader_message.hpp"
 #include "step_text.hpp"
@@ -75,6 +76,29 @@ TEST(History, goes_back_and_forth_and_forgets_what_was_undone) {
   history.note(look("d"));
   EXPECT_EQ(history.redo(), nullptr);
   EXPECT_EQ(*history.undo(), look("b"));
+}
+
+TEST(Gestures, move_camera_and_light_and_stay_in_range) {
+  float yaw = 0, pitch = 0, distance = 0, turned = 0, light = 0;
+  params::Set set;
+  set.add(yaw, {"yaw", 170, -360, 360, "degrees", "h"});
+  set.add(pitch, {"pitch", 80, -89, 89, "degrees", "h"});
+  set.add(distance, {"distance", 2, 1, 100, "units", "h"});
+  set.add(turned, {"turn", 350, 0, 360, "degrees", "h"});
+  set.add(light, {"light_yaw", 0, -180, 180, "degrees", "h"});
+  orbit(set, {-100, 100});  // to the left: the yaw grows by 35 and goes round; up to the pole
+  EXPECT_FLOAT_EQ(yaw, -155);
+  EXPECT_FLOAT_EQ(pitch, 89);
+  zoom(set, -1);
+  EXPECT_FLOAT_EQ(distance, 2 / 0.9F);
+  zoom(set, 20);
+  EXPECT_FLOAT_EQ(distance, 1);
+  turn(set, 20);
+  EXPECT_FLOAT_EQ(turned, 10);
+  turn(set, -20);
+  EXPECT_FLOAT_EQ(turned, 350);
+  move_light(set, {100, 5});  // this lab's light has no pitch
+  EXPECT_FLOAT_EQ(light, 35);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
+#include "core/plain_text.hpp"
 #include "core/process.hpp"
 #include "core/scratch_folder.hpp"
 #include "core/stages.hpp"
@@ -208,6 +209,13 @@ TEST(ScratchFolder, is_new_and_goes_with_all_that_is_in_it) {
     write_file(path / "file", "text");
   }
   EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST(PlainText, lines_end_with_any_line_feed_and_the_last_one_needs_none) {
+  const std::vector<std::string> lines = {"a", "", "b", "c"};
+  EXPECT_EQ(lines_of("a\r\n\nb\nc"), lines);
+  EXPECT_EQ(lines_of("a\n\nb\nc\n"), lines);
+  EXPECT_TRUE(lines_of("").empty());
 }
 
 }  // namespace

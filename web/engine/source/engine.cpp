@@ -25,6 +25,7 @@
 #include "course/markers.hpp"
 #include "coverage.hpp"
 #include "display.hpp"
+#include "gestures.hpp"
 #include "gl/context.hpp"
 #include "gl/es_source.hpp"
 #include "gl/upload.hpp"
@@ -59,7 +60,6 @@ using Json = nlohmann::ordered_json;
 using app::View;
 
 const fs::path kTree = "/tree", kBuild = "/build";
-constexpr float kDegreesPerUnit = 0.35F;  // of dragging, as in the window
 
 /// A lab that was opened, with what its canvas shows.
 struct Opened {
@@ -104,9 +104,9 @@ class Engine {
     if (name == "split") return split(a);
     if (name == "resize") return size_ = {a.at("width"), a.at("height")}, frame();
     if (name == "samples") return samples_ = a.at("count"), frame();
-    if (name == "drag") return drag(a);
-    if (name == "zoom") return change("distance", std::pow(0.9, a.at("steps").get<double>()), 0), frame();
-    if (name == "turn") return turn(a.at("degrees")), frame();
+    if (name == "drag") return app::orbit(current_->lab.parameters(), {a.at("dx"), a.at("dy")}), frame();
+    if (name == "zoom") return app::zoom(current_->lab.parameters(), a.at("steps")), frame();
+    if (name == "turn") return app::turn(current_->lab.parameters(), a.at("degrees")), frame();
     if (name == "frame") return frame();
     if (name == "draw") return draw(a);
     if (name == "shown") return shown(a);
@@ -240,25 +240,6 @@ class Engine {
     return frame();
   }
 
-  void change(const char* name, double factor, double summand) {
-    if (params::Parameter* p = current_->lab.parameters().find(name))
-      p->set_value(std::clamp(p->value() * factor + summand, p->least, p->most));
-  }
-
-  Json drag(const Json& a) {
-    if (params::Parameter* yaw = current_->lab.parameters().find("yaw"))
-      yaw->set_value(std::remainder(yaw->value() - kDegreesPerUnit * a.at("dx").get<double>(), 360));
-    change("pitch", 1, kDegreesPerUnit * a.at("dy").get<double>());
-    return frame();
-  }
-
-  void turn(double degrees) {
-    params::Parameter* turn = current_->lab.parameters().find("turn");
-    if (turn == nullptr) return;
-    const double to = turn->value() + degrees;
-    turn->set_value(to > turn->most ? to - 360 : to < turn->least ? to + 360 : to);
-  }
-
   /// Draws into the page's canvas.
   Json frame() {
     const Stopwatch stopwatch;
@@ -327,7 +308,8 @@ class Engine {
     const glm::ivec2 size = size_of(a.value("size", std::string("512x512")));
     const int samples = a.value("samples", view == View::color ? 4 : 1);
     now.canvas.draw(view, size, samples);
-    if (view == View::color || a.value("colours", false)) return give(without_alpha(now.canvas.read8()));
+    if (view == View::color || a.value("colours", false))
+      return give(image::without_alpha(now.canvas.read8()));
     given_ = now.canvas.read_float();
     buffers.push_back({given_.samples.data(), given_.samples.size() * sizeof(float), "f32"});
     return {{"width", given_.width}, {"height", given_.height}, {"channels", given_.channels}};
@@ -336,12 +318,6 @@ class Engine {
   Json shown(Json a) {
     a["colours"] = true;
     return draw(a);
-  }
-
-  static image::Image8 without_alpha(const image::Image8& rgba) {
-    image::Image8 rgb(rgba.width, rgba.height, 3);
-    for (std::size_t i = 0; i < rgb.samples.size(); ++i) rgb.samples[i] = rgba.samples[i / 3 * 4 + i % 3];
-    return rgb;
   }
 
   Json pixel(glm::ivec2 at) {
@@ -515,9 +491,9 @@ class Engine {
         const glm::ivec2 size(it.size.width, it.size.height);
         const std::string reference = read_file(grade::expected_folder(kTree, lab) / it.file);
         if (it.view == View::color)
-          image::save_png(out / it.file,
-                          without_alpha(covered_as(image::parse_png(reference, it.file, size.x, size.y), it,
-                                                   one.canvas, [&] { return one.canvas.read8(); })));
+          image::save_png(out / it.file, image::without_alpha(
+                                             covered_as(image::parse_png(reference, it.file, size.x, size.y),
+                                                        it, one.canvas, [&] { return one.canvas.read8(); })));
         else
           image::save_pfm(out / it.file, covered_as(image::parse_pfm(reference, it.file), it, one.canvas,
                                                     [&] { return one.canvas.read_float(); }));

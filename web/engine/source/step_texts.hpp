@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -18,16 +17,6 @@ inline std::string student_text(const std::string& text, const std::string& file
   return text.find("@starter") == std::string::npos
              ? text
              : course::with_steps(text, file, [](const std::string&) { return true; });
-}
-
-inline std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    lines.push_back(text.substr(at, end - at));
-    at = end + 1;
-  }
-  return lines;
 }
 
 inline bool is_marker(const std::string& line, const std::string& marker) {

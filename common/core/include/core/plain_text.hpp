@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace texel {
 
@@ -14,6 +15,9 @@ std::string plain_lines(std::string_view bytes);
 
 /// Whether `plain_text` would change nothing.
 bool is_plain_text(std::string_view bytes);
+
+/// A text's lines, without the LF or CR LF that ends each. Behind the last one begins no line.
+std::vector<std::string> lines_of(std::string_view text);
 
 /// ASCII capitals made small.
 std::string lower_case(std::string_view text);

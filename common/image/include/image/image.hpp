@@ -51,6 +51,14 @@ Image<Sample> flipped(const Image<Sample>& image) {
   return result;
 }
 
+/// The same picture of three channels, from one of four.
+template <class Sample>
+Image<Sample> without_alpha(const Image<Sample>& rgba) {
+  Image<Sample> rgb(rgba.width, rgba.height, 3);
+  for (std::size_t i = 0; i < rgb.samples.size(); ++i) rgb.samples[i] = rgba.samples[i / 3 * 4 + i % 3];
+  return rgb;
+}
+
 /// How the samples of a colour picture are to be read.
 enum class Encoding {
   srgb,   ///< colour: R, G and B by the sRGB curve (IEC 61966-2-1), alpha linear
