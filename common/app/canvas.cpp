@@ -20,7 +20,7 @@ constexpr glm::vec4 kBackground(0.035F, 0.042F, 0.055F, 1);
 constexpr glm::vec4 kNothing(0);
 
 const glm::vec4& background_of(const gl::Target& target) {
-  return target.kind() == gl::Target::Kind::colour ? kBackground : kNothing;
+  return target.kind() == gl::Target::Kind::data ? kNothing : kBackground;
 }
 
 /// Whether the picture is that truth's already: another method has the same right answer, which takes long to
@@ -43,7 +43,8 @@ bool agrees(const image::ImageF& picture, const Truth& truth, glm::ivec2 size) {
 
 gl::Target& Canvas::fit(std::unique_ptr<gl::Target>& target, gl::Target::Kind kind, glm::ivec2 size,
                         int samples) {
-  if (!target || target->width() != size.x || target->height() != size.y || target->samples() != samples)
+  if (!target || target->kind() != kind || target->width() != size.x || target->height() != size.y ||
+      target->samples() != samples)
     target = std::make_unique<gl::Target>(kind, size.x, size.y, samples, picture_.get());
   return *target;
 }
@@ -101,14 +102,15 @@ void Canvas::draw_into(const gl::Target& target, View view, const std::optional<
   }
 }
 
-void Canvas::draw(View view, glm::ivec2 size, int samples, const std::optional<Split>& split) {
+void Canvas::draw(View view, glm::ivec2 size, int samples, const std::optional<Split>& split,
+                  gl::Target::Kind colours) {
   error_.reset();
   figures_.reset();
   if (view == View::error) {
     draw_error(size);
     return;
   }
-  draw_scene(view, size, samples, split);
+  draw_scene(view, size, samples, split, colours);
   finish(view, size);
 }
 
@@ -116,7 +118,8 @@ gl::Record Canvas::record(View view, glm::ivec2 size, int samples) {
   gl::Record record;
   {
     gl::Recorder recorder;  // of the lab's own draw calls
-    const gl::Target& target = draw_scene(view == View::error ? View::color : view, size, samples, {});
+    const gl::Target& target =
+        draw_scene(view == View::error ? View::color : view, size, samples, {}, gl::Target::Kind::colour);
     record = recorder.take();
     if (record.draw_calls > 0 && target.shows_only(background_of(target)))
       record.warnings.emplace_back(
@@ -131,9 +134,9 @@ gl::Record Canvas::record(View view, glm::ivec2 size, int samples) {
 }
 
 const gl::Target& Canvas::draw_scene(View view, glm::ivec2 size, int samples,
-                                     const std::optional<Split>& split) {
+                                     const std::optional<Split>& split, gl::Target::Kind colours) {
   // Values are not averaged over a pixel: half a normal and half a background is neither.
-  const gl::Target& target = view == View::color ? fit(colour_, gl::Target::Kind::colour, size, samples)
+  const gl::Target& target = view == View::color ? fit(colour_, colours, size, samples)
                                                  : fit(data_, gl::Target::Kind::data, size, 1);
   draw_into(target, view, split);
   return target;

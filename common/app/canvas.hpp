@@ -30,8 +30,9 @@ class Canvas {
 
   /// Draws the lab with its present parameters. Afterwards one of the read functions, or texture(), has the
   /// picture. Throws Error for shaders that do not compile, files that do not load and whatever OpenGL calls
-  /// an error.
-  void draw(View view, glm::ivec2 size, int samples, const std::optional<Split>& split = {});
+  /// an error. `colours` is the kind of target for the view `color`.
+  void draw(View view, glm::ivec2 size, int samples, const std::optional<Split>& split = {},
+            gl::Target::Kind colours = gl::Target::Kind::colour);
 
   /// As draw, and says what was drawn.
   gl::Record record(View view, glm::ivec2 size, int samples);
@@ -78,7 +79,8 @@ class Canvas {
 
  private:
   void draw_into(const gl::Target& target, View view, const std::optional<Split>& split);
-  const gl::Target& draw_scene(View view, glm::ivec2 size, int samples, const std::optional<Split>& split);
+  const gl::Target& draw_scene(View view, glm::ivec2 size, int samples, const std::optional<Split>& split,
+                               gl::Target::Kind colours);
   void finish(View view, glm::ivec2 size);
   void present(View view);
   void draw_error(glm::ivec2 size);

@@ -38,8 +38,10 @@ Action text_part(WindowState& state) {
       ImGui::SetTooltip("%s", "Sets parameters and view as they were before you picked a case");
   }
   ImGui::SameLine();
-  if (ImGui::SmallButton("Close")) state.case_pictures.reset();
-  if (!state.case_pictures) return action;
+  if (ImGui::SmallButton("Close")) {
+    state.case_pictures.reset();
+    return action;
+  }
   wrapped(theme().dim, fmt::format("{}:{}", text.shown_file, text.first_line));
   wrapped(theme().text, text.task);
   if (text.lines.empty()) return action;

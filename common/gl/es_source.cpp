@@ -21,8 +21,8 @@ constexpr const char* kHead =
     "precision highp sampler2D;\n"
     "precision highp samplerCube;\n";
 
-// View 0 is `color`; the shader that shows data views in colours has no VIEW.
-constexpr const char* kDecoding = R"(#ifdef VIEW
+// View 0 is `color`; the shader that shows data views in colours has no VIEW. {} is what is done there.
+constexpr const char* kOfColours = R"(#ifdef VIEW
 #if VIEW == 0
 #define TEXEL_DRAWS_COLOUR
 #endif
@@ -30,11 +30,17 @@ constexpr const char* kDecoding = R"(#ifdef VIEW
 #define TEXEL_DRAWS_COLOUR
 #endif
 #ifdef TEXEL_DRAWS_COLOUR
-  if (texel_keeps_bytes) {
+{}#endif
+)";
+constexpr const char* kDecoding = R"(  if (texel_keeps_bytes) {
     vec3 encoded = clamp(picture.rgb, 0.0, 1.0);
     picture.rgb = mix(encoded / 12.92, pow((encoded + 0.055) / 1.055, vec3(2.4)), greaterThan(encoded, vec3(0.04045)));
   }
-#endif
+)";
+constexpr const char* kEncoding = R"(  if (!texel_keeps_bytes) {
+    vec3 light = clamp(picture.rgb, 0.0, 1.0);
+    picture.rgb = mix(light * 12.92, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308)));
+  }
 )";
 
 // The vertex goes where 8 bits put it: then triangles cover the pixels that they cover where the limits were
@@ -197,7 +203,7 @@ bool guard_loops(std::string& text) {
 
 }  // namespace
 
-std::string es_source(const std::string& text, bool is_fragment, int subpixel_bits) {
+std::string es_source(const std::string& text, bool is_fragment, int subpixel_bits, bool encodes) {
   std::string body = text.substr(text.find('\n') + 1);  // without #version
   const bool loops = guard_loops(body);
   const bool moves = subpixel_bits < kEnoughSubpixelBits && body.find("gl_VertexID ==") == std::string::npos;
@@ -226,7 +232,7 @@ std::string es_source(const std::string& text, bool is_fragment, int subpixel_bi
   }
   if (decodes) {
     declared += fmt::format("uniform bool {};\n", kKeepsBytes);
-    after += kDecoding;
+    after += fmt::format(kOfColours, encodes ? kEncoding : kDecoding);
   }
   if (loops) {
     declared += fmt::format(kRounds, kMostRounds);

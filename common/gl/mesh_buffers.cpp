@@ -83,6 +83,12 @@ void MeshBuffers::draw(const Program& program) {
   draw(program, {"", 0, static_cast<std::uint32_t>(mesh_->indices.size())});
 }
 
+void MeshBuffers::draw_closed(const Program& program, bool is_outside) {
+  if (is_outside) glEnable(GL_CULL_FACE);
+  draw(program);
+  glDisable(GL_CULL_FACE);
+}
+
 void MeshBuffers::draw(const Program& program, const mesh::Group& group) {
   bind(program);
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(group.index_count), GL_UNSIGNED_INT,

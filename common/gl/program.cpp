@@ -21,7 +21,8 @@ class Shader {
   Shader(GLenum stage, const ShaderSource& source, const std::vector<Define>& defines)
       : id_(glCreateShader(stage)) {
 #ifdef __EMSCRIPTEN__
-    const std::string text = es_source(source.text(defines), stage == GL_FRAGMENT_SHADER, subpixel_bits());
+    const std::string text = es_source(source.text(defines), stage == GL_FRAGMENT_SHADER,
+                                       is_glance() ? kEnoughSubpixelBits : subpixel_bits(), is_glance());
 #else
     const std::string text = source.text(defines);
 #endif
@@ -53,6 +54,15 @@ class Shader {
  private:
   GLuint id_;
 };
+
+/// By what else than its files and defines a program is told from another one.
+std::string variant() {
+#ifdef __EMSCRIPTEN__
+  return is_glance() ? "\nglance" : "";
+#else
+  return {};
+#endif
+}
 
 bool is_sampler(GLenum type) {
   return type == GL_SAMPLER_2D || type == GL_SAMPLER_CUBE || type == GL_SAMPLER_2D_ARRAY ||
@@ -193,14 +203,14 @@ Program& ProgramCache::get(const std::string& vertex, const std::string& fragmen
 
 Program& ProgramCache::get(const std::string& vertex, const std::string& fragment,
                            const std::string& settings, const std::function<std::vector<Define>()>& defines) {
-  const std::string request = vertex + "\n" + fragment + "\n" + settings;
+  const std::string request = vertex + "\n" + fragment + "\n" + settings + variant();
   Program*& known = by_request_[request];
   if (known != nullptr) return *known;
 
   const auto vertex_source = source(vertex);
   const auto fragment_source = source(fragment);
   std::vector<Define> used;
-  std::string key = vertex + "\n" + fragment;
+  std::string key = vertex + "\n" + fragment + variant();
   for (const Define& define : defines()) {
     if (!vertex_source->mentions(define.name) && !fragment_source->mentions(define.name)) continue;
     used.push_back(define);

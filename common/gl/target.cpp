@@ -25,11 +25,11 @@ Target::Target(Kind kind, int width, int height, int samples, const Target* othe
                                     height, largest, largest),
                         {}, "choose a smaller --size");
   samples_ = std::clamp(samples, 1, most);
-  const GLenum format = kind == Kind::colour ? GL_SRGB8_ALPHA8 : GL_RGBA32F;
+  const GLenum format = kind == Kind::data ? GL_RGBA32F : kind == Kind::encoded ? GL_RGBA8 : GL_SRGB8_ALPHA8;
 
   const ScopedBinding binding(GL_TEXTURE_2D, texture_);
   glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0, GL_RGBA,
-               kind == Kind::colour ? GL_UNSIGNED_BYTE : GL_FLOAT, nullptr);
+               kind == Kind::data ? GL_FLOAT : GL_UNSIGNED_BYTE, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -58,7 +58,7 @@ Target::Target(Kind kind, int width, int height, int samples, const Target* othe
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE)
     throw Error::failed(fmt::format("this renderer cannot draw into a {}x{} {} picture (0x{:04x})", width,
-                                    height, kind == Kind::colour ? "sRGB" : "float", status));
+                                    height, kind == Kind::data ? "float" : "8-bit", status));
 }
 
 void Target::bind() const {
@@ -91,7 +91,7 @@ image::Image8 Target::read8(int first_row, int rows) const {
 bool Target::shows_only(const glm::vec4& colour) const {
   int steps[4];
   for (int c = 0; c < 4; ++c) {
-    const bool is_encoded = kind_ == Kind::colour && c < 3;
+    const bool is_encoded = kind_ != Kind::data && c < 3;
     steps[c] = static_cast<int>(std::lround(
         255 * (is_encoded ? image::srgb_from_linear(colour[c]) : std::clamp(colour[c], 0.0F, 1.0F))));
   }

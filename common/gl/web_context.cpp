@@ -9,6 +9,7 @@
 #include "gl/context.hpp"
 #include "gl/es_source.hpp"
 #include "gl/web_context.hpp"
+#include "image/colour.hpp"
 
 namespace texel::gl {
 namespace {
@@ -17,6 +18,7 @@ constexpr GLenum kUnmaskedRenderer = 0x9246;  // WEBGL_debug_renderer_info
 
 bool encodes = true;  ///< GL_FRAMEBUFFER_SRGB
 float shift_x = 0, shift_y = 0;
+bool glance = false;
 GLsizei width = 1, height = 1;  ///< of the viewport, which is the whole picture
 
 void tell(GLuint program) {
@@ -57,6 +59,24 @@ int subpixel_bits() {
   GLint bits = 0;
   glGetIntegerv(GL_SUBPIXEL_BITS, &bits);
   return bits;
+}
+
+Glance::Glance(bool wanted) {
+  glance = wanted && subpixel_bits() < kEnoughSubpixelBits;
+}
+Glance::~Glance() {
+  glance = false;
+}
+Target::Kind Glance::kind() {
+  return glance ? Target::Kind::encoded : Target::Kind::colour;
+}
+bool is_glance() {
+  return glance;
+}
+
+void set_clear_color(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
+  const auto stored = [](float light) { return glance ? image::srgb_from_linear(light) : light; };
+  (glClearColor)(stored(red), stored(green), stored(blue), alpha);
 }
 
 void set_shift(float x, float y) {

@@ -41,7 +41,7 @@ struct CubeMap : app::Lab<CubeMapParameters> {
       }));
       program.set("color_map", 0);
     }
-    sphere.draw(program);
+    sphere.draw_closed(program, glm::length(p.camera.eye()) > 1);
   }
 
   static app::Measure measure(const Parameters& p) { return cube_map_measure(p); }

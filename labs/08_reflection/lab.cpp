@@ -26,6 +26,8 @@ struct Reflection : app::Lab<ReflectionParameters> {
     const glm::mat4 tilted = glm::rotate(glm::mat4(1), glm::radians(p.tilt), glm::vec3(1, 0, 0));
     const glm::mat4 turned = app::turn_about_y(p.turn) * tilted;
     const glm::mat4 world_from_object = glm::scale(turned, glm::vec3(1, p.stretch, 1));
+    const glm::mat4 object_from_world = glm::inverse(world_from_object);
+    const glm::vec3 eye_in_object = object_from_world * glm::vec4(p.camera.eye(), 1);
     //@teacher begin
     // The inverse transpose of a rotation is the rotation itself; of a scale it is the reciprocal. So the
     // normals of a stretched ball turn away from the axis while its edges turn towards it.
@@ -43,7 +45,7 @@ struct Reflection : app::Lab<ReflectionParameters> {
     gl::Program& program = frame.program("08_reflection/reflection");
     program.set("clip_from_world", p.camera.clip_from_world(frame.aspect()));
     program.set("world_from_object", world_from_object);
-    program.set("object_from_world", glm::inverse(world_from_object));
+    program.set("object_from_world", object_from_world);
     program.set("normal_from_object", normal_from_object);
     program.set("eye", p.camera.eye());
     if (p.lookup == Lookup::cube) {
@@ -52,7 +54,7 @@ struct Reflection : app::Lab<ReflectionParameters> {
       gl::bind(1, GL_TEXTURE_2D, pictures_.get({p.lookup, p.cube_map}, [&] { return picture(p); }));
       program.set("picture_map", 1);
     }
-    ball.draw(program);
+    ball.draw_closed(program, glm::length(eye_in_object) > 1);
     environment_.draw_background(frame, p.camera, 0);
   }
 

@@ -43,7 +43,7 @@ struct Bump : app::Lab<BumpParameters> {
       }));
       program.set("normal_map", 1);
     }
-    ball.draw(program);
+    ball.draw_closed(program, glm::length(p.camera.eye()) > 1);
     environment_.draw_background(frame, p.camera, 0);
   }
 

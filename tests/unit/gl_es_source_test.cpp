@@ -56,6 +56,13 @@ TEST(EsSource, AColourIsDecodedWhereBytesAreKept) {
   EXPECT_FALSE(has(fragment("out vec4 other;\nvoid main() {}\n"), kKeepsBytes));
 }
 
+TEST(EsSource, AColourIsEncodedForATargetThatDoesNot) {
+  const std::string body = "out vec4 picture;\nvoid main() {}\n";
+  const std::string encoded = es_source("#version 330 core\n" + body, true, kFine, true);
+  EXPECT_TRUE(has(encoded, "if (!texel_keeps_bytes) {") && has(encoded, "vec3(1.0 / 2.4)")) << encoded;
+  EXPECT_TRUE(has(fragment(body), "if (texel_keeps_bytes) {") && has(fragment(body), "vec3(2.4)"));
+}
+
 TEST(EsSource, InputsAreMovedBackOnlyWhereVerticesAreRoundedCoarsely) {
   const std::string body = "in vec2 st;\nout vec4 other;\nvoid main() {}\n";
   EXPECT_TRUE(has(fragment(body, kCoarse), "in vec2 texel_at_st; vec2 st;"));

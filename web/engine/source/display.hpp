@@ -10,7 +10,8 @@
 
 namespace texel::web {
 
-/// Copies a picture into the page's canvas: its texture decodes, the canvas has encoded bytes.
+/// Copies a picture into the page's canvas, which has encoded bytes: those of a target of encoded colour, or
+/// what the texture of a colour target decodes, encoded again.
 class Display {
  public:
   explicit Display(const std::filesystem::path& shaders)
@@ -22,6 +23,12 @@ class Display {
     glEnable(GL_FRAMEBUFFER_SRGB);  // the shader encodes: nothing is to be decoded
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_SCISSOR_TEST);
+    if (picture.kind() == gl::Target::Kind::encoded) {
+      picture.bind_for_reading();
+      glBlitFramebuffer(0, 0, picture.width(), picture.height(), 0, 0, picture.width(), picture.height(),
+                        GL_COLOR_BUFFER_BIT, GL_NEAREST);
+      return;
+    }
     program_.use();
     gl::bind(0, GL_TEXTURE_2D, picture.texture());
     program_.set("values", 0);

@@ -247,7 +247,8 @@ class Engine {
     Json report;
     const bool draws = size_.x > 0 && size_.y > 0;  // not before the page has said how large
     if (draws) {
-      now.canvas.draw(now.view, size_, samples_, now.split);
+      const gl::Glance glance(now.view == View::color);
+      now.canvas.draw(now.view, size_, samples_, now.split, gl::Glance::kind());
       if (!display_) display_.emplace(assets_.shader_root());
       display_->show(now.canvas.picture());
       wait(now.canvas.picture());

@@ -9,7 +9,8 @@ namespace texel::gl {
 ///
 /// OpenGL ES cannot write into an sRGB picture without encoding. So a fragment shader that writes a colour
 /// `picture` gets a uniform kKeepsBytes: where it is set, the colour is decoded first, and the picture has
-/// the values that the shader wrote.
+/// the values that the shader wrote. With `encodes` the target is of 8 bits as they are
+/// (Target::Kind::encoded): where the uniform is not set, the shader encodes.
 ///
 /// A renderer rounds a vertex's place in the picture to so many bits of a pixel. OpenGL ES allows 4, and
 /// SwiftShader has 4; what is interpolated is then off by up to 1/32 of its change to the next pixel, and
@@ -21,7 +22,7 @@ namespace texel::gl {
 ///
 /// Loops end after kMostRounds rounds, all of one vertex or pixel together. A pixel that got so far is
 /// magenta, with an alpha of one half.
-std::string es_source(const std::string& text, bool is_fragment, int subpixel_bits);
+std::string es_source(const std::string& text, bool is_fragment, int subpixel_bits, bool encodes = false);
 /// All uniforms that it adds begin so.
 inline constexpr const char* kAddedUniforms = "texel_";
 inline constexpr const char* kKeepsBytes = "texel_keeps_bytes";

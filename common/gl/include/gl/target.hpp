@@ -9,10 +9,11 @@
 namespace texel::gl {
 
 /// A framebuffer object to draw into: colour as GL_SRGB8_ALPHA8 (with GL_FRAMEBUFFER_SRGB on, linear values
-/// are encoded as they are written) or as GL_RGBA32F for data, and a depth buffer.
+/// are encoded as they are written), encoded colour as GL_RGBA8 (shaders encode; a pixel's samples are
+/// averaged as they are encoded) or GL_RGBA32F for data, and a depth buffer.
 class Target {
  public:
-  enum class Kind { colour, data };
+  enum class Kind { colour, encoded, data };
 
   /// `samples` above 1 draws multisampled (at most the driver's maximum) and resolves. If `other` has the
   /// same kind, size and samples, both share depth and samples, which nobody reads after resolve(): two

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "gl/target.hpp"
 
 namespace texel::gl {
 
@@ -8,5 +9,20 @@ int subpixel_bits();
 /// In the browser, where that is coarse: what is drawn from now on is moved by this part of a pixel before
 /// it is rounded, and back afterwards (gl/es_source.hpp).
 void set_shift(float x, float y);
+
+/// While it lives, pictures are for the eye alone, and are drawn sooner by a renderer that rounds coarsely:
+/// such ones draw with the processor. What is interpolated is not moved back. Shaders encode their colours,
+/// once a pixel in place of once a sample, for targets of kind().
+class Glance {
+ public:
+  /// If it is not wanted, nothing changes.
+  explicit Glance(bool wanted);
+  ~Glance();
+  Glance(const Glance&) = delete;
+  Glance& operator=(const Glance&) = delete;
+  [[nodiscard]] static Target::Kind kind();
+};
+/// Whether one lives that changes something.
+bool is_glance();
 
 }  // namespace texel::gl

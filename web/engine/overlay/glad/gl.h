@@ -24,12 +24,15 @@ void set_viewport(GLint x, GLint y, GLsizei width, GLsizei height);
 /// glTexImage2D. GL_SRGB8 becomes GL_SRGB8_ALPHA8: for the first OpenGL ES makes no mipmaps.
 void upload_image(GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height, GLint border,
                   GLenum format, GLenum type, const void* data);
+/// glClearColor, in linear light.
+void set_clear_color(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
 }  // namespace texel::gl
 #define glViewport(x, y, width, height) texel::gl::set_viewport(x, y, width, height)
 #define glTexImage2D(target, level, internal, width, height, border, format, type, data) \
   texel::gl::upload_image(target, level, internal, width, height, border, format, type, data)
 #define glEnable(capability) texel::gl::switch_capability(capability, true)
 #define glDisable(capability) texel::gl::switch_capability(capability, false)
+#define glClearColor(red, green, blue, alpha) texel::gl::set_clear_color(red, green, blue, alpha)
 #define glUseProgram(program) texel::gl::use_program(program)
 
 // Every browser that has WebGL 2 has it, and the worker asks for it; without it the limit reads as 0 or 1.
