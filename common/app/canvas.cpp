@@ -239,6 +239,25 @@ glm::vec4 Canvas::value_at(View view, glm::ivec2 size, glm::ivec2 pixel) {
   return {value.samples[0], value.samples[1], value.samples[2], value.samples[3]};
 }
 
+image::ImageF Canvas::values_around(View view, glm::ivec2 size, glm::ivec2 pixel) {
+  draw_into(fit(data_, gl::Target::Kind::data, size, 1), view, {});
+  image::ImageF around(3, 3, 4);
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 3; ++x) {
+      const glm::ivec2 at = pixel + glm::ivec2(x, y) - 1;
+      if (at.x < 0 || at.y < 0 || at.x >= size.x || at.y >= size.y) continue;
+      const image::ImageF value = data_->read_pixel(at.x, at.y);
+      for (int c = 0; c < 4; ++c) around.at(x, y, c) = value.at(0, 0, c);
+    }
+  return around;
+}
+
+std::vector<gl::Record::TextureUse> Canvas::textures(glm::ivec2 size) {
+  gl::Recorder recorder;
+  draw_into(fit(data_, gl::Target::Kind::data, size, 1), View::color, {});
+  return recorder.take().textures;
+}
+
 std::optional<Canvas::Comparison> Canvas::compare_at(glm::ivec2 size, glm::ivec2 pixel) {
   const std::optional<Measure> measure = lab_.measure();
   const Truth truth = measure ? lab_.truth(size) : Truth();

@@ -58,6 +58,10 @@ class Canvas {
   [[nodiscard]] image::ImageF values_of(View view, glm::ivec2 size);
   /// The value of a data view at one pixel, counted from the bottom left.
   [[nodiscard]] glm::vec4 value_at(View view, glm::ivec2 size, glm::ivec2 pixel);
+  /// The same for the 3x3 pixels around it, 0 beyond the picture.
+  [[nodiscard]] image::ImageF values_around(View view, glm::ivec2 size, glm::ivec2 pixel);
+  /// The textures that the lab reads for its colours; the picture stays as it is.
+  [[nodiscard]] std::vector<gl::Record::TextureUse> textures(glm::ivec2 size);
 
   /// What the lab measures at one pixel, as method and truth have it: directions, coordinates, or 8-bit steps
   /// of the picture with one sample a pixel.

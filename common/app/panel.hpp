@@ -12,6 +12,7 @@
 #include "looks.hpp"
 #include "shader_message.hpp"
 #include "steps.hpp"
+#include "texture_view.hpp"
 
 namespace texel::app {
 
@@ -39,6 +40,7 @@ struct WindowState {
     glm::ivec2 pixel;
     std::vector<std::pair<View, glm::vec4>> values;
     std::optional<Canvas::Comparison> comparison;  ///< of the method with the truth
+    std::vector<TextureView> textures;
     gl::Texture around;  ///< the pixels around it, kAround in a row; bottom row first
     static constexpr int kAround = 15;
   };
@@ -72,6 +74,10 @@ void draw_looks(AnyLab& lab, WindowState& state, glm::vec2 size, float scale);
 
 /// Beside the pixel that was clicked: it and its neighbours magnified, and the value of each view there.
 void draw_pixel(WindowState& state, glm::vec2 size, float pixels_per_unit, float scale);
+
+/// The textures that the lab reads at the clicked pixel, each with its levels or faces and the pixel's
+/// footprint.
+void texture_section(const std::vector<TextureView>& textures, float scale);
 
 /// Over the picture: all keys.
 void draw_keys(WindowState& state, glm::vec2 size);

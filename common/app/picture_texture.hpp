@@ -5,10 +5,11 @@
 namespace texel::app {
 
 /// A picture for ImGui: its bytes as they are, enlarged to squares.
-inline gl::Texture picture_texture(const image::Image8& picture) {
+inline gl::Texture picture_texture(const image::Image8& picture, GLenum wrap_s = GL_CLAMP_TO_EDGE,
+                                   GLenum wrap_t = GL_CLAMP_TO_EDGE) {
   gl::Sampling sampling;
   sampling.minify = GL_LINEAR, sampling.magnify = GL_NEAREST;
-  sampling.wrap_s = sampling.wrap_t = GL_CLAMP_TO_EDGE;
+  sampling.wrap_s = wrap_s, sampling.wrap_t = wrap_t;
   return gl::make_texture_2d(picture, image::Encoding::linear, sampling);
 }
 

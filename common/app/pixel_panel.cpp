@@ -99,6 +99,7 @@ void draw_pixel(WindowState& state, glm::vec2 size, float pixels_per_unit, float
     pixel_row("error", fmt::format("{:.4g} {}", c.error, name_of(c.measure.unit)));
   }
   ImGui::EndGroup();
+  texture_section(inspected.textures, scale);
   ImGui::End();
   if (!is_open) state.inspected.reset();
 }

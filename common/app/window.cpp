@@ -332,6 +332,7 @@ void Window::inspect() {
   for (const View view : lab_.views())
     if (view != View::color && view != View::mask && view != View::error)
       state_.inspected->values.emplace_back(view, canvas_.value_at(view, picture_pixels(), pixel));
+  state_.inspected->textures = textures_at(canvas_, lab_, picture_pixels(), pixel);
   state_.inspected->comparison = canvas_.compare_at(picture_pixels(), pixel);
   state_.inspected->around = picture_texture(around(canvas_.read8(), pixel));
 }

@@ -185,6 +185,8 @@ void Recorder::inspect_samplers(GLuint program) {
     glGetTexParameteriv(target, GL_TEXTURE_MIN_FILTER, &filter);
     Record::TextureUse use;
     use.name = name;
+    use.id = static_cast<GLuint>(texture);
+    use.is_cube = type == GL_SAMPLER_CUBE;
     GLint format = 0;
     glGetTexLevelParameteriv(face, 0, GL_TEXTURE_WIDTH, &use.width);
     glGetTexLevelParameteriv(face, 0, GL_TEXTURE_HEIGHT, &use.height);
@@ -206,6 +208,7 @@ void Recorder::inspect_samplers(GLuint program) {
     }
     GLint last = 0;
     glGetTexParameteriv(target, GL_TEXTURE_MAX_LEVEL, &last);
+    use.levels = std::min(present, last + 1);
     if (minifies_with_mipmaps(filter) && present < std::min(levels, last + 1))
       warn(fmt::format(
           "the sampler '{}' minifies with mipmaps, but its texture has only {} of {} levels: it reads black",

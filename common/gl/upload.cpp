@@ -12,9 +12,9 @@
 
 namespace texel::gl {
 
-ScopedBinding::ScopedBinding(GLenum target, const Texture& texture) : target_(target) {
+ScopedBinding::ScopedBinding(GLenum target, GLuint texture) : target_(target) {
   glGetIntegerv(target == GL_TEXTURE_2D ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_CUBE_MAP, &before_);
-  glBindTexture(target, texture.id());
+  glBindTexture(target, texture);
 }
 
 ScopedBinding::~ScopedBinding() {

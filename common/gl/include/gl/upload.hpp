@@ -9,7 +9,8 @@ namespace texel::gl {
 /// new texture would else replace the one that the next draw call reads.
 class ScopedBinding {
  public:
-  ScopedBinding(GLenum target, const Texture& texture);
+  ScopedBinding(GLenum target, GLuint texture);
+  ScopedBinding(GLenum target, const Texture& texture) : ScopedBinding(target, texture.id()) {}
   ~ScopedBinding();
   ScopedBinding(const ScopedBinding&) = delete;
   ScopedBinding& operator=(const ScopedBinding&) = delete;
