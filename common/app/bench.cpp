@@ -9,7 +9,6 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/stopwatch.hpp"
-#include "gl/frame_timer.hpp"
 #include "settings.hpp"
 
 namespace texel::app {
@@ -108,10 +107,7 @@ class Bench {
 
   void time(const course::BenchCase& c, Measured& one) {
     select(c, one.values);
-    canvas_.draw(View::color, pixels(c.size), 1);  // loads what was dropped since the last round
-    timer_.start();
-    canvas_.draw(View::color, pixels(c.size), 1);
-    one.frame_ns.push_back(timer_.stop());
+    one.frame_ns.push_back(timed_frame(canvas_, timer_, pixels(c.size)));
     if (const auto preparation = lab_.preparation(canvas_.assets())) {
       const Stopwatch stopwatch;
       preparation->work();
@@ -142,6 +138,13 @@ course::BenchList read_bench(AnyLab& lab, const std::filesystem::path& file) {
   } catch (const Error& error) {
     throw Error::usage(fmt::format("{}: {}", file.string(), error.what()));
   }
+}
+
+double timed_frame(Canvas& canvas, gl::FrameTimer& timer, glm::ivec2 size) {
+  canvas.draw(View::color, size, 1);
+  timer.start();
+  canvas.draw(View::color, size, 1);
+  return timer.stop();
 }
 
 std::string run_bench(Canvas& canvas, AnyLab& lab, const course::BenchList& list) {

@@ -5,12 +5,17 @@
 
 #include "canvas.hpp"
 #include "course/batch.hpp"
+#include "gl/frame_timer.hpp"
 
 namespace texel::app {
 
 /// Reads a list for --bench, as course::parse_bench does. Throws Error (usage) that names the file and case,
 /// also where the lab has no such parameter.
 course::BenchList read_bench(AnyLab& lab, const std::filesystem::path& file);
+
+/// Nanoseconds of a frame with the present parameters: draws once to load what it needs, and once by the
+/// clock. Throws Error as Canvas::draw.
+double timed_frame(Canvas& canvas, gl::FrameTimer& timer, glm::ivec2 size);
 
 /// Measures error and cost of a lab's methods. The frames of a case are timed in rounds: in each, every
 /// combination draws once to load what it needs and once by the clock, so that whatever else the machine does

@@ -289,6 +289,7 @@ Action draw_panel(AnyLab& lab, WindowState& state, float scale) {
   const Action action = buttons(state);
   steps_section(lab, state);
   view_section(lab, state);
+  methods_section(lab, state, scale);
   parameters_section(lab.parameters());
   statistics_section(state);
   ImGui::EndChild();

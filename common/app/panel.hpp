@@ -10,6 +10,7 @@
 #include "frame_lines.hpp"
 #include "history.hpp"
 #include "looks.hpp"
+#include "method_plot.hpp"
 #include "shader_message.hpp"
 #include "steps.hpp"
 #include "texture_view.hpp"
@@ -51,6 +52,8 @@ struct WindowState {
   std::optional<CasePictures> case_pictures;
   std::optional<SavedLook> own_look;  ///< as it was before a case was picked
   std::optional<Looks> looks;
+  std::optional<MethodPlot> methods;  ///< from when its section is first opened
+  bool methods_open = false;
   bool looks_open = false, keys_open = false, light_theme = false, wireframe = false, axes = false;
   std::vector<FrameLine> frame_lines;  ///< while `axes` is on
   std::string progress;                ///< what goes on for longer than a frame, or ""
@@ -59,6 +62,9 @@ struct WindowState {
 
 /// The section "Steps": each with its figure; its cases, which set the look when they are picked; its hints.
 void steps_section(AnyLab& lab, WindowState& state);
+
+/// The section with error and cost of the methods as a plot, where the lab has both.
+void methods_section(AnyLab& lab, WindowState& state, float scale);
 
 /// Sets the look of the step's case that says most, and shows that case's pictures.
 void pick_step(AnyLab& lab, WindowState& state, const grade::StepResult& step);

@@ -130,13 +130,14 @@ double Window::plumbing_milliseconds() {
 }
 
 bool Window::turning() {
-  // The exact answer takes longer than a frame: under the view `error` the model stands still.
+  // The exact answer takes longer than a frame: under the view `error`, and while the methods are measured,
+  // the model stands still.
   return lab_.parameters().find("turn") != nullptr && !state_.paused && state_.error.first.empty() &&
-         state_.view != View::error && !state_.looks_open && !turntable_;
+         state_.view != View::error && !state_.methods_open && !state_.looks_open && !turntable_;
 }
 
 bool Window::is_busy() const {
-  return truth_share_ < 1 || turntable_ ||
+  return truth_share_ < 1 || turntable_ || (state_.methods_open && !state_.progress.empty()) ||
          (state_.looks_open && state_.looks->drawn() < state_.looks->entries().size());
 }
 
@@ -194,6 +195,7 @@ void Window::frame() {
       go_on_with_turntable();
     } else {
       draw_picture();
+      measure_methods();
     }
   } catch (const Error& error) {
     state_.message = error.what();
@@ -269,6 +271,7 @@ void Window::reload(bool assets) {
   if (assets) lab_.forget();
   drawn_ = {};
   state_.looks->forget();
+  if (state_.methods) state_.methods->forget();
   state_.message = assets ? "files reloaded" : "shaders compiled again";
 }
 
@@ -321,6 +324,15 @@ void Window::draw_picture() {
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     state_.error = read_message(error.what(), assets_.shader_root());
   }
+}
+
+void Window::measure_methods() {
+  if (!state_.methods_open || truth_share_ < 1) return;
+  if (!state_.methods) state_.methods.emplace(context_, assets_, lab_);
+  const FittedView fitted = fitted_view();
+  state_.methods->measure_next(picture_pixels());
+  if (state_.methods->share() < 1 && state_.methods->fault().empty() && state_.progress.empty())
+    state_.progress = fmt::format("measuring the methods: {:.0f} %", 100 * state_.methods->share());
 }
 
 void Window::inspect() {

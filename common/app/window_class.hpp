@@ -96,6 +96,9 @@ class Window {
 
   void draw_picture();
 
+  /// Error and cost of the methods, a little each frame while their section is open.
+  void measure_methods();
+
   /// Reads the data views at the clicked pixel.
   void inspect();
 

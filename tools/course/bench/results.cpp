@@ -132,11 +132,11 @@ std::vector<std::string> BenchResult::values() const {
 }
 
 double BenchResult::error() const {
-  return unit == name_of(app::Unit::steps) ? rms : mean;
+  return app::ranks_by_rms(unit) ? rms : mean;
 }
 
 const char* BenchResult::error_name() const {
-  return unit == name_of(app::Unit::steps) ? "rms" : "mean";
+  return app::ranks_by_rms(unit) ? "rms" : "mean";
 }
 
 BenchReport read_lab_output(const std::filesystem::path& file, const course::Lab& lab) {

@@ -34,8 +34,7 @@ struct BenchResult {
   [[nodiscard]] std::vector<std::string> parameters() const;
   [[nodiscard]] std::vector<std::string> values() const;
 
-  /// The figure by which methods are ranked: for colours the root mean square, in which few pixels that are
-  /// far off weigh as much as one sees them, else the mean.
+  /// The figure by which methods are ranked (app::ranks_by_rms).
   [[nodiscard]] double error() const;
   [[nodiscard]] const char* error_name() const;  ///< "rms" or "mean"
 };

@@ -3,6 +3,7 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <optional>
+#include <string_view>
 
 #include "course/case.hpp"
 #include "image/image.hpp"
@@ -49,6 +50,12 @@ double error_of(const glm::dvec3& value, const glm::dvec3& truth, const Measure&
 image::ImageF error_picture(const image::ImageF& picture, const image::ImageF& truth, const Measure& measure);
 
 ErrorFigures figures_of(const image::ImageF& error);
+
+/// Whether methods are ranked by the root mean square of their errors, in which few pixels that are far off
+/// weigh as much as one sees them, and not by the mean: for colours. `unit` as name_of has it.
+inline bool ranks_by_rms(std::string_view unit) {
+  return unit == name_of(Unit::steps);
+}
 
 /// The smallest of 1, 2 and 5 times a power of ten that is not below `value`: the end of a scale. 1 for 0.
 double round_up(double value);

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Error and cost of a lab's methods, as the window measures them: the right figures for each, anew for
+// another look.
+#include "../../common/app/method_plot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <limits>
+
+#include "core/scratch_folder.hpp"
+
+namespace texel::app {
+namespace {
+
+enum class Method { right, two_off, not_finite };
+constexpr params::Item kMethods[] = {{"right", "The level"}, {"two-off", "Two more"}, {"not-finite", "NaN"}};
+
+struct LevelParameters {
+  Method method{};
+  float level{};
+  void declare(params::Set& set) {
+    set.add(method, {"method", Method::two_off, kMethods, "How it is found"});
+    set.add(level, {"level", 1, 0, 10, "", "Everywhere; above 9 there is no right answer"});
+  }
+};
+/// Fills the picture with a level of detail.
+struct Level : Lab<LevelParameters> {
+  static constexpr View kViews[] = {View::color, View::lod, View::error};
+  static constexpr Info info{1, "level", "Level", "One level.", kViews};
+  explicit Level(const Assets&) {}
+  void draw(const Parameters& p, Frame&) override {
+    ++draws;
+    const float wrong = p.method == Method::not_finite ? std::numeric_limits<float>::quiet_NaN() : 2;
+    glClearColor(p.method == Method::right ? p.level : p.level + wrong, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+  }
+  static Measure measure(const Parameters&) { return {View::lod, Unit::levels, "the level"}; }
+  static Truth truth(const Parameters& p, glm::ivec2) {
+    if (p.level > 9) return {};
+    return [level = p.level](glm::dvec2) { return glm::dvec3(level, 0, 0); };
+  }
+  static inline int draws = 0;
+};
+
+class MethodPlots : public testing::Test {
+ protected:
+  static void finish(MethodPlot& plot, glm::ivec2 size) {
+    for (int i = 0; i < 10'000 && plot.share() < 1 && plot.fault().empty(); ++i) plot.measure_next(size);
+  }
+  struct Root : ScratchFolder {
+    Root() {
+      for (const char* folder : {"assets", "shaders"}) std::filesystem::create_directories(path() / folder);
+    }
+  } root_;
+  std::unique_ptr<gl::Context> context_ = gl::create_headless();
+  const Assets assets_{root_.path()};
+  LabOf<Level> lab_;
+  MethodPlot plot_{*context_, assets_, lab_};
+};
+
+TEST_F(MethodPlots, have_error_and_cost_of_each_method) {
+  ASSERT_TRUE(MethodPlot::is_for(lab_));
+  finish(plot_, {640, 320});
+  EXPECT_EQ(plot_.size(), glm::ivec2(512, 256)) << "the picture's shape";
+  ASSERT_EQ(plot_.points().size(), 3U);
+  // Small whole numbers are exact in a float picture.
+  EXPECT_EQ(plot_.points()[0].error.mean, 0);
+  EXPECT_EQ(plot_.points()[1].error.mean, 2);
+  EXPECT_EQ(plot_.points()[2].error.non_finite, 512 * 256);
+  for (const MethodPlot::Point& point : plot_.points()) {
+    EXPECT_TRUE(point.has_error);
+    EXPECT_GT(point.milliseconds, 0);
+    EXPECT_EQ(point.frame_ns.size(), static_cast<std::size_t>(MethodPlot::kRounds));
+  }
+  EXPECT_EQ(lab_.parameters().at("method").text(), "two-off") << "the parameters stay as they are";
+}
+
+TEST_F(MethodPlots, are_measured_again_for_another_look_only) {
+  finish(plot_, {640, 320});
+  const int before = Level::draws;
+  lab_.parameters().at("method").set("right");
+  plot_.measure_next({640, 320});
+  EXPECT_EQ(Level::draws, before) << "another method is no other look";
+  lab_.parameters().at("level").set("3");
+  plot_.measure_next({640, 320});
+  EXPECT_LT(plot_.share(), 1);
+  EXPECT_GT(plot_.points()[2].milliseconds, 0) << "what was known is still there";
+  EXPECT_FALSE(plot_.points()[2].has_error);
+  finish(plot_, {640, 320});
+  EXPECT_EQ(plot_.points()[0].error.mean, 0);
+  plot_.forget();
+  plot_.measure_next({640, 320});
+  EXPECT_LT(plot_.share(), 1) << "shaders or files have changed";
+}
+
+TEST_F(MethodPlots, say_why_there_is_nothing_to_measure) {
+  lab_.parameters().at("level").set("10");
+  plot_.measure_next({640, 320});
+  EXPECT_NE(plot_.fault().find("no exact answer"), std::string::npos);
+  EXPECT_EQ(lab_.parameters().at("method").text(), "two-off");
+  lab_.parameters().at("level").set("1");
+  plot_.measure_next({640, 320});
+  EXPECT_EQ(plot_.fault(), "");
+}
+
+}  // namespace
+}  // namespace texel::app
