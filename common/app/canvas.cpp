@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
 #include "gl/upload.hpp"
+#include "image/colour.hpp"
 
 namespace texel::app {
 namespace {
@@ -218,12 +219,21 @@ void Canvas::draw_error(glm::ivec2 size) {
 
 void Canvas::copy_to_window(glm::ivec2 origin, glm::ivec2 size) const {
   if (!picture_) return;
+  const glm::vec2 own(picture_->width(), picture_->height());
+  const glm::vec2 room = glm::vec2(size) / own;
+  const glm::ivec2 shown(glm::round(own * std::min(room.x, room.y)));
+  const glm::ivec2 from = origin + (size - shown) / 2, to = from + shown;
   picture_->bind_for_reading();
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
   glDisable(GL_FRAMEBUFFER_SRGB);  // the bytes as they are
   glDisable(GL_SCISSOR_TEST);
-  glBlitFramebuffer(0, 0, picture_->width(), picture_->height(), origin.x, origin.y, origin.x + size.x,
-                    origin.y + size.y, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  if (shown != size) {
+    const auto encoded = [](float light) { return static_cast<float>(image::srgb_from_linear(light)); };
+    glClearColor(encoded(kBackground.r), encoded(kBackground.g), encoded(kBackground.b), 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+  }
+  glBlitFramebuffer(0, 0, picture_->width(), picture_->height(), from.x, from.y, to.x, to.y,
+                    GL_COLOR_BUFFER_BIT, GL_LINEAR);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 

@@ -73,8 +73,8 @@ class Canvas {
   /// Nothing where there is no truth: beside the object, or for a model from a file.
   [[nodiscard]] std::optional<Comparison> compare_at(glm::ivec2 size, glm::ivec2 pixel);
 
-  /// Copies the 8-bit picture into the window's framebuffer, stretched to `size` pixels; does nothing before
-  /// the first.
+  /// Copies the 8-bit picture into the window's framebuffer, as large as it fits into `size` pixels, in the
+  /// middle. Does nothing before the first picture.
   void copy_to_window(glm::ivec2 origin, glm::ivec2 size) const;
 
   [[nodiscard]] gl::ProgramCache& programs() { return programs_; }

@@ -98,7 +98,7 @@ Action draw_overlay(AnyLab& lab, WindowState& state, glm::vec2 size, float pixel
     if (std::ranges::find(state.frame_lines, axis, &FrameLine::axis) != state.frame_lines.end())
       canvas.AddText({origin + (12 + 16 * static_cast<float>(axis)) * scale, 10 * scale}, colour_of(axis),
                      name);
-  if (state.inspected) {
+  if (state.inspected && state.error.first.empty()) {  // the last good picture may have another size
     const glm::vec2 pixel = glm::vec2(state.inspected->pixel) + 0.5F;
     const ImVec2 at(origin + pixel.x / pixels_per_unit, size.y - pixel.y / pixels_per_unit);
     canvas.AddCircle(at, 5 * scale, IM_COL32(0, 0, 0, 255), 16, 3 * scale);

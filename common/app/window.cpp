@@ -323,6 +323,7 @@ void Window::draw_picture() {
   } catch (const Error& error) {
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     state_.error = read_message(error.what(), assets_.shader_root());
+    state_.frame_lines.clear();  // the last good picture may have another size
   }
 }
 

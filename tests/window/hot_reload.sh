@@ -50,6 +50,23 @@ check 'another picture in the file is shown' changed_from "$work/lower" $lower
 cp "$work/good.png" "$brick"
 check 'and the first again' returned_to "$work/first"
 
+# fits: the first picture stands in a window that is 500 high, all of it and not stretched. Below the message, and smaller
+# by another filter: the mean difference is 0.9 % then, and 6 % if it is stretched.
+fits() {
+  look "$work/now" 620x420+340+80 &&
+    convert "$work/first" -resize 620x500 -gravity center -background 'rgb(52,57,66)' -extent 620x500 -gravity northwest \
+      -crop 620x420+0+80 +repage "$work/smaller" &&
+    (($(convert "$work/now" "$work/smaller" -compose difference -composite -format '%[fx:mean<0.03]' info:) == 1))
+}
+cp "$included" "$work/good"
+append "$included" 'float broken() { return nothing; }'
+check 'the message stands in red' eventually shows_red
+xdotool windowsize "$window" 960 500
+check 'the last good picture fits into a lower window' eventually fits
+xdotool windowsize "$window" 960 720
+cp "$work/good" "$included"
+check 'mended, the picture is back' returned_to "$work/first"
+
 sed -i 's/sample_color(color_map, fragment_texcoord).rgb/sample_color(color_map, fragment_texcoord).bgr/' "$shader"
 check 'an edited shader is shown' changed_from "$work/lower" $lower
 
