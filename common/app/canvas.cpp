@@ -228,8 +228,9 @@ void Canvas::copy_to_window(glm::ivec2 origin, glm::ivec2 size) const {
   glDisable(GL_FRAMEBUFFER_SRGB);  // the bytes as they are
   glDisable(GL_SCISSOR_TEST);
   if (shown != size) {
-    const auto encoded = [](float light) { return static_cast<float>(image::srgb_from_linear(light)); };
-    glClearColor(encoded(kBackground.r), encoded(kBackground.g), encoded(kBackground.b), 1);
+    using image::srgb_from_linear;
+    glClearColor(srgb_from_linear(kBackground.r), srgb_from_linear(kBackground.g),
+                 srgb_from_linear(kBackground.b), 1);
     glClear(GL_COLOR_BUFFER_BIT);
   }
   glBlitFramebuffer(0, 0, picture_->width(), picture_->height(), from.x, from.y, to.x, to.y,

@@ -128,7 +128,8 @@ void picture_part(CasePictures& p, float side) {
     p.position = std::clamp((ImGui::GetIO().MousePos.x - at.x) / side, 0.0F, 1.0F);
   if (p.shown == Shown::heat_map) heat_scale(p, side);
   wrapped(theme().dim, caption(p));
-  wrapped(theme().next, without_markdown(p.message));
+  // The scale of the heat map has its room.
+  if (p.shown != Shown::heat_map) wrapped(theme().next, without_markdown(p.message));
 }
 
 }  // namespace
@@ -164,7 +165,7 @@ Action draw_step(WindowState& state, glm::vec2 window, float /*scale*/) {
       picture_part(*state.case_pictures, 0);
   } else if (is_below) {
     const float side = std::clamp((room.y - texts) / aspect, 64.0F, 0.5F * room.x);
-    const float column = std::max(side, std::min(ImGui::GetFontSize() * 23, 0.5F * room.x));
+    const float column = std::max(side, std::min(ImGui::GetFontSize() * 23, 0.54F * room.x));
     ImGui::BeginChild("text", {room.x - column - ImGui::GetStyle().ItemSpacing.x, 0});
     action = text_part(state);
     ImGui::EndChild();

@@ -22,11 +22,12 @@ void wrapped(const ImVec4& colour, const std::string& text) {
   ImGui::PopStyleColor();
 }
 
-/// "12.3 degrees (limit 0.05)".
+/// "off by 12.3 degrees (limit 0.05)".
 std::string figure(const grade::StepResult& step) {
   const grade::CaseResult* telling = grade::telling_case(step);
   if (telling == nullptr || std::isnan(telling->error)) return "nothing to compare";
-  return fmt::format("{:.3g} {} (limit {:g})", telling->error, name_of(telling->unit()), telling->limit);
+  return fmt::format("off by {:.3g} {} (limit {:g})", telling->error, name_of(telling->unit()),
+                     telling->limit);
 }
 
 /// Sets the case's look and shows its pictures.
@@ -81,16 +82,22 @@ void steps_section(AnyLab& lab, WindowState& state) {
     const bool is_next = is_open && !has_next;
     has_next = has_next || is_next;
     const std::string title = without_markdown(step.title);
-    ImGui::PushStyleColor(ImGuiCol_Text, is_done ? theme().good : is_next ? theme().next : theme().dim);
-    const bool shows = ImGui::TreeNodeEx(step.id.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth, "%s %s %s",
-                                         is_done                          ? "done"
-                                         : step.status == Status::skipped ? "waits"
-                                         : is_next                        ? "next"
-                                                                          : "to do",
-                                         step.id.c_str(), title.c_str());
+    const ImVec4& colour = is_done ? theme().good : is_next ? theme().next : theme().dim;
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    const bool shows = ImGui::TreeNodeEx(step.id.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth, "%s", "");
     ImGui::PopStyleColor();
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s\n%s", title.c_str(), figure(step).c_str());
-    if (is_open && !shows) wrapped(theme().dim, "      off by " + figure(step));
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", figure(step).c_str());
+    ImGui::SameLine();  // the title beside the triangle: a tree node's own text is not wrapped
+    const char* status = is_done                          ? "done"
+                         : step.status == Status::skipped ? "waits"
+                         : is_next                        ? "next"
+                                                          : "to do";
+    wrapped(colour, fmt::format("{} {} {}", status, step.id, title));
+    if (is_open && !shows) {
+      ImGui::Indent();
+      wrapped(theme().dim, figure(step));
+      ImGui::Unindent();
+    }
     if (!shows) continue;
     step_details(lab, state, step);
     ImGui::TreePop();

@@ -20,6 +20,9 @@ shows_done() { has_text $green && ! has_text $amber; }
 check 'the window opens' open_lab lab05_normal_map --turn 0
 check 'all steps are done, in green' eventually shows_done
 settle "$work/first"
+# The titles of 5.4 and 5.5 need two lines. Cut off, their letters reach the panel's edge.
+are_whole() { look "$work/now" 6x300+312+130 && (($(pixels_of "$work/now" $green 20) == 0)); }
+check 'no title is cut off' are_whole
 
 sed -i 's/return color \* 2.0 - 1.0/return (color * 2.0 - 1.0) * vec3(1.0, -1.0, 1.0)/' "$shader"
 check 'a step that a save has spoilt is the next, in amber' eventually has_text $amber
@@ -29,12 +32,29 @@ settle "$work/wrong"
 # The first step's triangle, then its first case: below two lines each of error and mistake, and the button for a hint.
 xdotool mousemove --window "$window" 19 151 click 1
 sleep 1
-xdotool mousemove --window "$window" 70 282 click 1
+pick_case() { xdotool mousemove --window "$window" 70 282 click 1; }
+pick_case
 check 'a case that is picked sets its look' changed_from "$work/wrong"
 settle "$work/case"
 # The picture of the case stands at the lower right, with a white line between yours and the expected one.
 white_line() { look "$work/corner" 340x380+600+330 && (($(pixels_of "$work/corner" 255,255,255 0) > 150)); }
 check 'and shows the expected picture beside yours' eventually white_line
+
+no_white_line() { ! white_line; }
+xdotool mousemove --window "$window" 865 419 click 1
+# Of the heat map's scale, which ends where the error is largest.
+shows_heat() { look "$work/corner" 310x280+640+430 && (($(pixels_of "$work/corner" 255,255,191 6) > 10)); }
+check 'heat map shows where the error is' eventually shows_heat
+check 'in place of the two pictures' no_white_line
+xdotool mousemove --window "$window" 503 416 click 1
+check 'Back to my look sets the look as it was' returned_to "$work/wrong"
+pick_case
+check 'the case again' eventually white_line
+xdotool mousemove --window "$window" 584 416 click 1
+check 'Close takes the step away' eventually no_white_line
+check 'and keeps the look of the case' shows_other "$work/wrong"
+pick_case
+check 'the case again' eventually white_line
 
 press j  # the case's parameters stand in amber too
 cp "$source_root/shaders/05_normal_map/decode_normal.glsl" "$shader"
