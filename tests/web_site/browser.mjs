@@ -5,7 +5,7 @@ import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { serve } from "./serve.mjs";
+import { serve } from "../../web/engine/serve.mjs";
 
 const site = join(dirname(fileURLToPath(import.meta.url)), "../../web/site");
 if (!existsSync(join(site, "node_modules"))) {

@@ -8,7 +8,7 @@ import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { after, before, beforeEach, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { serve } from "./serve.mjs";
+import { serve } from "../../web/engine/serve.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const site = join(here, "../../web/site");

@@ -37,7 +37,9 @@ export class Engine {
   shown(what = {}) { return this.#call("shown", what); }
 
   async start(canvas) {
-    this.#worker = new Worker(new URL("./worker.mjs", import.meta.url), { type: "module" });
+    // A page may have started a worker before this script was there.
+    this.#worker = globalThis.texelWorker ?? new Worker(new URL("./worker.mjs", import.meta.url), { type: "module" });
+    globalThis.texelWorker = undefined;
     this.#worker.onmessage = ({ data }) => this.#answered(data);
     this.#worker.onerror = (event) => this.#fail(new EngineError({ message: event.message || "the engine cannot be loaded" }));
     const offscreen = canvas?.transferControlToOffscreen?.();

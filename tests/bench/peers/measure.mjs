@@ -8,7 +8,7 @@ import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { enginePage, launch } from "../../web_site/browser.mjs";
-import { serve } from "../../web_site/serve.mjs";
+import { serve } from "../../../web/engine/serve.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url)), tree = join(here, "../../..");
 const rounds = Number(process.argv[2] ?? 5), kFrames = 7;

@@ -92,7 +92,8 @@ ${handout}<footer>${beside(labs[at - 1], "Lab")}${beside(labs[at + 1], "Lab")}</
     root: "../",
     body,
     classes: "of-lab",
-    script: `<link rel="stylesheet" href="../site/katex/katex.css">\n<link rel="modulepreload" href="../engine/client.mjs">\n<script type="module" src="../site/lab.js"></script>\n` +
+    script: `<script>globalThis.texelWorker = location.protocol === "file:" ? undefined : new Worker("../engine/worker.mjs", { type: "module" });</script>\n` +
+      `<link rel="stylesheet" href="../site/katex/katex.css">\n<link rel="modulepreload" href="../engine/client.mjs">\n<script type="module" src="../site/lab.js"></script>\n` +
       `<script>if (location.protocol === "file:") addEventListener("DOMContentLoaded", () => { document.querySelector(".waiting").textContent = ` +
       `"A browser does not run this page from a file. In the folder of the pages type: python3 -m http.server"; });</script>\n`,
   });
