@@ -24,6 +24,9 @@ target_compile_options(texel_flags INTERFACE
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-stringop-overflow>
   # The sanitizers' own code makes GCC warn of std::regex; without them the same files are warned of as ever.
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${TEXEL_SANITIZE}>>:-Wno-maybe-uninitialized>
+  # GCC 12's vectoriser of straight-line code turns double -> float -> double into nothing: then a result depends on what was
+  # inlined and on -O.
+  $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>
   # A fused multiply-add would give other bytes on another machine.
   -ffp-contract=off
   $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> # what ccache needs of precompiled headers
@@ -78,12 +81,6 @@ function(texel_together target)
   endif()
 endfunction()
 
-# texel_round_as_written(FILES…): GCC 12's vectoriser of straight-line code turns double -> float -> double into
-# nothing, so that a result depends on what was inlined and on -O; these files' results do not.
-function(texel_round_as_written)
-  texel_options_of(OPTIONS $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize> FILES ${ARGN})
-endfunction()
-
 # texel_library(name [LIGHT] SOURCES … DEPENDS … PRIVATE_DEPENDS …)
 # The folder's headers lie in include/<name>/; nothing else sees them but who links texel_<name>.
 function(texel_library name)
@@ -116,8 +113,12 @@ function(texel_program name)
 endfunction()
 
 # texel_lab(05_normal_map): labs/05_normal_map/lab.cpp becomes the program lab05_normal_map.
+# A student's lab has no loop over pixels, and is compiled after each save. The course's has the truths.
 function(texel_lab folder)
-  texel_program(lab${folder} SOURCES ${folder}/lab.cpp DEPENDS texel_app)
+  if(NOT TARGET texel_truth)
+    set(kind LIGHT)
+  endif()
+  texel_program(lab${folder} ${kind} SOURCES ${folder}/lab.cpp DEPENDS texel_app)
   target_include_directories(lab${folder} PRIVATE ${folder})
 endfunction()
 
