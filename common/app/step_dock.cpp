@@ -70,7 +70,7 @@ std::string caption(const CasePictures& p) {
   return fmt::format("{}; limit {:g}", worst, p.limit);
 }
 
-/// The bar below the heat map: from 0 to the largest error.
+/// The bar below the heat map.
 void heat_scale(const CasePictures& p, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetTextLineHeight() * 0.6F;
@@ -83,7 +83,7 @@ void heat_scale(const CasePictures& p, float width) {
   }
   ImGui::Dummy({width, height});
   ImGui::TextColored(theme().dim, "0");
-  const std::string most = fmt::format("{:.3g} {}", p.figures.max, p.unit);
+  const std::string most = fmt::format("{:.3g} {}", p.full_scale, p.unit);
   ImGui::SameLine(width - ImGui::CalcTextSize(most.c_str()).x);
   ImGui::TextColored(theme().dim, "%s", most.c_str());
 }

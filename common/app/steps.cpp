@@ -92,7 +92,7 @@ CasePictures load_case(const fs::path& root, const std::string& lab, const grade
     pictures.own = picture_texture(all.own), pictures.expected = picture_texture(all.expected);
     pictures.difference = picture_texture(all.difference);
     pictures.heat_map = picture_texture(all.heat_map);
-    pictures.figures = all.figures;
+    pictures.figures = all.figures, pictures.full_scale = all.full_scale;
   } catch (const Error& error) {
     pictures.fault = error.what();
   }

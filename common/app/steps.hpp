@@ -46,8 +46,9 @@ struct CasePictures {
   float position = 0.5F;  ///< of the split line, 0 to 1; the expected picture is right of it
   int width = 0, height = 0;
   gl::Texture own, expected, difference, heat_map;  ///< bottom row first
-  image::Difference figures;                        ///< the heat map's hottest colour is `max`
-  std::string unit;                                 ///< of the figures
+  image::Difference figures;
+  double full_scale = 0;  ///< the heat map's hottest colour
+  std::string unit;       ///< of the figures
   double limit = 0;
   std::string title, message;  ///< of the step; of the case, what is wrong, or ""
   StepText text;

@@ -33,9 +33,11 @@ std::string picture_bytes(const fs::path& picture) {
 image::Compared compared(const CaseResult& one) {
   if (one.is_mesh()) throw Error::failed("this case compares vertices, not pictures");
   if (one.picture.empty()) throw Error::failed("your picture is missing: " + one.message);
+  // What renderers differ by is dark.
+  const double scale = kNothingLeft * one.limit;
   if (one.view == course::View::color)
-    return image::compared(image::load8(one.picture, 3), image::load8(one.reference, 3));
-  return image::compared(image::load_pfm(one.picture), image::load_pfm(one.reference), name_of(one.view),
+    return image::compared(image::load8(one.picture, 3), image::load8(one.reference, 3), scale);
+  return image::compared(image::load_pfm(one.picture), image::load_pfm(one.reference), scale, name_of(one.view),
                          one.unit() == course::Unit::degrees ? image::Unit::degrees : image::Unit::own);
 }
 

@@ -27,19 +27,23 @@ Image8 absolute_difference(const Image8& a, const Image8& b) {
 
 }  // namespace
 
-Compared compared(const Image8& own, const Image8& expected) {
+Compared compared(const Image8& own, const Image8& expected, double least_scale) {
   need_one_size(own, expected);
-  return {own, expected, absolute_difference(own, expected), heatmap(expected, own), compare(expected, own)};
+  const Difference figures = compare(expected, own);
+  const double full_scale = std::max(figures.max, least_scale);
+  return {own,     expected,  absolute_difference(own, expected), heatmap(expected, own, full_scale),
+          figures, full_scale};
 }
 
-Compared compared(const ImageF& own, const ImageF& expected, const std::string& view, Unit unit) {
+Compared compared(const ImageF& own, const ImageF& expected, double least_scale, const std::string& view,
+                  Unit unit) {
   need_one_size(own, expected);
-  Compared all{shown(own, view), shown(expected, view), {}, {}, {}};
-  all.difference = absolute_difference(all.own, all.expected);
   Comparing comparing;
   comparing.unit = unit;
-  all.heat_map = heatmap(expected, own, 0, comparing);
-  all.figures = compare(expected, own, comparing);
+  const Difference figures = compare(expected, own, comparing);
+  Compared all{shown(own, view), shown(expected, view), {}, {}, figures, std::max(figures.max, least_scale)};
+  all.difference = absolute_difference(all.own, all.expected);
+  all.heat_map = heatmap(expected, own, all.full_scale, comparing);
   return all;
 }
 

@@ -24,8 +24,8 @@ using course::View;
 using image::Image8;
 using image::ImageF;
 
-/// A case that is past its limit has at most half its marks, and none from so many times the limit on.
-constexpr double kMostOfWrong = 0.5, kNothingLeft = 5;
+/// Of a case that is past its limit.
+constexpr double kMostOfWrong = 0.5;
 
 image::Unit compared_as(Unit unit) {
   return unit == Unit::degrees ? image::Unit::degrees : image::Unit::own;

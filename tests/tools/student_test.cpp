@@ -236,18 +236,18 @@ TEST_F(StudentTree, shows_a_step_beside_the_expected_picture) {
         values.insert(value);
         bytes += static_cast<char>(value);
       }
-    return std::pair(bytes, values.size());
+    return std::pair(bytes, values);
   };
   EXPECT_NE(part(wrong, 0).first, part(wrong, 1).first);
-  EXPECT_GT(part(wrong, 1).second, 10U);
-  EXPECT_GT(part(wrong, 2).second, 1U);
+  EXPECT_GT(part(wrong, 1).second.size(), 10U);
+  EXPECT_GT(*part(wrong, 2).second.rbegin(), 200);
 
-  // In the course's own tree they are the same, and nothing differs.
+  // In the course's own tree nothing differs, or what renderers differ by: 1 step of 3, with a scale to 15.
   const fs::path solved = *folder_ / "solved.png";
   EXPECT_EQ(in_course("see 6.2 --out " + shell_word(solved.string())).exit_code, 0);
   const image::Image8 right = image::load8(solved, 3);
   EXPECT_EQ(part(right, 1).first, part(wrong, 1).first);
-  EXPECT_EQ(part(right, 2).second, 1U);
+  EXPECT_LT(*part(right, 2).second.rbegin(), 30);
 
   EXPECT_EQ(texel("see 6.9").exit_code, 2);
   const Result vertices = texel("see 4.1");

@@ -23,6 +23,9 @@ struct Verdict {
   std::string message;
 };
 
+/// A case scores nothing from so many times its limit on.
+constexpr double kNothingLeft = 5;
+
 /// What a case scores whose error is so many times its limit. Within the limit it is 1. Past it, half is lost
 /// at once, and the other half evenly up to five times the limit: twice 0.375, three times 0.25, five times
 /// 0. The rule is the same for all steps and units.
