@@ -117,7 +117,7 @@ endfunction()
 
 # texel_lab(05_normal_map): labs/05_normal_map/lab.cpp becomes the program lab05_normal_map.
 function(texel_lab folder)
-  texel_program(lab${folder} SOURCES ${folder}/lab.cpp DEPENDS texel_app)
+  texel_program(lab${folder} SOURCES ${folder}/lab.cpp DEPENDS texel_start)
   target_include_directories(lab${folder} PRIVATE ${folder})
 endfunction()
 
