@@ -118,7 +118,7 @@ function(texel_lab folder)
   if(NOT TARGET texel_truth)
     set(kind LIGHT)
   endif()
-  texel_program(lab${folder} ${kind} SOURCES ${folder}/lab.cpp DEPENDS texel_app)
+  texel_program(lab${folder} ${kind} SOURCES ${folder}/lab.cpp DEPENDS texel_start)
   target_include_directories(lab${folder} PRIVATE ${folder})
 endfunction()
 

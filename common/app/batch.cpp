@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "batch.hpp"
+#include "app/batch.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,14 +10,13 @@
 #include <optional>
 #include <set>
 
-#include "command_line.hpp"
+#include "app/snapshot.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "core/stopwatch.hpp"
 #include "course/batch.hpp"
 #include "mesh/ply.hpp"
-#include "snapshot.hpp"
 
 namespace texel::app {
 namespace {

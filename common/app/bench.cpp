@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "bench.hpp"
+#include "app/bench.hpp"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
-#include "command_line.hpp"
+#include "app/settings.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/stopwatch.hpp"
-#include "settings.hpp"
 
 namespace texel::app {
 namespace {

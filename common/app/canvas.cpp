@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "canvas.hpp"
+#include "app/canvas.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "config.hpp"
+#include "app/config.hpp"
 
 #include <fmt/format.h>
 

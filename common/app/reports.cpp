@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports.hpp"
+#include "app/reports.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>

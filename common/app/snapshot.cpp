@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "snapshot.hpp"
+#include "app/snapshot.hpp"
 
 #include <fmt/format.h>
 

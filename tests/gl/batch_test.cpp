@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Batches: that each picture is written while the next is drawn, unless there is but one thread; and how much
 // each shader program draws, which decides whether optimising it pays.
-#include "../../common/app/batch.hpp"
+#include "app/batch.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Error and cost of a lab's methods, as the window measures them: the right figures for each, anew for
 // another look.
-#include "../../common/app/method_plot.hpp"
+#include "../../common/window/method_plot.hpp"
 
 #include <gtest/gtest.h>
 

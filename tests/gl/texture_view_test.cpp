@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the window shows of the textures at a pixel: which level is read, its texels, and the face of a cube
 // map.
-#include "../../common/app/texture_view.hpp"
+#include "../../common/window/texture_view.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "app/lab.hpp"
-#include "canvas.hpp"
+#include "app/canvas.hpp"
 #include "course/case.hpp"
 #include "gl/es_source.hpp"
 #include "gl/web_context.hpp"

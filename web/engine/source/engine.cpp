@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The labs for a page: one function that takes a call as JSON and gives JSON. README.md has the calls;
-// worker.mjs makes them. It does what the window does (app/window.cpp), and the judge's work as `texel check`
+// worker.mjs makes them. It does what the window does (common/window), and the judge's work as `texel check`
 // does it.
 #include <emscripten.h>
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 
 #include "all_labs.inc"
 #include "app/lab.hpp"
-#include "canvas.hpp"
+#include "app/canvas.hpp"
 #include "check/check.hpp"
 #include "check/files.hpp"
 #include "core/error.hpp"
@@ -25,7 +25,7 @@
 #include "course/markers.hpp"
 #include "coverage.hpp"
 #include "display.hpp"
-#include "gestures.hpp"
+#include "app/gestures.hpp"
 #include "gl/context.hpp"
 #include "gl/es_source.hpp"
 #include "gl/upload.hpp"
@@ -35,8 +35,8 @@
 #include "judge/plan.hpp"
 #include "judge/results_json.hpp"
 #include "mesh/ply.hpp"
-#include "reports.hpp"
-#include "settings.hpp"
+#include "app/reports.hpp"
+#include "app/settings.hpp"
 #include "step_texts.hpp"
 
 namespace texel::app {

@@ -207,7 +207,8 @@ class LabOf final : public AnyLab {
   std::optional<TheLab> lab_;
 };
 
-/// The whole program: window or snapshot, as the arguments say. Returns its exit code.
+/// The whole program: window or snapshot, as the arguments say. Returns its exit code. What starts the labs
+/// defines it: common/start on a desktop, web/engine/source/engine.cpp on a page.
 int run(AnyLab& lab, int argc, char** argv);
 
 template <class TheLab>

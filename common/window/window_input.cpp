@@ -6,13 +6,13 @@
 #include <cmath>
 #include <utility>
 
-#include "config.hpp"
+#include "app/config.hpp"
+#include "app/gestures.hpp"
+#include "app/settings.hpp"
+#include "app/snapshot.hpp"
 #include "core/error.hpp"
 #include "core/plain_text.hpp"
 #include "desktop.hpp"
-#include "gestures.hpp"
-#include "settings.hpp"
-#include "snapshot.hpp"
 #include "window_class.hpp"
 
 namespace texel::app {

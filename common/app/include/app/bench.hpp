@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "canvas.hpp"
+#include "app/canvas.hpp"
 #include "course/batch.hpp"
 #include "gl/frame_timer.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <filesystem>
 
-#include "canvas.hpp"
+#include "app/canvas.hpp"
 
 namespace texel::app {
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench.hpp"
+#include "app/bench.hpp"
+#include "app/settings.hpp"
 #include "core/error.hpp"
-#include "settings.hpp"
 
 namespace texel::app {
 namespace {

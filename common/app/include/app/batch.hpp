@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "canvas.hpp"
-#include "settings.hpp"
+#include "app/canvas.hpp"
+#include "app/settings.hpp"
 
 namespace texel::app {
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/lab.hpp"
 #include "course/setting.hpp"
 #include "params/set.hpp"
 
@@ -25,5 +26,15 @@ class StartValues {
   params::Set& parameters_;
   std::vector<std::string> values_;
 };
+
+inline glm::ivec2 pixels(course::Size size) {
+  return {size.width, size.height};
+}
+
+/// The view of that name. Throws Error (usage) when the lab does not have it.
+View find_view(const AnyLab& lab, const std::string& name);
+
+/// The lab's parameter that names its model file, or null.
+params::Parameter* model_parameter(params::Set& parameters);
 
 }  // namespace texel::app

@@ -6,7 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "config.hpp"
+#include "app/config.hpp"
+#include "app/settings.hpp"
 #include "core/error.hpp"
 
 namespace texel::app {
@@ -47,26 +48,6 @@ glm::ivec2 parse_size(const std::string& text) {
     throw Error::usage(fmt::format("--size takes WIDTHxHEIGHT in pixels, each from 1 to {}, not '{}'",
                                    course::Size::kMostPixels, text));
   return pixels(*size);
-}
-
-View find_view(const AnyLab& lab, const std::string& name) {
-  std::string list;
-  std::vector<std::string> names;
-  for (const View view : lab.views()) {
-    names.emplace_back(name_of(view));
-    if (names.back() == name) return view;
-    list += (list.empty() ? "" : ", ") + names.back();
-  }
-  if (std::ranges::count(lab.info().views, View::error) > 0 && name == name_of(View::error))
-    throw Error::usage("the view 'error' needs the right answers; a student's tree does not contain them");
-  const std::string near = nearest(name, names);
-  throw Error::usage(fmt::format("this lab has no view '{}'; its views are {}", name, list),
-                     near.empty() ? "" : fmt::format("did you mean '{}'?", near));
-}
-
-params::Parameter* model_parameter(params::Set& parameters) {
-  params::Parameter* model = parameters.find("model");
-  return model != nullptr && model->type == params::Parameter::Type::file ? model : nullptr;
 }
 
 std::optional<CommandLine> read_command_line(AnyLab& lab, int argc, char** argv) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "canvas.hpp"
+#include "app/canvas.hpp"
 #include "image/save.hpp"
 
 namespace texel::app {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "canvas.hpp"
+#include "app/canvas.hpp"
 #include "gl/frame_timer.hpp"
 
 namespace texel::app {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "app/snapshot.hpp"
 #include "core/error.hpp"
-#include "snapshot.hpp"
 
 namespace texel::app {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/settings.hpp"
 #include "core/error.hpp"
 #include "picture_texture.hpp"
-#include "settings.hpp"
 
 namespace texel::app {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "canvas.hpp"
+#include "app/canvas.hpp"
 
 namespace texel::app {
 

@@ -12,14 +12,14 @@
 #include "history.hpp"
 #include "panel.hpp"
 #include "turntable.hpp"
-#include "window.hpp"
+#include "window/window.hpp"
 
 namespace texel::app {
 
 /// A lab's window. window.cpp has its frames, window_input.cpp what keys, mouse and buttons do.
 class Window {
  public:
-  Window(AnyLab& lab, const Assets& assets, const CommandLine& line);
+  Window(AnyLab& lab, const Assets& assets, const WindowOptions& options);
 
   void run();
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The frames of a lab's window.
-#include "window.hpp"
+#include "window/window.hpp"
 
 #include <fmt/format.h>
 
@@ -9,11 +9,12 @@
 #include <numeric>
 #include <utility>
 
+#include "app/gestures.hpp"
+#include "app/reports.hpp"
+#include "app/settings.hpp"
 #include "core/error.hpp"
 #include "core/stages.hpp"
-#include "gestures.hpp"
 #include "picture_texture.hpp"
-#include "reports.hpp"
 #include "window_class.hpp"
 
 namespace texel::app {
@@ -41,21 +42,21 @@ image::Image8 around(const image::Image8& picture, glm::ivec2 pixel) {
 
 }  // namespace
 
-Window::Window(AnyLab& lab, const Assets& assets, const CommandLine& line)
+Window::Window(AnyLab& lab, const Assets& assets, const WindowOptions& options)
     : lab_(lab),
       assets_(assets),
-      samples_(line.samples),
-      context_(line.size.value_or(kWindowSize).x, line.size.value_or(kWindowSize).y,
+      samples_(options.samples),
+      context_(options.size.value_or(kWindowSize).x, options.size.value_or(kWindowSize).y,
                fmt::format("Texel Labs {}: {}", lab.info().number, lab.info().title)),
       canvas_(context_, assets, lab) {
-  state_.view = find_view(lab, line.view);
-  state_.paused = line.turn_given;
-  see_ = line.see;
+  state_.view = find_view(lab, options.view);
+  state_.paused = options.turn_given;
+  see_ = options.see;
   state_.config_file = lab.info().program() + ".toml";
   const std::filesystem::path root = assets.shader_root().parent_path();
   state_.looks.emplace(lab, assets);
   state_.message = state_.looks->fault();
-  opens_with_hero_ = !line.look_given && !state_.looks->entries().empty();
+  opens_with_hero_ = !options.look_given && !state_.looks->entries().empty();
   if (opens_with_hero_) perform(Action::default_look);
   if (std::filesystem::exists(root / "labs" / lab.info().folder() / "expected"))
     state_.steps.emplace(lab.info().number, root);
@@ -349,10 +350,11 @@ void Window::inspect() {
   state_.inspected->comparison = canvas_.compare_at(picture_pixels(), pixel);
   state_.inspected->around = picture_texture(around(canvas_.read8(), pixel));
 }
-void run_window(AnyLab& lab, const Assets& assets, const CommandLine& line) {
-  Window window(lab, assets, line);
-  if (line.frames > 0)
-    window.time_frames(line.frames);
+
+void run_window(AnyLab& lab, const Assets& assets, const WindowOptions& options) {
+  Window window(lab, assets, options);
+  if (options.frames > 0)
+    window.time_frames(options.frames);
   else
     window.run();
 }

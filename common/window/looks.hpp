@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "canvas.hpp"
+#include "app/canvas.hpp"
 #include "course/lab_file.hpp"
 #include "gl/objects.hpp"
 

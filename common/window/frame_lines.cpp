@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/camera.hpp"
-#include "settings.hpp"
+#include "app/settings.hpp"
 
 namespace texel::app {
 namespace {

@@ -4,19 +4,20 @@
 #include <cstdio>
 #include <vector>
 
+#include "app/batch.hpp"
+#include "app/bench.hpp"
+#include "app/canvas.hpp"
+#include "app/config.hpp"
 #include "app/lab.hpp"
-#include "batch.hpp"
-#include "bench.hpp"
-#include "canvas.hpp"
+#include "app/reports.hpp"
+#include "app/settings.hpp"
+#include "app/snapshot.hpp"
 #include "command_line.hpp"
-#include "config.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/stages.hpp"
 #include "core/stopwatch.hpp"
-#include "reports.hpp"
-#include "snapshot.hpp"
-#include "window.hpp"
+#include "window/window.hpp"
 
 namespace texel::app {
 namespace {

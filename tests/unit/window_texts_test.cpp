@@ -2,9 +2,9 @@
 // The window's parts that need no window: the step's text, a compiler's message, undo and redo, drags.
 #include <gtest/gtest.h>
 
+#include "app/gestures.hpp"
 #include "core/files.hpp"
 #include "core/scratch_folder.hpp"
-#include "gestures.hpp"
 #include "history.hpp"
 #include "shader_message.hpp"
 #include "step_text.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "canvas.hpp"
+#include "app/canvas.hpp"
 #include "footprint.hpp"
 
 namespace texel::app {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "actions.hpp"
-#include "canvas.hpp"
+#include "app/canvas.hpp"
 #include "frame_lines.hpp"
 #include "history.hpp"
 #include "looks.hpp"
