@@ -92,6 +92,7 @@ void draw_keys(WindowState& state, glm::vec2 size) {
   for (const Key& key : keys()) row(key.shown, key.what);
   ImGui::Separator();
   for (const Gesture& gesture : gestures()) row(gesture.shown, gesture.what);
+  cover_picture(state);
   ImGui::End();
 }
 

@@ -64,6 +64,7 @@ Action error_plate(WindowState& state, glm::vec2 size, float scale) {
     if (ImGui::SmallButton(label.append("###more").c_str())) state.all_messages = !state.all_messages;
     if (state.all_messages) lines(theme().dim, error.rest);
   }
+  cover_picture(state);
   ImGui::End();
   return action;
 }

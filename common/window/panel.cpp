@@ -265,6 +265,13 @@ std::string command_line(AnyLab& lab, View view) {
   return line;
 }
 
+void cover_picture(WindowState& state) {
+  constexpr float kEdge = 4;  // so far from its edge a window still takes the mouse, to be resized
+  const glm::vec2 from(ImGui::GetWindowPos().x, ImGui::GetWindowPos().y);
+  const glm::vec2 size(ImGui::GetWindowWidth(), ImGui::GetWindowHeight());
+  state.covers.emplace_back(from - kEdge, from + size + kEdge);
+}
+
 float default_panel_width(float window, float scale) {
   return std::min(340 * scale, window / 2);
 }
@@ -294,6 +301,7 @@ Action draw_panel(AnyLab& lab, WindowState& state, float scale) {
   statistics_section(state);
   ImGui::EndChild();
   status_bar(state);
+  cover_picture(state);
   ImGui::End();
   return action;
 }

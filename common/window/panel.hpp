@@ -56,9 +56,14 @@ struct WindowState {
   bool methods_open = false;
   bool looks_open = false, keys_open = false, light_theme = false, wireframe = false, axes = false;
   std::vector<FrameLine> frame_lines;  ///< while `axes` is on
-  std::string progress;                ///< what goes on for longer than a frame, or ""
+  /// Where windows of the last frame keep the mouse from the picture: corners in window units.
+  std::vector<std::pair<glm::vec2, glm::vec2>> covers;
+  std::string progress;  ///< what goes on for longer than a frame, or ""
   std::string config_file;
 };
+
+/// ImGui's present window keeps the mouse from the picture.
+void cover_picture(WindowState& state);
 
 /// The section "Steps": each with its figure; its cases, which set the look when they are picked; its hints.
 void steps_section(AnyLab& lab, WindowState& state);

@@ -100,6 +100,7 @@ void draw_pixel(WindowState& state, glm::vec2 size, float pixels_per_unit, float
   }
   ImGui::EndGroup();
   texture_section(inspected.textures, scale);
+  cover_picture(state);
   ImGui::End();
   if (!is_open) state.inspected.reset();
 }

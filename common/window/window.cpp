@@ -218,6 +218,7 @@ void Window::show() {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
+    state_.covers.clear();
     perform(draw_panel(lab_, state_, scale_));
     perform(draw_overlay(lab_, state_, picture_units(), pixels_per_unit(), scale_));
     perform(draw_step(state_, units_, scale_));

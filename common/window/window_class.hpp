@@ -120,7 +120,8 @@ class Window {
   void on_key(int key, int action, bool control);
   /// A model or a picture that was dropped on the window.
   void on_drop(const std::filesystem::path& file);
-  /// By the mouse's place now: ImGui's WantCaptureMouse is that of the last frame.
+  /// By the mouse's place now: what ImGui says is hovered is of the last frame, and a slow frame would lose
+  /// clicks.
   [[nodiscard]] bool over_picture() const;
   void on_scroll(double dy);
   void on_button(int button, int action);

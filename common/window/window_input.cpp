@@ -223,8 +223,12 @@ void Window::on_drop(const std::filesystem::path& file) {
 bool Window::over_picture() const {
   const glm::vec2 at = in_picture(mouse_), size = picture_units();
   const bool inside = at.x >= 0 && at.x < size.x && at.y < size.y;
+  const auto covers_mouse = [&](const std::pair<glm::vec2, glm::vec2>& cover) {
+    return glm::all(glm::greaterThanEqual(mouse_, cover.first)) &&
+           glm::all(glm::lessThan(mouse_, cover.second));
+  };
   const bool is_covered = state_.looks_open || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup) ||
-                          ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow);
+                          std::any_of(state_.covers.begin(), state_.covers.end(), covers_mouse);
   return inside && !is_covered;
 }
 
