@@ -25,7 +25,8 @@ For teachers and makers of the course:
 ./run bench [N] [args] measure the cost and the error of each method of each lab, into out/bench/index.html
 ./run accuracy         the same, into docs/accuracy.md, its plots and docs/accuracy.json
 ./run performance      compare the programs with hand-written floor programs, and kernels with plain versions and other
-                       libraries; writes docs/performance.md (about half an hour)
+                       libraries; writes docs/performance.md (about half an hour). --before TREE also compares
+                       what students wait for with an earlier commit's tree, in which ./run build was typed
 ./run renderers [args] draw all cases with every renderer of this machine into out/renderers. Each limit must be three
                        times the spread. Without args it writes docs/renderers.json and the end of docs/accuracy.md.
                        To include machines with another Mesa, copy their folders into out/renderers first
@@ -152,7 +153,9 @@ course_command() { # command, arguments
       ;;
     accuracy) run_bench --json "$root/docs/accuracy.json" --markdown "$root/docs/accuracy.md" ;;
     performance)
-      if (($#)); then run_performance "$@"; else run_performance --markdown "$root/docs/performance.md"; fi
+      # A part, or with few rounds, is not the report.
+      [[ " $* " == *' --only '* || " $* " == *' --rounds '* ]] || set -- --markdown "$root/docs/performance.md" "$@"
+      run_performance "$@"
       ;;
     renderers)
       (($#)) || set -- --json "$root/docs/renderers.json" --markdown "$root/docs/accuracy.md"

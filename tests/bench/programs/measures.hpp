@@ -11,7 +11,8 @@ namespace texel::bench {
 
 struct Options {
   std::filesystem::path bin = TEXEL_BIN, root = TEXEL_SOURCE;
-  std::filesystem::path work;  ///< scratch
+  std::filesystem::path work;    ///< scratch
+  std::filesystem::path before;  ///< an earlier commit's tree, built by its ./run build; or none
   int rounds = 11;
 
   [[nodiscard]] std::string program(const std::string& name) const { return (bin / name).string(); }
@@ -30,6 +31,9 @@ void measure_window_start(const Options& options, Report& report);
 
 /// `texel grade` beside drawing alone.
 void measure_grading(const Options& options, Report& report);
+
+/// A student's first ./run, and from a save to the verdict, beside an earlier commit's; nothing without one.
+void measure_waits(const Options& options, Report& report);
 
 /// kernels_bench and obj_peak.
 void measure_kernels(const Options& options, Report& report);

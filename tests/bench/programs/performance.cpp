@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
   const std::pair<const char*, void (*)(const Options&, Report&)> parts[] = {
       {"snapshots", measure_snapshots}, {"warm", measure_one_more},   {"batch", measure_batches},
       {"grading", measure_grading},     {"kernels", measure_kernels}, {"frames", measure_frames},
-      {"start", measure_window_start}};
+      {"start", measure_window_start},  {"waits", measure_waits}};
   std::vector<std::string> names;
   for (const auto& [name, measure] : parts) names.emplace_back(name);
 
@@ -24,6 +24,9 @@ int main(int argc, char** argv) {
   CLI::App app("Measure the course's programs beside others");
   app.add_option("--rounds", options.rounds, "Rounds of each pair [11]")->check(CLI::Range(1, 1000));
   app.add_option("--only", only, "One part alone")->check(CLI::IsMember(names));
+  app.add_option(
+      "--before", options.before,
+      "An earlier commit's tree, in which ./run build was typed: what a student waits for beside it");
   app.add_option("--json", json, "Write all figures into this file");
   app.add_option("--markdown", markdown, "Write the report into this file");
   CLI11_PARSE(app, argc, argv);
