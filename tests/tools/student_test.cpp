@@ -256,7 +256,7 @@ TEST_F(StudentTree, shows_a_step_beside_the_expected_picture) {
 }
 
 TEST_F(StudentTree, fits_eighty_columns) {
-  for (const char* command : {"check 6", "see 6.2", "progress"}) {
+  for (const char* command : {"check 6", "see 6.2", "hint 6.2", "progress"}) {
     std::istringstream lines(texel(command).output);
     for (std::string line; std::getline(lines, line);)
       EXPECT_TRUE(line.size() <= 80 || has(line, root_.string())) << line;  // a path is not cut

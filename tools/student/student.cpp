@@ -84,6 +84,7 @@ Exit see(const SeeOptions& options) {
     fmt::print("{}", wrapped(fmt::format("{} {}, {}: {}", step.id, step.title, one.name,
                                          one.passed() ? "right" : one.message),
                              0));
+    if (one.picture.empty()) return Exit::failed;  // the message says why
     if (one.is_mesh()) {
       fmt::print("This case compares vertices. To see the model, type: ./run lab {}{}\n", number,
                  fmt::join(one.settings | std::views::transform(course::flag), ""));
