@@ -136,8 +136,7 @@ std::string ShaderSource::readable(const std::vector<Define>& defines,
     if (line.starts_with("#line ")) {
       // A new file, or the rest of one after an include.
       const auto file = static_cast<std::size_t>(std::stoi(line.substr(6)) / kLinesPerFile);
-      if (file != shown)
-        text += fmt::format("// ---- {}\n", shown_name(files_[file - 1]));
+      if (file != shown) text += fmt::format("// ---- {}\n", shown_name(files_[file - 1]));
       shown = file;
       continue;
     }

@@ -92,7 +92,8 @@ std::string reason(const Item& item, const Root& root, const Endings& endings, c
   }
   for (const std::string_view ending : endings_of(item.path))
     if (endings.find(ending).size() == 1)
-      return fmt::format("is outside '{}', the folder with most of the labs", root.folder);
+      return fmt::format("is outside {}, which has most of the labs",
+                         root.folder.empty() ? "the top folder" : "'" + root.folder + "'");
   if (const std::vector<std::string>& files = small_endings.find(lower_case(below)); !files.empty())
     return fmt::format("should be called {}: upper and lower case matter", files[0]);
   for (const char* ending : {".zip", ".gz", ".tgz", ".tar", ".rar", ".7z", ".xz", ".bz2", ".zst"})
