@@ -159,9 +159,10 @@ bool ShaderSource::mentions(std::string_view token) const {
 }
 
 std::string ShaderSource::locate(std::string_view log) const {
+  constexpr std::string_view kEnds("\n\0", 2);  // drivers end their log with a zero
   std::string result;
   for (std::size_t start = 0; start < log.size();) {
-    const std::size_t end = std::min(log.find_first_of("\n\0", start), log.size());
+    const std::size_t end = std::min(log.find_first_of(kEnds, start), log.size());
     const std::string_view line = log.substr(start, end - start);
     start = end + 1;
     if (trimmed(line).empty()) continue;
