@@ -83,8 +83,10 @@ bool StudentRun::is_of_course(const std::string& path) const {
        {"build", "out", ".starter", ".before-update", ".devcontainer", ".git", ".vscode", ".cache"})
     if (below == folder || below.starts_with(folder + "/")) return true;
   const auto given = preparation_.given.find(below);
+  const auto size = submission_.sizes.find(path);  // none of a file that was taken at first
   return below.ends_with(".before-reset") || below == ".gitignore" ||
-         (given != preparation_.given.end() && given->second == submission_.sizes.at(path));
+         (given != preparation_.given.end() && size != submission_.sizes.end() &&
+          given->second == size->second);
 }
 
 std::vector<Ignored> StudentRun::worth_telling() const {

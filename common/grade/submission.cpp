@@ -102,6 +102,11 @@ std::string reason(const Item& item, const Root& root, const Endings& endings, c
   return "is not a file with steps";
 }
 
+/// By its byte-order mark. No compiler reads such a file.
+bool is_utf16(std::string_view bytes) {
+  return bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff");
+}
+
 std::vector<std::string> all_lower_case(const std::vector<std::string>& texts) {
   std::vector<std::string> lower;
   for (const std::string& text : texts) lower.push_back(lower_case(text));
@@ -166,6 +171,12 @@ Submission unpack(const Entry& entry, const std::vector<std::string>& allowed, c
   }
   read(entry, wanted, limits, submission);
   if (!submission.fault.empty()) submission.files.clear();
+  for (const auto& [file, item] : root.files)
+    if (const auto taken = submission.files.find(file);
+        taken != submission.files.end() && is_utf16(taken->second)) {
+      submission.ignored.push_back({item->path, "is saved as UTF-16; save it as UTF-8"});
+      submission.files.erase(taken);
+    }
   if (submission.files.empty() && submission.fault.empty())
     submission.fault = fmt::format(
         "contains no file with steps, so nothing was taken ({} not used); hand in the folder that contains "

@@ -238,7 +238,9 @@ class Archive {
  private:
   [[nodiscard]] std::string error() const {
     const char* text = ::archive_error_string(archive_.get());
-    return text == nullptr ? "unknown" : plain_text(text);
+    if (text == nullptr) return "unknown";
+    const std::string_view line(text);  // some end with a newline
+    return plain_text(line.substr(0, line.find('\n')));
   }
 
   Utf8 utf8_;

@@ -366,6 +366,17 @@ TEST(Unpack, takes_no_encrypted_file) {
   EXPECT_EQ(reason_of(submission, "labs/05_normal_map/lab.cpp"), "is encrypted");
 }
 
+TEST(Unpack, says_which_file_is_saved_as_utf_16) {
+  for (const char* mark : {"\xff\xfe", "\xfe\xff"}) {
+    const Submission submission =
+        Handed(Format::zip, {{"labs/05_normal_map/lab.cpp", mark},
+                             {"labs/01_texture_quad/lab.cpp", "\xef\xbb\xbf// UTF-8"}})
+            .unpack();
+    EXPECT_EQ(submission.files.size(), 1U);
+    EXPECT_EQ(reason_of(submission, "labs/05_normal_map/lab.cpp"), "is saved as UTF-16; save it as UTF-8");
+  }
+}
+
 TEST(Unpack, takes_no_file_over_a_mebibyte) {
   const std::string large((1U << 20U) + 1, '/');
   for (const Format format : {Format::zip, Format::tar_gz}) {
