@@ -46,8 +46,8 @@ Failed failed_by(const std::map<std::string, std::string>& refused, const Case& 
 /// What macOS and Windows put beside files.
 bool is_of_system(const std::string& path) {
   const std::string name = path.substr(path.rfind('/') + 1);
-  return ("/" + path).find("/__MACOSX/") != path.npos || name.starts_with("._") || name == ".DS_Store" ||
-         name == "Thumbs.db" || name == "desktop.ini";
+  return ("/" + path + "/").find("/__MACOSX/") != path.npos || name.starts_with("._") ||
+         name == ".DS_Store" || name == "Thumbs.db" || name == "desktop.ini";
 }
 
 }  // namespace
