@@ -148,7 +148,7 @@ std::string gallery_page(const std::vector<course::Lab>& labs, const std::string
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"color-scheme\" content=\"light dark\">\n<link rel=\"icon\" href=\"data:,\">\n"
+      "<link rel=\"icon\" href=\"data:,\">\n"
       "<title>Texel Labs: gallery</title>\n<style>\n{}</style>\n</head>\n<body>\n"
       "<header class=\"masthead\">\n<h1>Texel Labs</h1>\n"
       "<p>Texture mapping, normal mapping and environment mapping in small OpenGL programs. Each "

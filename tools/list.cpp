@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -25,9 +26,12 @@ std::vector<course::Lab> course_labs() {
 std::vector<course::Lab> chosen_labs(const std::vector<int>& numbers) {
   std::vector<course::Lab> labs = course_labs();
   if (numbers.empty()) return labs;
+  std::vector<int> known;
+  for (const course::Lab& lab : labs) known.push_back(lab.number);
   for (const int number : numbers)
-    if (std::none_of(labs.begin(), labs.end(), [&](const course::Lab& lab) { return lab.number == number; }))
-      throw Error::usage(fmt::format("there is no lab {}", number), "see 'texel list'");
+    if (std::find(known.begin(), known.end(), number) == known.end())
+      throw Error::usage(fmt::format("there is no lab {}", number),
+                         fmt::format("the labs are {}", fmt::join(known, ", ")));
   std::erase_if(labs, [&](const course::Lab& lab) {
     return std::find(numbers.begin(), numbers.end(), lab.number) == numbers.end();
   });

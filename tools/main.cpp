@@ -8,6 +8,7 @@
 
 #include "command_line.hpp"
 #include "commands.hpp"
+#include "core/terminal.hpp"
 //@teacher begin
 #include "course/course_commands.hpp"
 //@starter
@@ -158,10 +159,10 @@ int main(int argc, char** argv) {
   try {
     return static_cast<int>(texel::tools::run(argc, argv));
   } catch (const texel::Error& error) {
-    std::fprintf(stderr, "texel: %s\n", error.what());
+    texel::print_error("texel", error);
     return static_cast<int>(error.exit_code());
   } catch (const std::exception& error) {  // out of memory, a fault of ours
-    std::fprintf(stderr, "texel: %s\n", error.what());
+    texel::print_error("texel", error);
     return static_cast<int>(texel::Exit::failed);
   }
 }

@@ -138,7 +138,7 @@ void skip_those_that_wait(std::vector<LabResult>& labs, const std::map<std::stri
       own.is_explained = !step.mistake.empty() || step.is_untouched();
       if (missing.empty() || (!is_explained && !step.mistake.empty())) continue;
       own.is_explained = false;
-      skip(step, {missing}, fmt::format("This step needs step {}, which has not passed yet.", missing));
+      skip(step, {missing}, fmt::format("It needs step {} first.", missing));
     }
 }
 

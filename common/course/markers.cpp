@@ -26,8 +26,7 @@ bool is_step(std::string_view id) {
          id.find_first_not_of("0123456789.") == std::string_view::npos && id.find('.', point + 1) == id.npos;
 }
 
-constexpr const char* kRemedy =
-    "the markers are '//@step 5.1 begin' (or '//@teacher begin'), '//@starter' and '//@end'";
+constexpr const char* kRemedy = "a step stands between the lines '//@step 5.1 begin' and '//@end'";
 
 /// What the line says as a marker, if it is one.
 std::optional<Line> read_marker(std::string_view line, const Place& place) {
@@ -84,7 +83,7 @@ void walk(const std::string& text, const std::string& file, MarkerLine on_marker
     if (!fits)
       throw Error::failed(marker->kind == Kind::begin     ? "a step begins inside another step"
                           : marker->kind == Kind::starter ? "'starter' does not follow 'begin'"
-                                                          : "'end' without 'begin'",
+                                                          : "'//@end' without a 'begin' before it",
                           place, kRemedy);
     part = marker->kind;
     if (part == Kind::begin) begun = place;

@@ -63,9 +63,13 @@ ShaderSource::ShaderSource(const std::filesystem::path& root, const std::string&
   check_version();
 }
 
+std::string ShaderSource::shown_name(const std::filesystem::path& file) const {
+  return (root_.filename() / file.lexically_relative(root_)).string();
+}
+
 void ShaderSource::check_version() const {
   if (version_.empty())
-    throw Error::failed("the shader has no #version", {files_.front().lexically_relative(root_).string(), 1},
+    throw Error::failed("the shader has no #version", {shown_name(files_.front()), 1},
                         "start it with '#version 330 core'");
 }
 
@@ -99,7 +103,7 @@ void ShaderSource::expand(const std::filesystem::path& file, const std::string& 
       if (ends_branch(line)) mark(line_number + 1);
       continue;
     }
-    const Place place{file.lexically_relative(root_).string(), line_number};
+    const Place place{shown_name(file), line_number};
     std::filesystem::path target = file.parent_path() / name;
     if (!std::filesystem::exists(target)) target = root_ / name;
     if (!std::filesystem::exists(target))
@@ -132,8 +136,7 @@ std::string ShaderSource::readable(const std::vector<Define>& defines,
     if (line.starts_with("#line ")) {
       // A new file, or the rest of one after an include.
       const auto file = static_cast<std::size_t>(std::stoi(line.substr(6)) / kLinesPerFile);
-      if (file != shown)
-        text += fmt::format("// ---- shaders/{}\n", files_[file - 1].lexically_relative(root_).string());
+      if (file != shown) text += fmt::format("// ---- {}\n", shown_name(files_[file - 1]));
       shown = file;
       continue;
     }
@@ -156,9 +159,10 @@ bool ShaderSource::mentions(std::string_view token) const {
 }
 
 std::string ShaderSource::locate(std::string_view log) const {
+  constexpr std::string_view kEnds("\n\0", 2);  // drivers end their log with a zero
   std::string result;
   for (std::size_t start = 0; start < log.size();) {
-    const std::size_t end = std::min(log.find_first_of("\n\0", start), log.size());
+    const std::size_t end = std::min(log.find_first_of(kEnds, start), log.size());
     const std::string_view line = log.substr(start, end - start);
     start = end + 1;
     if (trimmed(line).empty()) continue;
@@ -180,11 +184,11 @@ std::string ShaderSource::locate(std::string_view log) const {
       }
       while (!rest.empty() && (rest.front() == ')' || rest.front() == ':' || rest.front() == ' '))
         rest.remove_prefix(1);
-      result +=
-          fmt::format("{}:{}:", files_[file - 1].lexically_relative(root_).string(), encoded % kLinesPerFile);
+      found = true;
+      if (rest.starts_with("warning")) continue;
+      result += fmt::format("{}:{}:", shown_name(files_[file - 1]), encoded % kLinesPerFile);
       if (column > 0) result += fmt::format("{}:", column);
       result += fmt::format(" {}\n", rest);
-      found = true;
     }
     if (!found) result.append(line).append("\n");
   }

@@ -43,6 +43,13 @@ Failed failed_by(const std::map<std::string, std::string>& refused, const Case& 
   return {picture_bytes(out / of.file), found == refused.end() ? "" : found->second};
 }
 
+/// What macOS and Windows put beside files.
+bool is_of_system(const std::string& path) {
+  const std::string name = path.substr(path.rfind('/') + 1);
+  return ("/" + path + "/").find("/__MACOSX/") != path.npos || name.starts_with("._") ||
+         name == ".DS_Store" || name == "Thumbs.db" || name == "desktop.ini";
+}
+
 }  // namespace
 
 StudentRun::StudentRun(const Preparation& preparation, const GradeOptions& options, const Entry& entry,
@@ -76,15 +83,17 @@ bool StudentRun::is_of_course(const std::string& path) const {
        {"build", "out", ".starter", ".before-update", ".devcontainer", ".git", ".vscode", ".cache"})
     if (below == folder || below.starts_with(folder + "/")) return true;
   const auto given = preparation_.given.find(below);
+  const auto size = submission_.sizes.find(path);  // none of a file that was taken at first
   return below.ends_with(".before-reset") || below == ".gitignore" ||
-         (given != preparation_.given.end() && given->second == submission_.sizes.at(path));
+         (given != preparation_.given.end() && size != submission_.sizes.end() &&
+          given->second == size->second);
 }
 
 std::vector<Ignored> StudentRun::worth_telling() const {
   constexpr std::size_t most = 100;
   std::vector<Ignored> told;
   for (const Ignored& file : submission_.ignored) {
-    if (is_of_course(file.path)) continue;
+    if (is_of_system(file.path) || is_of_course(file.path)) continue;
     if (told.size() == most) {
       told.push_back({"…", fmt::format("and more: {} files in all", submission_.ignored.size())});
       break;

@@ -92,13 +92,19 @@ std::string reason(const Item& item, const Root& root, const Endings& endings, c
   }
   for (const std::string_view ending : endings_of(item.path))
     if (endings.find(ending).size() == 1)
-      return fmt::format("is outside '{}', the folder with most of the labs", root.folder);
+      return fmt::format("is outside {}, which has most of the labs",
+                         root.folder.empty() ? "the top folder" : "'" + root.folder + "'");
   if (const std::vector<std::string>& files = small_endings.find(lower_case(below)); !files.empty())
     return fmt::format("should be called {}: upper and lower case matter", files[0]);
   for (const char* ending : {".zip", ".gz", ".tgz", ".tar", ".rar", ".7z", ".xz", ".bz2", ".zst"})
     if (lower_case(item.path).ends_with(ending))
       return "is an archive inside the submission; it is not opened";
   return "is not a file with steps";
+}
+
+/// By its byte-order mark. No compiler reads such a file.
+bool is_utf16(std::string_view bytes) {
+  return bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff");
 }
 
 std::vector<std::string> all_lower_case(const std::vector<std::string>& texts) {
@@ -165,6 +171,12 @@ Submission unpack(const Entry& entry, const std::vector<std::string>& allowed, c
   }
   read(entry, wanted, limits, submission);
   if (!submission.fault.empty()) submission.files.clear();
+  for (const auto& [file, item] : root.files)
+    if (const auto taken = submission.files.find(file);
+        taken != submission.files.end() && is_utf16(taken->second)) {
+      submission.ignored.push_back({item->path, "is saved as UTF-16; save it as UTF-8"});
+      submission.files.erase(taken);
+    }
   if (submission.files.empty() && submission.fault.empty())
     submission.fault = fmt::format(
         "contains no file with steps, so nothing was taken ({} not used); hand in the folder that contains "

@@ -173,6 +173,20 @@ class Utf8 {
   locale_t locale_, before_ = nullptr;
 };
 
+bool is_gzip(std::string_view bytes) {
+  return bytes.starts_with("\x1f\x8b");
+}
+
+/// A zip's first entry, or its directory where it has none.
+bool begins_as_zip(std::string_view bytes) {
+  return bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06");
+}
+
+/// Which of the two formats it has: its content says more than its name.
+bool is_zip(const Entry& entry, std::string_view bytes) {
+  return begins_as_zip(bytes) || (entry.kind == Entry::Kind::zip && !is_gzip(bytes));
+}
+
 /// An archive in memory, read from its beginning.
 class Archive {
  public:
@@ -180,7 +194,7 @@ class Archive {
     archive* const reader = archive_.get();
     if (reader == nullptr) throw Error::failed("no memory to read it", {entry.path.string()});
     // Only these formats: the fewer parsers, the fewer ways in.
-    const bool is_supported = entry.kind == Entry::Kind::zip
+    const bool is_supported = is_zip(entry, bytes)
                                   ? ::archive_read_support_format_zip_seekable(reader) == ARCHIVE_OK
                                   : ::archive_read_support_format_tar(reader) == ARCHIVE_OK &&
                                         ::archive_read_support_filter_gzip(reader) == ARCHIVE_OK;
@@ -224,7 +238,9 @@ class Archive {
  private:
   [[nodiscard]] std::string error() const {
     const char* text = ::archive_error_string(archive_.get());
-    return text == nullptr ? "unknown" : plain_text(text);
+    if (text == nullptr) return "unknown";
+    const std::string_view line(text);  // some end with a newline
+    return plain_text(line.substr(0, line.find('\n')));
   }
 
   Utf8 utf8_;
@@ -270,7 +286,7 @@ bool is_bomb(std::uint64_t packed, std::uint64_t unpacked, const UnpackLimits& l
 
 Listing list_archive(const Entry& entry, std::string_view bytes, const UnpackLimits& limits) {
   Listing listing;
-  if (entry.kind == Entry::Kind::zip && has_too_many_entries(bytes, limits)) {
+  if (is_zip(entry, bytes) && has_too_many_entries(bytes, limits)) {
     listing.fault = too_many(limits);
     return listing;
   }
@@ -294,8 +310,11 @@ Listing list_archive(const Entry& entry, std::string_view bytes, const UnpackLim
     listing.items.push_back(std::move(item));
   }
   listing.fault = archive.fault();
-  // libarchive before 3.8 calls such a file broken.
-  if (listing.fault.empty() && position == 0) listing.fault = "is an archive without files";
+  // libarchive before 3.8 calls a zip without files broken.
+  if (position == 0 && (listing.fault.empty() || bytes.starts_with("PK\x05\x06")))
+    listing.fault = "is an archive without files";
+  else if (position == 0 && !begins_as_zip(bytes) && !is_gzip(bytes))
+    listing.fault = "is a broken archive, or none: hand in a folder, a .zip or a .tar.gz";
   return listing;
 }
 

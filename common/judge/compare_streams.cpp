@@ -4,10 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <string>
 #include <unordered_map>
 #include <vector>
+
+#include "judge/results.hpp"
 
 namespace texel::grade {
 namespace {
@@ -20,6 +24,18 @@ constexpr double kSame = 1e-4;
 constexpr double kCell = 1e-3;
 /// Without any weld there are up to six vertices for one.
 constexpr std::size_t kMostTooMany = 16;
+
+/// What can be wrong with a vertex. The first two have no angle.
+enum Part : std::size_t { place, side, triangles, normals, tangents };
+constexpr std::array kPartNames = {"places or texture coordinates", "the tangents' signs w", "triangles",
+                                   "normals", "tangents"};
+
+/// How far two vertices are apart, part by part, in degrees; 180 for another place or side.
+using Apart = std::array<double, kPartNames.size()>;
+
+double most_of(const Apart& apart) {
+  return std::min(180.0, *std::max_element(apart.begin(), apart.end()));
+}
 
 /// The angle between two vectors in degrees; 180 where only one is zero.
 double angle_between(const dvec3& a, const dvec3& b) {
@@ -68,33 +84,36 @@ struct Lookup {
       cells[cell_of(mesh.positions[i], 0, 0, 0)].push_back(i);
   }
 
-  /// What is wrong with the vertex `i` of the other mesh, in degrees: of those here at its place the one
-  /// that fits best.
-  [[nodiscard]] double error_of(const Lookup& other, std::uint32_t i) const {
-    double least = 180;
+  /// What is wrong with the vertex `i` of the other mesh: of those here at its place the one that fits best.
+  [[nodiscard]] Apart error_of(const Lookup& other, std::uint32_t i) const {
+    Apart least{180};  // the place
     const dvec3 position = other.mesh.positions[i];
     for (int dx = -1; dx <= 1; ++dx)
       for (int dy = -1; dy <= 1; ++dy)
         for (int dz = -1; dz <= 1; ++dz)
           if (const auto cell = cells.find(cell_of(position, dx, dy, dz)); cell != cells.end())
-            for (const std::uint32_t j : cell->second) least = std::min(least, apart(other, i, j));
+            for (const std::uint32_t j : cell->second)
+              if (const Apart found = apart(other, i, j); least[place] > 0 || most_of(found) < most_of(least))
+                least = found;
     return least;
   }
 
-  /// How far vertex `j` here is from vertex `i` of the other, in degrees; 180 for another place.
-  [[nodiscard]] double apart(const Lookup& other, std::uint32_t i, std::uint32_t j) const {
-    if (glm::distance(dvec3(other.mesh.positions[i]), dvec3(mesh.positions[j])) > kSame) return 180;
-    double error = glm::distance(other.sums[i], sums[j]);
-    if (!mesh.texcoords.empty() && glm::distance(other.mesh.texcoords[i], mesh.texcoords[j]) > kSame)
-      return 180;
-    if (!mesh.normals.empty())
-      error = std::max(error, degrees_between(other.mesh.normals[i], mesh.normals[j]));
+  /// How far vertex `j` here is from vertex `i` of the other.
+  [[nodiscard]] Apart apart(const Lookup& other, std::uint32_t i, std::uint32_t j) const {
+    Apart error{};
+    if (glm::distance(dvec3(other.mesh.positions[i]), dvec3(mesh.positions[j])) > kSame ||
+        (!mesh.texcoords.empty() && glm::distance(other.mesh.texcoords[i], mesh.texcoords[j]) > kSame)) {
+      error[place] = 180;
+      return error;
+    }
+    error[triangles] = glm::distance(other.sums[i], sums[j]);
+    if (!mesh.normals.empty()) error[normals] = degrees_between(other.mesh.normals[i], mesh.normals[j]);
     if (!mesh.tangents.empty()) {
       const glm::vec4 a = other.mesh.tangents[i], b = mesh.tangents[j];
-      error = std::max(error, degrees_between(dvec3(a), dvec3(b)));
-      if (std::signbit(a.w) != std::signbit(b.w)) return 180;
+      error[tangents] = degrees_between(dvec3(a), dvec3(b));
+      if (std::signbit(a.w) != std::signbit(b.w)) error[side] = 180;
     }
-    return std::min(error, 180.0);
+    return error;
   }
 
   mesh::Mesh mesh;
@@ -105,6 +124,7 @@ struct Lookup {
 /// How many of the reference's vertices have one like them, and the error of the worst but one of a thousand.
 struct Match {
   double share = 0, error = 180;
+  std::vector<Part> wrong;  ///< what is off at a tenth or more of the wrong vertices
 };
 
 Match match(const Lookup& reference, const Lookup& other, double limit) {
@@ -117,14 +137,34 @@ Match match(const Lookup& reference, const Lookup& other, double limit) {
       !same(reference.mesh.tangents, other.mesh.tangents))
     return {};
   std::vector<double> errors;
-  for (std::uint32_t i = 0; i < reference.mesh.vertex_count(); ++i)
-    errors.push_back(other.error_of(reference, i));
+  std::array<std::size_t, kPartNames.size()> counts{};
+  for (std::uint32_t i = 0; i < reference.mesh.vertex_count(); ++i) {
+    const Apart error = other.error_of(reference, i);
+    errors.push_back(most_of(error));
+    for (std::size_t part = 0; part < error.size(); ++part) counts[part] += error[part] > limit ? 1U : 0U;
+  }
   std::sort(errors.begin(), errors.end());
   const auto right = std::upper_bound(errors.begin(), errors.end(), limit) - errors.begin();
   // More vertices than needed are as wrong as fewer.
   const double count =
       static_cast<double>(std::max(reference.mesh.vertex_count(), other.mesh.vertex_count()));
-  return {static_cast<double>(right) / count, errors[(999 * errors.size() + 999) / 1000 - 1]};
+  Match found{static_cast<double>(right) / count, errors[(999 * errors.size() + 999) / 1000 - 1], {}};
+  const std::size_t wrong = errors.size() - static_cast<std::size_t>(right);
+  for (std::size_t part = 0; part < counts.size(); ++part)
+    if (counts[part] > 0 && 10 * counts[part] >= wrong) found.wrong.push_back(static_cast<Part>(part));
+  return found;
+}
+
+/// What is wrong with a stream of the right number of vertices.
+std::string what_is_wrong(const Match& found, double limit) {
+  if (found.wrong.empty()) return "The vertex stream has other attributes than the expected one.";
+  std::vector<std::string> names;
+  for (const Part part : found.wrong) names.emplace_back(kPartNames[part]);
+  std::string text = fmt::format("{:.0f} % of the vertices are right; of the others, {} are wrong",
+                                 100 * found.share, listed(names));
+  if (found.wrong.front() >= triangles)
+    text += fmt::format(", by up to {:.3g} degrees; the limit is {:.3g}", found.error, limit);
+  return text + ".";
 }
 
 }  // namespace
@@ -139,10 +179,7 @@ Verdict compare_streams(double limit, mesh::Mesh reference_mesh, mesh::Mesh own_
           count != expected
               ? fmt::format("{} vertices instead of {}; {:.0f} % of the expected ones are there and right.",
                             count, expected, 100 * found.share)
-              : fmt::format(
-                    "{:.0f} % of the vertices are right; normals, tangents or triangles around the others "
-                    "are off by up to {:.3g} degrees, and the limit is {:.3g}.",
-                    100 * found.share, found.error, limit)};
+              : what_is_wrong(found, limit)};
 }
 
 }  // namespace texel::grade

@@ -89,17 +89,6 @@ std::vector<Part> parts_of(std::string_view mask_bytes, Size size) {
   return parts;
 }
 
-std::string where(const image::Difference& difference) {
-  const char* column = 3 * difference.worst_x < difference.width       ? "left"
-                       : 3 * difference.worst_x < 2 * difference.width ? "middle"
-                                                                       : "right";
-  const char* row = 3 * difference.worst_y < difference.height       ? "lower"
-                    : 3 * difference.worst_y < 2 * difference.height ? "centre"
-                                                                     : "upper";
-  return fmt::format("the worst pixel is {}, {} from the lower left ({} {})", difference.worst_x,
-                     difference.worst_y, row, column);
-}
-
 Verdict nothing_to_compare(std::string message) {
   return {false, 0, std::numeric_limits<double>::quiet_NaN(), std::move(message)};
 }
@@ -137,7 +126,8 @@ Verdict judge_picture(const Case& of, const Expected& expected, std::string_view
     const image::Difference& difference = part.difference;
     if (difference.p999 > verdict.error || worst.empty()) {
       verdict.error = std::max(verdict.error, difference.p999);
-      worst = fmt::format("{} in the {}", where(difference), part.name);
+      worst = fmt::format("the worst pixel is {}, {} from the lower left, in the {}", difference.worst_x,
+                          difference.worst_y, part.name);
     }
     if (difference.p999 > of.limit) verdict.passed = false;
   }

@@ -61,10 +61,11 @@ const more = document.getElementById('more');
 function tellMore() {
   const right = scroller.getBoundingClientRect().right;
   const hidden = [...table.tHead.rows[0].querySelectorAll('th')].filter((lab) => lab.getBoundingClientRect().right > right + 1);
+  const names = hidden.map((lab) => lab.textContent);
   const isAtEnd = scroller.scrollLeft + scroller.clientWidth >= scroller.scrollWidth - 1;
   more.hidden = scroller.scrollWidth <= scroller.clientWidth;
   more.textContent = isAtEnd || !hidden.length ? '← Back to the first lab' :
-      `More to the right: ${hidden.map((lab) => lab.textContent).join(', ')} →`;
+      `More to the right: ${names.length > 3 ? `${names[0]} to ${names.at(-1)}` : names.join(', ')} →`;
   more.dataset.end = isAtEnd;
 }
 more.addEventListener('click', () => {

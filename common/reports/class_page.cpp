@@ -160,7 +160,7 @@ std::string row(const StudentResult& student, const std::vector<LabResult>& labs
     note = fmt::format("<span class=\"note incident\">! not finished: {} of {} cases judged</span>",
                        student.judged, student.planned);
   else if (!student.fault.empty())
-    note = fmt::format("<span class=\"note failed\">could not be read: {}</span>", escaped(student.fault));
+    note = fmt::format("<span class=\"note failed\">submission {}</span>", escaped(student.fault));
   else if (!student.logs.empty())
     note = "<span class=\"note failed\">does not compile</span>";
   const std::string points = has_no_mark ? "–" : number(student.points());
@@ -227,10 +227,11 @@ std::string steps_section(const std::vector<Tried>& all) {
   std::string items;
   for (const Tried& tried : all)
     if (tried.failed > 0)
-      items += histogram_line(tried.failed, all.front().failed,
-                              fmt::format("{} {} <span class=\"quiet\">{} % of {} who began it</span>",
-                                          escaped(tried.step->id), with_code(tried.step->title),
-                                          100 * tried.failed / tried.begun, counted(tried.begun, "student")));
+      items += histogram_line(
+          tried.failed, all.front().failed,
+          fmt::format("{} {} <span class=\"quiet\">{} % of {} who began it</span>", escaped(tried.step->id),
+                      with_code(tried.step->title), (200 * tried.failed + tried.begun) / (2 * tried.begun),
+                      counted(tried.begun, "student")));
   return "<section id=\"steps\">\n<h2>Steps that are not right yet</h2>\n" +
          (items.empty() ? "<p>None of those that are begun.</p>\n"
                         : "<ol class=\"histogram\">\n" + items + "</ol>\n") +

@@ -78,7 +78,8 @@ std::string csv(const ClassResult& results) {
             if (step.id == id) value = step.points * step.score;
         cells.push_back(points(value));
       }
-    std::string note = graded ? student.fault : "not graded: " + student.unmarked();
+    std::string note = student.fault.empty() ? "" : "the submission " + student.fault;
+    if (!graded) note = "not graded: " + student.unmarked();
     for (const LabResult& lab : student.labs)
       for (const StepResult& step : lab.steps)
         if (const std::string told = judging(step); graded && !told.empty())

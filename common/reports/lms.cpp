@@ -35,7 +35,7 @@ double rounded(double points) {
 std::string overview(const StudentResult& student) {
   std::string text =
       fmt::format("{} of {} points.\n", number(student.points()), number(student.max_points()));
-  if (!student.fault.empty()) text += "The submission could not be read: " + clean(student.fault) + "\n";
+  if (!student.fault.empty()) text += "The submission " + clean(student.fault) + "\n";
   for (const LabResult& lab : student.labs)
     for (const std::string& note : lab.notes)
       text += fmt::format("Lab {}: {}\n", lab.lab.number, clean(note));

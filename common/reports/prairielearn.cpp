@@ -57,8 +57,7 @@ class Images {
 std::string prairielearn(const StudentResult& student, const std::filesystem::path& folder) {
   if (!student.incident.empty()) return fitted(not_gradable(kIncident));
   if (student.is_unfinished()) return fitted(not_gradable("Not graded yet: " + student.unmarked() + "."));
-  if (!student.fault.empty())
-    return fitted(not_gradable("The submission could not be read: " + clean(student.fault)));
+  if (!student.fault.empty()) return fitted(not_gradable("The submission " + clean(student.fault)));
 
   json tests = json::array();
   std::vector<const StepResult*> steps;

@@ -175,10 +175,19 @@ std::string ignored_section(const StudentResult& student) {
   std::string items;
   for (const Ignored& ignored : student.ignored)
     items += fmt::format("<li><code>{}</code> {}</li>\n", escaped(ignored.path), escaped(ignored.reason));
+  constexpr std::size_t few = 10;
   return fmt::format(
-      "<section id=\"ignored\">\n<details><summary>{} of the submission not used</summary>\n<ul>\n{}</ul>\n"
+      "<section id=\"ignored\">\n<details{}><summary>{} of the submission not used</summary>\n<ul>\n{}</ul>\n"
       "</details>\n</section>\n",
-      counted(student.ignored.size(), "file"), items);
+      student.ignored.size() <= few ? " open" : "", counted(student.ignored.size(), "file"), items);
+}
+
+/// A line with a link to the files that were not used, or "".
+std::string ignored_link(const StudentResult& student) {
+  const std::size_t count = student.ignored.size();
+  if (count == 0) return "";
+  return fmt::format("<p><a href=\"#ignored\">{} of the submission</a> {} not used.</p>\n",
+                     counted(count, "file"), count == 1 ? "is" : "are");
 }
 
 /// What to do first: the submission's or the grader's fault, or the first failing step.
@@ -193,21 +202,17 @@ std::string first_thing(const StudentResult& student) {
     return fmt::format("<div class=\"start incident\"><p>Not graded yet: {}.</p></div>\n",
                        escaped(student.unmarked()));
   if (!student.fault.empty())
-    return fmt::format("<div class=\"start failed\"><p>The submission could not be read: {}</p></div>\n",
+    return fmt::format("<div class=\"start failed\"><p>The submission {}</p></div>\n",
                        escaped(student.fault));
   if (const StepResult* step = first_failing(student))
-    return fmt::format("<div class=\"start {}\"><p>{} <a href=\"#step-{}\">step {}: {}</a></p>\n{}{}</div>\n",
+    return fmt::format("<div class=\"start {}\"><p>{} <a href=\"#step-{}\">step {}: {}</a></p>\n{}</div>\n",
                        step->is_untouched() ? "skipped" : "failed",
                        !student.logs.empty() ? "Correct the <a href=\"#compiler\">compiler's errors</a>, then"
                        : step->is_untouched() ? "All that you began is right. Next is"
                                               : "Correct this first:",
-                       escaped(step->id), escaped(step->id), escaped(step->title),
-                       step->message.empty() || step->is_untouched()
-                           ? ""
-                           : fmt::format("<p>{}</p>\n", with_code(step->message)),
-                       callout(step->mistake, step->mistake_says));
+                       escaped(step->id), escaped(step->id), escaped(step->title), ignored_link(student));
   if (student.labs.empty()) return "";
-  return "<div class=\"start passed\"><p>Every step passed.</p></div>\n";
+  return "<div class=\"start passed\"><p>Every step passed.</p>\n" + ignored_link(student) + "</div>\n";
 }
 
 std::string page_with(const StudentResult& student, const std::map<std::string, std::string>& facts,

@@ -17,6 +17,7 @@
 #include "core/files.hpp"
 #include "core/stages.hpp"
 #include "core/stopwatch.hpp"
+#include "core/terminal.hpp"
 #include "window/window.hpp"
 
 namespace texel::app {
@@ -153,10 +154,10 @@ int run(AnyLab& lab, int argc, char** argv) {
     if (const std::optional<CommandLine> line = read_command_line(lab, argc, argv)) run_as_asked(lab, *line);
     return static_cast<int>(Exit::holds);
   } catch (const Error& error) {
-    std::fprintf(stderr, "%s: %s\n", lab.info().program().c_str(), error.what());
+    print_error(lab.info().program(), error);
     return static_cast<int>(error.exit_code());
   } catch (const std::exception& error) {  // out of memory, a fault of ours
-    std::fprintf(stderr, "%s: %s\n", lab.info().program().c_str(), error.what());
+    print_error(lab.info().program(), error);
     return static_cast<int>(Exit::failed);
   }
 }

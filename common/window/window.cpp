@@ -324,7 +324,7 @@ void Window::draw_picture() {
         state_.axes ? frame_lines(canvas_, lab_, size, kFrameSpacing) : std::vector<FrameLine>();
   } catch (const Error& error) {
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-    state_.error = read_message(error.what(), assets_.shader_root());
+    state_.error = read_message(error.what(), assets_.shader_root().parent_path());
     state_.frame_lines.clear();  // the last good picture may have another size
   }
 }

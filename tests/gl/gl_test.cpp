@@ -16,6 +16,7 @@
 #include "gl/probe.hpp"
 #include "gl/program.hpp"
 #include "gl/recorder.hpp"
+#include "gl/shader_source.hpp"
 #include "gl/target.hpp"
 #include "gl/upload.hpp"
 #include "mesh/primitives.hpp"
@@ -104,6 +105,20 @@ TEST_P(OpenGl, an_error_in_an_included_file_names_that_file) {
       "#version 330 core\n#include \"lib/step.glsl\"\nout vec4 c;\nvoid main() { c = vec4(twice(1.0)); }\n");
   EXPECT_NE(error.find("lib/step.glsl:3:"), std::string::npos) << error;
   EXPECT_NE(error.find("undeclared"), std::string::npos) << error;
+}
+
+TEST_P(OpenGl, an_error_comes_without_warnings_and_empty_lines) {
+  const std::string error = compile_error(
+      "#version 330 core\nout vec4 c;\nvoid main() {\n  float never;\n  c = vec4(never);\n  oops;\n}\n");
+  EXPECT_TRUE(error.starts_with("student.frag:6:")) << error;  // not the line of the warning
+  EXPECT_FALSE(error.ends_with("\n"));
+}
+
+TEST_P(OpenGl, files_are_named_from_the_folder_of_shaders_on) {
+  std::filesystem::create_directories(folder_ / "shaders");
+  write_file(folder_ / "shaders/a.frag", "void main() {}\n");
+  EXPECT_TRUE(
+      error_of([&] { ShaderSource(folder_ / "shaders", "a.frag"); }).starts_with("shaders/a.frag:1: "));
 }
 
 TEST_P(OpenGl, a_byte_order_mark_at_the_head_of_a_file_is_no_error) {

@@ -256,7 +256,7 @@ TEST_F(StudentTree, shows_a_step_beside_the_expected_picture) {
 }
 
 TEST_F(StudentTree, fits_eighty_columns) {
-  for (const char* command : {"check 6", "see 6.2", "progress"}) {
+  for (const char* command : {"check 6", "see 6.2", "hint 6.2", "progress"}) {
     std::istringstream lines(texel(command).output);
     for (std::string line; std::getline(lines, line);)
       EXPECT_TRUE(line.size() <= 80 || has(line, root_.string())) << line;  // a path is not cut
@@ -267,11 +267,16 @@ TEST_F(StudentTree, says_where_a_shader_does_not_compile) {
   const fs::path file = root_ / "shaders/05_normal_map/decode_normal.glsl";
   const std::string before = read_file(file);
   write_file(file, before + "vec3 broken( {\n");
-  const Result report = texel("check 5");
+  const Result report = texel("check 5"), see = texel("see 5.1");
   write_file(file, before);
   EXPECT_EQ(report.exit_code, 1);
-  EXPECT_TRUE(has(report.output, "decode_normal.glsl:")) << report.output;
-  EXPECT_TRUE(has(report.output, "error")) << report.output;
+  EXPECT_TRUE(has(report.output, "shaders/05_normal_map/decode_normal.glsl:")) << report.output;
+  const std::size_t first = report.output.find("error: ");
+  EXPECT_NE(first, report.output.npos) << report.output;
+  EXPECT_EQ(report.output.find("error: ", first + 1), report.output.npos) << report.output;  // said once
+  EXPECT_FALSE(has(report.output, "see it:")) << report.output;  // there is no picture
+  EXPECT_EQ(see.exit_code, 3) << see.output;
+  EXPECT_TRUE(has(see.output, "error: ")) << see.output;
 }
 
 TEST_F(StudentTree, gives_one_hint_after_the_other) {

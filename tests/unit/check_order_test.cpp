@@ -122,7 +122,7 @@ TEST(Waiting, skips_what_needs_a_step_that_did_not_pass) {
   const std::vector<StepResult>& steps = labs[1].steps;
   // 2.2 needs 2.1, which passed, and so 1.1, which did not.
   EXPECT_EQ(steps[1].status, Status::skipped);
-  EXPECT_EQ(steps[1].message, "This step needs step 1.1, which has not passed yet.");
+  EXPECT_EQ(steps[1].message, "It needs step 1.1 first.");
   EXPECT_EQ(steps[1].spoilt_by, Steps{"1.1"});
   EXPECT_EQ(steps[2].status, Status::failed) << "it needs nothing";
   EXPECT_EQ(steps[3].status, Status::passed) << "although it needs 1.1";

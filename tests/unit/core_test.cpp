@@ -18,6 +18,7 @@
 #include "core/scratch_folder.hpp"
 #include "core/stages.hpp"
 #include "core/stopwatch.hpp"
+#include "core/terminal.hpp"
 
 namespace texel {
 namespace {
@@ -216,6 +217,12 @@ TEST(PlainText, lines_end_with_any_line_feed_and_the_last_one_needs_none) {
   EXPECT_EQ(lines_of("a\r\n\nb\nc"), lines);
   EXPECT_EQ(lines_of("a\n\nb\nc\n"), lines);
   EXPECT_TRUE(lines_of("").empty());
+}
+
+TEST(Wrapped, breaks_lines_at_blanks_and_keeps_what_a_line_begins_with) {
+  EXPECT_EQ(wrapped("one two three\n  four five", 9), "one two\nthree\n  four\nfive\n");
+  EXPECT_EQ(wrapped("see a/path/that/is/long.cpp:1: no", 10, 2),
+            "  see\n  a/path/that/is/long.cpp:1:\n  no\n");
 }
 
 }  // namespace

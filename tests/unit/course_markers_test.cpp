@@ -119,7 +119,7 @@ TEST(Markers, survive_carriage_returns_and_a_last_line_without_an_end) {
 }
 
 TEST(Markers, that_do_not_fit_are_errors_with_their_line) {
-  EXPECT_TRUE(fault_of("a\n//@end\n").starts_with("f.cpp:2: 'end' without 'begin'"))
+  EXPECT_TRUE(fault_of("a\n//@end\n").starts_with("f.cpp:2: '//@end' without a 'begin' before it"))
       << fault_of("a\n//@end\n");
   EXPECT_TRUE(fault_of("//@starter\n").starts_with("f.cpp:1: 'starter' does not follow 'begin'"));
   EXPECT_TRUE(fault_of("//@step 1.1 begin\n//@step 1.2 begin\n")

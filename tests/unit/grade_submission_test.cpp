@@ -230,6 +230,15 @@ TEST(Unpack, says_why_a_loose_file_of_a_common_name_is_not_taken) {
       has(reason_of(submission, "lab.cpp"), "labs/01_texture_quad/lab.cpp, labs/05_normal_map/lab.cpp"));
 }
 
+TEST(Unpack, names_the_top_folder_where_a_file_lies_beside_it) {
+  const Submission submission = Handed(Format::zip, {{"shaders/05_normal_map/decode_normal.glsl", ""},
+                                                     {"old/labs/05_normal_map/lab.cpp", ""},
+                                                     {"labs/01_texture_quad/lab.cpp", ""}})
+                                    .unpack();
+  EXPECT_EQ(reason_of(submission, "old/labs/05_normal_map/lab.cpp"),
+            "is outside the top folder, which has most of the labs");
+}
+
 TEST(Unpack, takes_the_later_of_two_equal_paths) {
   for (const Format format : {Format::zip, Format::tar_gz}) {
     const std::string path = "labs/05_normal_map/lab.cpp";
@@ -357,6 +366,17 @@ TEST(Unpack, takes_no_encrypted_file) {
   EXPECT_EQ(reason_of(submission, "labs/05_normal_map/lab.cpp"), "is encrypted");
 }
 
+TEST(Unpack, says_which_file_is_saved_as_utf_16) {
+  for (const char* mark : {"\xff\xfe", "\xfe\xff"}) {
+    const Submission submission =
+        Handed(Format::zip, {{"labs/05_normal_map/lab.cpp", mark},
+                             {"labs/01_texture_quad/lab.cpp", "\xef\xbb\xbf// UTF-8"}})
+            .unpack();
+    EXPECT_EQ(submission.files.size(), 1U);
+    EXPECT_EQ(reason_of(submission, "labs/05_normal_map/lab.cpp"), "is saved as UTF-16; save it as UTF-8");
+  }
+}
+
 TEST(Unpack, takes_no_file_over_a_mebibyte) {
   const std::string large((1U << 20U) + 1, '/');
   for (const Format format : {Format::zip, Format::tar_gz}) {
@@ -405,7 +425,6 @@ TEST(Unpack, calls_a_broken_archive_broken) {
                                                         {Format::zip, "not an archive"},
                                                         {Format::zip, zip.substr(0, 60)},
                                                         {Format::tar_gz, "not an archive"},
-                                                        {Format::zip, tar},
                                                         {Format::tar_gz, tar.substr(0, tar.size() / 2)},
                                                         {Format::tar_gz, tar.substr(0, tar.size() - 100)}};
   zip[zip.size() / 2] = static_cast<char>(zip[zip.size() / 2] ^ 0x55);
@@ -416,6 +435,15 @@ TEST(Unpack, calls_a_broken_archive_broken) {
     EXPECT_TRUE(submission.files.empty());
   }
   EXPECT_EQ(Handed(Format::zip, std::string()).unpack().fault, "is empty");
+  EXPECT_EQ(Handed(Format::zip, std::vector<Packed>()).unpack().fault, "is an archive without files");
+  EXPECT_TRUE(has(Handed(Format::zip, "%PDF-1.4").unpack().fault, "hand in a folder, a .zip or a .tar.gz"));
+}
+
+TEST(Unpack, goes_by_what_an_archive_is_and_not_by_its_name) {
+  const std::vector<Packed> files = {{"labs/05_normal_map/lab.cpp", "mine"}};
+  for (const auto& [name, format] :
+       {std::pair(Format::zip, Format::tar_gz), std::pair(Format::tar_gz, Format::zip)})
+    EXPECT_EQ(Handed(name, pack(format, files)).unpack().files.size(), 1U);
 }
 
 TEST(Unpack, takes_a_folder_and_follows_nothing_in_it) {

@@ -65,15 +65,26 @@ TEST_F(JudgeMesh, sees_a_flipped_triangle_a_turned_normal_and_a_lost_handedness)
   Mesh flipped = reference;
   std::swap(flipped.indices[0], flipped.indices[1]);
   EXPECT_FALSE(verdict(reference, flipped).passed);
+  const auto says = [&](const Mesh& own, const char* what) {
+    const std::string message = verdict(reference, own).message;
+    EXPECT_NE(message.find(what), std::string::npos) << message;
+  };
+  says(flipped, "of the others, triangles are wrong, by up to ");
   Mesh turned = reference;
   for (glm::vec3& normal : turned.normals) normal = {normal.x, -normal.y, normal.z};
   EXPECT_FALSE(verdict(reference, turned).passed);
+  says(turned, "of the others, normals are wrong, by up to ");
+  Mesh moved = reference;
+  for (glm::vec3& position : moved.positions) position.x += 2;
+  says(moved, "of the others, places or texture coordinates are wrong.");
   Mesh handed = reference;
   for (std::size_t i = 0; i < 10; ++i) handed.tangents[i].w = -1;
   const Verdict found = verdict(reference, handed);
   EXPECT_FALSE(found.passed);
   EXPECT_EQ(found.score, 0);
-  EXPECT_NE(found.message.find("97 % of the vertices are right"), std::string::npos) << found.message;
+  says(handed, "97 % of the vertices are right; of the others, the tangents' signs w are wrong.");
+  handed.tangents.clear();
+  says(handed, "other attributes");
 }
 
 TEST_F(JudgeMesh, counts_vertices_that_are_too_many) {

@@ -49,7 +49,8 @@ TEST(ErrorMessage, has_the_first_message_its_line_and_how_many_follow) {
   const std::filesystem::path shaders = root.path() / "shaders";
   std::filesystem::create_directory(shaders);
   write_file(shaders / "a.frag", "one\n  two two \nthree\n");
-  const ErrorMessage message = read_message("a.frag:2:7: error: no\na.frag:3: error: also\nend", shaders);
+  const ErrorMessage message =
+      read_message("shaders/a.frag:2:7: error: no\nshaders/a.frag:3: error: also\nend", root.path());
   EXPECT_EQ(message.first, "shaders/a.frag:2:7: error: no");
   EXPECT_EQ(message.source_line, "two two");
   EXPECT_EQ(message.file, shaders / "a.frag");

@@ -113,6 +113,10 @@ TEST_F(ToolPages, the_gallery_compares_two_pictures_with_a_slider) {
   browser_.evaluate("document.querySelector('.split input').focus(); 0");
   browser_.press("Home");
   EXPECT_EQ(cut(), "inset(0px 0px 0px 0%)");
+  EXPECT_EQ(browser_.evaluate("String(document.querySelector('.bar b').hidden)"), "true");  // said above it
+  EXPECT_NE(
+      std::string(browser_.evaluate("document.querySelector('.bar span').textContent")).find(", picture "),
+      std::string::npos);
 }
 
 }  // namespace

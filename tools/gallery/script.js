@@ -10,6 +10,7 @@ const caption = (figure) => figure.querySelector('.caption').textContent;
 // Puts the pair's other picture over the right part of the one that is shown.
 function compare(other) {
   over.hidden = split.hidden = !other;
+  lightbox.querySelector('.bar b').hidden = Boolean(other);  // the pair has its own words
   if (!other) return;
   over.src = other.querySelector('.open').href;
   over.alt = other.querySelector('img').alt;
@@ -33,8 +34,8 @@ function show(index) {
   const image = lightbox.querySelector('img');
   image.src = pictures[shown].href;
   image.alt = figure.querySelector('img').alt;
-  lightbox.querySelector('b').textContent = caption(figure);
-  lightbox.querySelector('span').textContent =
+  lightbox.querySelector('.bar b').textContent = caption(figure);
+  lightbox.querySelector('.bar span').textContent =
       figure.closest('.lab').querySelector('h2').textContent + ', picture ' + (shown + 1) + ' of ' + pictures.length;
 }
 

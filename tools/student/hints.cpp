@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "core/files.hpp"
+#include "report.hpp"
 
 namespace texel::tools {
 
@@ -23,9 +24,9 @@ std::string Hints::next(const course::Step& step) {
   shown[step.id] = count;
   make_folder(file_.parent_path());
   write_file(file_, shown.dump(1) + "\n");
-  std::string text = fmt::format("Step {}: {}\n", step.id, step.title);
+  std::string text = wrapped(fmt::format("Step {}: {}", step.id, step.title), 0);
   for (std::size_t i = 0; i < count; ++i)
-    text += fmt::format("  hint {} of {}: {}\n", i + 1, step.hints.size(), step.hints[i]);
+    text += wrapped(fmt::format("hint {} of {}: {}", i + 1, step.hints.size(), step.hints[i]), 2);
   if (before == step.hints.size()) text += "  This was the last hint.\n";
   return text;
 }

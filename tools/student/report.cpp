@@ -2,7 +2,6 @@
 #include "report.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <cstdlib>
 
 #include "commands.hpp"
+#include "core/terminal.hpp"
 
 namespace texel::tools {
 namespace {
@@ -40,29 +40,36 @@ bool passed(const StepResult& step) {
   return step.status == Status::passed;
 }
 
-/// The terminal's columns, 100 at most; 80 where there is none.
-std::size_t columns_of_terminal() {
-  winsize size{};
-  const bool is_known = ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20;
-  return is_known ? std::min<std::size_t>(size.ws_col, 100) : 80;
+/// A case's message: of a compiler's, the first, since the others often follow from it.
+std::string short_message(const CaseResult& one) {
+  const std::size_t end = one.message.find('\n');
+  const auto others = std::count(one.message.begin(), one.message.end(), '\n');
+  return one.message.substr(0, end) +
+         (others > 0 ? fmt::format("\n{} more: ./run see {}", others, one.step) : "");
 }
 
 /// What is wrong with the step that comes next, and what helps.
 std::string details(const StepResult& step, const Paint& paint) {
   constexpr std::size_t indent = 12;
-  std::string text;
+  const CaseResult& telling = *grade::telling_case(step);
+  const bool is_drawn = !telling.picture.empty();
+  const std::string see = paint(kDim, fmt::format("{:12}see it: ./run see {}\n", "", step.id));
+  if (step.is_untouched() && is_drawn) return wrapped("Not begun. Write your lines there.", indent) + see;
+  // One fault may be in the way of several cases.
+  std::vector<std::pair<std::string, std::string>> names_by_message;
   for (const CaseResult& one : step.cases) {
-    if (one.passed()) {
-      text += wrapped(fmt::format("{}: right", one.name), indent);
-      continue;
-    }
-    text += wrapped(fmt::format("{}: {}", one.name, one.message), indent);
-    if (!one.mistake.empty() && &one == grade::telling_case(step))
-      text += paint(kYellow, wrapped("This looks like: " + one.mistake_says, indent));
-    if (&one == grade::telling_case(step))
-      text += paint(kDim, fmt::format("{:12}see it: ./run see {}\n", "", step.id));
+    const std::string message = one.passed() ? "right" : short_message(one);
+    if (names_by_message.empty() || names_by_message.back().second != message)
+      names_by_message.emplace_back(one.name, message);
+    else
+      names_by_message.back().first += ", " + one.name;
   }
-  return text;
+  std::string text;
+  for (const auto& [names, message] : names_by_message)
+    text += wrapped(fmt::format("{}: {}", names, message), indent);
+  if (!telling.mistake.empty())
+    text += paint(kYellow, wrapped("This looks like: " + telling.mistake_says, indent));
+  return is_drawn ? text + see : text;
 }
 
 const char* word_of(const StepResult& step, const StepResult* next) {
@@ -84,22 +91,8 @@ bool wants_colours() {
 }
 
 std::string wrapped(const std::string& text, std::size_t indent) {
-  static const std::size_t columns = columns_of_terminal();
-  std::string result, line;
-  const auto flush = [&] {
-    if (!line.empty()) result += std::string(indent, ' ') + line + "\n";
-    line.clear();
-  };
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
-    const std::string word = text.substr(at, end - at);
-    if (!line.empty() && indent + line.size() + 1 + word.size() > columns) flush();
-    line += (line.empty() ? "" : " ") + word;
-    if (end < text.size() && text[end] == '\n') flush();
-    at = end + 1;
-  }
-  flush();
-  return result;
+  static const std::size_t columns = terminal_columns(STDOUT_FILENO).value_or(80);
+  return texel::wrapped(text, columns, indent);
 }
 
 const StepResult* next_step(const LabResult& lab) {

@@ -84,6 +84,7 @@ Exit see(const SeeOptions& options) {
     fmt::print("{}", wrapped(fmt::format("{} {}, {}: {}", step.id, step.title, one.name,
                                          one.passed() ? "right" : one.message),
                              0));
+    if (one.picture.empty()) return Exit::failed;  // the message says why
     if (one.is_mesh()) {
       fmt::print("This case compares vertices. To see the model, type: ./run lab {}{}\n", number,
                  fmt::join(one.settings | std::views::transform(course::flag), ""));
@@ -148,8 +149,9 @@ Exit reset(const std::string& step) {
       kept = fmt::format("{}.before-reset-{}", (root / file).string(), i);
     write_file(kept, own);
     write_file(root / file, text);
-    fmt::print("{}: step {} has its starting code again; your code is in {}\n", file, step,
-               kept.lexically_relative(root).generic_string());
+    fmt::print("{}", wrapped(fmt::format("{}: step {} has its starting code again; your code is in {}", file,
+                                         step, kept.lexically_relative(root).generic_string()),
+                             0));
     changed = true;
   }
   if (!changed) fmt::print("step {} already has its starting code\n", step);

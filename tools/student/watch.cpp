@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <optional>
 
 #include "check/check.hpp"
 #include "commands.hpp"
+#include "core/plain_text.hpp"
 #include "core/process.hpp"
 #include "core/stopwatch.hpp"
 #include "core/watcher.hpp"
@@ -97,13 +99,17 @@ class Watch {
     std::fflush(stdout);
     const Ran ran = run_program({"cmake", "--build", tree_.build.string(), "--target", lab_.program()}, true);
     if (ran.exit_code == 0) return true;
-    const std::size_t begin = ran.output.find("error:");
-    const std::size_t line = begin == std::string::npos ? 0 : ran.output.rfind('\n', begin) + 1;
-    std::string messages = ran.output.substr(line, 2000);
+    std::string messages;
+    bool has_begun = ran.output.find("error:") == std::string::npos;
+    for (const std::string& line : lines_of(ran.output)) {
+      has_begun |= line.find("error:") != std::string::npos;
+      if (has_begun && !line.starts_with("ninja:") && !line.starts_with("[") && messages.size() < 2000)
+        messages += line + "\n";
+    }
     // The compiler's paths begin in the build folder; editors open those that begin in the tree's root.
     for (const std::string up = "../../"; messages.find(up) != std::string::npos;)
       messages.erase(messages.find(up), up.size());
-    fmt::print("Your code does not compile. The messages from the first error on:\n{}\n", messages);
+    fmt::print("Your code does not compile. The messages from the first error on:\n{}", wrapped(messages, 0));
     return false;
   }
 
@@ -131,7 +137,8 @@ class Watch {
   void hint() {
     for (const course::Step& step : lab_.steps)
       if (step.id == next_) fmt::print("{}", Hints(hints_file()).next(step));
-    if (next_.empty()) fmt::print("All steps are done.\n");
+    if (!next_) fmt::print("Nothing is checked yet. Correct the first message above.\n");
+    if (next_ == "") fmt::print("All steps are done.\n");
     std::fflush(stdout);
   }
 
@@ -139,7 +146,7 @@ class Watch {
   course::Lab lab_;
   grade::OwnTree tree_;
   Watcher watcher_;
-  std::string next_;  ///< the step that comes next
+  std::optional<std::string> next_;  ///< the step that comes next, "" after the last; unknown before a check
 };
 
 }  // namespace

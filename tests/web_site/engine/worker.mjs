@@ -107,7 +107,7 @@ const calls = {
   write([, wanted]) {
     step = wanted;
     if (step.includes("syntax error")) {
-      const problem = { file: "05_normal_map/decode_normal.glsl", line: line + step.split("\n").findIndex((one) => one.includes("syntax error")), column: 3, message: "'syntax' : undeclared identifier" };
+      const problem = { file, line: line + step.split("\n").findIndex((one) => one.includes("syntax error")), column: 3, message: "'syntax' : undeclared identifier" };
       throw { ...problem, kind: "failed", problems: [problem] };
     }
     return frame();

@@ -121,7 +121,7 @@ class Workbench {
   };
 
   showProblem(error) {
-    const mine = (error?.problems ?? []).filter((one) => `shaders/${one.file}` === this.read.file || one.file === this.read.file);
+    const mine = (error?.problems ?? []).filter((one) => one.file === this.read.file);
     this.marked = mine;
     this.editor?.mark(mine);
     this.problem.hidden = !error;

@@ -34,13 +34,16 @@ class ShaderSource {
   /// Is `token` used anywhere in it, as a whole word?
   [[nodiscard]] bool mentions(std::string_view token) const;
   [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
-  /// A compiler's log with our encoded lines turned into `file:line: message`; paths relative to the root.
+  /// A compiler's log with our encoded lines turned into `shaders/file:line: message`, as editors open
+  /// it in the tree. Warnings are left out.
   [[nodiscard]] std::string locate(std::string_view log) const;
 
  private:
   void expand(const std::filesystem::path& file, const std::string& text,
               std::vector<std::filesystem::path>& open);
   void check_version() const;
+  /// "shaders/05_normal_map/normal_map.frag".
+  [[nodiscard]] std::string shown_name(const std::filesystem::path& file) const;
   std::filesystem::path root_;
   std::vector<std::filesystem::path> files_;
   std::string version_, body_;

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "core/terminal.hpp"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace texel {
+
+std::optional<std::size_t> terminal_columns(int file_descriptor) {
+  winsize size{};
+  if (::ioctl(file_descriptor, TIOCGWINSZ, &size) != 0 || size.ws_col <= 20) return {};
+  return std::min<std::size_t>(size.ws_col, 100);
+}
+
+std::string wrapped(const std::string& text, std::size_t columns, std::size_t indent) {
+  std::string result, line;
+  const auto flush = [&] {
+    if (!line.empty()) result += std::string(indent, ' ') + line + "\n";
+    line.clear();
+  };
+  bool is_first = true;  // word of a line of the text: it keeps the blanks before it
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t letters = is_first ? text.find_first_not_of(' ', at) : at;
+    const std::size_t end = std::min(text.find_first_of(" \n", letters), text.size());
+    const std::string word = text.substr(at, end - at);
+    if (!line.empty() && indent + line.size() + 1 + word.size() > columns) flush();
+    line += (line.empty() ? "" : " ") + word;
+    is_first = end < text.size() && text[end] == '\n';
+    if (is_first) flush();
+    at = end + 1;
+  }
+  flush();
+  return result;
+}
+
+void print_error(const std::string& program, const std::exception& error) {
+  std::string text = program + ": " + error.what() + "\n";
+  if (const auto columns = terminal_columns(STDERR_FILENO)) text = wrapped(text, *columns);
+  std::fputs(text.c_str(), stderr);
+}
+
+}  // namespace texel
