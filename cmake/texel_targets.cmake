@@ -27,6 +27,11 @@ target_compile_options(texel_flags INTERFACE
   # GCC 12's vectoriser of straight-line code turns double -> float -> double into nothing: then a result depends on what was
   # inlined and on -O.
   $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>
+  #@teacher begin
+  #@starter
+  # # What steps are to use is not used yet.
+  # -Wno-unused-parameter -Wno-unused-variable -Wno-unused-function
+  #@end
   # A fused multiply-add would give other bytes on another machine.
   -ffp-contract=off
   $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> # what ccache needs of precompiled headers

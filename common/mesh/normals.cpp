@@ -9,8 +9,7 @@
 
 namespace texel::mesh {
 
-glm::vec3 face_normal([[maybe_unused]] const glm::vec3& a, [[maybe_unused]] const glm::vec3& b,
-                      [[maybe_unused]] const glm::vec3& c) {
+glm::vec3 face_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   //@step 4.3 begin
   return unit_or_zero(glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a)));
   //@starter

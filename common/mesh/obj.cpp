@@ -31,12 +31,12 @@ glm::vec2 texcoord_from(std::span<const float> numbers) {
 // // The model's shadow on the ground, drawn upright, and one point of the picture all over it.
 // glm::vec3 position_from(std::span<const float> numbers) { return {numbers[0], numbers[2], 0.0f}; }
 //
-// glm::vec2 texcoord_from([[maybe_unused]] std::span<const float> numbers) { return {}; }
+// glm::vec2 texcoord_from(std::span<const float> numbers) { return {}; }
 //@end
 
 /// The place, from 0, that an OBJ index means in a list of `count` entries so far: 1 is the first entry, -1
 /// the last one. `written` is not 0; the caller refuses a result outside the list.
-std::int64_t resolve_index([[maybe_unused]] std::int64_t written, [[maybe_unused]] std::int64_t count) {
+std::int64_t resolve_index(std::int64_t written, std::int64_t count) {
   //@step 3.2 begin
   return written > 0 ? written - 1 : count + written;
   //@starter

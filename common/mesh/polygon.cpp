@@ -64,9 +64,8 @@ bool fan_fits_clearly(std::span<const glm::vec3> corners, const glm::dvec3& norm
 
 /// Whether some corner of the rest of the polygon lies inside or on the triangle a b c, which is then no ear.
 /// Corners at the same place as a, b or c do not count: a polygon with a bridge to a hole has such.
-[[maybe_unused]] bool holds_a_corner(const std::vector<glm::dvec2>& flat,
-                                     const std::vector<std::uint32_t>& rest, const glm::dvec2& a,
-                                     const glm::dvec2& b, const glm::dvec2& c) {
+bool holds_a_corner(const std::vector<glm::dvec2>& flat, const std::vector<std::uint32_t>& rest,
+                    const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   for (const std::uint32_t i : rest) {
     const glm::dvec2& p = flat[i];
     if (area(a, b, p) >= 0.0 && area(b, c, p) >= 0.0 && area(c, a, p) >= 0.0 && p != a && p != b && p != c)

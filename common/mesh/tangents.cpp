@@ -12,8 +12,8 @@
 
 namespace texel::mesh {
 
-TriangleFrame triangle_frame([[maybe_unused]] const std::array<glm::vec3, 3>& positions,
-                             [[maybe_unused]] const std::array<glm::vec2, 3>& texcoords) {
+TriangleFrame triangle_frame(const std::array<glm::vec3, 3>& positions,
+                             const std::array<glm::vec2, 3>& texcoords) {
   //@step 5.2 begin
   const glm::vec3 e1 = positions[1] - positions[0];
   const glm::vec3 e2 = positions[2] - positions[1];
@@ -27,8 +27,7 @@ TriangleFrame triangle_frame([[maybe_unused]] const std::array<glm::vec3, 3>& po
   //@end
 }
 
-glm::vec4 orthonormalize([[maybe_unused]] const glm::vec3& normal, const glm::vec3& tangent,
-                         [[maybe_unused]] const glm::vec3& bitangent) {
+glm::vec4 orthonormalize(const glm::vec3& normal, const glm::vec3& tangent, const glm::vec3& bitangent) {
   //@step 5.4 begin
   const glm::vec3 in_plane = unit_or_zero(tangent - normal * glm::dot(normal, tangent));
   const float side = glm::dot(glm::cross(normal, in_plane), bitangent) < 0.0f ? -1.0f : 1.0f;

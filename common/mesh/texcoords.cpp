@@ -13,7 +13,7 @@
 
 namespace texel::mesh {
 
-glm::vec2 spherical_texcoord([[maybe_unused]] const glm::vec3& from_center) {
+glm::vec2 spherical_texcoord(const glm::vec3& from_center) {
   //@step 3.5 begin
   const glm::dvec3 d(from_center);
   const double longitude = std::atan2(d.x, d.z);                  // -pi..pi, 0 at +z

@@ -13,7 +13,7 @@
 namespace texel::mesh {
 namespace {
 
-[[maybe_unused]] std::uint64_t hash_of(const Corner& corner) {
+std::uint64_t hash_of(const Corner& corner) {
   return mix(mix(std::uint64_t{corner.position} << 32 | corner.texcoord) ^ corner.normal);
 }
 

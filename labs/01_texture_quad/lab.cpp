@@ -117,7 +117,7 @@ struct TextureQuad : app::Lab<TextureQuadParameters> {
   }
 
   /// How the bound texture is read between its texels and outside 0 to 1.
-  static void set_parameters([[maybe_unused]] const Parameters& p) {
+  static void set_parameters(const Parameters& p) {
     //@step 1.5 begin
     const GLenum wrap = wrap_mode(p);
     const float anisotropy = p.method == Method::anisotropic ? 16.0F : 1.0F;

@@ -42,7 +42,7 @@ struct MultiTexture : app::Lab<MultiTextureParameters> {
     gl::Program& program = frame.program("02_multi_texture/multi_texture");
     const glm::mat4 world_from_object = glm::rotate(glm::mat4(1), glm::radians(-p.tilt), glm::vec3(1, 0, 0));
     program.set("clip_from_object", p.camera.clip_from_world(frame.aspect()) * world_from_object);
-    [[maybe_unused]] const int second = second_unit(p, frame);
+    const int second = second_unit(p, frame);
 
     // Making an object binds it to the active unit, so make both before binding each to its own. A picture
     // whose unit is off is not even loaded.
@@ -113,8 +113,7 @@ struct MultiTexture : app::Lab<MultiTextureParameters> {
     });
   }
 
-  static gl::Texture upload(const image::Image8& picture, image::Encoding encoding,
-                            [[maybe_unused]] Mipmaps mipmaps) {
+  static gl::Texture upload(const image::Image8& picture, image::Encoding encoding, Mipmaps mipmaps) {
     gl::Texture texture;
     glBindTexture(GL_TEXTURE_2D, texture.id());
     gl::upload_level(GL_TEXTURE_2D, 0, picture, encoding);

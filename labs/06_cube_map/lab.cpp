@@ -65,7 +65,7 @@ struct CubeMap : app::Lab<CubeMapParameters> {
 
   /// A cube map of six pictures, +X -X +Y -Y +Z -Z. In the specification each face is seen from
   /// outside the cube, top row first. 2D textures begin at the bottom.
-  static gl::Texture upload(const std::array<image::Image8, 6>& faces, [[maybe_unused]] bool mipmapped) {
+  static gl::Texture upload(const std::array<image::Image8, 6>& faces, bool mipmapped) {
     gl::Texture texture;
     glBindTexture(GL_TEXTURE_CUBE_MAP, texture.id());
     //@step 6.3 begin

@@ -15,6 +15,6 @@ void main() {
   //@step 1.1 begin
   fragment_texcoord = texcoord * texture_scale + texture_offset;
   //@starter
-  // fragment_texcoord = position.yx * texture_scale + texture_offset + texcoord * 0.0;
+  // fragment_texcoord = position.yx * texture_scale + texture_offset;
   //@end
 }

@@ -18,6 +18,6 @@ float fresnel(float cos_i, float eta) {
   return 0.5 * (s * s + p * p);
 #endif
   //@starter
-  // return 0.5 + 0.0 * cos_i * eta;
+  // return 0.5;
   //@end
 }

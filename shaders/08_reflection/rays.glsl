@@ -19,7 +19,7 @@ vec3 incident_ray(vec3 position) {
   //@step 8.2 begin
   return position - eye;
   //@starter
-  // return vec3(0.0, -1.0, 0.0) + 0.0 * (position + eye);
+  // return vec3(0.0, -1.0, 0.0);
   //@end
 #endif
 }
@@ -29,7 +29,7 @@ vec3 reflected_ray(vec3 incident, vec3 normal) {
   //@step 8.1 begin
   return incident - 2.0 * dot(normal, incident) * normal;  // GLSL's reflect()
   //@starter
-  // return normal + 0.0 * incident;
+  // return normal;
   //@end
 }
 
@@ -42,7 +42,7 @@ vec3 refracted_ray(vec3 incident, vec3 normal, float eta) {
   if (cos_t_squared < 0.0) return vec3(0.0);
   return eta * incident + (eta * cos_i - sqrt(cos_t_squared)) * normal;  // GLSL's refract()
   //@starter
-  // return incident + 0.0 * eta * normal;
+  // return incident;
   //@end
 }
 

@@ -11,6 +11,6 @@ vec3 reflected_ray(vec3 position, vec3 normal) {
   //@step 9.4 begin
   return reflect(incident, normal);
   //@starter
-  // return normal + 0.0 * incident;
+  // return normal;
   //@end
 }
