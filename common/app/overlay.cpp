@@ -107,8 +107,8 @@ Action draw_overlay(AnyLab& lab, WindowState& state, glm::vec2 size, float pixel
   Action action = Action::none;
   if (!state.error.first.empty()) {
     action = error_plate(state, size, scale);
-  } else if (!state.record.warnings.empty()) {
-    std::string text;
+  } else if (!state.record.warnings.empty() || !state.no_truth.empty()) {
+    std::string text = state.no_truth;
     for (const std::string& warning : state.record.warnings)
       text.append(text.empty() ? "" : "\n").append(warning);
     plate({origin + size.x - 12 * scale, size.y - 12 * scale}, theme().next, text, size.x * 0.8F, {1, 1});

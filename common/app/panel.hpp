@@ -34,6 +34,7 @@ struct WindowState {
   std::optional<ErrorFigures> figures;  ///< while the view `error` is shown
   ErrorMessage error;                   ///< over the last good picture, until it is mended
   bool all_messages = false;            ///< not only the error's first
+  std::string no_truth;                 ///< why the view `error` shows colours, or ""
   std::string message;                  ///< what the last action did
 
   /// The pixel that was clicked, from the bottom left, and the value of each data view there.
@@ -46,6 +47,7 @@ struct WindowState {
     static constexpr int kAround = 15;
   };
   std::optional<Inspected> inspected;
+  glm::vec2 pixel_panel{0};  ///< window units that the panel beside the pixel had in the last frame
 
   std::optional<StepsCheck> steps;           ///< none where there is nothing to check
   std::map<std::string, std::size_t> hints;  ///< how many are shown, by step

@@ -24,6 +24,10 @@ constexpr double kTurnPerSecond = 15;       // degrees
 constexpr double kWatchMilliseconds = 100;  // well below the half second in which a save is seen
 constexpr double kTruthMilliseconds = 80;   // a frame may work so long on the exact answer
 
+/// After an event: the first frame finds what it does, the second draws it and measures what opens, and the
+/// third has that in its place.
+constexpr int kFramesToSettle = 2;
+
 constexpr int kFrameSpacing = 40;  // pixels from one T, B and N to the next
 
 /// The pixels around one, kAround in a row; black beyond the picture.
@@ -82,10 +86,14 @@ void Window::run() {
   open();
   show();
   while (glfwWindowShouldClose(window()) == 0) {
-    if (turning() || is_busy())
+    if (turning() || is_busy() || frames_due_ > 0) {
       glfwPollEvents();
-    else
+      frames_due_ = std::max(frames_due_ - 1, 0);
+    } else {
+      const Stopwatch stopwatch;
       glfwWaitEventsTimeout(kWatchMilliseconds / 1000);
+      if (stopwatch.milliseconds() < kWatchMilliseconds) frames_due_ = kFramesToSettle;
+    }
     frame();
   }
 }
@@ -290,11 +298,16 @@ void Window::draw_picture() {
   truth_share_ = 1;
   try {
     state_.progress.clear();
-    if (state_.view == View::error) truth_share_ = canvas_.work_on_truth(size, kTruthMilliseconds);
+    state_.no_truth.clear();
+    if (state_.view == View::error) try {
+        truth_share_ = canvas_.work_on_truth(size, kTruthMilliseconds);
+      } catch (const Error& error) {
+        state_.no_truth = error.what();
+      }
     if (truth_share_ < 1)
       state_.progress = fmt::format("working out the exact answer: {:.0f} %", 100 * truth_share_);
-    // The colours stand in for the error until the exact answer is there.
-    const View view = truth_share_ < 1 ? View::color : state_.view;
+    // The colours stand in for the error until the exact answer is there, and where there is none.
+    const View view = truth_share_ < 1 || !state_.no_truth.empty() ? View::color : state_.view;
     Look look;
     {
       const Stage stage("parameters");

@@ -145,6 +145,7 @@ class Window {
   std::optional<Turntable> turntable_;    ///< while it is written
   std::optional<ScratchFolder> scratch_;  ///< for the clipboard
   double truth_share_ = 1;                ///< of the exact answer that the view `error` needs
+  int frames_due_ = 0;                    ///< to draw without a wait
   bool opens_with_hero_ = false;
   bool inspected_once_ = false;
   bool steps_begun_ = false;
