@@ -42,7 +42,7 @@ void plate(ImVec2 at, const ImVec4& colour, const std::string& text, float wrap_
 /// The first message with its source line; the others on request.
 Action error_plate(WindowState& state, glm::vec2 size, float scale) {
   Action action = Action::none;
-  const ErrorMessage& error = state.error;
+  const ErrorMessage& error = state.shown_error();
   ImGui::SetNextWindowPos({state.panel_width + size.x - 12 * scale, 12 * scale}, ImGuiCond_Always, {1, 0});
   ImGui::SetNextWindowSizeConstraints({0, 0}, {size.x - 24 * scale, size.y - 24 * scale});
   ImGui::SetNextWindowBgAlpha(0.92F);
@@ -105,7 +105,7 @@ Action draw_overlay(AnyLab& lab, WindowState& state, glm::vec2 size, float pixel
     canvas.AddCircle(at, 5 * scale, IM_COL32(255, 255, 255, 255), 16, 1.5F * scale);
   }
   Action action = Action::none;
-  if (!state.error.first.empty()) {
+  if (!state.shown_error().first.empty()) {
     action = error_plate(state, size, scale);
   } else if (!state.record.warnings.empty() || !state.no_truth.empty()) {
     std::string text = state.no_truth;

@@ -247,10 +247,10 @@ float status_bar_height() {
 /// What happens, and what the last action did: at the lower end, where it moves nothing.
 void status_bar(const WindowState& state) {
   ImGui::Separator();
-  const bool is_checking = state.steps && state.steps->is_running();
+  const std::string checking = state.steps ? state.steps->progress() : "";
   std::string text = state.message;
   if (!state.progress.empty()) text.append(text.empty() ? "" : "\n").append(state.progress);
-  if (is_checking) text.append(text.empty() ? "" : "\n").append("checking your steps");
+  if (!checking.empty()) text.append(text.empty() ? "" : "\n").append(checking);
   ImGui::BeginChild("status", {0, 0}, 0, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PushTextWrapPos(0);
   ImGui::TextColored(theme().dim, "%s", text.c_str());

@@ -20,13 +20,13 @@ int take_number(std::string_view& text) {
 }
 
 /// "05_normal_map/normal_map.frag:20:25: …" gets a place, if there is such a file.
-void find_place(ErrorMessage& message, std::string_view text, const fs::path& shader_root) {
+void find_place(ErrorMessage& message, std::string_view text, const fs::path& folder) {
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos || colon == 0) return;
   const fs::path name = text.substr(0, colon);
   std::error_code unknown;
-  if (!name.is_relative() || !fs::is_regular_file(shader_root / name, unknown)) return;
-  message.file = shader_root / name;
+  if (!name.is_relative() || !fs::is_regular_file(folder / name, unknown)) return;
+  message.file = folder / name;
   text.remove_prefix(colon + 1);
   message.line = take_number(text);
   if (message.line > 0) message.column = take_number(text);
@@ -44,15 +44,15 @@ std::string line_of(const fs::path& file, int number) {
 
 }  // namespace
 
-ErrorMessage read_message(const std::string& text, const fs::path& shader_root) {
+ErrorMessage read_message(const std::string& text, const fs::path& folder, const std::string& shown) {
   ErrorMessage message;
   const std::size_t end = text.find('\n');
   message.first = text.substr(0, end);
   if (end != std::string::npos) message.rest = text.substr(end + 1);
   if (!message.rest.empty()) message.others = 1 + static_cast<int>(std::ranges::count(message.rest, '\n'));
-  find_place(message, message.first, shader_root);
+  find_place(message, message.first, folder);
   if (message.file.empty()) return message;
-  message.first.insert(0, shader_root.filename().string() + "/");
+  message.first.insert(0, shown);
   if (message.line > 0) message.source_line = line_of(message.file, message.line);
   return message;
 }

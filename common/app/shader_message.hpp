@@ -15,7 +15,8 @@ struct ErrorMessage {
   int line = 0, column = 0;    ///< counted from 1; 0: unknown
 };
 
-/// Of an error's text. A file is looked for below `shader_root`, and is shown from the tree's root on.
-ErrorMessage read_message(const std::string& text, const std::filesystem::path& shader_root);
+/// Of an error's text. A file is looked for below `folder`, which is `shown` from the tree's root on.
+ErrorMessage read_message(const std::string& text, const std::filesystem::path& folder,
+                          const std::string& shown);
 
 }  // namespace texel::app

@@ -61,8 +61,7 @@ Window::Window(AnyLab& lab, const Assets& assets, const CommandLine& line)
   state_.message = state_.looks->fault();
   opens_with_hero_ = !line.look_given && !state_.looks->entries().empty();
   if (opens_with_hero_) perform(Action::default_look);
-  if (std::filesystem::exists(root / "labs" / lab.info().folder() / "expected"))
-    state_.steps.emplace(lab.info().number, root);
+  if (std::filesystem::exists(root / "labs" / lab.info().folder() / "expected")) start_steps(root);
   std::error_code unknown;
   own_program_ = std::filesystem::read_symlink("/proc/self/exe", unknown);
   // Our callbacks first: ImGui's then call them.
@@ -243,10 +242,21 @@ void Window::watch() {
   watch_clock_ = Stopwatch();
   if (!watcher_.changed(canvas_.programs().files()).empty()) reload(/*assets=*/false);
   if (!watcher_.changed(assets_.files()).empty()) reload(/*assets=*/true);
+  if (!state_.steps) return;
+  if (!watcher_.changed(state_.steps->program_texts()).empty()) state_.steps->request(/*build=*/true);
   // A program that was built again draws other pictures, but this process still has the old code.
-  if (state_.steps && !watcher_.changed({own_program_}).empty()) {
+  if (!watcher_.changed({own_program_}).empty()) {
     state_.steps->request();
-    state_.message = "the lab was built again: close and open it to see the change";
+    built_again_ = true;
+    state_.message = "the lab was built again: F5 opens it anew";
+  }
+}
+
+void Window::start_steps(const std::filesystem::path& root) {
+  try {
+    state_.steps.emplace(lab_.info().folder(), root);
+  } catch (const Error& error) {  // a lab.toml that cannot be read
+    state_.message = error.what();
   }
 }
 
@@ -254,10 +264,11 @@ void Window::follow_steps() {
   if (!state_.steps) return;
   if (inspected_once_ && !std::exchange(steps_begun_, true)) state_.steps->request();
   if (!state_.steps->poll()) return;
+  state_.compile_error = read_message(state_.steps->compile_error(), state_.steps->root(), "");
   for (const grade::StepResult& step : state_.steps->steps())
     if (step.id == see_) {
       pick_step(lab_, state_, step);
-      see_.clear();
+      state_.step_to_open = std::exchange(see_, "");
     }
   if (!see_.empty() && !state_.steps->steps().empty()) {
     state_.message = fmt::format("this lab has no step {}", see_);
@@ -335,7 +346,7 @@ void Window::draw_picture() {
         state_.axes ? frame_lines(canvas_, lab_, size, kFrameSpacing) : std::vector<FrameLine>();
   } catch (const Error& error) {
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-    state_.error = read_message(error.what(), assets_.shader_root());
+    state_.error = read_message(error.what(), assets_.shader_root(), "shaders/");
     state_.frame_lines.clear();  // the last good picture may have another size
   }
 }

@@ -77,10 +77,13 @@ class Window {
   /// Edited shaders are compiled again, edited pictures and models loaded again.
   void watch();
 
+  void start_steps(const std::filesystem::path& root);
   /// Steps are checked when the first picture stands, and after every save.
   void follow_steps();
 
   void reload(bool assets);
+  /// Starts the program that was built again in this one's place, with the same look and step.
+  void open_anew();
 
   void advance();
 
@@ -149,7 +152,8 @@ class Window {
   bool opens_with_hero_ = false;
   bool inspected_once_ = false;
   bool steps_begun_ = false;
-  std::string see_;  ///< the step that is shown as soon as it is checked, or ""
+  bool built_again_ = false;  ///< the program, since this process began
+  std::string see_;           ///< the step that is shown as soon as it is checked, or ""
   std::filesystem::path own_program_;
   float scale_ = 1;
   Drag drag_ = Drag::none;

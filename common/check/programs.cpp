@@ -3,6 +3,7 @@
 
 #include "check/check.hpp"
 #include "check/studio.hpp"
+#include "core/process.hpp"
 
 namespace texel::grade {
 namespace {
@@ -33,6 +34,18 @@ Draws by_programs(const OwnTree& tree, const std::string& context) {
           return std::string();
         }
       }};
+}
+
+std::string build_program(const OwnTree& tree, const course::Lab& lab) {
+  const Ran ran = run_program({"cmake", "--build", tree.build.string(), "--target", lab.program()}, true);
+  if (ran.exit_code == 0) return {};
+  const std::size_t begin = ran.output.find("error:");
+  const std::size_t line = begin == std::string::npos ? 0 : ran.output.rfind('\n', begin) + 1;
+  std::string messages = ran.output.substr(line, 2000);
+  // The compiler's paths begin in the build folder; editors open those that begin in the tree's root.
+  for (const std::string up = "../../"; messages.find(up) != std::string::npos;)
+    messages.erase(messages.find(up), up.size());
+  return messages;
 }
 
 }  // namespace texel::grade

@@ -31,8 +31,11 @@ TEST(StepText, has_the_steps_lines_and_the_handouts_task) {
              "by:** us\n"
              "### 5.10 Other\n- **Write:** nothing\n");
   const StepText text = read_step_text(root.path(), "05_x", "5.1", "a.glsl", 2);
-  EXPECT_EQ(text.lines, (std::vector<std::string>{"  //@step 5.1 begin", "  return x;", "  //@end"}));
-  EXPECT_EQ(text.task, "a = b\nthe value, and more.");
+  EXPECT_EQ(text.lines,
+            (std::vector<std::string>{"vec3 f() {", "  //@step 5.1 begin", "  return x;", "  //@end"}));
+  EXPECT_EQ(text.line, 2);
+  EXPECT_EQ(text.first_line, 1);
+  EXPECT_EQ(text.task, "a = b\nWrite: the value, and more.");
 }
 
 TEST(StepText, stops_before_the_starters_text_and_bears_missing_files) {
@@ -49,7 +52,8 @@ TEST(ErrorMessage, has_the_first_message_its_line_and_how_many_follow) {
   const std::filesystem::path shaders = root.path() / "shaders";
   std::filesystem::create_directory(shaders);
   write_file(shaders / "a.frag", "one\n  two two \nthree\n");
-  const ErrorMessage message = read_message("a.frag:2:7: error: no\na.frag:3: error: also\nend", shaders);
+  const ErrorMessage message =
+      read_message("a.frag:2:7: error: no\na.frag:3: error: also\nend", shaders, "shaders/");
   EXPECT_EQ(message.first, "shaders/a.frag:2:7: error: no");
   EXPECT_EQ(message.source_line, "two two");
   EXPECT_EQ(message.file, shaders / "a.frag");
@@ -59,7 +63,7 @@ TEST(ErrorMessage, has_the_first_message_its_line_and_how_many_follow) {
 }
 
 TEST(ErrorMessage, of_another_kind_stays_as_it_is) {
-  const ErrorMessage message = read_message("brick.png: is cut off; restore it", "/nowhere");
+  const ErrorMessage message = read_message("brick.png: is cut off; restore it", "/nowhere", "shaders/");
   EXPECT_EQ(message.first, "brick.png: is cut off; restore it");
   EXPECT_TRUE(message.file.empty());
   EXPECT_EQ(message.others, 0);

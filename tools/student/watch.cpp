@@ -11,7 +11,6 @@
 
 #include "check/check.hpp"
 #include "commands.hpp"
-#include "core/process.hpp"
 #include "core/stopwatch.hpp"
 #include "core/watcher.hpp"
 #include "hints.hpp"
@@ -95,14 +94,8 @@ class Watch {
   bool build() {
     fmt::print("building…\n");
     std::fflush(stdout);
-    const Ran ran = run_program({"cmake", "--build", tree_.build.string(), "--target", lab_.program()}, true);
-    if (ran.exit_code == 0) return true;
-    const std::size_t begin = ran.output.find("error:");
-    const std::size_t line = begin == std::string::npos ? 0 : ran.output.rfind('\n', begin) + 1;
-    std::string messages = ran.output.substr(line, 2000);
-    // The compiler's paths begin in the build folder; editors open those that begin in the tree's root.
-    for (const std::string up = "../../"; messages.find(up) != std::string::npos;)
-      messages.erase(messages.find(up), up.size());
+    const std::string messages = grade::build_program(tree_, lab_);
+    if (messages.empty()) return true;
     fmt::print("Your code does not compile. The messages from the first error on:\n{}\n", messages);
     return false;
   }

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <imgui.h>
+
+#include <string>
+
+namespace texel::app {
+
+/// Shows a text, broken at its blanks where the window ends: ImGui also breaks at points, as in "0.5".
+/// Nothing for
+/// "".
+void wrapped_text(const ImVec4& colour, const std::string& text);
+
+}  // namespace texel::app
