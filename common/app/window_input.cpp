@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What keys, mouse and buttons do in a lab's window.
 #include <fmt/format.h>
+#include <imgui_internal.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -127,7 +128,15 @@ void Window::perform(Action action) {
         return;
       case Action::quit:
         // Esc closes what is open first.
+        if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) {
+          ImGui::ClosePopupToLevel(0, true);
+          return;
+        }
         if (std::exchange(state_.looks_open, false) || std::exchange(state_.keys_open, false)) return;
+        if (state_.inspected) {
+          state_.inspected.reset();
+          return;
+        }
         glfwSetWindowShouldClose(window(), GLFW_TRUE);
         return;
     }
