@@ -43,7 +43,8 @@ void plate(ImVec2 at, const ImVec4& colour, const std::string& text, float wrap_
 Action error_plate(WindowState& state, glm::vec2 size, float scale) {
   Action action = Action::none;
   const ErrorMessage& error = state.shown_error();
-  ImGui::SetNextWindowPos({state.panel_width + size.x - 12 * scale, 12 * scale}, ImGuiCond_Always, {1, 0});
+  // From the left: its buttons stay where they are when it grows.
+  ImGui::SetNextWindowPos({state.panel_width + 12 * scale, 12 * scale});
   ImGui::SetNextWindowSizeConstraints({0, 0}, {size.x - 24 * scale, size.y - 24 * scale});
   ImGui::SetNextWindowBgAlpha(0.92F);
   ImGui::Begin("##error", nullptr, kPlate);
