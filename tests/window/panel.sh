@@ -144,9 +144,13 @@ check 'the picture comes to rest' settle "$work/first"
 click_at 650 390
 check 'a click shows the pixel' changed_from "$work/first"
 settle "$work/pixel"
-click_at 465 171
-check 'a tab shows the other texture' changed_from "$work/pixel"
 click_at 721 19
 check 'the cross closes the panel' is_back "$work/first"
+click_at 650 390
+check 'the pixel again' is_back "$work/pixel"
+click_at 465 171
+check 'a tab shows the other texture' changed_from "$work/pixel"
+press Escape
+check 'Esc closes the panel' is_back "$work/first"
 check 'Esc quits with exit code 0' quits_with 0
 check 'nothing stands on standard error' test ! -s "$work/errors"
