@@ -40,11 +40,9 @@ void write(image::Image8& picture, const std::string& text, double left, double 
   const double unit = height / 6;  // a capital is 6 units high and 4 wide
   const double half_stroke = 0.5;
   for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x) {
-      const double distance =
-          procedural::distance_to_text(text, (x + 0.5 - left) / unit, (y + 0.5 - bottom) / unit);
-      if (distance < half_stroke) put(picture, x, y, kWriting);
-    }
+    for (int x = 0; x < picture.width; ++x)
+      if (procedural::in_text(text, (x + 0.5 - left) / unit, (y + 0.5 - bottom) / unit, half_stroke))
+        put(picture, x, y, kWriting);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include "check/check.hpp"
 #include "check/studio.hpp"
+#include "core/plain_text.hpp"
+#include "core/process.hpp"
 
 namespace texel::grade {
 namespace {
@@ -33,6 +35,22 @@ Draws by_programs(const OwnTree& tree, const std::string& context) {
           return std::string();
         }
       }};
+}
+
+std::string build_program(const OwnTree& tree, const course::Lab& lab) {
+  const Ran ran = run_program({"cmake", "--build", tree.build.string(), "--target", lab.program()}, true);
+  if (ran.exit_code == 0) return {};
+  std::string messages;
+  bool has_begun = ran.output.find("error:") == std::string::npos;
+  for (const std::string& line : lines_of(ran.output)) {
+    has_begun |= line.find("error:") != std::string::npos;
+    if (has_begun && !line.starts_with("ninja:") && !line.starts_with("[") && messages.size() < 2000)
+      messages += line + "\n";
+  }
+  // The compiler's paths begin in the build folder; editors open those that begin in the tree's root.
+  for (const std::string up = "../../"; messages.find(up) != std::string::npos;)
+    messages.erase(messages.find(up), up.size());
+  return messages;
 }
 
 }  // namespace texel::grade

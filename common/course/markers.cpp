@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/plain_text.hpp"
 
 namespace texel::course {
 namespace {
@@ -225,9 +226,25 @@ std::string first_text(const std::filesystem::path& tree, const std::string& fil
 
 std::map<std::string, Place> step_places(const std::filesystem::path& tree) {
   std::map<std::string, Place> places;
-  for (const std::string& file : step_files(tree))
-    for (const Marker& marker : markers_of(first_text(tree, file), file))
-      if (!marker.step.empty()) places.emplace(marker.step, Place{file, marker.line});
+  for (const std::string& file : step_files(tree)) {
+    // Without markers_of: a marker that was spoilt must not hide the others.
+    std::map<std::string, int> present;
+    if (std::filesystem::exists(tree / kFirstTexts / file)) {
+      int number = 0;
+      for (const std::string& line : lines_of(read_file(tree / file))) {
+        ++number;
+        constexpr std::string_view kBegin = "@step ";
+        const std::size_t begin = line.find(kBegin), end = line.find(" begin", begin);
+        if (end != std::string::npos)
+          present.emplace(line.substr(begin + kBegin.size(), end - begin - kBegin.size()), number);
+      }
+    }
+    for (const Marker& marker : markers_of(first_text(tree, file), file)) {
+      if (marker.step.empty()) continue;
+      const auto found = present.find(marker.step);
+      places.emplace(marker.step, Place{file, found != present.end() ? found->second : marker.line});
+    }
+  }
   return places;
 }
 

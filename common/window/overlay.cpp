@@ -42,8 +42,9 @@ void plate(ImVec2 at, const ImVec4& colour, const std::string& text, float wrap_
 /// The first message with its source line; the others on request.
 Action error_plate(WindowState& state, glm::vec2 size, float scale) {
   Action action = Action::none;
-  const ErrorMessage& error = state.error;
-  ImGui::SetNextWindowPos({state.panel_width + size.x - 12 * scale, 12 * scale}, ImGuiCond_Always, {1, 0});
+  const ErrorMessage& error = state.shown_error();
+  // From the left: its buttons stay where they are when it grows.
+  ImGui::SetNextWindowPos({state.panel_width + 12 * scale, 12 * scale});
   ImGui::SetNextWindowSizeConstraints({0, 0}, {size.x - 24 * scale, size.y - 24 * scale});
   ImGui::SetNextWindowBgAlpha(0.92F);
   ImGui::Begin("##error", nullptr, kPlate);
@@ -106,10 +107,10 @@ Action draw_overlay(AnyLab& lab, WindowState& state, glm::vec2 size, float pixel
     canvas.AddCircle(at, 5 * scale, IM_COL32(255, 255, 255, 255), 16, 1.5F * scale);
   }
   Action action = Action::none;
-  if (!state.error.first.empty()) {
+  if (!state.shown_error().first.empty()) {
     action = error_plate(state, size, scale);
-  } else if (!state.record.warnings.empty()) {
-    std::string text;
+  } else if (!state.record.warnings.empty() || !state.no_truth.empty()) {
+    std::string text = state.no_truth;
     for (const std::string& warning : state.record.warnings)
       text.append(text.empty() ? "" : "\n").append(warning);
     plate({origin + size.x - 12 * scale, size.y - 12 * scale}, theme().next, text, size.x * 0.8F, {1, 1});

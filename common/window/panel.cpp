@@ -135,8 +135,8 @@ void view_section(AnyLab& lab, WindowState& state) {
     ImGui::PushTextWrapPos(0);
     ImGui::Text("mean %.3g, P99 %.3g, most %.3g %s over %lld pixels", f.mean, f.p99, f.max,
                 name_of(lab.measure()->unit), f.pixels);
-    ImGui::TextColored(f.non_finite == 0 ? theme().dim : theme().wrong,
-                       "%lld not finite; compared with the %s", f.non_finite, lab.measure()->truth);
+    ImGui::TextColored(f.non_finite == 0 ? theme().dim : theme().wrong, "%lld not finite; compared with %s",
+                       f.non_finite, lab.measure()->truth);
     ImGui::PopTextWrapPos();
   }
 
@@ -205,11 +205,14 @@ void statistics_section(const WindowState& state) {
 
 Action buttons(WindowState& state) {
   Action action = Action::none;
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const auto width_of = [&](const char* label) {
+    return ImGui::CalcTextSize(label).x + 2 * style.FramePadding.x;
+  };
   const auto button = [&](const char* label, Action value, const char* help, bool is_first = false) {
     // On the same line while there is room.
-    const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
     if (!is_first) ImGui::SameLine();
-    if (!is_first && ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+    if (!is_first && ImGui::GetContentRegionAvail().x < width_of(label)) ImGui::NewLine();
     if (ImGui::Button(label)) action = value;
     tooltip(help);
   };
@@ -221,18 +224,18 @@ Action buttons(WindowState& state) {
   button("Undo", Action::undo, "Takes back the last change of a parameter (Ctrl+Z)");
   button("Redo", Action::redo, "Makes it again (Ctrl+Y)");
   button("Keys", Action::show_keys, "All keys (F1)");
+  button(state.light_theme ? "Dark" : "Light", Action::toggle_theme, "Changes the panel's colours");
   button("Snapshot", Action::snapshot,
          "Writes the picture into the folder where you started the program (F12)", true);
   button("Copy", Action::copy_picture, "Copies the picture into the clipboard (Ctrl+C)");
   button("Command", Action::copy_command_line, "Copies the command that draws this look");
   button("Turntable", Action::turntable,
          "Writes 36 pictures of one turn into the folder where you started the program");
-  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 10.5F);
+  ImGui::SetNextItemWidth(-width_of("Save") - width_of("Load") - 2 * style.ItemSpacing.x);
   ImGui::InputText("##config", &state.config_file);
   tooltip("The file for Save and Load: all parameters, in the format of --config");
   button("Save", Action::save_config, "Writes all parameters to the file");
   button("Load", Action::load_config, "Reads parameters from the file");
-  button(state.light_theme ? "Dark" : "Light", Action::toggle_theme, "Changes the panel's colours");
   return action;
 }
 
@@ -244,10 +247,10 @@ float status_bar_height() {
 /// What happens, and what the last action did: at the lower end, where it moves nothing.
 void status_bar(const WindowState& state) {
   ImGui::Separator();
-  const bool is_checking = state.steps && state.steps->is_running();
+  const std::string checking = state.steps ? state.steps->progress() : "";
   std::string text = state.message;
   if (!state.progress.empty()) text.append(text.empty() ? "" : "\n").append(state.progress);
-  if (is_checking) text.append(text.empty() ? "" : "\n").append("checking your steps");
+  if (!checking.empty()) text.append(text.empty() ? "" : "\n").append(checking);
   ImGui::BeginChild("status", {0, 0}, 0, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PushTextWrapPos(0);
   ImGui::TextColored(theme().dim, "%s", text.c_str());

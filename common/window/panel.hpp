@@ -28,12 +28,19 @@ struct WindowState {
   float panel_width = 0;  ///< window units, 0 while hidden
   glm::vec2 dock{0};      ///< window units that the step has beside the picture: at the right, or below
 
+  /// What stands over the picture: the shader's message, else the compiler's.
+  [[nodiscard]] const ErrorMessage& shown_error() const {
+    return error.first.empty() ? compile_error : error;
+  }
+
   gl::Record record;  ///< of the last frame that was inspected
   Notes notes;        ///< of the lab
   double frame_milliseconds = 0;
   std::optional<ErrorFigures> figures;  ///< while the view `error` is shown
+  ErrorMessage compile_error;           ///< of what was saved in C++, until it is mended
   ErrorMessage error;                   ///< over the last good picture, until it is mended
   bool all_messages = false;            ///< not only the error's first
+  std::string no_truth;                 ///< why the view `error` shows colours, or ""
   std::string message;                  ///< what the last action did
 
   /// The pixel that was clicked, from the bottom left, and the value of each data view there.
@@ -46,10 +53,12 @@ struct WindowState {
     static constexpr int kAround = 15;
   };
   std::optional<Inspected> inspected;
+  glm::vec2 pixel_panel{0};  ///< window units that the panel beside the pixel had in the last frame
 
   std::optional<StepsCheck> steps;           ///< none where there is nothing to check
   std::map<std::string, std::size_t> hints;  ///< how many are shown, by step
   std::optional<CasePictures> case_pictures;
+  std::string step_to_open;           ///< in the section "Steps", or ""
   std::optional<SavedLook> own_look;  ///< as it was before a case was picked
   std::optional<Looks> looks;
   std::optional<MethodPlot> methods;  ///< from when its section is first opened

@@ -67,6 +67,12 @@ void draw_pixel(WindowState& state, glm::vec2 size, float pixels_per_unit, float
   if (!state.inspected || state.inspected->values.empty()) return;
   const WindowState::Inspected& inspected = *state.inspected;
   const glm::vec2 pixel = (glm::vec2(inspected.pixel) + 0.5F) / pixels_per_unit;
+  // On the side of the pixel that has more room, within the picture.
+  const glm::vec2 at(pixel.x, size.y - pixel.y), gap(24 * scale), own = state.pixel_panel;
+  const glm::vec2 place(at.x > size.x / 2 ? at.x - gap.x - own.x : at.x + gap.x,
+                        at.y > size.y / 2 ? at.y - gap.y - own.y : at.y + gap.y);
+  const glm::vec2 inside = glm::max(glm::min(place, size - own), glm::vec2(0));
+  ImGui::SetNextWindowPos({state.panel_width + inside.x, inside.y});
   ImGui::SetNextWindowBgAlpha(0.92F);
   bool is_open = true;
   ImGui::Begin(
@@ -74,13 +80,7 @@ void draw_pixel(WindowState& state, glm::vec2 size, float pixels_per_unit, float
       &is_open,
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse |
           ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing);
-  // On the side of the pixel that has more room, within the picture.
-  const glm::vec2 own(ImGui::GetWindowWidth(), ImGui::GetWindowHeight());
-  const glm::vec2 at(pixel.x, size.y - pixel.y), gap(24 * scale);
-  const glm::vec2 place(at.x > size.x / 2 ? at.x - gap.x - own.x : at.x + gap.x,
-                        at.y > size.y / 2 ? at.y - gap.y - own.y : at.y + gap.y);
-  const glm::vec2 inside = glm::max(glm::min(place, size - own), glm::vec2(0));
-  ImGui::SetWindowPos({state.panel_width + inside.x, inside.y});
+  state.pixel_panel = {ImGui::GetWindowWidth(), ImGui::GetWindowHeight()};
   magnifier(inspected, 120 * scale);
   ImGui::SameLine();
   ImGui::BeginGroup();

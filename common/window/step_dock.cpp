@@ -11,18 +11,12 @@
 #include "image/colour.hpp"
 #include "panel.hpp"
 #include "theme.hpp"
+#include "wrapped_text.hpp"
 
 namespace texel::app {
 namespace {
 
 using Shown = CasePictures::Shown;
-
-void wrapped(const ImVec4& colour, const std::string& text) {
-  if (text.empty()) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, colour);
-  ImGui::TextWrapped("%s", text.c_str());
-  ImGui::PopStyleColor();
-}
 
 /// The file, a button that opens it, the handout's task, and the step's lines.
 Action text_part(WindowState& state) {
@@ -42,8 +36,8 @@ Action text_part(WindowState& state) {
     state.case_pictures.reset();
     return action;
   }
-  wrapped(theme().dim, fmt::format("{}:{}", text.shown_file, text.first_line));
-  wrapped(theme().text, text.task);
+  wrapped_text(theme().dim, fmt::format("{}:{}", text.shown_file, text.line));
+  wrapped_text(theme().text, text.task);
   if (text.lines.empty()) return action;
   ImGui::Separator();
   ImGui::BeginChild(
@@ -52,8 +46,10 @@ Action text_part(WindowState& state) {
   for (std::size_t i = 0; i < text.lines.size(); ++i) {
     ImGui::TextColored(theme().dim, "%4d", text.first_line + static_cast<int>(i));
     ImGui::SameLine();
-    const bool is_marker = text.lines[i].find("//@") != std::string::npos;
-    ImGui::TextColored(is_marker ? theme().dim : theme().text, "%s", text.lines[i].c_str());
+    // The function's head is not the student's to write.
+    const bool is_given =
+        text.first_line + static_cast<int>(i) <= text.line || text.lines[i].find("//@") != std::string::npos;
+    ImGui::TextColored(is_given ? theme().dim : theme().text, "%s", text.lines[i].c_str());
   }
   ImGui::EndChild();
   return action;
@@ -88,9 +84,9 @@ void heat_scale(const CasePictures& p, float width) {
   ImGui::TextColored(theme().dim, "%s", most.c_str());
 }
 
-void picture_part(CasePictures& p, float side) {
+void picture_part(CasePictures& p, float side, float scale) {
   if (!p.fault.empty()) {
-    wrapped(theme().next, p.fault);
+    wrapped_text(theme().next, p.fault);
     return;
   }
   const auto choose = [&](const char* name, Shown value) {
@@ -119,17 +115,15 @@ void picture_part(CasePictures& p, float side) {
     const float pixel = side / static_cast<float>(p.width);
     const ImVec2 worst(at.x + (static_cast<float>(p.figures.worst_x) + 0.5F) * pixel,
                        at.y + height - (static_cast<float>(p.figures.worst_y) + 0.5F) * pixel);
-    list.AddCircle(worst, 7, IM_COL32_BLACK, 0, 4);
-    list.AddCircle(worst, 7, IM_COL32(255, 64, 255, 255), 0, 2);
+    list.AddCircle(worst, 7 * scale, IM_COL32_BLACK, 0, 4 * scale);
+    list.AddCircle(worst, 7 * scale, IM_COL32(255, 64, 255, 255), 0, 2 * scale);
   }
   // The picture is a slider: the line follows the mouse.
   ImGui::InvisibleButton("##picture", {side, height});
   if (ImGui::IsItemActive() && p.shown == Shown::split)
     p.position = std::clamp((ImGui::GetIO().MousePos.x - at.x) / side, 0.0F, 1.0F);
   if (p.shown == Shown::heat_map) heat_scale(p, side);
-  wrapped(theme().dim, caption(p));
-  // The scale of the heat map has its room.
-  if (p.shown != Shown::heat_map) wrapped(theme().next, without_markdown(p.message));
+  wrapped_text(theme().dim, caption(p));
 }
 
 }  // namespace
@@ -140,7 +134,7 @@ glm::vec2 dock_size(const WindowState& state, glm::vec2 size, float scale) {
   return {0, std::min(340 * scale, 0.5F * size.y)};
 }
 
-Action draw_step(WindowState& state, glm::vec2 window, float /*scale*/) {
+Action draw_step(WindowState& state, glm::vec2 window, float scale) {
   if (!state.case_pictures || state.dock == glm::vec2(0)) return Action::none;
   const bool is_below = state.dock.y > 0;
   const glm::vec2 at(is_below ? state.panel_width : window.x - state.dock.x,
@@ -153,16 +147,16 @@ Action draw_step(WindowState& state, glm::vec2 window, float /*scale*/) {
                    ImGuiWindowFlags_NoResize);
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float aspect = p.width > 0 ? static_cast<float>(p.height) / static_cast<float>(p.width) : 1;
-  // Below the picture: its buttons, the scale and three lines of text.
+  // Below the picture: its buttons, the heat map's scale and two lines of text.
   const float texts = ImGui::GetFrameHeightWithSpacing() + 4 * ImGui::GetTextLineHeightWithSpacing();
   Action action = Action::none;
   if (!p.fault.empty()) {
     action = text_part(state);
     // A shader's error stands over the picture already, and in one place only.
     if (!state.error.first.empty())
-      wrapped(theme().next, "No picture: the shader does not compile.");
+      wrapped_text(theme().next, "No picture: the shader does not compile.");
     else if (state.case_pictures)
-      picture_part(*state.case_pictures, 0);
+      picture_part(*state.case_pictures, 0, scale);
   } else if (is_below) {
     const float side = std::clamp((room.y - texts) / aspect, 64.0F, 0.5F * room.x);
     const float column = std::max(side, std::min(ImGui::GetFontSize() * 23, 0.54F * room.x));
@@ -171,11 +165,11 @@ Action draw_step(WindowState& state, glm::vec2 window, float /*scale*/) {
     ImGui::EndChild();
     ImGui::SameLine();
     ImGui::BeginChild("pictures");
-    if (state.case_pictures) picture_part(*state.case_pictures, side);
+    if (state.case_pictures) picture_part(*state.case_pictures, side, scale);
     ImGui::EndChild();
   } else {
     picture_part(*state.case_pictures,
-                 std::min(room.x - ImGui::GetStyle().ScrollbarSize, (0.6F * room.y - texts) / aspect));
+                 std::min(room.x - ImGui::GetStyle().ScrollbarSize, (0.6F * room.y - texts) / aspect), scale);
     ImGui::Separator();
     action = text_part(state);
   }

@@ -15,6 +15,7 @@ namespace texel::app {
 namespace {
 
 constexpr std::size_t kMostLines = 200;  // of a step whose last marker is gone
+constexpr std::size_t kMostBefore = 6;   // of the function's head
 
 /// The index behind the bracket that closes the one at `open`.
 std::size_t behind_bracket(std::string_view text, std::size_t open) {
@@ -81,7 +82,7 @@ std::string task_of(const std::vector<std::string>& lines, const std::string& st
     const std::size_t text = line.find_first_not_of(' ');
     if (text != std::string::npos) task.append(task.empty() ? "" : " ").append(line.substr(text));
   }
-  constexpr std::string_view kBullet = "- **Write:** ";
+  constexpr std::string_view kBullet = "- ";
   if (task.starts_with(kBullet)) task.erase(0, kBullet.size());
   return without_markdown(formulas + task);
 }
@@ -125,13 +126,20 @@ std::string without_markdown(std::string_view text) {
 StepText read_step_text(const std::filesystem::path& root, const std::string& lab_folder,
                         const std::string& step, const std::string& file, int line) {
   StepText text;
-  text.file = root / file, text.shown_file = file, text.first_line = line;
+  text.file = root / file, text.shown_file = file, text.line = line, text.first_line = line;
   try {
     const std::vector<std::string> lines = lines_of(read_file(text.file));
-    for (auto i = static_cast<std::size_t>(std::max(line, 1)) - 1; i < lines.size(); ++i) {
+    const auto begin = static_cast<std::size_t>(std::max(line, 1)) - 1;
+    // From the comment and the head of the function on.
+    std::size_t first = std::min(begin, lines.size());
+    while (first > 0 && begin - first < kMostBefore && !lines[first - 1].empty() &&
+           lines[first - 1].find("//@") == std::string::npos)
+      --first;
+    text.first_line = static_cast<int>(first) + 1;
+    for (std::size_t i = first; i < lines.size(); ++i) {
       if (lines[i].find("//@starter") != std::string::npos || text.lines.size() == kMostLines) break;
       text.lines.push_back(lines[i]);
-      if (lines[i].find("//@end") != std::string::npos) break;
+      if (i >= begin && lines[i].find("//@end") != std::string::npos) break;
     }
   } catch (const Error&) {
     text.lines.clear();  // the file's name still helps

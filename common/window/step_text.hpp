@@ -10,12 +10,13 @@ namespace texel::app {
 struct StepText {
   std::filesystem::path file;      ///< on this machine
   std::string shown_file;          ///< in the tree: "shaders/05_normal_map/decode_normal.glsl"
-  int first_line = 0;              ///< of `lines`, counted from 1
-  std::vector<std::string> lines;  ///< from the first marker to the last; none where the file cannot be read
+  int line = 0;                    ///< of the first marker, counted from 1
+  int first_line = 0;              ///< of `lines`
+  std::vector<std::string> lines;  ///< from the function's head to the last marker; none without the file
   std::string task;                ///< the handout's "Write:" and its formulas, as plain text; or ""
 };
 
-/// Reads the step's file from `line` on, and the section "### ID …" of the lab's README.md, both below
+/// Reads the step's file around `line`, and the section "### ID …" of the lab's README.md, both below
 /// `root`.
 StepText read_step_text(const std::filesystem::path& root, const std::string& lab_folder,
                         const std::string& step, const std::string& file, int line);

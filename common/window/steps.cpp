@@ -3,9 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <mutex>
+#include <optional>
 #include <thread>
+#include <utility>
 
+#include "check/check.hpp"
 #include "check/files.hpp"
 #include "core/error.hpp"
 #include "core/process.hpp"
@@ -16,49 +20,85 @@ namespace texel::app {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// The folder where this program was built from the tree, or "".
+fs::path build_folder_of(const fs::path& root) {
+  std::error_code unknown;
+  const fs::path build = fs::read_symlink("/proc/self/exe", unknown).parent_path().parent_path();
+  std::ifstream cache(build / "CMakeCache.txt");
+  constexpr std::string_view kHome = "CMAKE_HOME_DIRECTORY:INTERNAL=";
+  for (std::string line; std::getline(cache, line);)
+    if (line.starts_with(kHome) && fs::equivalent(line.substr(kHome.size()), root, unknown)) return build;
+  return {};
+}
+
+}  // namespace
+
 struct StepsCheck::Shared {
-  int lab;
-  fs::path root;
+  course::Lab lab;
+  grade::OwnTree tree;
   std::mutex mutex;
-  bool is_running = false, is_wanted = false, is_new = false;
+  bool is_running = false, is_wanted = false, build_is_wanted = false, is_building = false, is_new = false;
   std::vector<grade::StepResult> steps;
-  std::string fault;
+  std::string fault, compile_error;
+
+  /// The steps as `texel check` finds them.
+  [[nodiscard]] std::vector<grade::StepResult> check() const {
+    const fs::path texel = fs::read_symlink("/proc/self/exe").parent_path() / "texel";
+    const Ran ran = run_program({"env", "TEXEL_ROOT=" + tree.source.string(), texel.string(), "check",
+                                 fmt::format("{}", lab.number), "--json"},
+                                true);
+    if (ran.exit_code > 1) throw Error::failed(ran.output);
+    return grade::parse_steps(ran.output);
+  }
 
   void run() {
     for (;;) {
-      std::vector<grade::StepResult> found;
-      std::string why;
+      const auto next = [&] {
+        const std::scoped_lock lock(mutex);
+        is_wanted = false;
+        return is_building = std::exchange(build_is_wanted, false);
+      };
+      std::optional<std::vector<grade::StepResult>> found;
+      std::string why, messages;
       try {
-        const fs::path texel = fs::read_symlink("/proc/self/exe").parent_path() / "texel";
-        const Ran ran = run_program(
-            {"env", "TEXEL_ROOT=" + root.string(), texel.string(), "check", fmt::format("{}", lab), "--json"},
-            true);
-        if (ran.exit_code > 1) throw Error::failed(ran.output);
-        found = grade::parse_steps(ran.output);
+        if (next()) messages = grade::build_program(tree, lab);
+        if (messages.empty()) {
+          {
+            const std::scoped_lock lock(mutex);
+            is_building = false;
+          }
+          found = check();
+        }
       } catch (const std::exception& error) {
         why = error.what();
+        found.emplace();
       }
       const std::scoped_lock lock(mutex);
-      steps = std::move(found), fault = std::move(why);
+      if (found) steps = std::move(*found);  // else the program is older than what was saved
+      fault = std::move(why), compile_error = std::move(messages);
       is_new = true;
       is_running = is_wanted;
       if (!is_wanted) return;
-      is_wanted = false;
     }
   }
 };
 
-StepsCheck::StepsCheck(int lab, fs::path root) : shared_(std::make_shared<Shared>()) {
-  shared_->lab = lab, shared_->root = std::move(root);
+StepsCheck::StepsCheck(const std::string& lab_folder, fs::path root) : shared_(std::make_shared<Shared>()) {
+  shared_->lab = course::read_lab(root / "labs" / lab_folder / "lab.toml");
+  const fs::path build = build_folder_of(root);
+  if (!build.empty())
+    for (const fs::path& file : grade::edited_files(root, shared_->lab))
+      if (file.extension() == ".cpp" || file.extension() == ".hpp") program_texts_.push_back(file);
+  shared_->tree = {std::move(root), build};
 }
 
-void StepsCheck::request() {
+void StepsCheck::request(bool build) {
   const std::scoped_lock lock(shared_->mutex);
-  if (shared_->is_running) {
-    shared_->is_wanted = true;
-    return;
-  }
-  shared_->is_running = true;
+  shared_->is_wanted = true;
+  shared_->build_is_wanted = shared_->build_is_wanted || build;
+  if (std::exchange(shared_->is_running, true)) return;
   // It owns everything that it needs: closing the window need not wait for it.
   std::thread([shared = shared_] { shared->run(); }).detach();
 }
@@ -67,24 +107,25 @@ bool StepsCheck::poll() {
   const std::scoped_lock lock(shared_->mutex);
   if (!shared_->is_new) return false;
   shared_->is_new = false;
-  steps_ = shared_->steps, fault_ = shared_->fault;
+  steps_ = shared_->steps, fault_ = shared_->fault, compile_error_ = shared_->compile_error;
   return true;
 }
 
-bool StepsCheck::is_running() const {
+std::string StepsCheck::progress() const {
   const std::scoped_lock lock(shared_->mutex);
-  return shared_->is_running;
+  if (!shared_->is_running) return {};
+  return shared_->is_building ? "building" : "checking your steps";
 }
 
 const fs::path& StepsCheck::root() const {
-  return shared_->root;
+  return shared_->tree.source;
 }
 
 CasePictures load_case(const fs::path& root, const std::string& lab, const grade::StepResult& step,
                        const grade::CaseResult& one) {
   CasePictures pictures;
   pictures.step = step.id, pictures.name = one.name, pictures.title = step.title;
-  pictures.message = one.message, pictures.unit = name_of(one.unit()), pictures.limit = one.limit;
+  pictures.unit = name_of(one.unit()), pictures.limit = one.limit;
   pictures.text = read_step_text(root, lab, step.id, step.file, step.line);
   try {
     const image::Compared all = grade::compared(one);

@@ -19,14 +19,20 @@ namespace texel::app {
 class StepsCheck {
  public:
   /// `root` is the tree whose labs and shaders are checked, by the `texel` beside this program.
-  StepsCheck(int lab, std::filesystem::path root);
+  StepsCheck(const std::string& lab_folder, std::filesystem::path root);
 
-  /// Asks for a check of what is saved now. During a check: for another one after it.
-  void request();
+  /// Asks for a check of what is saved now, and to build the lab's program first. During a check: for another
+  /// one after it.
+  void request(bool build = false);
   /// Takes over what the last check found; whether there is something new.
   bool poll();
 
-  [[nodiscard]] bool is_running() const;
+  /// "building", "checking your steps" or "".
+  [[nodiscard]] std::string progress() const;
+  /// The C++ files that a student edits; none where this program was not built from this tree.
+  [[nodiscard]] const std::vector<std::filesystem::path>& program_texts() const { return program_texts_; }
+  /// What the compiler said of what was saved last, or "".
+  [[nodiscard]] const std::string& compile_error() const { return compile_error_; }
   [[nodiscard]] const std::filesystem::path& root() const;
   [[nodiscard]] const std::vector<grade::StepResult>& steps() const { return steps_; }
   /// Why there are no steps, or "".
@@ -36,7 +42,8 @@ class StepsCheck {
   struct Shared;
   std::shared_ptr<Shared> shared_;
   std::vector<grade::StepResult> steps_;
-  std::string fault_;
+  std::string fault_, compile_error_;
+  std::vector<std::filesystem::path> program_texts_;
 };
 
 /// A case's pictures: the student's, the expected one, and how they differ; beside them the step's text.
@@ -50,7 +57,7 @@ struct CasePictures {
   double full_scale = 0;  ///< the heat map's hottest colour
   std::string unit;       ///< of the figures
   double limit = 0;
-  std::string title, message;  ///< of the step; of the case, what is wrong, or ""
+  std::string title;  ///< of the step
   StepText text;
 };
 

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "panel.hpp"
 #include "theme.hpp"
+#include "wrapped_text.hpp"
 
 namespace texel::app {
 namespace {
@@ -16,10 +17,7 @@ using grade::Status;
 
 /// A text that marks code with `, without these marks.
 void wrapped(const ImVec4& colour, const std::string& text) {
-  if (text.empty()) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, colour);
-  ImGui::TextWrapped("%s", without_markdown(text).c_str());
-  ImGui::PopStyleColor();
+  wrapped_text(colour, without_markdown(text));
 }
 
 /// "off by 12.3 degrees (limit 0.05)".
@@ -36,7 +34,7 @@ void pick(AnyLab& lab, WindowState& state, const grade::StepResult& step, const 
   try {
     lab.parameters().reset();
     for (const auto& [parameter, value] : one.settings) lab.parameters().at(parameter).set(value);
-    if (!one.is_mesh()) state.view = one.view;
+    state.view = one.is_mesh() ? View::color : one.view;
     state.split.reset();
     state.look.reset();
     state.paused = true;
@@ -49,7 +47,11 @@ void pick(AnyLab& lab, WindowState& state, const grade::StepResult& step, const 
 
 void step_details(AnyLab& lab, WindowState& state, const grade::StepResult& step) {
   wrapped(theme().dim, fmt::format("{}:{}", step.file, step.line));
-  if (step.status != Status::passed && state.error.first.empty()) wrapped(theme().text, step.message);
+  const auto picked = std::ranges::find_if(step.cases, [&](const grade::CaseResult& one) {
+    return state.case_pictures && state.case_pictures->name == one.name;
+  });
+  const std::string& message = picked != step.cases.end() ? picked->message : step.message;
+  if (step.status != Status::passed && state.shown_error().first.empty()) wrapped(theme().text, message);
   if (!step.mistake_says.empty()) wrapped(theme().next, "This looks like: " + step.mistake_says);
   std::size_t& shown = state.hints[step.id];
   for (std::size_t i = 0; i < std::min(shown, step.hints.size()); ++i)
@@ -58,10 +60,9 @@ void step_details(AnyLab& lab, WindowState& state, const grade::StepResult& step
       ImGui::SmallButton(fmt::format("hint {} of {}", shown + 1, step.hints.size()).c_str()))
     ++shown;
   for (const grade::CaseResult& one : step.cases) {
-    const bool is_picked = state.case_pictures && state.case_pictures->name == one.name;
     ImGui::PushStyleColor(ImGuiCol_Text, one.passed() ? theme().good : theme().next);
     if (ImGui::Selectable(fmt::format("{} {}", one.passed() ? "right" : "wrong", one.name).c_str(),
-                          is_picked))
+                          picked != step.cases.end() && &*picked == &one))
       pick(lab, state, step, one);
     ImGui::PopStyleColor();
     if (ImGui::IsItemHovered())
@@ -84,9 +85,14 @@ void steps_section(AnyLab& lab, WindowState& state) {
     const std::string title = without_markdown(step.title);
     const ImVec4& colour = is_done ? theme().good : is_next ? theme().next : theme().dim;
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    if (state.step_to_open == step.id) {
+      ImGui::SetNextItemOpen(true);
+      state.step_to_open.clear();
+    }
     const bool shows = ImGui::TreeNodeEx(step.id.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth, "%s", "");
     ImGui::PopStyleColor();
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", figure(step).c_str());
+    if (ImGui::IsItemToggledOpen() && shows) pick_step(lab, state, step);
+    if (ImGui::IsItemHovered() && is_done) ImGui::SetTooltip("%s", figure(step).c_str());
     ImGui::SameLine();  // the title beside the triangle: a tree node's own text is not wrapped
     const char* status = is_done                          ? "done"
                          : step.status == Status::skipped ? "waits"

@@ -39,6 +39,7 @@ void set_theme(bool light, float scale) {
   style.WindowRounding = 6;
   style.FrameRounding = 3;
   style.Colors[ImGuiCol_WindowBg] = theme().background;  // opaque: nothing of the last picture shows through
+  style.Colors[ImGuiCol_PopupBg].w = 1;                  // nor of the panel below
   style.ScaleAllSizes(scale);
 }
 

@@ -25,6 +25,10 @@ constexpr double kTurnPerSecond = 15;       // degrees
 constexpr double kWatchMilliseconds = 100;  // well below the half second in which a save is seen
 constexpr double kTruthMilliseconds = 80;   // a frame may work so long on the exact answer
 
+/// After an event: the first frame finds what it does, the second draws it and measures what opens, and the
+/// third has that in its place.
+constexpr int kFramesToSettle = 2;
+
 constexpr int kFrameSpacing = 40;  // pixels from one T, B and N to the next
 
 /// The pixels around one, kAround in a row; black beyond the picture.
@@ -58,8 +62,7 @@ Window::Window(AnyLab& lab, const Assets& assets, const WindowOptions& options)
   state_.message = state_.looks->fault();
   opens_with_hero_ = !options.look_given && !state_.looks->entries().empty();
   if (opens_with_hero_) perform(Action::default_look);
-  if (std::filesystem::exists(root / "labs" / lab.info().folder() / "expected"))
-    state_.steps.emplace(lab.info().number, root);
+  if (std::filesystem::exists(root / "labs" / lab.info().folder() / "expected")) start_steps(root);
   std::error_code unknown;
   own_program_ = std::filesystem::read_symlink("/proc/self/exe", unknown);
   // Our callbacks first: ImGui's then call them.
@@ -83,10 +86,14 @@ void Window::run() {
   open();
   show();
   while (glfwWindowShouldClose(window()) == 0) {
-    if (turning() || is_busy())
+    if (turning() || is_busy() || frames_due_ > 0) {
       glfwPollEvents();
-    else
+      frames_due_ = std::max(frames_due_ - 1, 0);
+    } else {
+      const Stopwatch stopwatch;
       glfwWaitEventsTimeout(kWatchMilliseconds / 1000);
+      if (stopwatch.milliseconds() < kWatchMilliseconds) frames_due_ = kFramesToSettle;
+    }
     frame();
   }
 }
@@ -237,10 +244,21 @@ void Window::watch() {
   watch_clock_ = Stopwatch();
   if (!watcher_.changed(canvas_.programs().files()).empty()) reload(/*assets=*/false);
   if (!watcher_.changed(assets_.files()).empty()) reload(/*assets=*/true);
+  if (!state_.steps) return;
+  if (!watcher_.changed(state_.steps->program_texts()).empty()) state_.steps->request(/*build=*/true);
   // A program that was built again draws other pictures, but this process still has the old code.
-  if (state_.steps && !watcher_.changed({own_program_}).empty()) {
+  if (!watcher_.changed({own_program_}).empty()) {
     state_.steps->request();
-    state_.message = "the lab was built again: close and open it to see the change";
+    built_again_ = true;
+    state_.message = "the lab was built again: F5 opens it anew";
+  }
+}
+
+void Window::start_steps(const std::filesystem::path& root) {
+  try {
+    state_.steps.emplace(lab_.info().folder(), root);
+  } catch (const Error& error) {  // a lab.toml that cannot be read
+    state_.message = error.what();
   }
 }
 
@@ -248,10 +266,11 @@ void Window::follow_steps() {
   if (!state_.steps) return;
   if (inspected_once_ && !std::exchange(steps_begun_, true)) state_.steps->request();
   if (!state_.steps->poll()) return;
+  state_.compile_error = read_message(state_.steps->compile_error(), state_.steps->root());
   for (const grade::StepResult& step : state_.steps->steps())
     if (step.id == see_) {
       pick_step(lab_, state_, step);
-      see_.clear();
+      state_.step_to_open = std::exchange(see_, "");
     }
   if (!see_.empty() && !state_.steps->steps().empty()) {
     state_.message = fmt::format("this lab has no step {}", see_);
@@ -292,11 +311,16 @@ void Window::draw_picture() {
   truth_share_ = 1;
   try {
     state_.progress.clear();
-    if (state_.view == View::error) truth_share_ = canvas_.work_on_truth(size, kTruthMilliseconds);
+    state_.no_truth.clear();
+    if (state_.view == View::error) try {
+        truth_share_ = canvas_.work_on_truth(size, kTruthMilliseconds);
+      } catch (const Error& error) {
+        state_.no_truth = error.what();
+      }
     if (truth_share_ < 1)
       state_.progress = fmt::format("working out the exact answer: {:.0f} %", 100 * truth_share_);
-    // The colours stand in for the error until the exact answer is there.
-    const View view = truth_share_ < 1 ? View::color : state_.view;
+    // The colours stand in for the error until the exact answer is there, and where there is none.
+    const View view = truth_share_ < 1 || !state_.no_truth.empty() ? View::color : state_.view;
     Look look;
     {
       const Stage stage("parameters");

@@ -77,10 +77,13 @@ class Window {
   /// Edited shaders are compiled again, edited pictures and models loaded again.
   void watch();
 
+  void start_steps(const std::filesystem::path& root);
   /// Steps are checked when the first picture stands, and after every save.
   void follow_steps();
 
   void reload(bool assets);
+  /// Starts the program that was built again in this one's place, with the same look and step.
+  void open_anew();
 
   void advance();
 
@@ -146,10 +149,12 @@ class Window {
   std::optional<Turntable> turntable_;    ///< while it is written
   std::optional<ScratchFolder> scratch_;  ///< for the clipboard
   double truth_share_ = 1;                ///< of the exact answer that the view `error` needs
+  int frames_due_ = 0;                    ///< to draw without a wait
   bool opens_with_hero_ = false;
   bool inspected_once_ = false;
   bool steps_begun_ = false;
-  std::string see_;  ///< the step that is shown as soon as it is checked, or ""
+  bool built_again_ = false;  ///< the program, since this process began
+  std::string see_;           ///< the step that is shown as soon as it is checked, or ""
   std::filesystem::path own_program_;
   float scale_ = 1;
   Drag drag_ = Drag::none;

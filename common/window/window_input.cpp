@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What keys, mouse and buttons do in a lab's window.
 #include <fmt/format.h>
+#include <imgui_internal.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -78,6 +80,7 @@ void Window::perform(Action action) {
           state_.message = "nothing to redo";
         return;
       case Action::reload:
+        if (built_again_) open_anew();
         reload(/*assets=*/true);
         return;
       case Action::open_in_editor:
@@ -125,13 +128,34 @@ void Window::perform(Action action) {
         return;
       case Action::quit:
         // Esc closes what is open first.
+        if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) {
+          ImGui::ClosePopupToLevel(0, true);
+          return;
+        }
         if (std::exchange(state_.looks_open, false) || std::exchange(state_.keys_open, false)) return;
+        if (state_.inspected) {
+          state_.inspected.reset();
+          return;
+        }
         glfwSetWindowShouldClose(window(), GLFW_TRUE);
         return;
     }
   } catch (const Error& error) {
     state_.message = error.what();
   }
+}
+
+void Window::open_anew() {
+  std::vector<std::string> words = {own_program_.string(), "--size", fmt::format("{}x{}", units_.x, units_.y),
+                                    "--view", name_of(state_.view)};
+  for (const params::Parameter& p : lab_.parameters())
+    if (!p.is_default()) words.insert(words.end(), {fmt::format("--{}", p.flag()), p.text()});
+  if (state_.case_pictures) words.insert(words.end(), {"--see", state_.case_pictures->step});
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  ::execv(pointers.front(), pointers.data());
+  throw Error::failed("cannot start it", {own_program_.string()}, "close this window and open the lab again");
 }
 
 void Window::go_to(const SavedLook& look) {
@@ -178,10 +202,10 @@ void Window::go_on_with_turntable() {
 }
 
 void Window::open_place() {
-  if (!state_.error.file.empty())
-    app::open_in_editor(state_.error.file, state_.error.line, state_.error.column);
+  if (const ErrorMessage& error = state_.shown_error(); !error.file.empty())
+    app::open_in_editor(error.file, error.line, error.column);
   else if (state_.case_pictures)
-    app::open_in_editor(state_.case_pictures->text.file, state_.case_pictures->text.first_line);
+    app::open_in_editor(state_.case_pictures->text.file, state_.case_pictures->text.line);
   else
     state_.message = "pick a case of a step first";
 }

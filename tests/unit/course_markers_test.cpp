@@ -173,5 +173,15 @@ TEST(Starter, has_no_solution_no_tests_and_no_right_answers) {
   EXPECT_THROW(starter_files(folder / "nowhere"), Error);
 }
 
+TEST(StepPlaces, are_those_of_the_file_as_it_is_now) {
+  const Folder folder;
+  const std::string first = "//@step 5.1 begin\n//@end\n//@step 5.2 begin\n//@end\n";
+  put(folder / "tree/.starter/labs/05_x/lab.cpp", first);
+  put(folder / "tree/labs/05_x/lab.cpp", "//@step 5.1 begin\none\ntwo\n//@end\n//@step 5.2 begin\n//@end\n");
+  EXPECT_EQ(step_places(folder / "tree").at("5.2").line, 5);
+  put(folder / "tree/labs/05_x/lab.cpp", "//@step 5.1 begin\n//@end\n");
+  EXPECT_EQ(step_places(folder / "tree").at("5.2").line, 3) << "without its marker: as at first";
+}
+
 }  // namespace
 }  // namespace texel::course

@@ -31,8 +31,11 @@ TEST(StepText, has_the_steps_lines_and_the_handouts_task) {
              "by:** us\n"
              "### 5.10 Other\n- **Write:** nothing\n");
   const StepText text = read_step_text(root.path(), "05_x", "5.1", "a.glsl", 2);
-  EXPECT_EQ(text.lines, (std::vector<std::string>{"  //@step 5.1 begin", "  return x;", "  //@end"}));
-  EXPECT_EQ(text.task, "a = b\nthe value, and more.");
+  EXPECT_EQ(text.lines,
+            (std::vector<std::string>{"vec3 f() {", "  //@step 5.1 begin", "  return x;", "  //@end"}));
+  EXPECT_EQ(text.line, 2);
+  EXPECT_EQ(text.first_line, 1);
+  EXPECT_EQ(text.task, "a = b\nWrite: the value, and more.");
 }
 
 TEST(StepText, stops_before_the_starters_text_and_bears_missing_files) {

@@ -85,7 +85,7 @@ check 'a click shows the pixel magnified' changed_from "$work/first"
 press j # a window that stands over the picture keeps no key away
 
 look "$work/dark" $panel
-xdotool mousemove --window "$window" 274 105 click 1
+xdotool mousemove --window "$window" 278 57 click 1
 is_light() { look "$work/now" 340x60+0+640 && (($(convert "$work/now" -colorspace gray -format '%[fx:mean>0.6]' info:) == 1)); }
 check 'the button Light makes the panel light' eventually is_light
 xdotool click 1

@@ -12,8 +12,6 @@
 
 #include "check/check.hpp"
 #include "commands.hpp"
-#include "core/plain_text.hpp"
-#include "core/process.hpp"
 #include "core/stopwatch.hpp"
 #include "core/watcher.hpp"
 #include "hints.hpp"
@@ -97,18 +95,8 @@ class Watch {
   bool build() {
     fmt::print("building…\n");
     std::fflush(stdout);
-    const Ran ran = run_program({"cmake", "--build", tree_.build.string(), "--target", lab_.program()}, true);
-    if (ran.exit_code == 0) return true;
-    std::string messages;
-    bool has_begun = ran.output.find("error:") == std::string::npos;
-    for (const std::string& line : lines_of(ran.output)) {
-      has_begun |= line.find("error:") != std::string::npos;
-      if (has_begun && !line.starts_with("ninja:") && !line.starts_with("[") && messages.size() < 2000)
-        messages += line + "\n";
-    }
-    // The compiler's paths begin in the build folder; editors open those that begin in the tree's root.
-    for (const std::string up = "../../"; messages.find(up) != std::string::npos;)
-      messages.erase(messages.find(up), up.size());
+    const std::string messages = grade::build_program(tree_, lab_);
+    if (messages.empty()) return true;
     fmt::print("Your code does not compile. The messages from the first error on:\n{}", wrapped(messages, 0));
     return false;
   }

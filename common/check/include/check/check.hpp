@@ -45,6 +45,10 @@ struct Draws {
 /// The programs of the tree, as they are built. `context` is their --context.
 Draws by_programs(const OwnTree& tree, const std::string& context);
 
+/// Builds a lab's program in its tree. Returns the compiler's messages from the first error on, their paths
+/// from the tree's root on, or "" when it was built. Throws Error (exit 3) without CMake.
+std::string build_program(const OwnTree& tree, const course::Lab& lab);
+
 /// Draws the public cases of the labs, and of those whose steps they need, and judges them as the grader
 /// does. A renderer in software draws, unless the environment asks for another or the machine has none; a
 /// note of each lab is its renderer_note. Steps that are as they were at first are said to be so. The build

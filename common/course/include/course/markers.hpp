@@ -63,8 +63,8 @@ std::string with_step_alone(const std::string& text, const std::string& file, co
 /// a line that begins with `//@step`. Sorted. Throws Error (exit 3) when there is none.
 std::vector<std::string> step_files(const std::filesystem::path& tree);
 
-/// Where each step is written in a student's tree, found in it or in the course's. Throws Error (exit 3) as
-/// markers_of.
+/// Where each step is written in a student's tree: in it as it is now, or, found in the course's, as a
+/// starter has it. Throws Error (exit 3) as markers_of.
 std::map<std::string, Place> step_places(const std::filesystem::path& tree);
 
 /// Where a student's tree keeps its files with steps as they were at first, by their path in the tree.

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: MIT
+# A student saves C++ in an open window: the lab is built, the compiler's message stands over the picture, and F5 opens
+# the new program with the same look.
+source "$(dirname "${BASH_SOURCE[0]}")/window.bash"
+
+# A tree with its own build folder, and a stand-in for CMake: it refuses a text with the word "broken", and else
+# builds the same program again.
+export TEXEL_ROOT=$work/root
+build=$TEXEL_ROOT/build/release
+mkdir -p "$build/bin" "$work/programs"
+cp -r "$source_root"/{shaders,labs,common} "$TEXEL_ROOT"
+ln -s "$source_root/assets" "$TEXEL_ROOT/assets"
+cp "$bin"/{lab05_normal_map,texel} "$build/bin"
+printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\n' "$TEXEL_ROOT" >"$build/CMakeCache.txt"
+text=$TEXEL_ROOT/common/mesh/tangents.cpp
+cat >"$work/programs/cmake" <<END
+#!/bin/sh
+echo "\$@" >>$work/asked
+if line=\$(grep -n broken $text); then
+  echo "../../common/mesh/tangents.cpp:\${line%%:*}:1: error: 'broken' does not name a type"
+  exit 1
+fi
+cp $bin/lab05_normal_map $build/bin/new && mv $build/bin/new $build/bin/lab05_normal_map
+END
+chmod +x "$work/programs/cmake"
+export PATH=$work/programs:$PATH
+bin=$build/bin
+
+check 'the window opens' open_lab lab05_normal_map --turn 0 --model torus
+check 'the picture comes to rest' settle "$work/first"
+is_checked() { look "$work/now" 330x300+0+100 && (($(pixels_of "$work/now" 115,217,128 4) > 200)); }
+check 'the steps are checked' eventually is_checked
+check 'nothing was built' test ! -e "$work/asked"
+
+cp "$text" "$work/good"
+sed -i '1s/$/\nbroken/' "$text"
+shows_red() { look "$work/now" 620x80+340+0 && (($(pixels_of "$work/now" 255,115,102 15) > 50)); }
+check "the compiler's message stands over the picture" eventually shows_red
+check 'the lab was asked for' grep -q -- "--build $build --target lab05_normal_map" "$work/asked"
+cp "$work/good" "$text"
+shows_no_red() { ! shows_red; }
+check 'mended, it goes' eventually shows_no_red
+check 'and the picture is as it was' returned_to "$work/first"
+
+# The status line says that F5 opens the new program.
+has_status() { look "$work/now" 330x36+0+684 && has_colours "$work/now" 8; }
+check 'the status line says that it was built again' eventually has_status
+press t
+check 'the window has lines of T, B and N' changed_from "$work/first"
+press F5
+reopened() { find_window && shows "$work/first"; }
+check 'F5 opens the new program with the same look' eventually reopened
+check 'Esc quits with exit code 0' quits_with 0
+check 'nothing stands on standard error' test ! -s "$work/errors"

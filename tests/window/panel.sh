@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: MIT
+# The panel's buttons and widgets by the mouse alone, each taken back; the buttons of the error, and of the pixel's panel.
+source "$(dirname "${BASH_SOURCE[0]}")/window.bash"
+
+# A lab without steps: the widgets stand where they are below.
+export TEXEL_ROOT=$work/root
+mkdir -p "$TEXEL_ROOT/labs/01_texture_quad" "$work/programs"
+cp -r "$source_root/shaders" "$TEXEL_ROOT"
+cp "$source_root/labs/01_texture_quad/lab.toml" "$TEXEL_ROOT/labs/01_texture_quad"
+ln -s "$source_root/assets" "$TEXEL_ROOT/assets"
+printf '#!/bin/sh\nprintf "%%s\\n" "$@" >%q\n' "$work/edited" >"$work/programs/editor"
+printf '#!/bin/sh\nfor last; do :; done\ncp "$last" %q\n' "$work/clipboard.png" >"$work/programs/xclip"
+chmod +x "$work"/programs/*
+export PATH=$work/programs:$PATH VISUAL=$work/programs/editor
+unset WAYLAND_DISPLAY
+
+panel=340x680+0+0 status=330x36+0+684
+click_at() { xdotool mousemove --window "$window" "$1" "$2" click 1; }
+drag() { # from x y by dx
+  xdotool mousemove --window "$window" "$1" "$2" sleep 0.3 mousedown 1 sleep 0.5 mousemove_relative --sync -- "$(($3 / 2))" 0 \
+    mousemove_relative --sync -- "$(($3 / 2))" 0 sleep 0.5 mouseup 1
+}
+# is_back FILE [GEOMETRY]: as returned_to. The mouse leaves for the title when the click was seen: its help hides a part.
+is_back_now() { shows "$@" || { sleep 1 && xdotool mousemove --window "$window" 300 10 && false; }; }
+is_back() { eventually is_back_now "$@"; }
+# opens X Y: a click there opens a list, or what stands in the middle of the panel changes otherwise.
+opens() { xdotool mousemove --window "$window" 300 10 && sleep 0.5 && look "$work/closed" 300x300+8+210 && click_at "$@" && changed_from "$work/closed" 300x300+8+210; }
+
+check 'the window opens' open_lab lab01_texture_quad
+check 'the picture comes to rest' settle "$work/first"
+
+click_at 232 57
+check 'Keys shows the keys' changed_from "$work/first"
+click_at 232 57
+check 'and hides them' is_back "$work/first"
+click_at 29 57
+check 'Looks shows the looks' changed_from "$work/first"
+click_at 936 21
+check 'and their cross closes them' is_back "$work/first"
+
+check 'a click opens the list of textures' opens 220 272
+press Escape
+check 'Esc closes the list alone' is_back "$work/closed" 300x300+8+210
+check 'a click opens it again' opens 220 272
+click_at 150 405
+check 'another texture is shown' changed_from "$work/first"
+click_at 138 57
+check 'Undo takes it back' is_back "$work/first"
+click_at 186 57
+check 'Redo brings it again' changed_from "$work/first"
+click_at 85 57
+check 'Default sets the look of the start' is_back "$work/first"
+
+click_at 138 297
+check 'the box flips the texture' changed_from "$work/first"
+click_at 138 297
+check 'and back' is_back "$work/first"
+drag 214 345 40
+check 'the slider scales the texture' changed_from "$work/first"
+click_at 138 57
+check 'in one change' is_back "$work/first"
+click_at 296 345
+check 'reset sets the default scale' changed_from "$work/first"
+click_at 138 57
+check 'Undo takes it back' is_back "$work/first"
+
+click_at 217 153
+check 'the view depth is shown' changed_from "$work/first"
+click_at 18 153
+check 'and the colours again' is_back "$work/first"
+
+check 'a click opens what can be compared' opens 220 200
+click_at 155 298
+has_line() { look "$work/now" 1x600+$1+20 && (($(pixels_of "$work/now" 235,235,235 8) > 500)); }
+check 'the picture is split in the middle' eventually has_line 650
+drag 650 400 100
+check 'the line can be dragged' eventually has_line 750
+look "$work/linear" 180x600+760+20
+check 'a click opens the values of the right side' opens 220 224
+click_at 150 286
+check 'another value is shown there' changed_from "$work/linear" 180x600+760+20
+check 'the list again' opens 220 200
+click_at 155 226
+check 'nothing is compared' is_back "$work/first"
+
+click_at 110 105
+sleep 0.5
+press ctrl+a
+xdotool type --window "$window" --delay 60 mine.toml
+click_at 252 105
+check 'Save writes the file that was typed' eventually test -s "$work/mine.toml"
+drag 214 345 40
+check 'another scale' changed_from "$work/first"
+click_at 298 105
+check 'Load reads it' is_back "$work/first"
+
+click_at 40 81
+check 'Snapshot writes a picture' eventually test -s "$work/lab01_texture_quad-001.png"
+click_at 100 81
+check 'Copy copies one' eventually test -s "$work/clipboard.png"
+look "$work/status" $status
+click_at 162 81
+check 'Command shows the command line' changed_from "$work/status" $status
+
+look "$work/open" $panel
+click_at 100 249
+check 'a heading closes its section' changed_from "$work/open" $panel
+settle "$work/closed" $panel
+click_at 100 249
+check 'and opens it' changed_from "$work/closed" $panel
+# Right of the edge, where the panel has no text.
+is_panel() { look "$work/now" 20x50+350+610 && (($(colours "$work/now") == 1)); }
+drag 336 716 60
+check "the panel's corner can be dragged" eventually is_panel
+drag 396 716 -60
+check 'and back' is_back "$work/first"
+
+shader=$TEXEL_ROOT/shaders/01_texture_quad/sample_color.glsl
+cp "$shader" "$work/good"
+printf 'float broken() { return nothing; }\nfloat more() { return nothing; }\n' >>"$shader"
+shows_red() { look "$work/now" 620x60+340+0 && (($(pixels_of "$work/now" 255,115,102 15) > 50)); }
+check 'an error stands over the picture' eventually shows_red
+settle "$work/error"
+click_at 503 64
+check 'its button shows all messages' changed_from "$work/error"
+click_at 503 64
+check 'and only the first' is_back "$work/error"
+click_at 406 64
+check 'Open in editor opens the file' eventually test -s "$work/edited"
+cp "$work/good" "$shader"
+check 'mended, the picture is back' is_back "$work/first"
+
+click_at 650 500
+check 'a click shows the pixel' changed_from "$work/first"
+settle "$work/pixel"
+press Escape
+check 'Esc closes its panel' is_back "$work/first"
+check 'Esc quits with exit code 0' quits_with 0
+check 'nothing stands on standard error' test ! -s "$work/errors"
+
+export TEXEL_ROOT=$source_root
+check 'lab 5 opens' open_lab lab05_normal_map --turn 0
+check 'the picture comes to rest' settle "$work/first"
+click_at 650 390
+check 'a click shows the pixel' changed_from "$work/first"
+settle "$work/pixel"
+click_at 721 19
+check 'the cross closes the panel' is_back "$work/first"
+click_at 650 390
+check 'the pixel again' is_back "$work/pixel"
+click_at 465 171
+check 'a tab shows the other texture' changed_from "$work/pixel"
+press Escape
+check 'Esc closes the panel' is_back "$work/first"
+check 'Esc quits with exit code 0' quits_with 0
+check 'nothing stands on standard error' test ! -s "$work/errors"
