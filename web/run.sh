@@ -2,7 +2,7 @@
 # shellcheck shell=bash
 # ./run web: the labs as pages with WebAssembly.
 
-web_packages=(cmake ninja-build ccache emscripten node-acorn libglm-dev libfmt-dev libstb-dev libtomlplusplus-dev nlohmann-json3-dev)
+web_packages=(cmake ninja-build ccache emscripten node-acorn webp libglm-dev libfmt-dev libstb-dev libtomlplusplus-dev nlohmann-json3-dev)
 
 # Compiles the labs of a tree into a build folder.
 compile_engine() { # tree, build folder

@@ -7,7 +7,7 @@ import { createGzip } from "node:zlib";
 
 const types = {
   ".html": "text/html; charset=utf-8", ".mjs": "text/javascript", ".js": "text/javascript", ".css": "text/css",
-  ".json": "application/json", ".wasm": "application/wasm", ".svg": "image/svg+xml", ".png": "image/png", ".jpg": "image/jpeg",
+  ".json": "application/json", ".wasm": "application/wasm", ".svg": "image/svg+xml", ".png": "image/png", ".jpg": "image/jpeg", ".webp": "image/webp",
   ".woff2": "font/woff2", ".webmanifest": "application/manifest+json",
 };
 const isSmaller = (type) => /^(text|application)\/|svg/.test(type);

@@ -51,6 +51,12 @@ async function bundle() {
   write("site/style.css", (await esbuild.transform(css, { loader: "css", minify: true })).code);
 }
 
+/** The engine's scripts, which lie in out/ already, without comments and long names. */
+async function shrinkEngine() {
+  for (const file of filesBelow(join(out, "engine")).filter((name) => name.endsWith(".mjs")))
+    writeFileSync(file, (await esbuild.transform(readFileSync(file, "utf8"), { minify: true, target: "es2022" })).code);
+}
+
 /** KaTeX' style and fonts; formulas are typeset already. */
 function mathFonts() {
   const from = join(here, "node_modules/katex/dist");
@@ -107,6 +113,7 @@ function serviceWorker() {
 }
 
 await bundle();
+await shrinkEngine();
 mathFonts();
 pages();
 serviceWorker();
