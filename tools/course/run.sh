@@ -6,7 +6,7 @@ packages+=(libarchive-dev libsodium-dev libsqlite3-dev bubblewrap)
 # Debian 13 does not have it.
 optional_packages+=(similarity-tester)
 format_packages=(clang-format)
-test_packages=(libgtest-dev libtinyobjloader-dev xvfb xauth xdotool x11-utils imagemagick chromium python3)
+test_packages=(libgtest-dev libtinyobjloader-dev xvfb xauth xdotool x11-utils imagemagick chromium webp python3)
 bench_packages=(libbenchmark-dev libosmesa6-dev libtinyobjloader-dev xvfb xauth chromium)
 all_packages=(clang-tidy parallel mmdebstrap debian-archive-keyring slurmctld slurmd slurm-client munge)
 

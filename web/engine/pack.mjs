@@ -36,6 +36,15 @@ function pack(path) {
   listing.packed.push(path);
   cpSync(kept, join(out, "tree", path.replace(/png$/, "webp")));
 }
+/// C++ is not compiled here: what stands between the markers is kept, at its lines.
+function stepsAlone(text) {
+  let inside = false;
+  return text.split("\n").map((line) => {
+    const isMarker = /^\s*\/\/@/.test(line);
+    if (isMarker) inside = !line.includes("//@end");
+    return isMarker || inside ? line : "";
+  }).join("\n");
+}
 const hasStep = (text) => /^\s*\/\/@step /m.test(text);
 for (const path of all) {
   const source = join(tree, path);
@@ -43,7 +52,8 @@ for (const path of all) {
   if (!isPicture) {
     if (!/\.(glsl|vert|frag|toml|cpp|hpp)$/.test(path)) continue;
     const text = readFileSync(source, "utf8");
-    if (/\.(cpp|hpp)$/.test(path) ? hasStep(text) : true) listing.texts[path] = text;
+    if (!/\.(cpp|hpp)$/.test(path)) listing.texts[path] = text;
+    else if (hasStep(text)) listing.texts[path] = stepsAlone(text);
     continue;
   }
   if (/\.(md|sha256)$|LICENSE/.test(path)) continue;

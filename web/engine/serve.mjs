@@ -28,7 +28,14 @@ export async function serve(folder, prefix = "/", port = 0) {
     }
     const type = types[extname(file)] ?? "application/octet-stream";
     const head = { "content-type": type, "cache-control": "no-cache" };
-    const zips = isSmaller(type) && /\bgzip\b/.test(request.headers["accept-encoding"] ?? "");
+    const accepted = request.headers["accept-encoding"] ?? "", packed = statSync(`${file}.br`, { throwIfNoEntry: false });
+    if (packed && /\bbr\b/.test(accepted)) {
+      response.writeHead(200, { ...head, "content-encoding": "br", "content-length": packed.size, vary: "accept-encoding" });
+      if (request.method === "HEAD") response.end();
+      else createReadStream(`${file}.br`).pipe(response);
+      return;
+    }
+    const zips = isSmaller(type) && /\bgzip\b/.test(accepted);
     if (zips) response.writeHead(200, { ...head, "content-encoding": "gzip", vary: "accept-encoding" });
     else response.writeHead(200, { ...head, "content-length": status.size });
     if (request.method === "HEAD") response.end();

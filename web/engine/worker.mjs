@@ -92,7 +92,7 @@ function load(path) {
   return new Uint8Array(request.response);
 }
 
-/// With `lab`, that lab is opened at once.
+/// With `lab`, that lab is opened at once. `files`: the values of its first picture, whose files are loaded meanwhile.
 async function start(options) {
   timeOrigin = options.timeOrigin;
   canvas = options.canvas ?? new OffscreenCanvas(16, 16);
@@ -104,9 +104,11 @@ async function start(options) {
     event.preventDefault();
     postMessage({ lost: "The browser took the graphics away." });
   });
-  const listing = await tree, { default: createEngine } = await glue, compiled = await program;
+  const listing = await tree;
   unread = new Set(Object.keys(listing.files));
   if (isExact()) packed = new Set(listing.packed);
+  const first = loadAhead(options.files ?? {});
+  const { default: createEngine } = await glue, compiled = await program;
   module = await createEngine({
     preRun: [(m) => { mount(m.FS, listing); m.FS.chdir("/tree"); m.ENV.TEXEL_ROOT = "/tree"; m.ENV.TEXEL_THREADS = "1"; }],
     instantiateWasm: (imports, done) => {
@@ -118,6 +120,7 @@ async function start(options) {
   });
   module.GL.makeContextCurrent(module.GL.registerContext(gl, { majorVersion: 2, minorVersion: 0, enableExtensionsByDefault: 1 }));
   if (options.lab !== undefined) ask("open", { lab: options.lab });
+  await first;
   return { kind: listing.kind, labs: listing.labs };
 }
 

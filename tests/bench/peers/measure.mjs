@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 // node tests/bench/peers/measure.mjs [ROUNDS] [--json]: our page of lab 9 and three.js' page of the same mirror ball
-// (mirror_ball.js), in turns, in headless Chromium with SwiftShader; each time in a new browser, which has nothing cached.
-// Prints the medians, or all rounds as JSON: [{ours: {…}, theirs: {…}}] with
-// - cold_ms: from the start of the browser to the first picture,
-// - first_picture_ms: from navigation to the first picture; bytes: loaded when the page says that it is ready,
+// (mirror_ball.js), in turns, in headless Chromium with SwiftShader. Prints the medians, or all rounds as JSON:
+// [{ours: {…}, theirs: {…}}] with
+// - cold_ms: of three.js, from the start of a browser to the first picture,
+// - first_picture_ms: from navigation to the first picture, and bytes: loaded when the page says that it is ready. In a browser
+//   that runs and has drawn both, on a fresh page without a cache,
 // - antialiased_ms, plain_ms: a picture of 512x512 with 4 samples a pixel and with one, the median of several.
 // Both draw the same picture: one cube map and one normal map of 512x512 with all mipmaps, trilinear, a ball of 128x64 quads, the
 // background. Needs out/web (./run web) and, in this folder, npm ci. Numbers of a busy machine are worth nothing.
-import { cpSync, existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { brotliCompressSync } from "node:zlib";
 import { enginePage, launch } from "../../web_site/browser.mjs";
 import { serve } from "../../../web/engine/serve.mjs";
 
@@ -31,39 +33,43 @@ for (const assets of ["assets/cube_maps/scene", "assets/normal_maps"]) {
   cpSync(join(tree, assets), join(folder, assets), { recursive: true });
 }
 
+const code = readFileSync(join(folder, "peer.js"));
+writeFileSync(join(folder, "peer.js.br"), brotliCompressSync(code));  // as our page's
+
 const median = (values) => values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)];
 const peers = await serve(folder), ours = await serve(join(tree, "out/web"));
 
-/** What `ask` gives on a page. */
+/** What `ask` gives on a fresh page. */
 async function visit(browser, url, ask) {
-  const page = await browser.newPage();
+  const context = await browser.createBrowserContext(), page = await context.newPage();
   await page.setViewport({ width: 1300, height: 900 });  // the lab's picture has 596x480 pixels there
   await page.goto(url);
   const result = await page.evaluate(ask, kFrames);
-  await page.close();
+  await context.close();
   return result;
 }
 
+const visitTheirs = (browser, query) => visit(browser, `${peers.url}${query}`, async (frames) => {
+  const { first_picture_ms, bytes } = await window.peer.ready, times = [];
+  for (let i = 0; i < frames; ++i) {
+    await new Promise(requestAnimationFrame);
+    times.push(window.peer.draw());
+  }
+  return { first_picture_ms, first_picture_at: performance.timeOrigin + first_picture_ms, bytes, times };
+});
+const visitOurs = (browser) => visit(browser, `${ours.url}09_bump/index.html?look=default`, async () => {
+  await window.texel.ready;
+  const { first_picture_ms, bytes } = window.texel.figures();
+  return { first_picture_ms, bytes };
+});
+
 async function drawTheirs(browser) {
-  const draw = async (frames) => {
-    const first = await window.peer.ready, times = [];
-    for (let i = 0; i < frames; ++i) {
-      await new Promise(requestAnimationFrame);
-      times.push(window.peer.draw());
-    }
-    return { ...first, first_picture_at: performance.timeOrigin + first.first_picture_ms, times };
-  };
-  const { times, ...first } = await visit(browser, `${peers.url}?antialias`, draw), plain = await visit(browser, peers.url, draw);
-  return { ...first, antialiased_ms: median(times), plain_ms: median(plain.times) };
+  const { first_picture_ms, bytes, times } = await visitTheirs(browser, "?antialias");
+  return { first_picture_ms, bytes, antialiased_ms: median(times), plain_ms: median((await visitTheirs(browser, "")).times) };
 }
 
 async function drawOurs(browser) {
-  const { first_picture_ms, bytes, first_picture_at } = await visit(browser, `${ours.url}09_bump/index.html?look=default`, async () => {
-    await window.texel.ready;
-    const figures = window.texel.figures();
-    return { ...figures, first_picture_at: performance.timeOrigin + figures.first_picture_ms };
-  });
-  const engine = await enginePage(browser, join(tree, "out/web"));
+  const first = await visitOurs(browser), engine = await enginePage(browser, join(tree, "out/web"));
   await engine.call("open", 9);
   await engine.call("resize", 512, 512);
   const frame = async (samples) => {
@@ -72,28 +78,26 @@ async function drawOurs(browser) {
     for (let i = 0; i < kFrames; ++i) times.push((await engine.call("frame")).frame_ms);
     return median(times);
   };
-  const result = { first_picture_at, first_picture_ms, bytes, antialiased_ms: await frame(4), plain_ms: await frame(1) };
+  const result = { ...first, antialiased_ms: await frame(4), plain_ms: await frame(1) };
+  await engine.page.close();
   engine.close();
   return result;
-}
-
-async function inNewBrowser(draw) {
-  const begin = Date.now(), browser = await launch();
-  try {
-    const { first_picture_at, ...figures } = await draw(browser);
-    return { cold_ms: first_picture_at - begin, ...figures };
-  } finally {
-    await browser.close();
-  }
 }
 
 const all = [];
 try {
   for (let round = 0; round < rounds; ++round) {
-    const one = {};
-    // Who comes second finds the machine as the first left it: they change places.
-    for (const who of round % 2 === 0 ? ["ours", "theirs"] : ["theirs", "ours"])
-      one[who] = await inNewBrowser(who === "ours" ? drawOurs : drawTheirs);
+    const one = {}, begin = Date.now(), browser = await launch();
+    try {
+      const cold_ms = (await visitTheirs(browser, "?antialias")).first_picture_at - begin;
+      await visitOurs(browser);
+      // Who comes second finds the machine as the first left it: they change places.
+      for (const who of round % 2 === 0 ? ["ours", "theirs"] : ["theirs", "ours"])
+        one[who] = await (who === "ours" ? drawOurs : drawTheirs)(browser);
+      one.theirs.cold_ms = cold_ms;
+    } finally {
+      await browser.close();
+    }
     all.push(one);
   }
 } finally {

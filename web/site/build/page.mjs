@@ -51,15 +51,20 @@ function looksList(looks, thumbnails) {
   return `<ul class="looks">\n${items.join("\n")}\n</ul>`;
 }
 
-/** Starts the engine with the lab before the page's own script is there, which takes it over (engine/client.mjs). */
-const early = (lab) => `if (location.protocol !== "file:" && "OffscreenCanvas" in window) {
+/**
+ * Starts the engine with the lab before the page's own script is there, which takes it over (engine/client.mjs). Names the files of
+ * the first picture: of the address, or of the best look (src/lab.js).
+ */
+const early = ({ number, files, looks }) => `if (location.protocol !== "file:" && "OffscreenCanvas" in window) {
   const worker = new Worker("../engine/worker.mjs", { type: "module" }), canvas = document.createElement("canvas");
   const started = new Promise((done) => {
     worker.addEventListener("message", ({ data }) => done(data), { once: true });
     worker.addEventListener("error", ({ message }) => done({ error: { message: message || "the engine cannot be loaded" } }));
   });
+  const asked = new URLSearchParams(location.search || "${query(looks.find((look) => look.hero) ?? {})}");
+  const files = Object.fromEntries(Object.entries(${JSON.stringify(files)}).map(([name, value]) => [name, asked.get(name) ?? value]));
   const surface = canvas.transferControlToOffscreen();
-  worker.postMessage({ id: 0, call: "start", args: { canvas: surface, timeOrigin: performance.timeOrigin, lab: ${lab} } }, [surface]);
+  worker.postMessage({ id: 0, call: "start", args: { canvas: surface, timeOrigin: performance.timeOrigin, lab: ${number}, files } }, [surface]);
   globalThis.texelEarly = { worker, canvas, started };
 }`.replace(/\n\s*/g, " ");
 
@@ -104,7 +109,7 @@ ${handout}<footer>${beside(labs[at - 1], "Lab")}${beside(labs[at + 1], "Lab")}</
     root: "../",
     body,
     classes: "of-lab",
-    script: `<script>${early(lab.number)}</script>\n` +
+    script: `<script>${early(lab)}</script>\n` +
       `<link rel="stylesheet" href="../site/katex/katex.css">\n<link rel="modulepreload" href="../engine/client.mjs">\n<script type="module" src="../site/lab.js"></script>\n` +
       `<script>if (location.protocol === "file:") addEventListener("DOMContentLoaded", () => { document.querySelector(".waiting").textContent = ` +
       `"A browser does not run this page from a file. In the folder of the pages type: python3 -m http.server"; });</script>\n`,
