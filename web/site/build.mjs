@@ -53,10 +53,13 @@ async function bundle() {
   write("site/style.css", (await esbuild.transform(css, { loader: "css", minify: true })).code);
 }
 
-/** The engine's scripts, which lie in out/ already, without comments and long names. */
+/** The engine's scripts, which lie in out/ already: each with what it includes, without comments and long names. */
 async function shrinkEngine() {
-  for (const file of filesBelow(join(out, "engine")).filter((name) => name.endsWith(".mjs")))
-    writeFileSync(file, (await esbuild.transform(readFileSync(file, "utf8"), { minify: true, target: "es2022" })).code);
+  const engine = join(out, "engine");
+  await esbuild.build({
+    absWorkingDir: engine, entryPoints: readdirSync(engine).filter((name) => name.endsWith(".mjs")), outdir: engine, outExtension: { ".js": ".mjs" },
+    allowOverwrite: true, bundle: true, format: "esm", minify: true, target: ["es2022"], external: ["./engine.mjs"], logLevel: "error",
+  });
 }
 
 /** KaTeX' style and fonts; formulas are typeset already. */
@@ -77,7 +80,7 @@ function pages() {
     for (const look of lab.looks) {
       const picture = galleryPicture(gallery, lab, look);
       if (!picture) continue;
-      write(`${lab.folder}/looks/${look.name}.webp`, smallPicture(picture, 144, 144, 72));
+      write(`${lab.folder}/looks/${look.name}.webp`, smallPicture(picture, 144, 144, 68));
       thumbnails.set(look.name, `looks/${look.name}.webp`);
     }
     const markdown = readFileSync(join(tree, "labs", lab.folder, "README.md"), "utf8");
@@ -97,7 +100,7 @@ function pages() {
   write("index.html", indexPage({ labs, heroes, kind }));
   for (const picture of copies) {
     const bytes = readFileSync(docs(`pictures/${picture}`));
-    if (picture.endsWith(".png")) write(`pictures/${picture.replace(/png$/, "webp")}`, asWebp(bytes));
+    if (picture.endsWith(".png")) write(`pictures/${picture.replace(/png$/, "webp")}`, asWebp(bytes, 88));
     else write(`pictures/${picture}`, bytes);
   }
 }

@@ -14,10 +14,9 @@ export function pngSize(file) {
 const linear = Float64Array.from({ length: 256 }, (_, i) => (i / 255 <= 0.04045 ? i / 255 / 12.92 : ((i / 255 + 0.055) / 1.055) ** 2.4));
 const encoded = (value) => Math.round(255 * (value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055));
 
-/** A PNG (its bytes) as WebP; without a quality it loses nothing. */
+/** A PNG (its bytes) as WebP of a quality, 0 to 100. */
 export function asWebp(png, quality) {
-  const how = quality === undefined ? ["-lossless"] : ["-q", String(quality)];
-  return execFileSync("cwebp", ["-quiet", ...how, "-o", "-", "--", "-"], { input: png, maxBuffer: 1 << 24 });
+  return execFileSync("cwebp", ["-quiet", "-q", String(quality), "-o", "-", "--", "-"], { input: png, maxBuffer: 1 << 24 });
 }
 
 /** The middle of a PNG, fitted to width x height by averaging in linear light, as WebP. */
