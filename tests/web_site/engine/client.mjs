@@ -21,6 +21,7 @@ export async function startEngine({ canvas, onLost, onStuck, patience = 8000 }) 
   worker.onerror = (event) => console.error(event.message, event.lineno);
   worker.onmessage = ({ data }) => {
     if (data.lost) return onLost(data.lost);
+    if (!waiting.has(data.id)) return;  // the page's own start
     const { done, failed } = waiting.get(data.id);
     waiting.delete(data.id);
     watch();
