@@ -16,8 +16,8 @@ const isSmaller = (type) => /^(text|application)\/|svg/.test(type);
 export async function serve(folder, prefix = "/", port = 0) {
   const server = createServer((request, response) => {
     const path = decodeURIComponent(new URL(request.url, "http://localhost").pathname);
-    let file = path.startsWith(prefix) ? join(folder, normalize(`/${path.slice(prefix.length)}`)) : "";
-    let status = file && statSync(file, { throwIfNoEntry: false });
+    let file = path.startsWith(prefix) ? join(folder, normalize(`/${path.slice(prefix.length)}`)) : null;
+    let status = file === null ? null : statSync(file, { throwIfNoEntry: false });
     if (status?.isDirectory()) {
       file = join(file, "index.html");
       status = statSync(file, { throwIfNoEntry: false });
