@@ -95,6 +95,10 @@ function load(path) {
 /// With `lab`, that lab is opened at once. `files`: the values of its first picture, whose files are loaded meanwhile.
 async function start(options) {
   timeOrigin = options.timeOrigin;
+  const listing = await tree;
+  unread = new Set(Object.keys(listing.files));
+  if (isExact()) packed = new Set(listing.packed);
+  const first = loadAhead(options.files ?? {});
   canvas = options.canvas ?? new OffscreenCanvas(16, 16);
   gl = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false, stencil: false });
   if (!gl) throw { message: "This browser has no WebGL 2. Use a current Firefox, Chrome, Edge or Safari.", kind: "failed" };
@@ -104,10 +108,6 @@ async function start(options) {
     event.preventDefault();
     postMessage({ lost: "The browser took the graphics away." });
   });
-  const listing = await tree;
-  unread = new Set(Object.keys(listing.files));
-  if (isExact()) packed = new Set(listing.packed);
-  const first = loadAhead(options.files ?? {});
   const { default: createEngine } = await glue, compiled = await program;
   module = await createEngine({
     preRun: [(m) => { mount(m.FS, listing); m.FS.chdir("/tree"); m.ENV.TEXEL_ROOT = "/tree"; m.ENV.TEXEL_THREADS = "1"; }],

@@ -3,7 +3,8 @@
 import { query } from "./course.mjs";
 import { escaped } from "./handout.mjs";
 
-function document({ title, description, root, body, script = "", classes }) {
+/** `first` comes before the styles, which scripts wait for. */
+function document({ title, description, root, body, first = "", script = "", classes }) {
   return `<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -13,7 +14,7 @@ function document({ title, description, root, body, script = "", classes }) {
 <meta name="description" content="${escaped(description)}">
 <link rel="icon" href="data:,">
 <title>${escaped(title)}</title>
-<link rel="stylesheet" href="${root}site/style.css">
+${first}<link rel="stylesheet" href="${root}site/style.css">
 ${script}</head>
 <body class="${classes}">
 ${body}</body>
@@ -109,7 +110,8 @@ ${handout}<footer>${beside(labs[at - 1], "Lab")}${beside(labs[at + 1], "Lab")}</
     root: "../",
     body,
     classes: "of-lab",
-    script: `<script>${early(lab)}</script>\n` +
+    first: `<script>${early(lab)}</script>\n`,
+    script:
       `<link rel="stylesheet" href="../site/katex/katex.css">\n<link rel="modulepreload" href="../engine/client.mjs">\n<script type="module" src="../site/lab.js"></script>\n` +
       `<script>if (location.protocol === "file:") addEventListener("DOMContentLoaded", () => { document.querySelector(".waiting").textContent = ` +
       `"A browser does not run this page from a file. In the folder of the pages type: python3 -m http.server"; });</script>\n`,
