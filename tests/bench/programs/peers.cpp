@@ -48,12 +48,14 @@ void measure_peers(const Options& options, Report& report) {
   report.begin(
       "Beside three.js",
       "Lab 9's ball by three.js (`tests/bench/peers`): the same cube map, normal map, mesh and filters, in "
-      "headless Chromium, which draws by SwiftShader, each time in a new browser. A page's first picture is "
-      "timed from navigation; the others are one of many, of 512x512. Our page comes with its handout, all "
-      "labs and the judge, and its pictures as lossless WebP; three.js' loads the tree's PNG files. Our "
-      "program draws by llvmpipe: a picture of many with 4 samples, and one from the start of the process to "
-      "its end with the driver's cache of shaders, beside the time from the start of Chromium to three.js' "
-      "first picture.");
+      "headless Chromium, which draws by SwiftShader. Pages: the first picture from navigation on, in a "
+      "browser that has drawn both but keeps no files; one of many pictures of 512x512 with 4 samples a "
+      "pixel "
+      "and with one; what is loaded, as brotli compresses it. Our page comes with its handout, all labs and "
+      "the judge, which the browser compiles and lays out while it waits for the picture, and with its "
+      "pictures as lossless WebP; three.js' page loads the tree's PNG files. Our program draws by llvmpipe: "
+      "one of many pictures with 4 samples; and one from the start of the process to its end, with the "
+      "driver's cache of shaders, beside three.js' first one from the start of Chromium.");
   const std::vector<std::string> cached = {"MESA_SHADER_CACHE_DISABLE=false",
                                            "MESA_SHADER_CACHE_DIR=" + options.work_file("shaders")};
   const auto snapshot_ms = [&] {
