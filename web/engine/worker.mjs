@@ -16,6 +16,7 @@ let module, canvas, gl, firstPicture = null, frameMs = 0, timeOrigin = performan
 let unread;  // paths of the files that nobody has read
 let packed = new Set();  // paths of the PNGs that come as WebP
 const ahead = new Map();  // files that came before the C++ asked for them
+let coming = Promise.resolve();  // those that were asked for
 
 /// The tree as the C++ sees it, in /tree: texts are there at once, other files are loaded when they are first read.
 function mount(FS, { texts, files }) {
@@ -59,12 +60,12 @@ async function fetched(path) {
 
 /// Loads the files of these parameters' values side by side: the C++ would ask for one after the other. A `cube_map`
 /// "scene" is all of assets/cube_maps/scene; what is no map and no model lies in assets/textures.
-async function loadAhead(values) {
+function loadAhead(values) {
   const wanted = Object.entries(values).flatMap(([name, value]) => {
     const folder = [...unread].some((path) => path.startsWith(`assets/${name}s/`)) ? `${name}s` : "textures";
     return [...unread].filter((path) => [".", "/"].some((end) => path.startsWith(`assets/${folder}/${value}${end}`)));
   });
-  await Promise.all(wanted.map(async (path) => {
+  return (coming = Promise.all([coming, ...wanted.map(async (path) => {
     unread.delete(path);
     try {
       ahead.set(path, packed.has(path)
@@ -73,7 +74,7 @@ async function loadAhead(values) {
     } catch (error) {
       console.warn(error);  // the C++ asks for it again, and says what fails
     }
-  }));
+  })]).then(() => {}));
 }
 
 /// The C++ waits for the file, so this is the one place for a request that blocks; a worker may do that.
@@ -98,7 +99,7 @@ async function start(options) {
   const listing = await tree;
   unread = new Set(Object.keys(listing.files));
   if (isExact()) packed = new Set(listing.packed);
-  const first = loadAhead(options.files ?? {});
+  loadAhead(options.files ?? {});
   canvas = options.canvas ?? new OffscreenCanvas(16, 16);
   gl = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false, stencil: false });
   if (!gl) throw { message: "This browser has no WebGL 2. Use a current Firefox, Chrome, Edge or Safari.", kind: "failed" };
@@ -120,7 +121,6 @@ async function start(options) {
   });
   module.GL.makeContextCurrent(module.GL.registerContext(gl, { majorVersion: 2, minorVersion: 0, enableExtensionsByDefault: 1 }));
   if (options.lab !== undefined) ask("open", { lab: options.lab });
-  await first;
   return { kind: listing.kind, labs: listing.labs };
 }
 
