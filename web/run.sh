@@ -2,7 +2,7 @@
 # shellcheck shell=bash
 # ./run web: the labs as pages with WebAssembly.
 
-web_packages=(cmake ninja-build ccache emscripten node-acorn libglm-dev libfmt-dev libstb-dev libtomlplusplus-dev nlohmann-json3-dev)
+web_packages=(cmake ninja-build ccache emscripten node-acorn webp libglm-dev libfmt-dev libstb-dev libtomlplusplus-dev nlohmann-json3-dev)
 
 # Compiles the labs of a tree into a build folder.
 compile_engine() { # tree, build folder
@@ -63,7 +63,7 @@ web() { # --serve [PORT], --starter
   if [[ -e $root/web/site/package.json ]]; then
     say "Making the pages"
     (cd "$root/web/site" && { [[ node_modules/.package-lock.json -nt package-lock.json ]] || npm ci --no-audit --no-fund --loglevel=error; } &&
-      npm run --silent build -- --out "$out" --tree "$tree" --gallery "$root/out/gallery") || fail 3 "the pages could not be made"
+      npm run --silent build -- --out "$out" --tree "$tree" --gallery "$root/out/gallery" --programs "$root/build/release/bin") || fail 3 "the pages could not be made"
   fi
   say "Ready after $SECONDS s"
   printf 'static files for any web server   %s\n' "$out"

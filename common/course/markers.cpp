@@ -257,7 +257,7 @@ std::vector<std::string> step_files(const std::filesystem::path& tree) {
       const std::filesystem::directory_entry& entry = *at;
       if (entry.path().filename() == "expected") at.disable_recursion_pending();  // pictures
       if (entry.is_regular_file() && !entry.is_symlink() && has_marker(read_file(entry.path())))
-        files.push_back(std::filesystem::relative(entry.path(), tree).generic_string());
+        files.push_back(entry.path().lexically_relative(tree).generic_string());
     }
   if (files.empty())
     throw Error::failed("contains no file with steps (//@step)", {tree.string()},

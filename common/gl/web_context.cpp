@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <glad/gl.h>
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,24 @@ void tell(GLuint program) {
   glUniform2f(glGetUniformLocation(program, kShift), shift_x, shift_y);
   glUniform2f(glGetUniformLocation(program, kPictureSize), static_cast<float>(width),
               static_cast<float>(height));
+}
+
+/// What draws, as far as the browser tells.
+std::string renderer_name() {
+  const auto* name = reinterpret_cast<const char*>(glGetString(kUnmaskedRenderer));
+  static_cast<void>(glGetError());  // where the browser does not tell
+  return name != nullptr ? name : reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+}
+
+/// Whether a renderer that draws with the processor reads such textures better as floats. No page can tell
+/// it how to read them (gl::Shaders). Mesa's llvmpipe filters bytes that are no colours in 8 bits, up to 10
+/// of their steps off. SwiftShader decodes each texel that it filters by a power function, roughly: with
+/// floats lab 9's ball takes two thirds of the time, and its colours differ by one level in 0.1 % of the
+/// pixels.
+bool reads_floats_better(GLint internal) {
+  static const std::string name = renderer_name();
+  const char* renderer = internal == GL_RGB8 ? "llvmpipe" : internal == GL_SRGB8 ? "SwiftShader" : nullptr;
+  return renderer != nullptr && name.find(renderer) != std::string::npos;
 }
 
 class WebContext : public Context {
@@ -90,31 +109,42 @@ void set_viewport(GLint x, GLint y, GLsizei width_, GLsizei height_) {
 
 void upload_image(GLenum target, GLint level, GLint internal, GLsizei columns, GLsizei rows, GLint border,
                   GLenum format, GLenum type, const void* data) {
-  if (internal != GL_SRGB8 || data == nullptr) {
+  const bool as_floats = reads_floats_better(internal);
+  if ((!as_floats && internal != GL_SRGB8) || data == nullptr) {
     (glTexImage2D)(target, level, internal, columns, rows, border, format, type, data);
     return;
   }
   GLint alignment = 4;
   glGetIntegerv(GL_UNPACK_ALIGNMENT, &alignment);
-  const auto width3 = static_cast<std::size_t>(columns) * 3, unit = static_cast<std::size_t>(alignment);
-  const std::size_t stride = (width3 + unit - 1) / unit * unit;
-  std::vector<unsigned char> opaque;
-  opaque.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) * 4);
+  const auto width = static_cast<std::size_t>(columns), height = static_cast<std::size_t>(rows),
+             unit = static_cast<std::size_t>(alignment), stride = (3 * width + unit - 1) / unit * unit;
   const auto* bytes = static_cast<const unsigned char*>(data);
-  for (std::size_t y = 0; y < static_cast<std::size_t>(rows); ++y)
-    for (std::size_t x = 0; x < static_cast<std::size_t>(columns); ++x) {
-      const unsigned char* texel = bytes + y * stride + x * 3;
-      opaque.insert(opaque.end(), {texel[0], texel[1], texel[2], 255});
+  if (as_floats) {
+    const auto encoding = internal == GL_SRGB8 ? image::Encoding::srgb : image::Encoding::linear;
+    std::array<float, 256> stored{};
+    for (std::size_t i = 0; i < stored.size(); ++i)
+      stored[i] = image::from_encoding8(static_cast<std::uint8_t>(i), encoding);
+    std::vector<float> values(3 * width * height);
+    for (std::size_t y = 0, to = 0; y < height; ++y)
+      for (std::size_t i = 0; i < 3 * width; ++i, ++to) values[to] = stored[bytes[y * stride + i]];
+    (glTexImage2D)(target, level, GL_RGB32F, columns, rows, border, GL_RGB, GL_FLOAT, values.data());
+    return;
+  }
+  std::vector<unsigned char> opaque(4 * width * height);
+  for (std::size_t y = 0, to = 0; y < height; ++y) {
+    const unsigned char* texel = bytes + y * stride;
+    for (std::size_t x = 0; x < width; ++x, texel += 3, to += 4) {
+      opaque[to] = texel[0], opaque[to + 1] = texel[1], opaque[to + 2] = texel[2];
+      opaque[to + 3] = 255;
     }
+  }
   (glTexImage2D)(target, level, GL_SRGB8_ALPHA8, columns, rows, border, GL_RGBA, type, opaque.data());
 }
 
 Context::Context(Shaders) {}
 
 std::string Context::renderer() const {
-  const auto* name = reinterpret_cast<const char*>(glGetString(kUnmaskedRenderer));
-  static_cast<void>(glGetError());  // where the browser does not tell
-  return name != nullptr ? name : reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return renderer_name();
 }
 std::string Context::version() const {
   return reinterpret_cast<const char*>(glGetString(GL_VERSION));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A headless Chromium with WebGL 2 by SwiftShader, and a page that has nothing but the engine.
+// A headless Chromium with WebGL 2 by SwiftShader, and a page that has nothing but the engine. With FIREFOX (a path) that browser
+// in its place; it needs a display (xvfb-run): without one and without a graphics card it has no WebGL.
 import { existsSync, mkdtempSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
@@ -17,6 +18,8 @@ const puppeteer = createRequire(join(site, "package.json"))("puppeteer-core");
 export const chromium = process.env.CHROMIUM ?? "/usr/bin/chromium";
 
 export async function launch() {
+  if (process.env.FIREFOX)
+    return puppeteer.launch({ browser: "firefox", executablePath: process.env.FIREFOX, headless: false, protocolTimeout: 600000 });
   const profile = mkdtempSync(join(tmpdir(), "texel_web_"));
   const browser = await puppeteer.launch({
     executablePath: chromium,
@@ -35,7 +38,7 @@ export async function enginePage(browser, folder) {
   const page = await browser.newPage();
   page.on("console", (message) => process.env.TEXEL_VERBOSE && console.log("  page:", message.text()));
   page.on("pageerror", (error) => console.log("  page error:", error.message));
-  await page.goto(`${server.url}engine/files.json`);  // any page of the site
+  await page.goto(`${server.url}engine/client.mjs`);  // any file of the site that a browser shows as text
   await page.evaluate(async () => {
     const { startEngine } = await import("/engine/client.mjs");
     const canvas = document.body.appendChild(document.createElement("canvas"));

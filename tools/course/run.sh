@@ -6,8 +6,8 @@ packages+=(libarchive-dev libsodium-dev libsqlite3-dev bubblewrap)
 # Debian 13 does not have it.
 optional_packages+=(similarity-tester)
 format_packages=(clang-format)
-test_packages=(libgtest-dev libtinyobjloader-dev xvfb xauth xdotool x11-utils imagemagick chromium python3)
-bench_packages=(libbenchmark-dev libosmesa6-dev libtinyobjloader-dev xvfb xauth)
+test_packages=(libgtest-dev libtinyobjloader-dev xvfb xauth xdotool x11-utils imagemagick chromium webp python3)
+bench_packages=(libbenchmark-dev libosmesa6-dev libtinyobjloader-dev xvfb xauth chromium)
 all_packages=(clang-tidy parallel mmdebstrap debian-archive-keyring slurmctld slurmd slurm-client munge)
 
 course_help() {
@@ -108,6 +108,10 @@ run_performance() { # arguments of performance
   need "${packages[@]}" "${bench_packages[@]}"
   configure release -D TEXEL_BENCH=ON
   build release labs/all tests/bench/all
+  if [[ " $* " != *" --only "* || " $* " == *" --only peers "* ]]; then
+    "$root/run" web
+    (cd "$root/tests/bench/peers" && npm ci --no-audit --no-fund --loglevel=error) || fail 3 "three.js cannot be installed"
+  fi
   say "Measuring"
   # Without -noreset the display restarts after its last window, and the next window must wait.
   xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' "$root/build/release/bin/performance" "$@"

@@ -37,14 +37,14 @@ export class Engine {
   shown(what = {}) { return this.#call("shown", what); }
 
   async start(canvas) {
-    // A page may have started a worker before this script was there.
-    this.#worker = globalThis.texelWorker ?? new Worker(new URL("./worker.mjs", import.meta.url), { type: "module" });
-    globalThis.texelWorker = undefined;
+    // A page may have started a worker for this canvas before this script was there: {worker, canvas, started}.
+    const early = canvas && globalThis.texelEarly?.canvas === canvas ? globalThis.texelEarly : null;
+    this.#worker = early?.worker ?? new Worker(new URL("./worker.mjs", import.meta.url), { type: "module" });
     this.#worker.onmessage = ({ data }) => this.#answered(data);
     this.#worker.onerror = (event) => this.#fail(new EngineError({ message: event.message || "the engine cannot be loaded" }));
-    const offscreen = canvas?.transferControlToOffscreen?.();
-    const about = await this.#call("start", { canvas: offscreen, timeOrigin: performance.timeOrigin }, offscreen ? [offscreen] : [], 120000);
-    Object.assign(this, about);
+    const offscreen = early ? null : canvas?.transferControlToOffscreen?.();
+    const about = this.#call("start", { canvas: offscreen, timeOrigin: performance.timeOrigin }, offscreen ? [offscreen] : [], 120000, early);
+    Object.assign(this, await about);
     return this;
   }
 
@@ -68,7 +68,7 @@ export class Engine {
   #lastValues = null;
   #split = null;
 
-  #call(call, args = {}, transfer = [], patience = this.#options.patience) {
+  #call(call, args = {}, transfer = [], patience = this.#options.patience, early = null) {
     const last = this.#waiting.at(-1);
     if (last && last.call === call && sums[call]) {
       for (const key of sums[call]) last.args[key] += args[key];
@@ -78,7 +78,7 @@ export class Engine {
       Object.assign(last.args, args);
       return last.promise;
     }
-    const one = { id: ++this.#serial, call, args, transfer, patience };
+    const one = { id: ++this.#serial, call, args, transfer, patience, early };
     one.promise = new Promise((resolve, reject) => Object.assign(one, { resolve, reject }));
     this.#waiting.push(one);
     this.#next();
@@ -88,7 +88,8 @@ export class Engine {
   #next() {
     if (this.#busy || this.#waiting.length === 0) return;
     const one = (this.#busy = this.#waiting.shift());
-    this.#worker.postMessage({ id: one.id, call: one.call, args: one.args }, one.transfer);
+    if (one.early) one.early.started.then((data) => this.#answered({ ...data, id: one.id }));
+    else this.#worker.postMessage({ id: one.id, call: one.call, args: one.args }, one.transfer);
     const slow = one.call === "check" || one.call === "open" ? 4 : 1;
     this.#timer = setTimeout(() => this.#options.onStuck(one.call), slow * one.patience);
   }

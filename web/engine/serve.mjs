@@ -7,7 +7,7 @@ import { createGzip } from "node:zlib";
 
 const types = {
   ".html": "text/html; charset=utf-8", ".mjs": "text/javascript", ".js": "text/javascript", ".css": "text/css",
-  ".json": "application/json", ".wasm": "application/wasm", ".svg": "image/svg+xml", ".png": "image/png", ".jpg": "image/jpeg",
+  ".json": "application/json", ".wasm": "application/wasm", ".svg": "image/svg+xml", ".png": "image/png", ".jpg": "image/jpeg", ".webp": "image/webp",
   ".woff2": "font/woff2", ".webmanifest": "application/manifest+json",
 };
 const isSmaller = (type) => /^(text|application)\/|svg/.test(type);
@@ -16,8 +16,8 @@ const isSmaller = (type) => /^(text|application)\/|svg/.test(type);
 export async function serve(folder, prefix = "/", port = 0) {
   const server = createServer((request, response) => {
     const path = decodeURIComponent(new URL(request.url, "http://localhost").pathname);
-    let file = path.startsWith(prefix) ? join(folder, normalize(`/${path.slice(prefix.length)}`)) : "";
-    let status = file && statSync(file, { throwIfNoEntry: false });
+    let file = path.startsWith(prefix) ? join(folder, normalize(`/${path.slice(prefix.length)}`)) : null;
+    let status = file === null ? null : statSync(file, { throwIfNoEntry: false });
     if (status?.isDirectory()) {
       file = join(file, "index.html");
       status = statSync(file, { throwIfNoEntry: false });
@@ -28,7 +28,14 @@ export async function serve(folder, prefix = "/", port = 0) {
     }
     const type = types[extname(file)] ?? "application/octet-stream";
     const head = { "content-type": type, "cache-control": "no-cache" };
-    const zips = isSmaller(type) && /\bgzip\b/.test(request.headers["accept-encoding"] ?? "");
+    const accepted = request.headers["accept-encoding"] ?? "", packed = statSync(`${file}.br`, { throwIfNoEntry: false });
+    if (packed && /\bbr\b/.test(accepted)) {
+      response.writeHead(200, { ...head, "content-encoding": "br", "content-length": packed.size, vary: "accept-encoding" });
+      if (request.method === "HEAD") response.end();
+      else createReadStream(`${file}.br`).pipe(response);
+      return;
+    }
+    const zips = isSmaller(type) && /\bgzip\b/.test(accepted);
     if (zips) response.writeHead(200, { ...head, "content-encoding": "gzip", vary: "accept-encoding" });
     else response.writeHead(200, { ...head, "content-length": status.size });
     if (request.method === "HEAD") response.end();

@@ -1,58 +1,87 @@
 // SPDX-License-Identifier: MIT
 // The engine's thread: it owns the canvas and the C++, and answers calls one after the other. So a slow or endless shader
 // stops this thread, and never the page.
+import { asTga, isExact } from "./pictures.mjs";
+
 const here = new URL(".", import.meta.url);
 // All that the engine is made of is asked for at once; `start` waits for it.
 const glue = import("./engine.mjs");
-const program = fetch(new URL("engine.wasm", here)).then((answer) => answer.arrayBuffer()).then(WebAssembly.compile);
+const engine = new URL("engine.wasm", here);
+const program = WebAssembly.compileStreaming(fetch(engine))
+  .catch(() => fetch(engine).then((answer) => answer.arrayBuffer()).then(WebAssembly.compile));  // of a server that calls it otherwise
 const tree = fetch(new URL("files.json", here)).then((answer) => answer.json());
 for (const promise of [glue, program, tree]) promise.catch(() => {});  // `start` says what failed
 
-let module, canvas, gl, bytes = 0, firstPicture = null, frameMs = 0, timeOrigin = performance.timeOrigin;
+let module, canvas, gl, firstPicture = null, frameMs = 0, timeOrigin = performance.timeOrigin;
 let unread;  // paths of the files that nobody has read
+let packed = new Set();  // paths of the PNGs that come as WebP
 const ahead = new Map();  // files that came before the C++ asked for them
+let coming = Promise.resolve();  // those that were asked for
 
 /// The tree as the C++ sees it, in /tree: texts are there at once, other files are loaded when they are first read.
-function mount(FS, listing) {
-  const folderOf = (path) => path.slice(0, path.lastIndexOf("/"));
-  for (const [path, text] of Object.entries(listing.texts)) {
-    FS.mkdirTree(folderOf(`/tree/${path}`));
-    FS.writeFile(`/tree/${path}`, text);
+function mount(FS, { texts, files }) {
+  const folders = new Map();
+  const add = (path) => {
+    const slash = path.lastIndexOf("/"), folder = path.slice(0, slash);
+    if (!folders.has(folder)) {
+      FS.mkdirTree(`/tree/${folder}`);
+      folders.set(folder, FS.lookupPath(`/tree/${folder}`).node);
+    }
+    // As FS.writeFile, which looks each path up several times.
+    const parent = folders.get(folder);
+    return parent.node_ops.mknod(parent, path.slice(slash + 1), 0o100666, 0);
+  };
+  const encoder = new TextEncoder();
+  for (const [path, text] of Object.entries(texts)) {
+    const node = add(path);
+    node.contents = encoder.encode(text);
+    node.usedBytes = node.contents.length;
   }
-  for (const [path, size] of Object.entries(listing.files)) {
-    const file = `/tree/${path}`;
-    FS.mkdirTree(folderOf(file));
-    FS.writeFile(file, "");
-    const node = FS.lookupPath(file).node;
+  for (const [path, size] of Object.entries(files)) {
+    const node = add(path);
     let contents = null;
     Object.defineProperty(node, "contents", {
-      get: () => (contents ??= load(path, size)),
+      get: () => (contents ??= load(path)),
       set: (value) => (contents = value),
     });
-    node.usedBytes = size;
+    // A picture is another file when it comes as WebP: its size is known when it is there.
+    Object.defineProperty(node, "usedBytes", {
+      get: () => (contents === null && !packed.has(path) ? size : node.contents.length),
+      set() {},
+    });
   }
+}
+
+async function fetched(path) {
+  const answer = await fetch(new URL(`tree/${path}`, here));
+  if (!answer.ok) throw new Error(`cannot load ${path} (${answer.status})`);
+  return answer;
 }
 
 /// Loads the files of these parameters' values side by side: the C++ would ask for one after the other. A `cube_map`
 /// "scene" is all of assets/cube_maps/scene; what is no map and no model lies in assets/textures.
-async function loadAhead(values) {
+function loadAhead(values) {
   const wanted = Object.entries(values).flatMap(([name, value]) => {
     const folder = [...unread].some((path) => path.startsWith(`assets/${name}s/`)) ? `${name}s` : "textures";
     return [...unread].filter((path) => [".", "/"].some((end) => path.startsWith(`assets/${folder}/${value}${end}`)));
   });
-  await Promise.all(wanted.map(async (path) => {
+  return (coming = Promise.all([coming, ...wanted.map(async (path) => {
     unread.delete(path);
-    const answer = await fetch(new URL(`tree/${path}`, here)).catch(() => null);
-    if (answer?.ok) ahead.set(path, new Uint8Array(await answer.arrayBuffer()));
-  }));
+    try {
+      ahead.set(path, packed.has(path)
+        ? await asTga(await (await fetched(path.replace(/png$/, "webp"))).blob())
+        : new Uint8Array(await (await fetched(path)).arrayBuffer()));
+    } catch (error) {
+      console.warn(error);  // the C++ asks for it again, and says what fails
+    }
+  })]).then(() => {}));
 }
 
 /// The C++ waits for the file, so this is the one place for a request that blocks; a worker may do that.
-function load(path, size) {
+function load(path) {
   unread.delete(path);
-  bytes += size;
   const early = ahead.get(path);
-  if (early?.length === size) {
+  if (early) {
     ahead.delete(path);
     return early;
   }
@@ -60,24 +89,27 @@ function load(path, size) {
   request.open("GET", new URL(`tree/${path}`, here), false);
   request.responseType = "arraybuffer";
   request.send();
-  const data = new Uint8Array(request.response ?? 0);
-  if (data.length !== size) throw new Error(`cannot load ${path} (${request.status})`);
-  return data;
+  if (request.status !== 200) throw new Error(`cannot load ${path} (${request.status})`);
+  return new Uint8Array(request.response);
 }
 
+/// With `lab`, that lab is opened at once. `files`: the values of its first picture, whose files are loaded meanwhile.
 async function start(options) {
   timeOrigin = options.timeOrigin;
-  const listing = await tree, { default: createEngine } = await glue, compiled = await program;
+  const listing = await tree;
   unread = new Set(Object.keys(listing.files));
+  if (isExact()) packed = new Set(listing.packed);
+  loadAhead(options.files ?? {});
   canvas = options.canvas ?? new OffscreenCanvas(16, 16);
   gl = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false, stencil: false });
   if (!gl) throw { message: "This browser has no WebGL 2. Use a current Firefox, Chrome, Edge or Safari.", kind: "failed" };
-  for (const name of ["EXT_color_buffer_float", "EXT_texture_filter_anisotropic", "WEBGL_debug_renderer_info"])
+  for (const name of ["EXT_color_buffer_float", "EXT_texture_filter_anisotropic", "OES_texture_float_linear", "WEBGL_debug_renderer_info"])
     gl.getExtension(name);
   canvas.addEventListener("webglcontextlost", (event) => {
     event.preventDefault();
     postMessage({ lost: "The browser took the graphics away." });
   });
+  const { default: createEngine } = await glue, compiled = await program;
   module = await createEngine({
     preRun: [(m) => { mount(m.FS, listing); m.FS.chdir("/tree"); m.ENV.TEXEL_ROOT = "/tree"; m.ENV.TEXEL_THREADS = "1"; }],
     instantiateWasm: (imports, done) => {
@@ -88,8 +120,7 @@ async function start(options) {
     printErr: (text) => console.warn(text),
   });
   module.GL.makeContextCurrent(module.GL.registerContext(gl, { majorVersion: 2, minorVersion: 0, enableExtensionsByDefault: 1 }));
-  for (const entry of performance.getEntriesByType("resource"))
-    if (!entry.name.includes("/tree/")) bytes += entry.encodedBodySize;
+  if (options.lab !== undefined) ask("open", { lab: options.lab });
   return { kind: listing.kind, labs: listing.labs };
 }
 
@@ -122,8 +153,20 @@ const special = {
     if (firstPicture === null) await loadAhead(ask("values").result.values);
     return ask("resize", { width, height }).result;
   },
-  draw: (args) => picture(ask("draw", args)),
-  shown: (args) => picture(ask("shown", args)),
+  async draw(args) {
+    await loadAhead(wanted(args));
+    return picture(ask("draw", args));
+  },
+  async shown(args) {
+    await loadAhead(wanted(args));
+    return picture(ask("shown", args));
+  },
+  async check(args) {
+    const steps = ask("steps").result;
+    const all = steps.filter(({ id }) => args.step === undefined || id === args.step).flatMap(({ cases }) => cases);
+    for (const one of all) await loadAhead(wanted(one));
+    return ask("check", args).result;
+  },
   compare(args) {
     const { result, pictures: [own, expected, difference, heat_map] } = ask("compare", args);
     return result && { ...result, own, expected, difference, heat_map };
@@ -131,11 +174,14 @@ const special = {
   figures: () => ({
     first_picture_ms: firstPicture,
     frame_ms: frameMs,
-    bytes,
+    bytes: performance.getEntriesByType("resource").reduce((sum, entry) => sum + entry.encodedBodySize, 0),
     renderer: gl.getParameter(0x9246) ?? gl.getParameter(gl.RENDERER),
   }),
   lose: () => gl.getExtension("WEBGL_lose_context")?.loseContext(),
 };
+
+/// All values of a picture of which `set` says those that are not the defaults.
+const wanted = ({ set = {} }) => ({ ...Object.fromEntries(ask("parameters").result.map((p) => [p.name, p.default])), ...set });
 
 const picture = ({ result, pictures: [data] }) => ({ ...result, data });
 

@@ -1,35 +1,37 @@
 // SPDX-License-Identifier: MIT
-// Writes the pages: node build.mjs --out DIR [--tree DIR] [--gallery DIR]. `--out` is the site's folder (out/web), which has
-// the engine in `engine/`; `--gallery` is a gallery's folder, for the looks' small pictures.
+// Writes the pages: node build.mjs --out DIR [--tree DIR] [--gallery DIR] [--programs DIR]. `--out` is the site's folder (out/web),
+// which has the engine in `engine/`; `--gallery` is a gallery's folder, for the looks' small pictures; `--programs` has the
+// desktop's programs, which say what each lab shows first.
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
+import { brotliCompressSync, constants } from "node:zlib";
 import esbuild from "esbuild";
 import { readLabs } from "./build/course.mjs";
 import { handout } from "./build/handout.mjs";
 import { indexPage, labPage, textPage } from "./build/page.mjs";
-import { galleryPicture, pngSize, smallPicture } from "./build/pictures.mjs";
+import { asWebp, galleryPicture, pngSize, smallPicture } from "./build/pictures.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 
 function options() {
   const usage = (text) => {
-    console.error(`web/site: ${text}. Usage: npm run build -- --out DIR [--tree DIR] [--gallery DIR]`);
+    console.error(`web/site: ${text}. Usage: npm run build -- --out DIR [--tree DIR] [--gallery DIR] [--programs DIR]`);
     process.exit(2);
   };
   try {
-    const { values } = parseArgs({ options: { out: { type: "string" }, tree: { type: "string" }, gallery: { type: "string" } } });
+    const { values } = parseArgs({ options: { out: { type: "string" }, tree: { type: "string" }, gallery: { type: "string" }, programs: { type: "string" } } });
     if (!values.out) usage("where to?");
     const tree = resolve(values.tree ?? join(here, "../.."));
     if (!existsSync(join(tree, "labs"))) usage(`${tree} is not the course's folder`);
-    return { out: resolve(values.out), tree, gallery: values.gallery && resolve(values.gallery) };
+    return { out: resolve(values.out), tree, gallery: values.gallery && resolve(values.gallery), programs: values.programs && resolve(values.programs) };
   } catch (error) {
     return usage(error.message);
   }
 }
 
-const { out, tree, gallery } = options();
+const { out, tree, gallery, programs } = options();
 const write = (path, content) => {
   mkdirSync(dirname(join(out, path)), { recursive: true });
   writeFileSync(join(out, path), content);
@@ -51,6 +53,15 @@ async function bundle() {
   write("site/style.css", (await esbuild.transform(css, { loader: "css", minify: true })).code);
 }
 
+/** The engine's scripts, which lie in out/ already: each with what it includes, without comments and long names. */
+async function shrinkEngine() {
+  const engine = join(out, "engine");
+  await esbuild.build({
+    absWorkingDir: engine, entryPoints: readdirSync(engine).filter((name) => name.endsWith(".mjs")), outdir: engine, outExtension: { ".js": ".mjs" },
+    allowOverwrite: true, bundle: true, format: "esm", minify: true, target: ["es2022"], external: ["./engine.mjs"], logLevel: "error",
+  });
+}
+
 /** KaTeX' style and fonts; formulas are typeset already. */
 function mathFonts() {
   const from = join(here, "node_modules/katex/dist");
@@ -61,16 +72,16 @@ function mathFonts() {
 }
 
 function pages() {
-  const labs = readLabs(tree);
+  const labs = readLabs(tree, programs);
   const copies = new Set();
-  const sizeOf = (path) => pngSize(docs(`pictures/${path.replace("../pictures/", "")}`));
+  const sizeOf = (path) => pngSize(docs(`pictures/${path.replace("../pictures/", "").replace(/webp$/, "png")}`));
   for (const lab of labs) {
     const thumbnails = new Map();
     for (const look of lab.looks) {
       const picture = galleryPicture(gallery, lab, look);
       if (!picture) continue;
-      write(`${lab.folder}/looks/${look.name}.jpg`, smallPicture(picture, 144, 144, 72));
-      thumbnails.set(look.name, `looks/${look.name}.jpg`);
+      write(`${lab.folder}/looks/${look.name}.webp`, smallPicture(picture, 144, 144, 68));
+      thumbnails.set(look.name, `looks/${look.name}.webp`);
     }
     const markdown = readFileSync(join(tree, "labs", lab.folder, "README.md"), "utf8");
     write(`${lab.folder}/index.html`, labPage({ lab, labs, handout: handout(markdown, lab, copies, sizeOf), thumbnails }));
@@ -82,14 +93,15 @@ function pages() {
     const file = galleryPicture(gallery, lab, lab.looks.find((look) => look.hero)) ?? docs(`pictures/${lab.folder}.png`);
     const { width, height } = pngSize(file), wide = Math.min(600, width, Math.floor(1.5 * height));
     const size = { width: wide, height: Math.round(wide / 1.5) };
-    write(`pictures/${lab.folder}.jpg`, smallPicture(file, size.width, size.height, 82));
-    return [lab.folder, { src: `pictures/${lab.folder}.jpg`, ...size }];
+    write(`pictures/${lab.folder}.webp`, smallPicture(file, size.width, size.height, 82));
+    return [lab.folder, { src: `pictures/${lab.folder}.webp`, ...size }];
   }));
   const kind = existsSync(join(tree, "tools/course")) ? "course" : "starter";
   write("index.html", indexPage({ labs, heroes, kind }));
   for (const picture of copies) {
-    mkdirSync(dirname(join(out, "pictures", picture)), { recursive: true });
-    copyFileSync(docs(`pictures/${picture}`), join(out, "pictures", picture));
+    const bytes = readFileSync(docs(`pictures/${picture}`));
+    if (picture.endsWith(".png")) write(`pictures/${picture.replace(/png$/, "webp")}`, asWebp(bytes, 88));
+    else write(`pictures/${picture}`, bytes);
   }
 }
 
@@ -98,7 +110,9 @@ const filesBelow = (folder) => (existsSync(folder) ? readdirSync(folder, { withF
 
 /** The service worker keeps pages, scripts and the engine at once; the pictures and what the labs read later. */
 function serviceWorker() {
-  const files = filesBelow(out).map((file) => relative(out, file).split("\\").join("/")).filter((file) => file !== "sw.js");
+  const files = filesBelow(out).map((file) => relative(out, file).split("\\").join("/")).filter((file) => file !== "sw.js" && !file.endsWith(".br"));
+  // What comes as WebP is kept so.
+  const packed = new Set(files.filter((file) => file.endsWith(".webp")).map((file) => file.replace(/webp$/, "png")));
   const isLater = (file) => /^engine\/tree\/|^pictures\/|\/looks\//.test(file);
   const list = (kept) => () => JSON.stringify(kept);
   write("sw.js", readFileSync(join(here, "src/sw.js"), "utf8")
@@ -106,8 +120,16 @@ function serviceWorker() {
     .replace("/* rest */ []", list(files.filter(isLater))));
 }
 
+/** Beside each text the same compressed, as file.br: servers can send that (engine/serve.mjs, Caddy and nginx do). */
+function compress() {
+  for (const file of filesBelow(out).filter((name) => /\.(html|m?js|css|json|wasm|svg)$/.test(name)))
+    writeFileSync(`${file}.br`, brotliCompressSync(readFileSync(file), { params: { [constants.BROTLI_PARAM_QUALITY]: 11 } }));
+}
+
 await bundle();
+await shrinkEngine();
 mathFonts();
 pages();
 serviceWorker();
+compress();
 console.log(`the pages: ${join(out, "index.html")}`);

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: MIT
-// node tests/bench/peers/measure.mjs [ROUNDS]: our page of lab 9 and three.js' page of the same mirror ball (mirror_ball.js), in
-// turns, in one headless Chromium with SwiftShader: time from navigation to the first picture, a picture of 512x512 with and
-// without antialiasing, and the bytes until the first picture. Prints the medians. A fresh page each time, without a cache.
-// Needs out/web (./run web) and, in this folder, npm ci. Numbers of a busy machine are worth nothing.
-import { cpSync, existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+// node tests/bench/peers/measure.mjs [ROUNDS] [--json]: our page of lab 9 and three.js' page of the same mirror ball
+// (mirror_ball.js), in turns, in headless Chromium with SwiftShader. Prints the medians, or all rounds as JSON:
+// [{ours: {…}, theirs: {…}}] with
+// - cold_ms: of three.js, from the start of a browser to the first picture,
+// - first_picture_ms: from navigation to the first picture, and bytes: loaded when the page says that it is ready. In a browser
+//   that runs and has drawn both, on a fresh page without a cache,
+// - antialiased_ms, plain_ms: a picture of 512x512 with 4 samples a pixel and with one, the median of several.
+// Both draw the same picture: one cube map and one normal map of 512x512 with all mipmaps, trilinear, a ball of 128x64 quads, the
+// background. Needs out/web (./run web) and, in this folder, npm ci. Numbers of a busy machine are worth nothing.
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { brotliCompressSync } from "node:zlib";
 import { enginePage, launch } from "../../web_site/browser.mjs";
 import { serve } from "../../../web/engine/serve.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url)), tree = join(here, "../../..");
-const rounds = Number(process.argv[2] ?? 5), kFrames = 7;
+const isJson = process.argv.includes("--json"), rounds = Number(process.argv.slice(2).find((word) => word !== "--json") ?? 5), kFrames = 7;
 for (const [needed, by] of [[join(tree, "out/web/engine/engine.wasm"), "./run web"], [join(here, "node_modules"), `npm ci in ${here}`]])
   if (!existsSync(needed)) {
     console.error(`${needed} is missing: type ${by}`);
@@ -27,53 +33,81 @@ for (const assets of ["assets/cube_maps/scene", "assets/normal_maps"]) {
   cpSync(join(tree, assets), join(folder, assets), { recursive: true });
 }
 
-const median = (values) => values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)];
-const times = {};
-const note = (who, what, value) => ((times[what] ??= {})[who] ??= []).push(value);
+const code = readFileSync(join(folder, "peer.js"));
+writeFileSync(join(folder, "peer.js.br"), brotliCompressSync(code));  // as our page's
 
-const browser = await launch(), peers = await serve(folder), ours = await serve(join(tree, "out/web"));
-/** What `ask` gives on a fresh page of the address. */
-async function visit(url, ask) {
+const median = (values) => values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)];
+const peers = await serve(folder), ours = await serve(join(tree, "out/web"));
+
+/** What `ask` gives on a fresh page. */
+async function visit(browser, url, ask) {
   const context = await browser.createBrowserContext(), page = await context.newPage();
-  await page.setCacheEnabled(false);
+  await page.setViewport({ width: 1300, height: 900 });  // the lab's picture has 596x480 pixels there
   await page.goto(url);
   const result = await page.evaluate(ask, kFrames);
   await context.close();
   return result;
 }
-async function peer(query, which) {
-  const { first_picture_ms, bytes, frames } = await visit(`${peers.url}${query}`, async (frames) => {
-    const first = await window.peer.ready;
-    return { ...first, frames: Array.from({ length: frames }, () => window.peer.draw()) };
-  });
-  note("three.js", which, median(frames));
+
+const visitTheirs = (browser, query) => visit(browser, `${peers.url}${query}`, async (frames) => {
+  const { first_picture_ms, bytes } = await window.peer.ready, times = [];
+  for (let i = 0; i < frames; ++i) {
+    await new Promise(requestAnimationFrame);
+    times.push(window.peer.draw());
+  }
+  return { first_picture_ms, first_picture_at: performance.timeOrigin + first_picture_ms, bytes, times };
+});
+const visitOurs = (browser) => visit(browser, `${ours.url}09_bump/index.html?look=default`, async () => {
+  await window.texel.ready;
+  const { first_picture_ms, bytes } = window.texel.figures();
   return { first_picture_ms, bytes };
+});
+
+async function drawTheirs(browser) {
+  const { first_picture_ms, bytes, times } = await visitTheirs(browser, "?antialias");
+  return { first_picture_ms, bytes, antialiased_ms: median(times), plain_ms: median((await visitTheirs(browser, "")).times) };
 }
-try {
-  const engine = await enginePage(browser, join(tree, "out/web"));
+
+async function drawOurs(browser) {
+  const first = await visitOurs(browser), engine = await enginePage(browser, join(tree, "out/web"));
   await engine.call("open", 9);
   await engine.call("resize", 512, 512);
-  for (let round = 0; round < rounds; ++round) {
-    const own = await visit(`${ours.url}09_bump/`, () => window.texel.ready.then(() => window.texel.figures()));
-    note("ours", "first picture, ms", own.first_picture_ms);
-    note("ours", "bytes", own.bytes);
-    for (const [samples, which, query] of [[4, "512x512 antialiased, ms", "?antialias"], [1, "512x512, ms", ""]]) {
-      await engine.call("samples", samples);
-      const frames = [];
-      for (let i = 0; i < kFrames; ++i) frames.push((await engine.call("frame")).frame_ms);
-      note("ours", which, median(frames));
-      const other = await peer(query, which);
-      if (query === "") continue;
-      note("three.js", "first picture, ms", other.first_picture_ms);
-      note("three.js", "bytes", other.bytes);
-    }
-  }
+  const frame = async (samples) => {
+    await engine.call("samples", samples);
+    const times = [];
+    for (let i = 0; i < kFrames; ++i) times.push((await engine.call("frame")).frame_ms);
+    return median(times);
+  };
+  const result = { ...first, antialiased_ms: await frame(4), plain_ms: await frame(1) };
+  await engine.page.close();
   engine.close();
+  return result;
+}
+
+const all = [];
+try {
+  for (let round = 0; round < rounds; ++round) {
+    const one = {}, begin = Date.now(), browser = await launch();
+    try {
+      const cold_ms = (await visitTheirs(browser, "?antialias")).first_picture_at - begin;
+      await visitOurs(browser);
+      // Who comes second finds the machine as the first left it: they change places.
+      for (const who of round % 2 === 0 ? ["ours", "theirs"] : ["theirs", "ours"])
+        one[who] = await (who === "ours" ? drawOurs : drawTheirs)(browser);
+      one.theirs.cold_ms = cold_ms;
+    } finally {
+      await browser.close();
+    }
+    all.push(one);
+  }
 } finally {
-  await browser.close();
   peers.close();
   ours.close();
   rmSync(folder, { recursive: true, force: true });
 }
-for (const [what, by] of Object.entries(times))
-  console.log(`${what.padEnd(24)} ${Object.entries(by).map(([who, all]) => `${who} ${Math.round(median(all))}`).join(", ")}`);
+if (isJson) console.log(JSON.stringify(all));
+else
+  for (const what of Object.keys(all[0].theirs)) {
+    const of = (who) => (all[0][who][what] === undefined ? "" : `${who} ${Math.round(median(all.map((one) => one[who][what])))}  `);
+    console.log(what.padEnd(18), of("ours") + of("theirs"));
+  }

@@ -28,9 +28,13 @@ async function start() {
   ]);
   bumps.wrapS = bumps.wrapT = THREE.RepeatWrapping;
   bumps.repeat.set(2, 2);
-  bumps.anisotropy = 8;
+  // Where lab 9's lie: u is 0 in front and grows to the left, v grows down.
+  bumps.rotation = Math.PI;
+  bumps.offset.set(0.5, 0);
   scene.background = environment;
-  scene.add(new THREE.Mesh(new THREE.SphereGeometry(1, 128, 64), new THREE.MeshPhongMaterial({ color: 0xffffff, envMap: environment, normalMap: bumps })));
+  // MixOperation: the mirror's colour alone. The default multiplies it by the light, and there is none.
+  const mirror = new THREE.MeshPhongMaterial({ envMap: environment, combine: THREE.MixOperation, normalMap: bumps, normalScale: new THREE.Vector2(0.4, 0.4) });
+  scene.add(new THREE.Mesh(new THREE.SphereGeometry(1, 128, 64), mirror));
   draw();
   const first = performance.now();
   const bytes = [...performance.getEntriesByType("navigation"), ...performance.getEntriesByType("resource")]

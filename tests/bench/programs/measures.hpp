@@ -29,6 +29,9 @@ void measure_batches(const Options& options, Report& report);
 void measure_frames(const Options& options, Report& report);
 void measure_window_start(const Options& options, Report& report);
 
+/// The pages and a lab's program beside three.js' page.
+void measure_peers(const Options& options, Report& report);
+
 /// `texel grade` beside drawing alone.
 void measure_grading(const Options& options, Report& report);
 

@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
   const std::pair<const char*, void (*)(const Options&, Report&)> parts[] = {
       {"snapshots", measure_snapshots}, {"warm", measure_one_more},   {"batch", measure_batches},
       {"grading", measure_grading},     {"kernels", measure_kernels}, {"frames", measure_frames},
-      {"start", measure_window_start},  {"waits", measure_waits}};
+      {"start", measure_window_start},  {"peers", measure_peers},     {"waits", measure_waits}};
   std::vector<std::string> names;
   for (const auto& [name, measure] : parts) names.emplace_back(name);
 

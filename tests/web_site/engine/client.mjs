@@ -9,7 +9,8 @@ class EngineError extends Error {
 }
 
 export async function startEngine({ canvas, onLost, onStuck, patience = 8000 }) {
-  const worker = new Worker(new URL("worker.mjs", import.meta.url), { type: "module" });
+  const early = canvas && globalThis.texelEarly?.canvas === canvas ? globalThis.texelEarly : null;
+  const worker = early?.worker ?? new Worker(new URL("worker.mjs", import.meta.url), { type: "module" });
   const waiting = new Map();
   let last = 0, timer = 0;
   const limit = Math.min(patience, 4000);  // tests do not wait long
@@ -20,6 +21,7 @@ export async function startEngine({ canvas, onLost, onStuck, patience = 8000 }) 
   worker.onerror = (event) => console.error(event.message, event.lineno);
   worker.onmessage = ({ data }) => {
     if (data.lost) return onLost(data.lost);
+    if (!waiting.has(data.id)) return;  // the page's own start
     const { done, failed } = waiting.get(data.id);
     waiting.delete(data.id);
     watch();
@@ -31,8 +33,11 @@ export async function startEngine({ canvas, onLost, onStuck, patience = 8000 }) 
     worker.postMessage({ id: last, name, values }, transfer);
     watch();
   });
-  const surface = canvas?.transferControlToOffscreen();
-  await call("start", [surface], surface ? [surface] : []);
+  if (early) await early.started;
+  else {
+    const surface = canvas?.transferControlToOffscreen();
+    await call("start", [surface], surface ? [surface] : []);
+  }
   const end = () => {
     clearTimeout(timer);
     worker.terminate();

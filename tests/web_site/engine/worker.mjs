@@ -126,7 +126,11 @@ const calls = {
   frames: () => frames,
 };
 
-onmessage = ({ data: { id, name, values: given } }) => {
+onmessage = ({ data: { id, name, values: given, call, args } }) => {
+  if (call === "start") {  // by the page, before its script is there
+    canvas = args.canvas;
+    return postMessage({ id, result: {} });
+  }
   try {
     postMessage({ id, value: calls[name](given) });
   } catch (error) {

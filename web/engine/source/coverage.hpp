@@ -5,8 +5,8 @@
 #include <glm/glm.hpp>
 #include <numbers>
 
-#include "app/lab.hpp"
 #include "app/canvas.hpp"
+#include "app/lab.hpp"
 #include "course/case.hpp"
 #include "gl/es_source.hpp"
 #include "gl/web_context.hpp"

@@ -2,6 +2,8 @@
 #pragma once
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "gl/objects.hpp"
 #include "gl/program.hpp"
@@ -14,9 +16,7 @@ namespace texel::web {
 /// what the texture of a colour target decodes, encoded again.
 class Display {
  public:
-  explicit Display(const std::filesystem::path& shaders)
-      : program_(std::make_shared<const gl::ShaderSource>(shaders, "app/present.vert"),
-                 std::make_shared<const gl::ShaderSource>(shaders, "display", kFragment), {}) {}
+  explicit Display(std::filesystem::path shaders) : shaders_(std::move(shaders)) {}
   void show(const gl::Target& picture) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, picture.width(), picture.height());
@@ -29,9 +29,13 @@ class Display {
                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
       return;
     }
-    program_.use();
+    if (!program_)
+      program_.emplace(std::make_shared<const gl::ShaderSource>(shaders_, "app/present.vert"),
+                       std::make_shared<const gl::ShaderSource>(shaders_, "display", kFragment),
+                       std::vector<gl::Define>());
+    program_->use();
     gl::bind(0, GL_TEXTURE_2D, picture.texture());
-    program_.set("values", 0);
+    program_->set("values", 0);
     glBindVertexArray(no_attributes_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
@@ -45,7 +49,8 @@ void main() {
   shown = vec4(mix(light * 12.92, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308))), 1.0);
 }
 )";
-  gl::Program program_;
+  std::filesystem::path shaders_;
+  std::optional<gl::Program> program_;  ///< compiled when it is needed
   gl::VertexArray no_attributes_;
 };
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The labs for a page: one function that takes a call as JSON and gives JSON. README.md has the calls;
-// worker.mjs makes them. It does what the window does (common/window), and the judge's work as `texel check`
-// does it.
+// worker.mjs makes them. It does what the window does (common/window).
 #include <emscripten.h>
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <list>
 #include <map>
@@ -13,31 +12,22 @@
 #include <nlohmann/json.hpp>
 
 #include "all_labs.inc"
-#include "app/lab.hpp"
-#include "app/canvas.hpp"
-#include "check/check.hpp"
+#include "app/gestures.hpp"
+#include "app/reports.hpp"
 #include "check/files.hpp"
 #include "core/error.hpp"
-#include "core/files.hpp"
 #include "core/plain_text.hpp"
 #include "core/stopwatch.hpp"
 #include "course/lab_file.hpp"
-#include "course/markers.hpp"
-#include "coverage.hpp"
 #include "display.hpp"
-#include "app/gestures.hpp"
 #include "gl/context.hpp"
 #include "gl/es_source.hpp"
-#include "gl/upload.hpp"
 #include "gl/web_context.hpp"
-#include "image/load.hpp"
-#include "image/save.hpp"
+#include "judge.hpp"
 #include "judge/plan.hpp"
 #include "judge/results_json.hpp"
-#include "mesh/ply.hpp"
-#include "app/reports.hpp"
-#include "app/settings.hpp"
-#include "step_texts.hpp"
+#include "opened.hpp"
+#include "student_files.hpp"
 
 namespace texel::app {
 namespace {
@@ -59,18 +49,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using app::View;
 
-const fs::path kTree = "/tree", kBuild = "/build";
-
-/// A lab that was opened, with what its canvas shows.
-struct Opened {
-  Opened(app::AnyLab& lab_, gl::Context& context, const app::Assets& assets)
-      : lab(lab_), start(lab_.parameters()), canvas(context, assets, lab_) {}
-  app::AnyLab& lab;
-  app::StartValues start;  ///< the defaults
-  app::Canvas canvas;
-  View view = View::color;
-  std::optional<app::Canvas::Split> split;
-};
+const fs::path kTree = "/tree";
 
 class Engine {
  public:
@@ -79,15 +58,9 @@ class Engine {
       lab_main(0, nullptr);
       labs_.push_back(app::registered);
     }
-    course_ = course::read_labs(kTree / "labs");
-    for (const std::string& file : course::step_files(kTree)) {
-      const std::string text = read_file(kTree / file);
-      if (text.find("@starter") == std::string::npos) continue;
-      write_new(kTree / course::kFirstTexts / file,
-                course::with_steps(text, file, [](const std::string&) { return false; }));
-      write_file(kTree / file, student_text(text, file));
-    }
-    places_ = course::step_places(kTree);
+    for (const fs::directory_entry& entry : fs::directory_iterator(kTree / "labs"))
+      if (const int number = number_of(entry.path().filename()); number > 0)
+        folders_[number] = entry.path().filename();
   }
 
   Json call(const std::string& name, const Json& a) {
@@ -114,8 +87,8 @@ class Engine {
     if (name == "steps") return steps(course_lab());
     if (name == "read") return read(a.at("step"));
     if (name == "write") return write(a.at("step"), a.at("text"));
-    if (name == "file") return read_file(kTree / known_file(a.at("path")));
-    if (name == "files") return files();
+    if (name == "file") return files().read(a.at("path"));
+    if (name == "files") return files().shaders();
     if (name == "put") return put(a.at("path"), a.at("text"));
     if (name == "check") return check(a.value("step", std::string()));
     if (name == "compare") return compare(a.at("name"));
@@ -133,12 +106,25 @@ class Engine {
  private:
   // ---- labs and looks ----
 
-  const course::Lab& lab_called(const Json& which) const {
-    for (const course::Lab& lab : course_)
-      if (which == lab.number || which == lab.folder || which == std::to_string(lab.number)) return lab;
-    throw Error::usage(fmt::format("there is no lab {}", which.dump()));
+  /// "5" and "05_normal_map" give 5, and what does not begin with a number 0.
+  static int number_of(const std::string& name) {
+    int number = 0;
+    std::from_chars(name.data(), name.data() + name.size(), number);
+    return number;
   }
-  const course::Lab& course_lab() const { return lab_called(current_->lab.info().number); }
+
+  /// Each is read when it is first asked for: a page shows one.
+  const course::Lab& lab_called(const Json& which) {
+    const int number = which.is_string() ? number_of(which.get<std::string>()) : which.get<int>();
+    const auto folder = folders_.find(number);
+    if (folder == folders_.end()) throw Error::usage(fmt::format("there is no lab {}", which.dump()));
+    const auto known = course_.find(number);
+    return known != course_.end()
+               ? known->second
+               : course_.emplace(number, course::read_lab(kTree / "labs" / folder->second / "lab.toml"))
+                     .first->second;
+  }
+  const course::Lab& course_lab() { return lab_called(current_->lab.info().number); }
 
   Opened& opened(const course::Lab& lab) {
     std::unique_ptr<Opened>& one = opened_[lab.number];
@@ -274,18 +260,6 @@ class Engine {
 
   // ---- pictures beside the canvas ----
 
-  /// The present values while it lives; then the ones from before.
-  class Aside {
-   public:
-    explicit Aside(Opened& of) : before_(of.lab.parameters()) {}
-    ~Aside() { before_.set({}); }
-    Aside(const Aside&) = delete;
-    Aside& operator=(const Aside&) = delete;
-
-   private:
-    app::StartValues before_;
-  };
-
   static glm::ivec2 size_of(const std::string& text) {
     const auto size = course::find_size(text);
     if (!size) throw Error::usage(fmt::format("'{}' is no size", text), "write it as 512x512");
@@ -346,26 +320,28 @@ class Engine {
 
   // ---- steps ----
 
-  static bool is_shader(const std::string& file) { return file.starts_with("shaders/"); }
-
-  std::string file_of(const std::string& step) const {
-    const auto place = places_.find(step);
-    if (place == places_.end()) throw Error::usage(fmt::format("there is no step '{}'", step));
-    return place->second.file;
+  StudentFiles& files() {
+    if (!files_) files_.emplace(kTree);
+    return *files_;
   }
 
   Json steps(const course::Lab& lab) {
     Json list = Json::array();
+    const StudentFiles& files = this->files();
     const std::set<std::string> untouched = grade::untouched_steps({kTree, kBuild});
     for (const course::Step& step : lab.steps) {
-      const auto place = places_.find(step.id);
-      Json one{{"id", step.id},       {"title", step.title}, {"points", step.points},
-               {"needs", step.needs}, {"hints", step.hints}, {"untouched", untouched.contains(step.id)}};
-      const std::string file = place == places_.end() ? "" : place->second.file;
-      one["kind"] = is_shader(file) ? "shader" : "c++";
-      one["file"] = file;
-      one["line"] = place == places_.end() ? 0 : place->second.line;
-      one["cases"] = Json::array();
+      const Place* place = files.place(step.id);
+      const std::string file = place == nullptr ? "" : place->file;
+      Json one{{"id", step.id},
+               {"title", step.title},
+               {"points", step.points},
+               {"needs", step.needs},
+               {"hints", step.hints},
+               {"untouched", untouched.contains(step.id)},
+               {"kind", StudentFiles::is_shader(file) ? "shader" : "c++"},
+               {"file", file},
+               {"line", place == nullptr ? 0 : place->line},
+               {"cases", Json::array()}};
       for (const grade::LabPlan& plan : grade::public_plan({lab}))
         for (const course::Case& it : plan.cases)
           if (it.step == step.id)
@@ -382,70 +358,16 @@ class Engine {
   }
 
   Json read(const std::string& step) {
-    const std::string file = file_of(step);
-    int line = 0, ignored = 0;
-    const std::string text = joined(places_of(read_file(kTree / file), step, line));
-    return {{"text", text},
-            {"first", joined(places_of(course::first_text(kTree, file), step, ignored))},
-            {"file", file},
-            {"line", line}};
+    const StudentFiles::Text text = files().text(step);
+    return {{"text", text.now}, {"first", text.first}, {"file", text.file}, {"line", text.line}};
   }
 
   Json write(const std::string& step, const std::string& text) {
-    const std::string file = file_of(step);
-    if (!is_shader(file))
-      throw Error::usage(fmt::format("step {} is written in C++: do it on the desktop", step));
-    for (const char* marker : {"//@step", "//@end", "//@starter", "//@teacher"})
-      for (const std::string& line : lines_of(text))
-        if (is_marker(line, marker))
-          throw Error::usage(fmt::format("a step's text has no line '{}'", marker));
-    std::vector<std::string> parts(1);
-    for (const std::string& line : lines_of(text))
-      if (is_marker(line, kNextPlace))
-        parts.emplace_back();
-      else
-        parts.back() += line + "\n";
-    std::string result;
-    std::size_t part = 0;
-    bool inside = false;
-    for (const std::string& line : lines_of(read_file(kTree / file))) {
-      if (is_marker(line, "//@end")) inside = false;
-      if (!inside) result += line + "\n";
-      if (!is_marker(line, "//@step " + step + " begin")) continue;
-      inside = true;
-      if (part < parts.size()) result += parts[part];
-      ++part;
-    }
-    if (part != parts.size())
-      throw Error::usage(
-          fmt::format("step {} is written in {} places, and this text has {}", step, part, parts.size()),
-          fmt::format("put a line {} between them", kNextPlace));
-    return put(file, result);
-  }
-
-  std::string known_file(const std::string& path) const {
-    for (const std::string& file : course::step_files(kTree))
-      if (file == path) return path;
-    throw Error::usage(fmt::format("'{}' is no file with steps", path));
-  }
-
-  Json files() {
-    Json list = Json::array();
-    for (const std::string& file : course::step_files(kTree))
-      if (is_shader(file)) list.push_back(file);
-    return list;
+    return put(files().file_of(step), files().with(step, text));
   }
 
   Json put(const std::string& path, const std::string& text) {
-    const std::string plain = student_text(text, known_file(path));
-    const auto same = [](const std::vector<course::Marker>& a, const std::vector<course::Marker>& b) {
-      return a.size() == b.size() &&
-             std::equal(a.begin(), a.end(), b.begin(),
-                        [](const course::Marker& x, const course::Marker& y) { return x.step == y.step; });
-    };
-    if (!same(course::markers_of(plain, path), course::markers_of(course::first_text(kTree, path), path)))
-      throw Error::failed("has other markers (//@step) than the course's file", {path}, "put them back");
-    write_file(kTree / path, plain);
+    files().write(path, text);
     for (auto& [number, one] : opened_) one->canvas.programs().clear();
     Json report = frame();
     if (shows_endless_loop())
@@ -472,61 +394,21 @@ class Engine {
 
   // ---- the judge ----
 
-  static void write_new(const fs::path& file, const std::string& text) {
-    fs::create_directories(file.parent_path());
-    write_file(file, text);
-  }
-
-  grade::Drawn draw_cases(const course::Lab& lab, const std::vector<course::Case>& cases,
-                          const fs::path& out) {
-    Opened& one = opened(lab);
-    const Aside aside(one);
-    grade::Drawn drawn;
-    fs::create_directories(out);
-    for (const course::Case& it : cases) try {
-        one.start.set(it.settings);
-        if (it.is_mesh()) {
-          mesh::write_ply(out / it.file, *one.lab.mesh(assets_));
-          continue;
-        }
-        const glm::ivec2 size(it.size.width, it.size.height);
-        const std::string reference = read_file(grade::expected_folder(kTree, lab) / it.file);
-        if (it.view == View::color)
-          image::save_png(out / it.file, image::without_alpha(
-                                             covered_as(image::parse_png(reference, it.file, size.x, size.y),
-                                                        it, one.canvas, [&] { return one.canvas.read8(); })));
-        else
-          image::save_pfm(out / it.file, covered_as(image::parse_pfm(reference, it.file), it, one.canvas,
-                                                    [&] { return one.canvas.read_float(); }));
-      } catch (const Error& error) {
-        const Place& place = error.place();
-        const std::string file = fs::path(place.file).filename();
-        drawn.faults[it.file] = plain_lines(error.what());
-        drawn.refused[it.file] = place.line > 0 ? fmt::format("{}:{}", file, place.line) : file;
-      }
-    return drawn;
-  }
-
   Json check(const std::string& step) {
-    const grade::Draws draws{[this](const course::Lab& lab, const std::vector<course::Case>& cases,
-                                    const fs::path& out) { return draw_cases(lab, cases, out); },
-                             [this](const course::Lab&) { return context_->name(); }};
-    const grade::OwnTree tree{kTree, kBuild};
-    checked_ = step.empty() ? grade::check(tree, {course_lab()}, draws).front()
-                            : grade::check_step(tree, course_lab(), step, draws);
-    return Json::parse(grade::to_json(checked_));
+    files();
+    if (!judge_)
+      judge_.emplace(kTree, *context_, assets_,
+                     [this](const course::Lab& lab) -> Opened& { return opened(lab); });
+    return Json::parse(grade::to_json(judge_->check(course_lab(), step)));
   }
 
   Json compare(const std::string& name) {
-    for (const grade::StepResult& step : checked_.steps)
-      for (const grade::CaseResult& one : step.cases) {
-        if (one.name != name || one.is_mesh() || one.picture.empty()) continue;
-        image::Compared all = grade::compared(one);
-        Json size = give(std::move(all.own));
-        give(std::move(all.expected)), give(std::move(all.difference)), give(std::move(all.heat_map));
-        return size;
-      }
-    return nullptr;
+    const grade::CaseResult* one = judge_ ? judge_->drawn(name) : nullptr;
+    if (one == nullptr) return nullptr;
+    image::Compared all = grade::compared(*one);
+    Json size = give(std::move(all.own));
+    give(std::move(all.expected)), give(std::move(all.difference)), give(std::move(all.heat_map));
+    return size;
   }
 
  public:
@@ -537,8 +419,10 @@ class Engine {
   std::unique_ptr<gl::Context> context_;
   app::Assets assets_;
   std::vector<app::AnyLab*> labs_;
-  std::vector<course::Lab> course_;
-  std::map<std::string, Place> places_;
+  std::map<int, std::string> folders_;  ///< of all labs, by number
+  std::map<int, course::Lab> course_;   ///< those that were asked for
+  std::optional<StudentFiles> files_;
+  std::optional<Judge> judge_;
   std::map<int, std::unique_ptr<Opened>> opened_;
   Opened* current_ = nullptr;
   std::optional<Display> display_;
@@ -546,7 +430,6 @@ class Engine {
   int samples_ = 4;
   image::ImageF given_;
   std::list<image::Image8> given8_;
-  grade::LabResult checked_;
 };
 
 /// A compiler's lines "file:line:column: what" in an error's text.

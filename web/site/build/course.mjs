@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the pages need to know of the course before a browser runs it: read from the tree itself.
-import { readFileSync, readdirSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { parse } from "smol-toml";
 
@@ -24,8 +25,19 @@ export function shaderSteps(tree) {
   return steps;
 }
 
-/** The labs in their order: {number, folder, title, lesson, looks, steps}. Throws where a lab.toml cannot be read. */
-export function readLabs(tree) {
+/** Which pictures and models a lab shows at first, as {texture: "brick"}: a page loads them at once. Empty where it is not built. */
+function firstFiles(programs, folder) {
+  const program = programs && join(programs, `lab${folder}`);
+  if (!program || !existsSync(program)) return {};
+  const parameters = JSON.parse(execFileSync(program, ["--list-parameters", "--json"]));
+  return Object.fromEntries(parameters.filter((p) => p.type === "file").map((p) => [p.name, p.default]));
+}
+
+/**
+ * The labs in their order: {number, folder, title, lesson, files, looks, steps}. `programs`: the folder of the desktop's programs,
+ * or nothing. Throws where a lab.toml cannot be read.
+ */
+export function readLabs(tree, programs) {
   const inShaders = shaderSteps(tree);
   const folders = readdirSync(join(tree, "labs")).filter((name) => /^\d\d_/.test(name)).sort();
   return folders.map((folder) => {
@@ -35,6 +47,7 @@ export function readLabs(tree) {
       folder,
       title: toml.title,
       lesson: toml.lesson,
+      files: firstFiles(programs, folder),
       looks: toml.look.map((look) => ({
         name: look.name,
         caption: look.caption,

@@ -66,7 +66,7 @@ function site(href, copies) {
   const picture = /docs\/pictures\/(.+\.(?:png|svg))$/.exec(path);
   if (picture) {
     copies.add(picture[1]);
-    return `../pictures/${picture[1]}`;
+    return `../pictures/${picture[1].replace(/png$/, "webp")}`;
   }
   return null;
 }
@@ -135,6 +135,8 @@ export function handout(markdown, lab, copies, sizeOf = () => ({})) {
         continue;
       }
     }
+    // The lab's own picture is the page's.
+    if (lab && token.type === "paragraph" && token.tokens.length === 1 && token.tokens[0].href?.endsWith(`/pictures/${lab.folder}.png`)) continue;
     html += marked.parser([token]);
   }
   close();

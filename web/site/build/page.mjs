@@ -3,7 +3,8 @@
 import { query } from "./course.mjs";
 import { escaped } from "./handout.mjs";
 
-function document({ title, description, root, body, script = "", classes }) {
+/** `first` comes before the styles, which scripts wait for. */
+function document({ title, description, root, body, first = "", script = "", classes }) {
   return `<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -13,7 +14,7 @@ function document({ title, description, root, body, script = "", classes }) {
 <meta name="description" content="${escaped(description)}">
 <link rel="icon" href="data:,">
 <title>${escaped(title)}</title>
-<link rel="stylesheet" href="${root}site/style.css">
+${first}<link rel="stylesheet" href="${root}site/style.css">
 ${script}</head>
 <body class="${classes}">
 ${body}</body>
@@ -50,6 +51,23 @@ function looksList(looks, thumbnails) {
   });
   return `<ul class="looks">\n${items.join("\n")}\n</ul>`;
 }
+
+/**
+ * Starts the engine with the lab before the page's own script is there, which takes it over (engine/client.mjs). Names the files of
+ * the first picture: of the address, or of the best look (src/lab.js).
+ */
+const early = ({ number, files, looks }) => `if (location.protocol !== "file:" && "OffscreenCanvas" in window) {
+  const worker = new Worker("../engine/worker.mjs", { type: "module" }), canvas = document.createElement("canvas");
+  const started = new Promise((done) => {
+    worker.addEventListener("message", ({ data }) => done(data), { once: true });
+    worker.addEventListener("error", ({ message }) => done({ error: { message: message || "the engine cannot be loaded" } }));
+  });
+  const asked = new URLSearchParams(location.search || "${query(looks.find((look) => look.hero) ?? {})}");
+  const files = Object.fromEntries(Object.entries(${JSON.stringify(files)}).map(([name, value]) => [name, asked.get(name) ?? value]));
+  const surface = canvas.transferControlToOffscreen();
+  worker.postMessage({ id: 0, call: "start", args: { canvas: surface, timeOrigin: performance.timeOrigin, lab: ${number}, files } }, [surface]);
+  globalThis.texelEarly = { worker, canvas, started };
+}`.replace(/\n\s*/g, " ");
 
 /** The page of a lab. `thumbnails`: the looks' small pictures by name; a look without one is only its caption. */
 export function labPage({ lab, labs, handout, thumbnails }) {
@@ -92,7 +110,8 @@ ${handout}<footer>${beside(labs[at - 1], "Lab")}${beside(labs[at + 1], "Lab")}</
     root: "../",
     body,
     classes: "of-lab",
-    script: `<script>globalThis.texelWorker = location.protocol === "file:" ? undefined : new Worker("../engine/worker.mjs", { type: "module" });</script>\n` +
+    first: `<script>${early(lab)}</script>\n`,
+    script:
       `<link rel="stylesheet" href="../site/katex/katex.css">\n<link rel="modulepreload" href="../engine/client.mjs">\n<script type="module" src="../site/lab.js"></script>\n` +
       `<script>if (location.protocol === "file:") addEventListener("DOMContentLoaded", () => { document.querySelector(".waiting").textContent = ` +
       `"A browser does not run this page from a file. In the folder of the pages type: python3 -m http.server"; });</script>\n`,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Pictures of the tree, as small as a page needs them.
+import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import jpeg from "jpeg-js";
 import { PNG } from "pngjs";
 
 /** Width and height of a PNG, without decoding it. */
@@ -14,12 +14,18 @@ export function pngSize(file) {
 const linear = Float64Array.from({ length: 256 }, (_, i) => (i / 255 <= 0.04045 ? i / 255 / 12.92 : ((i / 255 + 0.055) / 1.055) ** 2.4));
 const encoded = (value) => Math.round(255 * (value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055));
 
-/** The middle of a PNG, fitted to width x height by averaging in linear light, as JPEG. */
+/** A PNG (its bytes) as WebP of a quality, 0 to 100. */
+export function asWebp(png, quality) {
+  return execFileSync("cwebp", ["-quiet", "-q", String(quality), "-o", "-", "--", "-"], { input: png, maxBuffer: 1 << 24 });
+}
+
+/** The middle of a PNG, fitted to width x height by averaging in linear light, as WebP. */
 export function smallPicture(file, width, height, quality) {
   const from = PNG.sync.read(readFileSync(file));
   const scale = Math.min(from.width / width, from.height / height);
   const left = (from.width - scale * width) / 2, top = (from.height - scale * height) / 2;
-  const data = Buffer.alloc(4 * width * height, 255);
+  const small = new PNG({ width, height }), { data } = small;
+  data.fill(255);
   for (let y = 0; y < height; ++y)
     for (let x = 0; x < width; ++x) {
       const x0 = Math.floor(left + x * scale), x1 = Math.max(x0 + 1, Math.floor(left + (x + 1) * scale));
@@ -30,7 +36,7 @@ export function smallPicture(file, width, height, quality) {
         data[4 * (y * width + x) + c] = encoded(sum / ((x1 - x0) * (y1 - y0)));
       }
     }
-  return jpeg.encode({ data, width, height }, quality).data;
+  return asWebp(PNG.sync.write(small), quality);
 }
 
 /** The gallery's picture of a look, or null where the gallery was not drawn. */

@@ -25,8 +25,10 @@ export function makePicture(host, act) {
     height: Math.max(1, Math.round(host.clientHeight * ratio())),
   });
   const fresh = () => {
+    // The first one may have been given to a worker already.
+    const early = canvas ? null : globalThis.texelEarly?.canvas;
     canvas?.remove();
-    canvas = element("canvas", size());
+    canvas = early ?? element("canvas", size());
     host.prepend(canvas);
     return canvas;
   };

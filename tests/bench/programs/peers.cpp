@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "core/process.hpp"
+#include "measures.hpp"
+
+namespace texel::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kLab9 = "lab09_bump";
+
+/// One round of tests/bench/peers/measure.mjs.
+Json measure_pages(const Options& options) {
+  const Ran ran =
+      run_program({"node", (options.root / "tests/bench/peers/measure.mjs").string(), "1", "--json"});
+  if (ran.exit_code != 0)
+    throw Error::failed("the pages cannot be measured", {}, "./run performance makes them");
+  return Json::parse(ran.output).at(0);
+}
+
+/// A batch of so many pictures of 512x512 with 4 samples a pixel.
+double batch_ms(const Options& options, int count) {
+  Json entries = Json::array();
+  for (int i = 0; i < count; ++i) entries.push_back({{"name", fmt::format("{}", i)}});
+  const std::string file = options.work_file(fmt::format("peers_{}.json", count));
+  write_file(file, entries.dump());
+  return run_process({options.program(kLab9), "--batch", file, "--out", options.work_file("peers")},
+                     {"GALLIVM_PERF=no_aos_sampling"})
+      .milliseconds;
+}
+
+}  // namespace
+
+/// Our page and our program beside three.js' page of the same ball, in the same rounds.
+void measure_peers(const Options& options, Report& report) {
+  constexpr int more = 20;
+  struct Figure {
+    const char *what, *name, *unit;
+  };
+  constexpr Figure figures[] = {{"page, first picture", "first_picture_ms", "ms"},
+                                {"page, antialiased", "antialiased_ms", "ms"},
+                                {"page, one sample", "plain_ms", "ms"},
+                                {"page, loaded", "bytes", "bytes"}};
+  report.begin(
+      "Beside three.js",
+      "Lab 9's ball by three.js (`tests/bench/peers`): the same cube map, normal map, mesh and filters, in "
+      "headless Chromium, which draws by SwiftShader. Pages: the first picture from navigation on, in a "
+      "browser that has drawn both but keeps no files; one of many pictures of 512x512 with 4 samples a "
+      "pixel "
+      "and with one; what is loaded, as brotli compresses it. Our page comes with its handout, all labs and "
+      "the judge, which the browser compiles and lays out while it waits for the picture, and with its "
+      "pictures as lossless WebP; three.js' page loads the tree's PNG files. Our program draws by llvmpipe: "
+      "one of many pictures with 4 samples; and one from the start of the process to its end, with the "
+      "driver's cache of shaders, beside three.js' first one from the start of Chromium.");
+  const std::vector<std::string> cached = {"MESA_SHADER_CACHE_DISABLE=false",
+                                           "MESA_SHADER_CACHE_DIR=" + options.work_file("shaders")};
+  const auto snapshot_ms = [&] {
+    return run_process({options.program(kLab9), "--snapshot", options.work_file("peers.png")}, cached)
+        .milliseconds;
+  };
+  snapshot_ms();  // fills the cache
+  std::vector<std::vector<Pair>> pages(std::size(figures));
+  std::vector<Pair> one_more, cold;
+  for (int i = 0; i < options.rounds; ++i) {
+    const Json round = measure_pages(options);
+    const Json &ours = round.at("ours"), &theirs = round.at("theirs");
+    for (std::size_t k = 0; k < std::size(figures); ++k)
+      pages[k].push_back({ours.at(figures[k].name), theirs.at(figures[k].name)});
+    one_more.push_back(
+        {(batch_ms(options, more + 1) - batch_ms(options, 1)) / more, theirs.at("antialiased_ms")});
+    cold.push_back({snapshot_ms(), theirs.at("cold_ms")});
+  }
+  for (std::size_t k = 0; k < std::size(figures); ++k)
+    report.add(row_of(figures[k].what, "ours", "three.js", figures[k].unit, pages[k], Target::at_most, 1));
+  report.add(row_of("program, one more", "ours", "three.js", "ms", one_more, Target::at_most, 0.6));
+  report.add(row_of("program, first picture", "ours", "three.js", "ms", cold, Target::at_most, 0.07));
+}
+
+}  // namespace texel::bench
