@@ -22,6 +22,8 @@ target_compile_options(texel_flags INTERFACE
   # GCC 12 warns of copies inside std::string's operator+: that they overlap, or are too long. Neither can happen (GCC bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-stringop-overflow>
+  # libstdc++ 12's own stable_sort uses what C++17 deprecates, and Clang 19 says so.
+  $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>
   # The sanitizers' own code makes GCC warn of std::regex; without them the same files are warned of as ever.
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${TEXEL_SANITIZE}>>:-Wno-maybe-uninitialized>
   # GCC 12's vectoriser of straight-line code turns double -> float -> double into nothing: then a result depends on what was
