@@ -17,8 +17,8 @@ struct Compared {
   double full_scale;   ///< the largest error, and not less than was asked for
 };
 
-/// Errors that are small beside `least_scale` are dark in the heat map, also where none is larger. Throws Error
-/// (exit 3) if the sizes differ.
+/// Errors that are small beside `least_scale` are dark in the heat map, also where none is larger. Throws
+/// Error (exit 3) if the sizes differ.
 Compared compared(const Image8& own, const Image8& expected, double least_scale);
 /// Of a data view: its name, and the unit of its error.
 Compared compared(const ImageF& own, const ImageF& expected, double least_scale, const std::string& view,
