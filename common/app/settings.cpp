@@ -36,7 +36,8 @@ View find_view(const AnyLab& lab, const std::string& name) {
     if (names.back() == name) return view;
     list += (list.empty() ? "" : ", ") + names.back();
   }
-  if (std::ranges::count(lab.info().views, View::error) > 0 && name == name_of(View::error))
+  const std::span<const View> all = lab.info().views;
+  if (std::count(all.begin(), all.end(), View::error) > 0 && name == name_of(View::error))
     throw Error::usage("the view 'error' needs the right answers; a student's tree does not contain them");
   const std::string near = nearest(name, names);
   throw Error::usage(fmt::format("this lab has no view '{}'; its views are {}", name, list),
