@@ -47,8 +47,8 @@ has_status() { look "$work/now" 330x36+0+684 && has_colours "$work/now" 8; }
 check 'the status line says that it was built again' eventually has_status
 press t
 check 'the window has lines of T, B and N' changed_from "$work/first"
-press F5
-reopened() { find_window && shows "$work/first"; }
+# The status line may speak of the build or of the check before: F5 does nothing new until the program is there.
+reopened() { find_window && { shows "$work/first" || { press F5 2>/dev/null && sleep 1 && false; }; }; }
 check 'F5 opens the new program with the same look' eventually reopened
 check 'Esc quits with exit code 0' quits_with 0
 check 'nothing stands on standard error' test ! -s "$work/errors"
