@@ -32,7 +32,8 @@ class ShaderError : public EveryLab {
     EXPECT_EQ(result.exit_code, 3);
     EXPECT_EQ(result.output, "");
     const auto number = std::count(good.begin(), good.end(), '\n') + 1;
-    EXPECT_TRUE(result.errors.starts_with(fmt::format("{}: {}:{}:", lab(), file, number))) << result.errors;
+    EXPECT_TRUE(result.errors.starts_with(fmt::format("{}: shaders/{}:{}:", lab(), file, number)))
+        << result.errors;
     EXPECT_TRUE(has(result.errors, message)) << result.errors;
     EXPECT_FALSE(std::filesystem::exists(picture));
   }
