@@ -127,16 +127,12 @@ void Window::perform(Action action) {
         state_.keys_open = !state_.keys_open;
         return;
       case Action::quit:
-        // Esc closes what is open first.
+        // Esc closes an open list first.
         if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) {
           ImGui::ClosePopupToLevel(0, true);
           return;
         }
         if (std::exchange(state_.looks_open, false) || std::exchange(state_.keys_open, false)) return;
-        if (state_.inspected) {
-          state_.inspected.reset();
-          return;
-        }
         glfwSetWindowShouldClose(window(), GLFW_TRUE);
         return;
     }

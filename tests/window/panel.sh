@@ -132,9 +132,6 @@ check 'mended, the picture is back' is_back "$work/first"
 
 click_at 650 500
 check 'a click shows the pixel' changed_from "$work/first"
-settle "$work/pixel"
-press Escape
-check 'Esc closes its panel' is_back "$work/first"
 check 'Esc quits with exit code 0' quits_with 0
 check 'nothing stands on standard error' test ! -s "$work/errors"
 
@@ -150,7 +147,5 @@ click_at 650 390
 check 'the pixel again' is_back "$work/pixel"
 click_at 465 171
 check 'a tab shows the other texture' changed_from "$work/pixel"
-press Escape
-check 'Esc closes the panel' is_back "$work/first"
 check 'Esc quits with exit code 0' quits_with 0
 check 'nothing stands on standard error' test ! -s "$work/errors"

@@ -62,7 +62,7 @@ press() { xdotool key --window "$window" "$1"; }
 # The exit code of the program after Esc; what it wrote to standard error is in $work/errors.
 quits_with() {
   press Escape
-  eventually eval "! kill -0 $pid 2>/dev/null"
+  eventually eval "! kill -0 $pid 2>/dev/null" || kill "$pid"
   wait "$pid"
   local code=$?
   pid=
