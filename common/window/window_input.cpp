@@ -145,7 +145,9 @@ void Window::open_anew() {
   std::vector<std::string> words = {own_program_.string(), "--size", fmt::format("{}x{}", units_.x, units_.y),
                                     "--view", name_of(state_.view)};
   for (const params::Parameter& p : lab_.parameters())
-    if (!p.is_default()) words.insert(words.end(), {fmt::format("--{}", p.flag()), p.text()});
+    // A model that is given its turn stands still, as this one does.
+    if (!p.is_default() || (p.name == "turn" && state_.paused))
+      words.insert(words.end(), {fmt::format("--{}", p.flag()), p.text()});
   if (state_.case_pictures) words.insert(words.end(), {"--see", state_.case_pictures->step});
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
