@@ -70,7 +70,8 @@ quits_with() {
 }
 
 # look FILE [GEOMETRY]: what the window shows, or a part of it such as 620x720+340+0, as a PPM.
-look() { import -silent -window "$window" ${2:+-crop "$2" +repage} "ppm:$1" 2>/dev/null; }
+# import sometimes waits for ever; it is asked again then.
+look() { timeout 10 import -silent -window "$window" ${2:+-crop "$2" +repage} "ppm:$1" 2>/dev/null; }
 # The part that no panel covers, at the window's first size of 960x720.
 picture=620x720+340+0
 
