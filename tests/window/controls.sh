@@ -3,15 +3,10 @@
 source "$(dirname "${BASH_SOURCE[0]}")/window.bash"
 
 export TEXEL_ROOT=$work/root
-mkdir -p "$TEXEL_ROOT" "$work/programs"
+mkdir -p "$TEXEL_ROOT"
 cp -r "$source_root"/{shaders,labs,common} "$TEXEL_ROOT"
 ln -s "$source_root/assets" "$TEXEL_ROOT/assets"
-# Stand in for the programs that the window calls: they keep what they are given.
-printf '#!/bin/sh\nprintf "%%s\\n" "$@" >%q\n' "$work/edited" >"$work/programs/editor"
-printf '#!/bin/sh\nfor last; do :; done\ncp "$last" %q\n' "$work/clipboard.png" >"$work/programs/xclip"
-chmod +x "$work"/programs/*
-export PATH=$work/programs:$PATH VISUAL=$work/programs/editor
-unset WAYLAND_DISPLAY
+stand_in_for_programs
 
 panel=340x690+0+0 # without the status line
 has_parameter() { grep -aq "$2" "$work/$1"; } # a snapshot names its parameters

@@ -4,15 +4,11 @@ source "$(dirname "${BASH_SOURCE[0]}")/window.bash"
 
 # A lab without steps: the widgets stand where they are below.
 export TEXEL_ROOT=$work/root
-mkdir -p "$TEXEL_ROOT/labs/01_texture_quad" "$work/programs"
+mkdir -p "$TEXEL_ROOT/labs/01_texture_quad"
 cp -r "$source_root/shaders" "$TEXEL_ROOT"
 cp "$source_root/labs/01_texture_quad/lab.toml" "$TEXEL_ROOT/labs/01_texture_quad"
 ln -s "$source_root/assets" "$TEXEL_ROOT/assets"
-printf '#!/bin/sh\nprintf "%%s\\n" "$@" >%q\n' "$work/edited" >"$work/programs/editor"
-printf '#!/bin/sh\nfor last; do :; done\ncp "$last" %q\n' "$work/clipboard.png" >"$work/programs/xclip"
-chmod +x "$work"/programs/*
-export PATH=$work/programs:$PATH VISUAL=$work/programs/editor
-unset WAYLAND_DISPLAY
+stand_in_for_programs
 
 panel=340x680+0+0 status=330x36+0+684
 click_at() { xdotool mousemove --window "$window" "$1" "$2" click 1; }

@@ -57,6 +57,17 @@ find_window() {
   [[ -n $window ]]
 }
 
+# Stand-ins for the programs that the window calls, editor and clipboard: they keep what they are given, in $work/edited and
+# $work/clipboard.png.
+stand_in_for_programs() {
+  mkdir -p "$work/programs"
+  printf '#!/bin/sh\nprintf "%%s\\n" "$@" >%q\n' "$work/edited" >"$work/programs/editor"
+  printf '#!/bin/sh\nfor last; do :; done\ncp "$last" %q\n' "$work/clipboard.png" >"$work/programs/xclip"
+  chmod +x "$work"/programs/*
+  export PATH=$work/programs:$PATH VISUAL=$work/programs/editor
+  unset WAYLAND_DISPLAY
+}
+
 press() { xdotool key --window "$window" "$1"; }
 
 # The exit code of the program after Esc; what it wrote to standard error is in $work/errors.
