@@ -3,11 +3,14 @@
 # expected picture.
 source "$(dirname "${BASH_SOURCE[0]}")/window.bash"
 
+stand_in_for_programs
 export TEXEL_ROOT=$work/root
 mkdir -p "$TEXEL_ROOT"
 cp -r "$source_root"/{shaders,labs,common} "$TEXEL_ROOT"
 ln -s "$source_root/assets" "$TEXEL_ROOT/assets"
 shader=$TEXEL_ROOT/shaders/05_normal_map/decode_normal.glsl
+
+click() { xdotool mousemove --window "$window" "$1" "$2" click 1; }
 
 # has_text RGB: whether so coloured text stands in the panel's upper part.
 has_text() {
@@ -30,9 +33,9 @@ check 'and the picture shows the mistake' changed_from "$work/first"
 settle "$work/wrong"
 
 # The first step's triangle, then its first case: below two lines each of error and mistake, and the button for a hint.
-xdotool mousemove --window "$window" 19 151 click 1
+click 19 151
 sleep 1
-pick_case() { xdotool mousemove --window "$window" 70 282 click 1; }
+pick_case() { click 70 282; }
 pick_case
 check 'a case that is picked sets its look' changed_from "$work/wrong"
 settle "$work/case"
@@ -41,20 +44,42 @@ white_line() { look "$work/corner" 340x380+600+330 && (($(pixels_of "$work/corne
 check 'and shows the expected picture beside yours' eventually white_line
 
 no_white_line() { ! white_line; }
-xdotool mousemove --window "$window" 865 419 click 1
+# line_at X: the white line stands at this column of the window.
+line_at() { look "$work/column" 3x200+$(($1 - 1))+436 && (($(pixels_of "$work/column" 255,255,255 0) >= 200)); }
+check 'in the middle' eventually line_at 734
+xdotool mousemove --window "$window" 734 540 mousedown 1 mousemove --window "$window" 690 540
+check 'the line follows the mouse' eventually line_at 690
+xdotool mouseup 1
+settle "$work/split" 340x290+620+430
+
+click 785 419
+check 'difference takes the two pictures away' eventually no_white_line
+check 'and shows another' changed_from "$work/split" 340x290+620+430
+click 641 419
+check 'yours and expected come back' eventually line_at 690
+
+click 395 416
+is_opened() { grep -q 'shaders/05_normal_map/decode_normal.glsl' "$work/edited"; }
+check 'Open in editor opens the step' eventually is_opened
+
+click 865 419
 # Of the heat map's scale, which ends where the error is largest.
 shows_heat() { look "$work/corner" 310x280+640+430 && (($(pixels_of "$work/corner" 255,255,191 6) > 10)); }
 check 'heat map shows where the error is' eventually shows_heat
 check 'in place of the two pictures' no_white_line
-xdotool mousemove --window "$window" 503 416 click 1
+click 503 416
 check 'Back to my look sets the look as it was' returned_to "$work/wrong"
 pick_case
 check 'the case again' eventually white_line
-xdotool mousemove --window "$window" 584 416 click 1
+click 584 416
 check 'Close takes the step away' eventually no_white_line
 check 'and keeps the look of the case' shows_other "$work/wrong"
 pick_case
 check 'the case again' eventually white_line
+
+settle "$work/button" 310x20+22+254
+click 63 264
+check 'a hint takes the place of its button' changed_from "$work/button" 310x20+22+254
 
 press j  # the case's parameters stand in amber too
 cp "$source_root/shaders/05_normal_map/decode_normal.glsl" "$shader"
