@@ -31,7 +31,10 @@ std::size_t behind_bracket(std::string_view text, std::size_t open) {
 constexpr std::array<const char*, 10> kRaised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
 constexpr std::array<const char*, 10> kLowered = {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
 
-/// LaTeX as the handouts use it, as one line of Unicode.
+/// Of formulas that stand in lines of their own.
+constexpr const char* kIndent = "   ";
+
+/// LaTeX as the handouts use it, in Unicode; where it has a wide gap begins another line.
 std::string formula(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -43,7 +46,7 @@ std::string formula(std::string_view text) {
       const std::string_view word = text.substr(i + 1, end - i - 1);
       i = end - 1;
       if (word == "qquad") {
-        result += "\n";
+        result.append("\n").append(kIndent);
         while (i + 1 < text.size() && text[i + 1] == ' ') ++i;
       } else if (word == "lvert" || word == "rvert") {
         result += "|";
@@ -67,24 +70,28 @@ std::string formula(std::string_view text) {
   return result;
 }
 
-/// The "Write:" of a section and, above it, its formulas that stand in lines of their own.
+/// A section's explanation and its "Write:", without picture. Paragraphs, formulas and a table's rows are
+/// lines.
 std::string task_of(const std::vector<std::string>& lines, const std::string& step) {
-  std::string formulas, task;
+  std::string task;
   const std::string heading = fmt::format("### {} ", step);
-  bool is_here = false, writes = false;
+  bool is_here = false, is_shown = false, begins_line = true;
   for (const std::string& line : lines) {
-    if (line.starts_with("#")) is_here = line.starts_with(heading);
-    if (!is_here) continue;
-    if (line.starts_with("$$")) formulas.append(line).append("\n");
-    if (line.starts_with("- ")) writes = line.starts_with("- **Write:**");
-    if (writes && line.empty()) writes = false;
-    if (!writes) continue;
+    if (line.starts_with("#")) is_here = is_shown = line.starts_with(heading);
+    if (!is_here || line.starts_with("#") || line.starts_with("![") || line.starts_with("|--")) continue;
+    const bool is_bullet = line.starts_with("- "), is_row = line.starts_with("| ");
+    if (is_bullet) is_shown = line.starts_with("- **Write:**");
+    const bool is_alone = is_bullet || is_row || line.starts_with("$$");
     const std::size_t text = line.find_first_not_of(' ');
-    if (text != std::string::npos) task.append(task.empty() ? "" : " ").append(line.substr(text));
+    if (!is_shown || text == std::string::npos) {
+      begins_line = true;
+      continue;
+    }
+    if (!task.empty()) task += is_bullet ? "\n\n" : begins_line || is_alone ? "\n" : " ";
+    task += is_bullet ? line.substr(2) : is_row ? line.substr(2, line.rfind(" |") - 2) : line.substr(text);
+    begins_line = is_alone && !is_bullet;
   }
-  constexpr std::string_view kBullet = "- ";
-  if (task.starts_with(kBullet)) task.erase(0, kBullet.size());
-  return without_markdown(formulas + task);
+  return without_markdown(task);
 }
 
 }  // namespace
@@ -103,6 +110,7 @@ std::string without_markdown(std::string_view text) {
         result += c;
         continue;
       }
+      if (marks == 2) result += kIndent;
       result += formula(text.substr(i + marks, end - i - marks));
       i = end + marks - 1;
     } else if (text.substr(i, 2) == "**" && !is_code) {

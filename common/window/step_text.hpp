@@ -6,14 +6,14 @@
 
 namespace texel::app {
 
-/// What a student needs beside the picture: the step's own lines, and what the handout says to write.
+/// What a student needs beside the picture: the step's own lines, and what the handout says of it.
 struct StepText {
   std::filesystem::path file;      ///< on this machine
   std::string shown_file;          ///< in the tree: "shaders/05_normal_map/decode_normal.glsl"
   int line = 0;                    ///< of the first marker, counted from 1
   int first_line = 0;              ///< of `lines`
   std::vector<std::string> lines;  ///< from the function's head to the last marker; none without the file
-  std::string task;                ///< the handout's "Write:" and its formulas, as plain text; or ""
+  std::string task;                ///< the handout's explanation and its "Write:", as plain text; or ""
 };
 
 /// Reads the step's file around `line`, and the section "### ID …" of the lab's README.md, both below

@@ -80,8 +80,9 @@ click_at 155 226
 check 'nothing is compared' is_back "$work/first"
 
 click_at 110 105
-sleep 0.5
-press ctrl+a
+# Until the field has the caret it does not hear this.
+selects_all() { press ctrl+a && sleep 0.3 && look "$work/now" 226x20+8+95 && (($(pixels_of "$work/now" 42,83,135 2) > 1000)); }
+check "Ctrl+A selects the file's name" eventually selects_all
 xdotool type --window "$window" --delay 60 mine.toml
 click_at 252 105
 check 'Save writes the file that was typed' eventually test -s "$work/mine.toml"

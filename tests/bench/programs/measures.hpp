@@ -4,6 +4,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "report.hpp"
 
@@ -18,6 +19,10 @@ struct Options {
   [[nodiscard]] std::string program(const std::string& name) const { return (bin / name).string(); }
   [[nodiscard]] std::string assets() const { return (root / "assets").string(); }
   [[nodiscard]] std::string work_file(const std::string& name) const { return (work / name).string(); }
+  /// Variables with which the driver keeps its shaders from one process to the next, as it does for users.
+  [[nodiscard]] std::vector<std::string> kept_shaders() const {
+    return {"MESA_SHADER_CACHE_DISABLE=false", "MESA_SHADER_CACHE_DIR=" + work_file("shaders")};
+  }
   /// Of what takes a minute each time.
   [[nodiscard]] int long_rounds() const { return rounds < 8 ? 1 : rounds / 4; }
 };

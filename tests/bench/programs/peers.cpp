@@ -56,10 +56,9 @@ void measure_peers(const Options& options, Report& report) {
       "pictures as lossless WebP; three.js' page loads the tree's PNG files. Our program draws by llvmpipe: "
       "one of many pictures with 4 samples; and one from the start of the process to its end, with the "
       "driver's cache of shaders, beside three.js' first one from the start of Chromium.");
-  const std::vector<std::string> cached = {"MESA_SHADER_CACHE_DISABLE=false",
-                                           "MESA_SHADER_CACHE_DIR=" + options.work_file("shaders")};
   const auto snapshot_ms = [&] {
-    return run_process({options.program(kLab9), "--snapshot", options.work_file("peers.png")}, cached)
+    return run_process({options.program(kLab9), "--snapshot", options.work_file("peers.png")},
+                       options.kept_shaders())
         .milliseconds;
   };
   snapshot_ms();  // fills the cache
