@@ -210,7 +210,15 @@ TEST(Documents, show_pictures_of_the_present_code) {
   }
 }
 
+/// A folder or file of the tree, or one without its ending, or a room's header without include/ROOM.
+bool is_in_tree(const std::filesystem::path& name) {
+  const auto folder = name.parent_path();
+  return std::filesystem::exists(name) || std::filesystem::exists(name.string() + ".cpp") ||
+         std::filesystem::exists(folder / "include" / folder.filename() / name.filename());
+}
+
 TEST(Documents, name_only_files_that_are_there) {
+  const std::regex code("`((common|labs|shaders|tests|tools|web)/[\\w./]+)`");
   const std::regex link("\\]\\(([^):#]+)|src=\"([^\"]+)");
   std::vector<std::string> documents = {"README.md",       "CONTRIBUTING.md",    "docs/architecture.md",
                                         "docs/student.md", "docs/instructor.md", "docs/course.md"};
@@ -223,6 +231,11 @@ TEST(Documents, name_only_files_that_are_there) {
       if (target == "https") continue;
       const auto path = std::filesystem::path(document).parent_path() / target;
       EXPECT_TRUE(std::filesystem::exists(path)) << document << " names " << target;
+    }
+    for (std::sregex_iterator found(text.begin(), text.end(), code), end; found != end; ++found) {
+      const std::string name = (*found)[1].str();
+      EXPECT_TRUE(name.find("/NN_") != std::string::npos || is_in_tree(name))
+          << document << " names " << name;
     }
   }
 }
