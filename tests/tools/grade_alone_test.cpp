@@ -46,11 +46,11 @@ void surround(std::string& text, const std::string& step, const std::string& bef
   text.insert(end, behind + "\n");
 }
 
-const grade::StepResult& step_of(const grade::StudentResult& student, const std::string& id) {
+const grade::StepResult& step_of(const grade::StudentResult& student, std::string_view id) {
   for (const grade::LabResult& lab : student.labs)
     for (const grade::StepResult& step : lab.steps)
       if (step.id == id) return step;
-  throw std::out_of_range(id);
+  throw std::out_of_range(std::string(id));
 }
 
 /// About 40 wrong solutions, and as many right ones written in other ways. Labs that share files with steps

@@ -18,8 +18,9 @@ For teachers and makers of the course:
 ./run web --starter    the same pages with the starter's steps, without solutions, into out/web_starter
 ./run grade CLASS [..] grade a class: a folder with one folder or archive per student; see docs/instructor.md
 ./run course NAME [..] autograder for Gradescope, GitHub workflow, gradebook, similarity; see docs/course.md
-./run test [--all]     check the formatting, build, run all tests, and run the parsers' tests with sanitizers;
-                       --all adds clang-tidy for the libraries below common/app, a class with all wrong and all
+./run test             check the formatting, build, run all tests, and run the parsers' tests with sanitizers
+./run test N           build, and run the tests of lab N
+./run test --all       run all tests, clang-tidy for the libraries below common/app, a class with all wrong and all
                        hostile solutions, a Gradescope container, a Slurm cluster, and the last commit on bare
                        machines of three releases (hours)
 ./run bench [N] [args] measure the cost and the error of each method of each lab, into out/bench/index.html
@@ -64,14 +65,29 @@ check_format() {
   sources | xargs -0 -n 16 -P "$(nproc)" clang-format --dry-run -Werror || fail 1 "some files are not formatted; ./run format fixes that"
 }
 
-run_tests() { # preset
+run_tests() { # preset, arguments of ctest
   say "Testing (preset $1)"
-  (cd "$root" && ctest --preset "$1" --parallel "$(nproc)") || fail 1 "tests of the preset $1 failed"
+  (cd "$root" && ctest --preset "$1" --parallel "$(nproc)" "${@:2}") || fail 1 "tests of the preset $1 failed"
+}
+
+build_tests() {
+  # The driver's cache of compiled shaders starts empty, as on a new machine. Then all tests share it.
+  rm -rf "$root/build/shaders"
+  export MESA_SHADER_CACHE_DISABLE=false MESA_SHADER_CACHE_DIR=$root/build/shaders
+  configure release -D TEXEL_TESTS=ON
+  build release all
+}
+
+# The tests that name this lab: Labs/Drawing…/lab05, HardCaseOfLab5…, accuracy.of_lab_5…, MarksOfLab…/5.
+test_lab() { # number
+  need "${packages[@]}" "${test_packages[@]}"
+  build_tests
+  run_tests release --no-tests=error --tests-regex "[Ll]abs?_?0?$1([^0-9]|\$)|MarksOfLab.*/$1\$"
 }
 
 run_all_tests() {
   local all=${1:-}
-  [[ $# == 0 || $# == 1 && $all == --all ]] || fail 2 "./run test takes only --all"
+  [[ $# == 0 || $# == 1 && $all == --all ]] || fail 2 "./run test takes a lab's number or --all"
   need "${packages[@]}" "${format_packages[@]}" "${test_packages[@]}"
   check_format
   if [[ $all == --all ]]; then
@@ -82,11 +98,7 @@ run_all_tests() {
     export TEXEL_TEST_ALL=1
     "$root/run" web && "$root/run" web --starter
   fi
-  # The driver's cache of compiled shaders starts empty, as on a new machine. Then all tests share it.
-  rm -rf "$root/build/shaders"
-  export MESA_SHADER_CACHE_DISABLE=false MESA_SHADER_CACHE_DIR=$root/build/shaders
-  configure release -D TEXEL_TESTS=ON
-  build release all
+  build_tests
   run_tests release
   configure asan-ubsan -D TEXEL_TESTS=ON
   build asan-ubsan tests/all
@@ -143,7 +155,9 @@ course_command() { # command, arguments
   local command=$1
   shift
   case $command in
-    test) run_all_tests "$@" ;;
+    test)
+      if [[ $# == 1 && $1 =~ ^[1-9][0-9]*$ ]]; then test_lab "$1"; else run_all_tests "$@"; fi
+      ;;
     bench) run_bench "$@" ;;
     course | expected | grade | marks)
       build_programs >&2
