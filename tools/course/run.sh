@@ -83,6 +83,7 @@ test_lab() { # number
   need "${packages[@]}" "${test_packages[@]}"
   build_tests
   run_tests release --no-tests=error --tests-regex "[Ll]abs?_?0?$1([^0-9]|\$)|MarksOfLab.*/$1\$"
+  say "The tests of lab $1 passed after $SECONDS s"
 }
 
 run_all_tests() {

@@ -23,45 +23,48 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kStudents = 8;
+/// What some students of a class wrote in place of the solution's text.
+struct Mistake {
+  std::size_t students = 0;
+  std::string file, right, wrong;
+};
 
-void spoil(const fs::path& shader) {
-  std::string text = read_file(shader);
-  const std::string line = "fragment_texcoord = texcoord *";
-  const std::size_t at = text.find(line);
-  if (at == std::string::npos) throw Error::failed("hands no texture coordinate on", {shader.string()});
-  write_file(shader, text.replace(at, line.size(), "fragment_texcoord = 1.3 * texcoord.ts *"));
+/// Each student's text is another one.
+void make(const Mistake& mistake, const fs::path& tree, std::size_t student) {
+  const fs::path file = tree / mistake.file;
+  std::string text = read_file(file);
+  const std::size_t at = text.find(mistake.right);
+  if (at == std::string::npos) throw Error::failed("there is no " + mistake.right, {file.string()});
+  text.replace(at, mistake.right.size(), mistake.wrong);
+  write_file(file, fmt::format("{}// student {}\n", text, student));
 }
 
-/// All cases passed, or none did but among the solution's other steps.
-void check_grades(const grade::ClassResult& results, bool all_pass) {
-  std::size_t cases = 0;
+/// As many students lost points as made the mistake.
+void check_grades(const grade::ClassResult& results, std::size_t students, std::size_t wrong) {
+  std::size_t failed = 0;
   for (const grade::StudentResult& student : results.students)
-    for (const grade::LabResult& lab : student.labs)
-      for (const grade::StepResult& step : lab.steps)
-        for (const grade::CaseResult& one : step.cases) {
-          ++cases;
-          if ((one.passed() && !one.is_alone()) != all_pass)
-            throw Error::failed(fmt::format("the case {} of {} is not what was to be graded: {}", one.name,
-                                            student.id, one.message));
-        }
-  if (cases == 0 || results.students.size() != kStudents) throw Error::failed("nothing was graded");
+    failed += std::any_of(student.labs.begin(), student.labs.end(), [](const grade::LabResult& lab) {
+      return std::any_of(lab.steps.begin(), lab.steps.end(),
+                         [](const grade::StepResult& step) { return step.status != grade::Status::passed; });
+    });
+  if (results.students.size() != students || failed != wrong)
+    throw Error::failed(fmt::format("{} of {} students lost points, and {} of {} are to", failed,
+                                    results.students.size(), wrong, students));
 }
 
-/// `spoilt` is a shader that hands a texture coordinate on, and is to hand on another one.
-void add_grading(const Options& options, Report& report, const std::string& what, int lab,
-                 const std::string& spoilt, double target) {
+void add_grading(const Options& options, Report& report, const std::string& what, int lab, double target,
+                 std::size_t size, const Mistake& mistake = {}) {
   const fs::path students = options.work / "class", out = options.work / "grades",
                  seed = options.work / "seed";
   fs::remove_all(students);
-  for (std::size_t i = 0; i < kStudents; ++i) {
+  for (std::size_t i = 0; i < size; ++i) {
     const fs::path tree = students / fmt::format("student_{}", i);
     for (const char* folder : {"common", "labs", "shaders"}) {
       fs::create_directories(tree);
       fs::copy(options.root / folder, tree / folder, fs::copy_options::recursive);
     }
     fs::create_directory_symlink(options.assets(), tree / "assets");
-    if (!spoilt.empty()) spoil(tree / spoilt);
+    if (i < mistake.students) make(mistake, tree, i);
   }
   write_file(seed, "a seed of no course");
   std::vector<course::Lab> chosen = course::read_labs(options.root / "labs");
@@ -70,7 +73,7 @@ void add_grading(const Options& options, Report& report, const std::string& what
       grade::full_plan(chosen, read_file(seed), options.work / "models");
   std::size_t cases = 0;
   for (const grade::LabPlan& plan : plans) {
-    cases += kStudents * plan.cases.size();
+    cases += size * plan.cases.size();
     write_file(options.work / (plan.lab.folder + ".json"), course::to_batch(plan.cases));
   }
   const auto grade = [&] {
@@ -83,7 +86,7 @@ void add_grading(const Options& options, Report& report, const std::string& what
   };
   const auto draw = [&] {
     const Stopwatch stopwatch;
-    in_parallel(processors(), kStudents * plans.size(), [&](std::size_t i) {
+    in_parallel(processors(), size * plans.size(), [&](std::size_t i) {
       const course::Lab& drawn = plans[i % plans.size()].lab;
       const std::string student = fmt::format("student_{}", i / plans.size());
       run_process({"env", "LP_NUM_THREADS=0", "TEXEL_THREADS=1",
@@ -95,7 +98,7 @@ void add_grading(const Options& options, Report& report, const std::string& what
   };
   report.add(row_of(fmt::format("{}, {} cases", what, cases), "grade", "batches", "ms",
                     interleaved(options.long_rounds(), grade, draw), Target::at_most, target));
-  check_grades(grade::read_results(out, options.root), spoilt.empty());
+  check_grades(grade::read_results(out, options.root), size, mistake.students);
 }
 
 /// A class in labs of C++ and GLSL that made a mistake in every tenth step: judged with each step that fails
@@ -167,15 +170,18 @@ void add_judged_alone(const Options& options, Report& report) {
 void measure_grading(const Options& options, Report& report) {
   report.begin(
       "Grading beside drawing",
-      fmt::format(
-          "`texel grade` with its reports over a class of {} whose shaders are right, or make every picture "
-          "another one; beside as many `--batch` that draw the same cases, one for each processor at a time. "
-          "Each step that fails is drawn again, alone; the last row has that beside drawing once. "
-          "What a course does once (starter, references, the pictures of known mistakes) is done before.",
-          kStudents));
-  add_grading(options, report, "lab 1, all match", 1, "", 1.3);
-  add_grading(options, report, "lab 9, all match", 9, "", 1.3);
-  add_grading(options, report, "lab 1, all differ", 1, "shaders/01_texture_quad/texture_quad.vert", 2.2);
+      "`texel grade` with its reports over a class whose shaders are right, or some or all of them "
+      "wrong; beside as many `--batch` that draw the same cases, one for each processor at a time. "
+      "Each step that fails is drawn again, alone; the last row has that beside drawing once. What a "
+      "course does once (starter, references, the pictures of known mistakes) is done before.");
+  const Mistake turned{8, "shaders/01_texture_quad/texture_quad.vert", "fragment_texcoord = texcoord *",
+                       "fragment_texcoord = 1.3 * texcoord.ts *"};
+  const Mistake tilted{5, "shaders/05_normal_map/decode_normal.glsl", "return color * 2.0 - 1.0",
+                       "return color * 2.0 - 0.9"};
+  add_grading(options, report, "lab 1, 8 students, all right", 1, 1.3, 8);
+  add_grading(options, report, "lab 9, 8 students, all right", 9, 1.3, 8);
+  add_grading(options, report, "lab 1, 8 students, all wrong", 1, 2.2, 8, turned);
+  add_grading(options, report, "lab 5, 12 students, 5 wrong in one step", 5, 1.5, 12, tilted);
   add_judged_alone(options, report);
 }
 
