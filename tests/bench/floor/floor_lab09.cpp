@@ -140,7 +140,9 @@ int main(int argc, char** argv) {
     glDepthFunc(GL_LESS);
     glUseProgram(program);
     glBindVertexArray(ball_array);
+    glEnable(GL_CULL_FACE);  // as the lab draws the half that is seen
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(ball.indices.size()), GL_UNSIGNED_INT, nullptr);
+    glDisable(GL_CULL_FACE);
     glDepthFunc(GL_LEQUAL);
     glUseProgram(background);
     glBindVertexArray(quad_array);
