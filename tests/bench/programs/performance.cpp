@@ -36,11 +36,14 @@ int main(int argc, char** argv) {
     const texel::ScratchFolder folder;
     options.work = folder.path();
     Report report;
-    for (const auto& [name, measure] : parts)
-      if (only.empty() || only == name) measure(options, report);
-    if (!json.empty()) texel::write_file(json, report.as_json());
-    if (!markdown.empty())
-      texel::write_file(markdown, report.as_markdown(options.rounds, options.long_rounds()));
+    for (const auto& [name, measure] : parts) {
+      if (!only.empty() && only != name) continue;
+      measure(options, report);
+      // Now, so that a fault in a later part loses nothing.
+      if (!json.empty()) texel::write_file(json, report.as_json());
+      if (!markdown.empty())
+        texel::write_file(markdown, report.as_markdown(options.rounds, options.long_rounds()));
+    }
   } catch (const std::exception& error) {
     fmt::print(stderr, "performance: {}\n", error.what());
     return 3;
