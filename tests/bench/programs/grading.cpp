@@ -39,9 +39,15 @@ void make(const Mistake& mistake, const fs::path& tree, std::size_t student) {
   write_file(file, fmt::format("{}// student {}\n", text, student));
 }
 
-/// As many students lost points as made the mistake.
+/// As many students lost points as made the mistake. Where all made it, none of their own pictures is right.
 void check_grades(const grade::ClassResult& results, std::size_t students, std::size_t wrong) {
-  std::size_t failed = 0;
+  std::size_t failed = 0, cases = 0, right = 0;
+  for (const grade::StudentResult& student : results.students)
+    for (const grade::LabResult& lab : student.labs)
+      for (const grade::StepResult& step : lab.steps)
+        for (const grade::CaseResult& one : step.cases) ++cases, right += one.passed() && !one.is_alone();
+  if (cases == 0 || (wrong == 0 && right != cases) || (wrong == students && right != 0))
+    throw Error::failed(fmt::format("{} of {} cases are right", right, cases));
   for (const grade::StudentResult& student : results.students)
     failed += std::any_of(student.labs.begin(), student.labs.end(), [](const grade::LabResult& lab) {
       return std::any_of(lab.steps.begin(), lab.steps.end(),

@@ -72,10 +72,15 @@ struct Starter {
 
 void measure_waits(const Options& options, Report& report) {
   if (options.before.empty()) return;
+  std::string commit =
+      run_program({"git", "-C", options.before.string(), "rev-parse", "--short", "HEAD"}).output;
+  commit.erase(commit.find_last_not_of('\n') + 1);
   report.begin(
       "What a student waits for",
-      "Starters of this tree and of an earlier commit, in turn. `./run` with nothing built, without the "
-      "compiler's cache, all packages installed. `./run check 5` after a save of a file.");
+      fmt::format("Starters of this tree and of the earlier commit {}, in turn. `./run` with nothing "
+                  "built, without the compiler's cache, all packages installed. `./run check 5` "
+                  "after a save of a file.",
+                  commit));
   const Starter now(options.root, options.work / "now"), before(options.before, options.work / "before");
   const auto add = [&](const std::string& what, const std::string& unit, int rounds, double target,
                        const std::function<double(const Starter&)>& measure) {
