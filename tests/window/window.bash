@@ -72,7 +72,9 @@ press() { xdotool key --window "$window" "$1"; }
 
 # The exit code of the program after Esc; what it wrote to standard error is in $work/errors.
 quits_with() {
-  press Escape
+  # The window may be gone before xdotool has released the key: held down, it would repeat and quit the next window.
+  press Escape 2>/dev/null
+  xdotool keyup Escape
   eventually eval "! kill -0 $pid 2>/dev/null" || kill "$pid"
   wait "$pid"
   local code=$?
@@ -81,8 +83,8 @@ quits_with() {
 }
 
 # look FILE [GEOMETRY]: what the window shows, or a part of it such as 620x720+340+0, as a PPM.
-# import sometimes waits for ever; it is asked again then.
-look() { timeout 10 import -silent -window "$window" ${2:+-crop "$2" +repage} "ppm:$1" 2>/dev/null; }
+# Without a window import would wait for a click that picks one.
+look() { kill -0 "$pid" 2>/dev/null && timeout 10 import -silent -window "$window" ${2:+-crop "$2" +repage} "ppm:$1" 2>/dev/null; }
 # The part that no panel covers, at the window's first size of 960x720.
 picture=620x720+340+0
 
