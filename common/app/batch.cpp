@@ -32,16 +32,26 @@ void check(AnyLab& lab, const course::Case& one) {
 /// What became of the cases so far, also in the folder's file.
 class Drawings {
  public:
-  explicit Drawings(const std::filesystem::path& folder) : file_(folder / course::kDrawingsFile) { save(); }
+  Drawings(const std::filesystem::path& folder, std::string drawn_by)
+      : file_(folder / course::kDrawingsFile), drawn_by_(std::move(drawn_by)) {
+    save();
+  }
 
-  void add(const course::Case& one, double milliseconds) { add({one.file, true, {}, {}, milliseconds}); }
+  void add(const course::Case& one, double milliseconds) {
+    add({one.file, true, {}, {}, drawn_by_, milliseconds});
+  }
   void add(const course::Case& one, const Error& fault) {
     ++faults_;
     std::fprintf(stderr, "%s: %s\n", one.file.c_str(), fault.what());
     // Without the folder: the same file lies elsewhere for everybody.
     const Place& place = fault.place();
     const std::string file = std::filesystem::path(place.file).filename();
-    add({one.file, false, fault.what(), place.line > 0 ? fmt::format("{}:{}", file, place.line) : file, 0});
+    add({one.file,
+         false,
+         fault.what(),
+         place.line > 0 ? fmt::format("{}:{}", file, place.line) : file,
+         {},
+         0});
   }
   [[nodiscard]] std::size_t faults() const { return faults_; }
 
@@ -53,6 +63,7 @@ class Drawings {
   void save() const { write_file(file_, course::to_json(all_)); }
 
   std::filesystem::path file_;
+  std::string drawn_by_;
   std::vector<course::Drawing> all_;
   std::size_t faults_ = 0;
 };
@@ -105,7 +116,7 @@ void draw_batch(Canvas& canvas, AnyLab& lab, const Assets& assets, const Batch& 
   if (error)
     throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {folder.string()});
   const StartValues start(lab.parameters());
-  Drawings drawings(folder);
+  Drawings drawings(folder, canvas.context().name());
   const course::Case* before = nullptr;  // the one that is being written
   double milliseconds = 0;               // that drawing it took
   std::future<void> written;

@@ -81,6 +81,9 @@ class LabCheck {
     return results;
   }
 
+  /// What drew, or "" where nothing was drawn.
+  [[nodiscard]] const std::string& renderer() const { return renderer_; }
+
  private:
   void draw_all(unsigned processes) {
     fs::remove_all(own_);
@@ -88,12 +91,12 @@ class LabCheck {
     std::vector<std::vector<Case>> parts(std::min<std::size_t>(processes, plan_.cases.size()));
     for (std::size_t i = 0; i < plan_.cases.size(); ++i) parts[i % parts.size()].push_back(plan_.cases[i]);
     std::vector<Drawn> drawn(parts.size());
-    in_parallel(processes, parts.size(), [&](std::size_t i) {
-      drawn[i] = draws_.cases(plan_.lab, parts[i], own_ / fmt::format("{}", i));
-    });
+    in_parallel(processes, parts.size(),
+                [&](std::size_t i) { drawn[i] = draws_(plan_.lab, parts[i], own_ / fmt::format("{}", i)); });
     for (std::size_t i = 0; i < parts.size(); ++i) {
       faults_.merge(drawn[i].faults);
       refused_.merge(drawn[i].refused);
+      if (!drawn[i].renderer.empty()) renderer_ = drawn[i].renderer;
       const fs::path folder = own_ / fmt::format("{}", i);
       if (!fs::exists(folder)) continue;
       for (const fs::directory_entry& file : fs::directory_iterator(folder))
@@ -126,6 +129,7 @@ class LabCheck {
   const Draws& draws_;
   std::map<std::string, std::string> faults_;   ///< why a picture is missing, by its file
   std::map<std::string, std::string> refused_;  ///< as Drawn has it
+  std::string renderer_;                        ///< what drew, or ""
 };
 
 /// What drew the expected pictures, or "".
@@ -180,14 +184,11 @@ std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>
   const std::map<std::string, std::string> texts = texts_of_steps(tree.source);
   std::vector<std::vector<CaseResult>> found(plans.size());
   const auto at_once = std::min<std::size_t>(processors(), plans.size());
-  std::string renderer;
-  in_parallel(processors(), plans.size() + 1, [&](std::size_t i) {
-    if (i == plans.size()) {
-      renderer = draws.renderer(plans.front().lab);
-      return;
-    }
-    found[i] =
-        LabCheck(tree, plans[i], as_at_first, draws).run(processors() / static_cast<unsigned>(at_once));
+  std::vector<std::string> renderers(plans.size());
+  in_parallel(processors(), plans.size(), [&](std::size_t i) {
+    LabCheck lab(tree, plans[i], as_at_first, draws);
+    found[i] = lab.run(processors() / static_cast<unsigned>(at_once));
+    renderers[i] = lab.renderer();
   });
   std::vector<course::Lab> all;
   std::vector<CaseResult> cases;
@@ -207,9 +208,11 @@ std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>
     return std::none_of(labs.begin(), labs.end(),
                         [&](const course::Lab& lab) { return lab.number == result.lab.number; });
   });
-  if (!renderer.empty())
+  const auto drew =
+      std::find_if(renderers.begin(), renderers.end(), [](const std::string& one) { return !one.empty(); });
+  if (drew != renderers.end())
     for (LabResult& lab : results)
-      lab.notes.push_back(renderer_note(renderer, expected_by(tree.source, lab.lab)));
+      lab.notes.push_back(renderer_note(*drew, expected_by(tree.source, lab.lab)));
   put_places(results, places);
   return results;
 }

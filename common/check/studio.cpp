@@ -132,8 +132,12 @@ Drawn draw(const Studio& studio, const std::vector<Case>& cases, const fs::path&
     const std::map<std::string, course::Drawing> drawings = drawings_in(output_of(work));
     std::vector<Case> missing;
     for (const Case& one : left) {
-      if (take(one, output_of(work), out)) continue;
-      if (const auto said = drawings.find(one.file); said != drawings.end() && !said->second.is_drawn)
+      const auto said = drawings.find(one.file);
+      if (take(one, output_of(work), out)) {
+        if (said != drawings.end()) drawn.renderer = plain_text(said->second.drawn_by);
+        continue;
+      }
+      if (said != drawings.end() && !said->second.is_drawn)
         drawn.faults[one.file] = plain_lines(said->second.message),
         drawn.refused[one.file] = plain_text(said->second.place);
       else

@@ -171,6 +171,7 @@ std::string to_json(const std::vector<Drawing>& drawings) {
                     {"status", one.is_drawn ? "drawn" : "failed"},
                     {"message", one.message},
                     {"place", one.place},
+                    {"drawn_by", one.drawn_by},
                     {"milliseconds", one.milliseconds}});
   // A compiler's message may quote any bytes of a file.
   return list.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -188,8 +189,8 @@ std::vector<Drawing> parse_drawings(const std::string& text) {
   };
   for (const Json& entry : json) {
     if (!entry.is_object()) continue;
-    Drawing one{text_at(entry, "name"), text_at(entry, "status") == "drawn", text_at(entry, "message"),
-                text_at(entry, "place"), 0};
+    Drawing one{text_at(entry, "name"),  text_at(entry, "status") == "drawn", text_at(entry, "message"),
+                text_at(entry, "place"), text_at(entry, "drawn_by"),          0};
     if (const auto time = entry.find("milliseconds"); time != entry.end() && time->is_number())
       one.milliseconds = time->get<double>();
     if (!one.file.empty()) drawings.push_back(std::move(one));

@@ -45,9 +45,9 @@ void check_text(const std::filesystem::path& path, const Text& text) {
 
 }  // namespace
 
-void save_png(const std::filesystem::path& path, const Image8& image, std::span<const Text> texts,
-              int compression) {
-  const Stage stage("png");
+std::string encode_png(const Image8& image, const std::string& name, std::span<const Text> texts,
+                       int compression) {
+  const std::filesystem::path path = name;
   check_not_empty(path, image);
   constexpr std::uint8_t color_types[] = {SPNG_COLOR_TYPE_GRAYSCALE, SPNG_COLOR_TYPE_GRAYSCALE_ALPHA,
                                           SPNG_COLOR_TYPE_TRUECOLOR, SPNG_COLOR_TYPE_TRUECOLOR_ALPHA};
@@ -96,7 +96,13 @@ void save_png(const std::filesystem::path& path, const Image8& image, std::span<
   const std::unique_ptr<void, decltype(&std::free)> bytes(spng_get_png_buffer(context.get(), &size, &error),
                                                           std::free);
   check_written(error, path);
-  write_file(path, {static_cast<const char*>(bytes.get()), size});
+  return {static_cast<const char*>(bytes.get()), size};
+}
+
+void save_png(const std::filesystem::path& path, const Image8& image, std::span<const Text> texts,
+              int compression) {
+  const Stage stage("png");
+  write_file(path, encode_png(image, path.string(), texts, compression));
 }
 
 std::vector<Text> read_png_text(const std::filesystem::path& path) {

@@ -2,7 +2,9 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <mutex>
 #include <string>
+#include <utility>
 
 #include "image/image.hpp"
 
@@ -29,13 +31,10 @@ enum class Shown { with_numbers, plain, small, not_at_all };
 /// and infinity infinity. The lowest byte is noise, which would make a page half as large again.
 std::uint32_t upper24(float value);
 
-/// Reads pictures of a results' folder.
+/// Reads pictures of a results' folder. May be used by several threads.
 class Pictures {
  public:
-  explicit Pictures(std::filesystem::path folder);
-  ~Pictures();
-  Pictures(const Pictures&) = delete;
-  Pictures& operator=(const Pictures&) = delete;
+  explicit Pictures(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   /// The picture at a path relative to the folder. Beyond 1024 pixels a side it is only said to be too large.
   [[nodiscard]] Picture read(const std::string& path, const std::string& view,
@@ -45,11 +44,14 @@ class Pictures {
                            Shown shown = Shown::with_numbers);
 
  private:
-  [[nodiscard]] std::string data_url(const image::Image8& picture) const;
+  struct Reference {
+    std::once_flag once;
+    Picture picture;
+  };
 
   std::filesystem::path folder_;
-  std::filesystem::path scratch_;  ///< nobody else's: pictures are written by way of a file
-  std::map<std::pair<std::string, Shown>, Picture> references_;
+  std::mutex mutex_;  ///< of references_
+  std::map<std::pair<std::string, Shown>, Reference> references_;
 };
 
 }  // namespace texel::grade

@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/parallel.hpp"
 #include "page.hpp"
 #include "reports/reports.hpp"
 
@@ -39,8 +40,10 @@ std::string page_name(const StudentResult& student) {
 void write_html(const ClassResult& results, const fs::path& folder) {
   const fs::path report = folder / "report";
   Pictures pictures(folder);
-  for (const StudentResult& student : results.students)
+  in_parallel(processors(), results.students.size(), [&](std::size_t i) {
+    const StudentResult& student = results.students[i];
     write(report / page_name(student), student_page(student, results.facts, pictures));
+  });
   write(report / "index.html", class_page(results));
 }
 

@@ -9,14 +9,14 @@ namespace {
 
 TEST(Drawings, are_the_same_when_they_were_written_and_read) {
   const std::vector<Drawing> drawings = {
-      {"a.png", true, "", "", 12.5},
-      {"b.ply", false, "cube.obj:9: \"no\" number\nand more", "cube.obj:9", 0}};
+      {"a.png", true, "", "", "llvmpipe", 12.5},
+      {"b.ply", false, "cube.obj:9: \"no\" number\nand more", "cube.obj:9", "", 0}};
   EXPECT_EQ(parse_drawings(to_json(drawings)), drawings);
 }
 
 TEST(Drawings, hold_whatever_bytes_a_message_quotes) {
-  const std::vector<Drawing> read =
-      parse_drawings(to_json(std::vector<Drawing>{{"a.png", false, "#error caf\xe9 \xff", "x.frag:3", 0}}));
+  const std::vector<Drawing> read = parse_drawings(
+      to_json(std::vector<Drawing>{{"a.png", false, "#error caf\xe9 \xff", "x.frag:3", "", 0}}));
   ASSERT_EQ(read.size(), 1U);
   EXPECT_EQ(read[0].message, "#error caf\uFFFD \uFFFD");
   EXPECT_EQ(read[0].place, "x.frag:3");
@@ -28,12 +28,13 @@ TEST(Drawings, of_a_program_that_nobody_trusts_are_only_what_fits) {
   const std::vector<Drawing> read = parse_drawings(
       R"([{"name": "a.png", "status": 1, "message": ["x"], "milliseconds": "y"}, {"name": "b.png", "status": "drawn"}])");
   ASSERT_EQ(read.size(), 2U);
-  EXPECT_EQ(read[0], (Drawing{"a.png", false, "", "", 0}));
+  EXPECT_EQ(read[0], (Drawing{"a.png", false, "", "", "", 0}));
   EXPECT_TRUE(read[1].is_drawn);
   const std::string lengthy(5000, 'x');
-  EXPECT_EQ(
-      parse_drawings(to_json(std::vector<Drawing>{{"a.png", false, lengthy, "", 0}})).at(0).message.size(),
-      2000U);
+  EXPECT_EQ(parse_drawings(to_json(std::vector<Drawing>{{"a.png", false, lengthy, "", "", 0}}))
+                .at(0)
+                .message.size(),
+            2000U);
 }
 
 TEST(Batch, is_the_same_when_it_was_written_and_read) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/files.hpp"
 #include "core/scratch_folder.hpp"
@@ -75,6 +76,15 @@ TEST_F(JudgeOfPictures, passes_directions_up_to_the_limit_in_degrees) {
   const Verdict beyond = judged(course::View::normal, 2, right, directions(2.1));
   EXPECT_FALSE(beyond.passed);
   EXPECT_NEAR(beyond.error, 2.1, 1e-4);  // float32 keeps directions to a few 1e-6 degrees
+}
+
+TEST_F(JudgeOfPictures, fails_numbers_that_are_not_finite_also_where_the_bytes_are_the_references) {
+  image::ImageF picture(kSide, kSide, 3);
+  EXPECT_TRUE(judged(course::View::texcoord, 1, bytes_of(picture), bytes_of(picture)).passed);
+  for (const float value : {std::nanf(""), std::numeric_limits<float>::infinity()}) {
+    picture.at(20, 20, 1) = value;
+    EXPECT_FALSE(judged(course::View::texcoord, 1, bytes_of(picture), bytes_of(picture)).passed) << value;
+  }
 }
 
 }  // namespace

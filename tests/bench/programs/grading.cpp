@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <functional>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
@@ -23,20 +23,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What some students of a class wrote in place of the solution's text.
-struct Mistake {
-  std::size_t students = 0;
-  std::string file, right, wrong;
-};
+/// What a student makes of the text of one of the solution's files.
+using Change = std::function<std::string(std::size_t student, const std::string& file, std::string text)>;
 
-/// Each student's text is another one.
-void make(const Mistake& mistake, const fs::path& tree, std::size_t student) {
-  const fs::path file = tree / mistake.file;
-  std::string text = read_file(file);
-  const std::size_t at = text.find(mistake.right);
-  if (at == std::string::npos) throw Error::failed("there is no " + mistake.right, {file.string()});
-  text.replace(at, mistake.right.size(), mistake.wrong);
-  write_file(file, fmt::format("{}// student {}\n", text, student));
+/// A student's files with steps. A comment in each of those with `ending` makes them new to the grader.
+void hand_in(const fs::path& root, const fs::path& folder, std::size_t student, const Change& change,
+             const std::string& ending, const std::string& comment) {
+  for (const std::string& file : course::step_files(root)) {
+    const std::string text = course::with_steps(change(student, file, read_file(root / file)), file,
+                                                [](const std::string&) { return true; });
+    fs::create_directories((folder / file).parent_path());
+    write_file(folder / file, file.ends_with(ending) ? fmt::format("{}// {}\n", text, comment) : text);
+  }
 }
 
 /// As many students lost points as made the mistake. Where all made it, none of their own pictures is right.
@@ -58,19 +56,19 @@ void check_grades(const grade::ClassResult& results, std::size_t students, std::
                                     results.students.size(), wrong, students));
 }
 
+/// A class of `size` students, of which the first `wrong` made a change each.
 void add_grading(const Options& options, Report& report, const std::string& what, int lab, double target,
-                 std::size_t size, const Mistake& mistake = {}) {
+                 std::size_t size, std::size_t wrong = 0, const Change& change = {}) {
   const fs::path students = options.work / "class", out = options.work / "grades",
                  seed = options.work / "seed";
   fs::remove_all(students);
   for (std::size_t i = 0; i < size; ++i) {
     const fs::path tree = students / fmt::format("student_{}", i);
-    for (const char* folder : {"common", "labs", "shaders"}) {
-      fs::create_directories(tree);
-      fs::copy(options.root / folder, tree / folder, fs::copy_options::recursive);
-    }
+    fs::create_directories(tree);
+    fs::copy(options.root / "shaders", tree / "shaders", fs::copy_options::recursive);
+    const Change none = [](std::size_t, const std::string&, std::string text) { return text; };
+    hand_in(options.root, tree, i, i < wrong ? change : none, ".glsl", fmt::format("student {}", i));
     fs::create_directory_symlink(options.assets(), tree / "assets");
-    if (i < mistake.students) make(mistake, tree, i);
   }
   write_file(seed, "a seed of no course");
   std::vector<course::Lab> chosen = course::read_labs(options.root / "labs");
@@ -96,15 +94,23 @@ void add_grading(const Options& options, Report& report, const std::string& what
       const course::Lab& drawn = plans[i % plans.size()].lab;
       const std::string student = fmt::format("student_{}", i / plans.size());
       run_process({"env", "LP_NUM_THREADS=0", "TEXEL_THREADS=1",
-                   "TEXEL_ROOT=" + (students / student).string(), options.program(drawn.program()), "--batch",
-                   options.work_file(drawn.folder + ".json"), "--out",
+                   "TEXEL_ROOT=" + (students / student).string(), options.program(drawn.program()),
+                   "--samples", "1", "--batch", options.work_file(drawn.folder + ".json"), "--out",
                    options.work_file("drawn/" + student)});
     });
     return stopwatch.milliseconds();
   };
   report.add(row_of(fmt::format("{}, {} cases", what, cases), "grade", "batches", "ms",
                     interleaved(options.long_rounds(), grade, draw), Target::at_most, target));
-  check_grades(grade::read_results(out, options.root), size, mistake.students);
+  check_grades(grade::read_results(out, options.root), size, wrong);
+}
+
+/// The first of the catalogue in a step.
+const course::Mutant& mutant_of(const std::vector<course::Mutant>& mutants, const std::string& step) {
+  const auto found = std::find_if(mutants.begin(), mutants.end(),
+                                  [&](const course::Mutant& one) { return one.step == step; });
+  if (found == mutants.end()) throw Error::failed("there is no mutant of step " + step);
+  return *found;
 }
 
 /// A class in labs of C++ and GLSL that made a mistake in every tenth step: judged with each step that fails
@@ -121,32 +127,24 @@ void add_judged_alone(const Options& options, Report& report) {
   for (const course::Lab& lab : labs)
     for (const course::Step& step : lab.steps) steps.push_back(step.id);
   const std::vector<course::Mutant> mutants = course::read_catalogue(options.root / "tests/mutants");
-  const std::vector<std::string> files = course::step_files(options.root);
   const fs::path folder = options.work / "tenth";
+  std::size_t mistakes = 0;
+  const Change mistaken = [&](std::size_t student, const std::string& file, std::string text) {
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      if ((student * steps.size() + i) % one_of != 0) continue;
+      const course::Mutant& mutant = mutant_of(mutants, steps[i]);
+      if (mutant.file != file) continue;
+      text = course::mutated(mutant, text);
+      ++mistakes;
+    }
+    return text;
+  };
   const auto write_class = [&](int run) {
     fs::remove_all(folder);
-    std::size_t mistakes = 0;
-    for (std::size_t student = 0; student < students; ++student) {
-      std::map<std::string, std::string> texts;
-      for (const std::string& file : files) texts[file] = read_file(options.root / file);
-      for (std::size_t i = 0; i < steps.size(); ++i) {
-        if ((student * steps.size() + i) % one_of != 0) continue;
-        const auto mutant = std::find_if(mutants.begin(), mutants.end(), [&](const course::Mutant& one) {
-          return one.step == steps[i] && texts.contains(one.file);
-        });
-        if (mutant == mutants.end()) throw Error::failed("there is no mutant of step " + steps[i]);
-        texts[mutant->file] = course::mutated(*mutant, texts[mutant->file]);
-        ++mistakes;
-      }
-      for (const auto& [file, text] : texts) {
-        const fs::path to = folder / fmt::format("student_{}", student) / file;
-        fs::create_directories(to.parent_path());
-        write_file(to, course::with_steps(text, file, [](const std::string&) { return true; }) +
-                           fmt::format("// student {} of class {} in {}\n", student, run,
-                                       options.work.filename().string()));
-      }
-    }
-    return mistakes;
+    mistakes = 0;
+    for (std::size_t student = 0; student < students; ++student)
+      hand_in(options.root, folder / fmt::format("student_{}", student), student, mistaken, "",
+              fmt::format("student {} of class {} in {}", student, run, options.work.filename().string()));
   };
   grade::GradeOptions grading;
   grading.class_folder = folder, grading.out = options.work / "tenth_grades";
@@ -155,9 +153,8 @@ void add_judged_alone(const Options& options, Report& report) {
   grading.labs = numbers;
   write_file(grading.seed_file, "a seed of no course");
   int run = 0;
-  std::size_t mistakes = 0;
   const auto grade = [&](bool alone) {
-    mistakes = write_class(++run);
+    write_class(++run);
     grading.judge_alone = alone;
     fs::remove_all(grading.out);
     return 1000 * grade::grade_class(grading, [](const std::string&) {}).seconds;
@@ -180,14 +177,23 @@ void measure_grading(const Options& options, Report& report) {
       "wrong; beside as many `--batch` that draw the same cases, one for each processor at a time. "
       "Each step that fails is drawn again, alone; the last row has that beside drawing once. What a "
       "course does once (starter, references, the pictures of known mistakes) is done before.");
-  const Mistake turned{8, "shaders/01_texture_quad/texture_quad.vert", "fragment_texcoord = texcoord *",
-                       "fragment_texcoord = 1.3 * texcoord.ts *"};
-  const Mistake tilted{5, "shaders/05_normal_map/decode_normal.glsl", "return color * 2.0 - 1.0",
-                       "return color * 2.0 - 0.9"};
+  const Change turned = [](std::size_t, const std::string& file, std::string text) {
+    const std::string right = "fragment_texcoord = texcoord *";
+    if (!file.ends_with("texture_quad.vert")) return text;
+    return text.replace(text.find(right), right.size(), "fragment_texcoord = 1.3 * texcoord.ts *");
+  };
+  std::vector<course::Mutant> of_lab5;
+  for (const course::Mutant& mutant : course::read_catalogue(options.root / "tests/mutants"))
+    if (mutant.step.starts_with("5.") && mutant.file.ends_with(".glsl") && mutant.same.empty())
+      of_lab5.push_back(mutant);
+  const Change one_each = [&](std::size_t student, const std::string& file, std::string text) {
+    const course::Mutant& mutant = of_lab5[student % of_lab5.size()];
+    return mutant.file == file ? course::mutated(mutant, text) : text;
+  };
   add_grading(options, report, "lab 1, 8 students, all right", 1, 1.3, 8);
   add_grading(options, report, "lab 9, 8 students, all right", 9, 1.3, 8);
-  add_grading(options, report, "lab 1, 8 students, all wrong", 1, 2.2, 8, turned);
-  add_grading(options, report, "lab 5, 12 students, 5 wrong in one step", 5, 1.5, 12, tilted);
+  add_grading(options, report, "lab 1, 8 students, all wrong", 1, 2.2, 8, 8, turned);
+  add_grading(options, report, "lab 5, 24 students, 10 with a mistake each", 5, 1.5, 24, 10, one_each);
   add_judged_alone(options, report);
 }
 

@@ -24,6 +24,7 @@ grade::Drawn Judge::draw(const course::Lab& lab, const std::vector<course::Case>
   Opened& one = opened_(lab);
   const Aside aside(one);
   grade::Drawn drawn;
+  drawn.renderer = context_.name();
   fs::create_directories(out);
   for (const course::Case& it : cases) try {
       one.start.set(it.settings);
@@ -50,9 +51,8 @@ grade::Drawn Judge::draw(const course::Lab& lab, const std::vector<course::Case>
 }
 
 const grade::LabResult& Judge::check(const course::Lab& lab, const std::string& step) {
-  const grade::Draws draws{[this](const course::Lab& of, const std::vector<course::Case>& cases,
-                                  const fs::path& out) { return draw(of, cases, out); },
-                           [this](const course::Lab&) { return context_.name(); }};
+  const grade::Draws draws = [this](const course::Lab& of, const std::vector<course::Case>& cases,
+                                    const fs::path& out) { return draw(of, cases, out); };
   const grade::OwnTree tree{tree_, kBuild};
   checked_ =
       step.empty() ? grade::check(tree, {lab}, draws).front() : grade::check_step(tree, lab, step, draws);

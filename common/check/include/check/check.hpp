@@ -34,14 +34,10 @@ std::string renderer_note(const std::string& own, const std::string& expected);
 /// The steps that are as they were at first. Throws Error (exit 3) where markers are spoilt.
 std::set<std::string> untouched_steps(const OwnTree& tree);
 
-/// What draws a tree's cases: its programs, or in a browser the labs themselves.
-struct Draws {
-  /// Draws cases of a lab into a folder. Called by several threads at once, unless there is one processor.
-  std::function<Drawn(const course::Lab&, const std::vector<course::Case>&, const std::filesystem::path&)>
-      cases;
-  /// The name of what draws a lab, or "" where nothing can be drawn.
-  std::function<std::string(const course::Lab&)> renderer;
-};
+/// Draws cases of a lab into a folder: by the tree's programs, or in a browser by the labs themselves. Called
+/// by several threads at once, unless there is one processor.
+using Draws =
+    std::function<Drawn(const course::Lab&, const std::vector<course::Case>&, const std::filesystem::path&)>;
 /// The programs of the tree, as they are built. `context` is their --context.
 Draws by_programs(const OwnTree& tree, const std::string& context);
 

@@ -13,6 +13,7 @@ struct Drawn {
   /// "". Not of those at which it died or never ended, as it does by many mistakes.
   std::map<std::string, std::string> refused;
   std::vector<std::string> notes;
+  std::string renderer;  ///< the driver that drew, as the program says it, or ""
 };
 
 }  // namespace texel::grade

@@ -23,8 +23,9 @@ std::vector<Case> parse_batch(const std::string& list);
 struct Drawing {
   std::string file;
   bool is_drawn = false;
-  std::string message;  ///< for people: why it is not drawn, or ""
-  std::string place;    ///< the file and line that are to blame, as "cube.obj:9", or ""
+  std::string message;   ///< for people: why it is not drawn, or ""
+  std::string place;     ///< the file and line that are to blame, as "cube.obj:9", or ""
+  std::string drawn_by;  ///< the driver, as gl::Context::name; "" for what is not drawn
   double milliseconds = 0;
 
   bool operator==(const Drawing&) const = default;
@@ -33,7 +34,8 @@ struct Drawing {
 /// Its name in the folder of the pictures.
 inline constexpr const char* kDrawingsFile = "results.json";
 
-/// `[{"name", "status": "drawn" | "failed", "message", "place", "milliseconds"}]`
+/// `[{"name", "status": "drawn" | "failed", "message", "place", "drawn_by",
+/// "milliseconds"}]`
 std::string to_json(const std::vector<Drawing>& drawings);
 
 /// Reads such a list, which a program may have written that nobody trusts: entries that are none are left

@@ -24,6 +24,10 @@ struct Text {
 void save_png(const std::filesystem::path& path, const Image8& image, std::span<const Text> texts = {},
               int compression = 1);
 
+/// The bytes of such a file. `name` stands in errors.
+std::string encode_png(const Image8& image, const std::string& name, std::span<const Text> texts = {},
+                       int compression = 1);
+
 /// The text chunks that stand before the pixels of a PNG (where `save_png` writes them), in their order.
 /// Throws Error (exit 3) when the file is missing, not a PNG or broken.
 std::vector<Text> read_png_text(const std::filesystem::path& path);

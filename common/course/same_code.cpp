@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "course/same_code.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <string>
+
+namespace texel::course {
+namespace {
+
+bool is_of_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// Whether a space parts nothing there: "x * 2" is "x*2". Beside a point, or behind the e of 1e-5, it might
+/// part a number; between two signs it may part "+ +"; and a macro's "f (x)" is not "f(x)".
+bool is_idle(const std::string& before, char next, bool in_directive) {
+  if (before.empty() || before.back() == '\n') return true;
+  const char last = before.back();
+  if (in_directive || last == '.' || next == '.' || last == 'e' || last == 'E') return false;
+  return is_of_word(last) != is_of_word(next);
+}
+
+/// The text without its comments and idle white space, if that can be said.
+std::optional<std::string> code_of(std::string_view text) {
+  std::string code;
+  bool has_space = false, in_directive = false;
+  const auto end_line = [&] {
+    if (in_directive) code += '\n';
+    has_space = has_space || !in_directive;
+    in_directive = false;
+  };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::string_view rest = text.substr(i);
+    if (rest.starts_with("//")) {
+      i = std::min(text.find('\n', i), text.size()) - 1;
+    } else if (rest.starts_with("/*")) {
+      const std::size_t end = text.find("*/", i + 2);
+      if (end == text.npos) return {};
+      i = end + 1;
+      has_space = true;
+    } else if (text[i] == '\\' || text[i] == '\'') {
+      return {};
+    } else if (text[i] == '\n') {
+      end_line();
+    } else if (std::isspace(static_cast<unsigned char>(text[i])) != 0) {
+      has_space = true;
+    } else {
+      if (text[i] == '#' && !in_directive) {
+        in_directive = true;
+        if (!code.empty() && code.back() != '\n') code += '\n';
+      }
+      if (has_space && !is_idle(code, text[i], in_directive)) code += ' ';
+      has_space = false;
+      if (text[i] != '"') {
+        code += text[i];
+        continue;
+      }
+      const std::size_t end = text.find_first_of("\"\\\n", i + 1);
+      if (end == text.npos || text[end] != '"') return {};
+      code += text.substr(i, end + 1 - i);
+      i = end;
+    }
+  }
+  return code;
+}
+
+}  // namespace
+
+bool is_same_code(std::string_view a, std::string_view b) {
+  if (a == b) return true;
+  const std::optional<std::string> code = code_of(a);
+  return code && code == code_of(b);
+}
+
+}  // namespace texel::course
