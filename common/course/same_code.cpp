@@ -13,12 +13,14 @@ bool is_of_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// Whether a space parts nothing there: "x * 2" is "x*2". Beside a point, or behind the e of 1e-5, it might
-/// part a number; between two signs it may part "+ +"; and a macro's "f (x)" is not "f(x)".
+/// Whether a space parts nothing there: "x * 2" is "x*2". Beside a point, or behind the e of 1e-5 or the p of
+/// 0x1p-5, it might part a number; beside a quote, a string from its kind; between two signs it may part
+/// "+ +"; and a macro's "f (x)" is not "f(x)".
 bool is_idle(const std::string& before, char next, bool in_directive) {
   if (before.empty() || before.back() == '\n') return true;
   const char last = before.back();
-  if (in_directive || last == '.' || next == '.' || last == 'e' || last == 'E') return false;
+  constexpr std::string_view kParted = ".\"eEpP";
+  if (in_directive || kParted.find(last) != kParted.npos || next == '.' || next == '"') return false;
   return is_of_word(last) != is_of_word(next);
 }
 
@@ -57,8 +59,9 @@ std::optional<std::string> code_of(std::string_view text) {
         code += text[i];
         continue;
       }
+      const bool is_raw = i > 0 && text[i - 1] == 'R';
       const std::size_t end = text.find_first_of("\"\\\n", i + 1);
-      if (end == text.npos || text[end] != '"') return {};
+      if (is_raw || end == text.npos || text[end] != '"') return {};
       code += text.substr(i, end + 1 - i);
       i = end;
     }

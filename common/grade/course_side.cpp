@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <future>
 #include <set>
 
 #include "core/error.hpp"
@@ -50,16 +49,12 @@ CourseSide::CourseSide(BuiltTree solution, BuiltTree starter, fs::path cache, st
       mutants_(course::read_mistakes(solution_.source)),
       places_(course::step_places(starter_.source)) {
   const std::vector<course::Lab> labs = course::read_labs(solution_.source / "labs");
-  Studio asked = studio(solution_, {labs.front(), {}});
-  asked.shader_cache = cache_ / "shaders";
-  auto renderer = std::async(std::launch::async, [&] { return renderer_of(asked); });
+  renderer_ = renderer_of(studio(solution_, {labs.front(), {}}));
   std::string variables;
   for (const auto& [name, value] : driver_variables()) variables += name + "=" + value + "\n";
-  const std::string shaders = fingerprint_of_folder(solution_.source / "shaders"),
-                    assets = fingerprint_of_folder(solution_.source / "assets");
-  renderer_ = renderer.get();
-  surroundings_ =
-      fingerprint({shaders, assets, starter_.fingerprint, renderer_, variables, processor(), context_});
+  surroundings_ = fingerprint({fingerprint_of_folder(solution_.source / "shaders"),
+                               fingerprint_of_folder(solution_.source / "assets"), starter_.fingerprint,
+                               renderer_, variables, processor(), context_});
 }
 
 Studio CourseSide::studio(const BuiltTree& tree, const LabPlan& plan) const {

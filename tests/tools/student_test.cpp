@@ -176,6 +176,7 @@ TEST_F(StudentTree, names_a_mistake_that_it_knows) {
   EXPECT_EQ(report.exit_code, 1);
   EXPECT_TRUE(has(report.output, "This looks like: ")) << report.output;
   EXPECT_TRUE(has(report.output, "next   5.1")) << report.output;
+  EXPECT_TRUE(has(report.output, "rawn by ")) << report.output;  // "Drawn by llvmpipe", or "… are drawn by …"
   EXPECT_TRUE(has(report.output, "shaders/05_normal_map/decode_normal.glsl:")) << report.output;
 }
 

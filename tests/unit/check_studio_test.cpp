@@ -26,6 +26,11 @@ for name in $(grep -o '"name": *"[^"]*"' "$list" | cut -d '"' -f 4); do
       said='"status": "failed", "message": "/somewhere/lab.frag:3: no such function", "place": "lab.frag:3"'
       echo "[{\"name\": \"$name\", $said}]" >"$out/results.json"
       ;;
+    names*)
+      said='"status": "drawn", "drawn_by": "llvmpipe"'
+      echo "[{\"name\": \"$name\", $said}]" >"$out/results.json"
+      echo drawn >"$out/$name"
+      ;;
     thing_file*) echo x >"$out/thing"; kill -s SEGV $$ ;;
     thing_folder*) mkdir "$out/thing" && echo drawn >"$out/$name" ;;
     asks*) printenv TEXEL_THREADS >"$out/$name" ;;
@@ -103,6 +108,13 @@ TEST_F(StudioTest, passes_on_what_the_program_says_of_a_picture) {
   EXPECT_EQ(faulty(), "fails.png");
   EXPECT_EQ(drawn_.faults["fails.png"], "/somewhere/lab.frag:3: no such function");
   EXPECT_EQ(drawn_.refused["fails.png"], "lab.frag:3");
+}
+
+TEST_F(StudioTest, passes_on_which_driver_drew) {
+  EXPECT_EQ(draw_all({"a"}), "a");
+  EXPECT_EQ(drawn_.renderer, "");
+  EXPECT_EQ(draw_all({"a", "names"}), "a names");
+  EXPECT_EQ(drawn_.renderer, "llvmpipe");
 }
 
 // Else a program might die at a picture while the one before is not yet written.

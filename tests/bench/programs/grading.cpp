@@ -175,7 +175,8 @@ void measure_grading(const Options& options, Report& report) {
       "Grading beside drawing",
       "`texel grade` with its reports over a class whose shaders are right, or some or all of them "
       "wrong; beside as many `--batch` that draw the same cases, one for each processor at a time. "
-      "Each step that fails is drawn again, alone; the last row has that beside drawing once. What a "
+      "Each step that fails is drawn again, alone, unless it has the solution's code; the last row has that "
+      "beside drawing once. What a "
       "course does once (starter, references, the pictures of known mistakes) is done before.");
   const Change turned = [](std::size_t, const std::string& file, std::string text) {
     const std::string right = "fragment_texcoord = texcoord *";

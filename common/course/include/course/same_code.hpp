@@ -5,8 +5,8 @@
 namespace texel::course {
 
 /// Whether two texts of GLSL or C++ differ in comments and white space alone, so that they say the same to a
-/// compiler. False where that takes more than a look: in texts with a backslash or a single quote outside
-/// comments, which must be equal byte by byte.
+/// compiler. False where that takes more than a look: texts with a backslash, a single quote or a raw string
+/// outside comments must be equal byte by byte.
 bool is_same_code(std::string_view a, std::string_view b);
 
 }  // namespace texel::course

@@ -24,7 +24,7 @@ struct Text {
 void save_png(const std::filesystem::path& path, const Image8& image, std::span<const Text> texts = {},
               int compression = 1);
 
-/// The bytes of such a file. `name` stands in errors.
+/// The bytes of such a file. `name` stands in errors, which are the same.
 std::string encode_png(const Image8& image, const std::string& name, std::span<const Text> texts = {},
                        int compression = 1);
 
