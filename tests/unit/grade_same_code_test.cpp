@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "course/same_code.hpp"
+#include "../../common/grade/same_code.hpp"
 
 #include <gtest/gtest.h>
 
 #include <utility>
 
-namespace texel::course {
+namespace texel::grade {
 namespace {
 
 using Pair = std::pair<const char*, const char*>;
@@ -48,4 +48,4 @@ TEST(SameCode, needs_equal_bytes_where_more_than_a_look_is_needed) {
 }
 
 }  // namespace
-}  // namespace texel::course
+}  // namespace texel::grade

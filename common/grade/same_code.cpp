@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "course/same_code.hpp"
+#include "same_code.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <optional>
 #include <string>
 
-namespace texel::course {
+namespace texel::grade {
 namespace {
 
 bool is_of_word(char c) {
@@ -77,4 +77,4 @@ bool is_same_code(std::string_view a, std::string_view b) {
   return code && code == code_of(b);
 }
 
-}  // namespace texel::course
+}  // namespace texel::grade
