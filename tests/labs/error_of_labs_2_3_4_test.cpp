@@ -303,6 +303,22 @@ TEST(ObjOfLab3, draws_a_file_with_vertex_colours_as_one_without) {
   }
 }
 
+TEST(ObjOfLab3, gives_each_part_its_own_material_s_colour) {
+  const TemporaryFolder folder(fmt::format("materials_of_lab_3_{}", ::getpid()));
+  write_file(folder / "two.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
+  write_file(folder / "two.obj",
+             "mtllib two.mtl\nv -1 -1 0\nv 0 -1 0\nv 0 1 0\nv -1 1 0\nv 1 -1 0\nv 1 1 0\n"
+             "usemtl red\nf 1 2 3 4\nusemtl blue\nf 2 5 6 3\n");
+  draw("lab03_obj_texcoords",
+       {{"two", {{"model", (folder / "two.obj").string()}, {"yaw", "0"}, {"pitch", "0"}}}}, folder);
+  const image::Image8 picture = image::load8(folder / "two.png");
+  const auto has_only = [&](int x, int channel) {
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(picture.at(x, 64, c) > 0, c == channel) << x << " " << c;
+  };
+  has_only(50, 0);
+  has_only(78, 2);
+}
+
 // ---- Lab 4: texels from a copy on each face, degrees from the face's normal.
 
 /// One side of the cube seen straight on: `turn` 0 is the front, 180 the back.

@@ -408,6 +408,28 @@ TEST(HardCaseOfLab5, every_vertex_of_a_hard_model_has_a_unit_tangent_in_the_plan
   }
 }
 
+TEST(HardCaseOfLab5, a_tangent_moves_with_the_surface_of_a_stretched_model) {
+  // s grows along the diagonal. With the model, four times as high, the tangent becomes (1, 4); the inverse
+  // transpose, which is the normals' matrix, would make (4, 1) of it.
+  const TemporaryFolder folder(fmt::format("stretched_{}", ::getpid()));
+  write_file(folder / "diagonal.obj",
+             "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0.5\nvt 0.5 0\nvt 1 0.5\nvt 0.5 1\nvn 0 0 1\n"
+             "f 1/1/1 2/2/1 3/3/1 4/4/1\n");
+  const dvec3 expected = glm::normalize(dvec3(1, 4, 0));
+  for (const char* method : {"averaged", "gram-schmidt", "angle-weighted", "mikktspace"}) {
+    const ImageF tangent = float_pictures(kLab5, {{"tangent",
+                                                   {{"model", (folder / "diagonal.obj").string()},
+                                                    {"method", method},
+                                                    {"stretch", "4"},
+                                                    {"yaw", "0"},
+                                                    {"pitch", "0"}},
+                                                   "tangent"}})
+                               .at("tangent");
+    // Roundings of float32. Measured 1.1e-7 by llvmpipe and 4.4e-8 by softpipe.
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(tangent.at(64, 64, i), expected[i], 1e-5) << method << " " << i;
+  }
+}
+
 /// Degrees between the tangents of a drawn torus and the exact ones: the largest away from the seams.
 double worst_tangent(const mesh::Mesh& drawn) {
   double worst = 0;
