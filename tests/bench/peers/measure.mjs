@@ -4,7 +4,7 @@
 // [{ours: {…}, theirs: {…}}] with
 // - cold_ms: of three.js, from the start of a browser to the first picture,
 // - first_picture_ms: from navigation to the first picture, and bytes: loaded when the page says that it is ready. In a browser
-//   that runs and has drawn both, on a fresh page without a cache,
+//   that has drawn both and is at rest, on a fresh page without a cache,
 // - antialiased_ms, plain_ms: a picture of 512x512 with 4 samples a pixel and with one, the median of several.
 // Both draw the same picture: one cube map and one normal map of 512x512 with all mipmaps, trilinear, a ball of 128x64 quads, the
 // background. Needs out/web (./run web) and, in this folder, npm ci. Numbers of a busy machine are worth nothing.

@@ -2,7 +2,6 @@
 #include "report.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -22,22 +21,14 @@ std::string number(double value) {
 
 void Report::begin(const std::string& title, const std::string& text) {
   fmt::print("\n{}\n", title);
-  sections_.push_back({title, text, {}, {}});
+  sections_.push_back({title, text, {}});
 }
 
-void Report::add(const Row& row, const std::string& why) {
+void Report::add(const Row& row) {
   fmt::print("  {:<44} {:8.2f} ({:.2f} to {:.2f})  {}{}\n", row.what, row.ratio.median, row.ratio.lower,
              row.ratio.upper, row.target, row.reached ? "" : "  MISSED");
   std::fflush(stdout);
-  Section& section = sections_.back();
-  section.rows.push_back(row);
-  if (row.reached || why.empty()) return;
-  const auto known = std::find_if(section.missed.begin(), section.missed.end(),
-                                  [&](const auto& missed) { return missed.first == why; });
-  if (known == section.missed.end())
-    section.missed.push_back({why, {row.what}});
-  else
-    known->second.push_back(row.what);
+  sections_.back().rows.push_back(row);
 }
 
 std::string Report::as_json() const {
@@ -77,8 +68,8 @@ std::string Report::as_markdown(int rounds, int long_rounds) const {
                           number(row.ours.median), row.unit, number(row.theirs.median), row.unit,
                           row.ratio.median, row.ratio.lower, row.ratio.upper, row.target,
                           row.reached ? "" : ", **missed**");
-    for (const auto& [why, rows] : section.missed)
-      text += fmt::format("\n**{}**: {}\n", fmt::join(rows, ", "), why);
+    for (const Row& row : section.rows)
+      if (!row.reached && !row.why.empty()) text += fmt::format("\n**{}**: {}\n", row.what, row.why);
   }
   if (!stages_.empty()) text += stage_table();
   return text;

@@ -13,8 +13,7 @@ namespace texel::bench {
 class Report {
  public:
   void begin(const std::string& title, const std::string& text);
-  /// `why`: where the time goes and what was tried. The page has it where the target is missed.
-  void add(const Row& row, const std::string& why = {});
+  void add(const Row& row);
   /// Milliseconds by stage of a lab's snapshot, as --stats says them.
   void add_stages(const std::string& lab, const nlohmann::ordered_json& stages) {
     stages_.emplace_back(lab, stages);
@@ -28,7 +27,6 @@ class Report {
   struct Section {
     std::string title, text;
     std::vector<Row> rows;
-    std::vector<std::pair<std::string, std::vector<std::string>>> missed;  ///< each text, and the rows' names
   };
   [[nodiscard]] std::string stage_table() const;
 

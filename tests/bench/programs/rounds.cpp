@@ -73,14 +73,16 @@ std::vector<Pair> interleaved(int rounds, const std::function<double()>& ours,
 }
 
 Row row_of(const std::string& what, const std::string& ours_is, const std::string& theirs_is,
-           const std::string& unit, const std::vector<Pair>& pairs, Target kind, double target) {
+           const std::string& unit, const std::vector<Pair>& pairs, Target kind, double target,
+           const std::string& why) {
   std::vector<double> ours, theirs, ratios;
   for (const Pair& pair : pairs) {
     ours.push_back(pair.ours);
     theirs.push_back(pair.theirs);
     ratios.push_back(kind == Target::at_most ? pair.ours / pair.theirs : pair.theirs / pair.ours);
   }
-  Row row{what, ours_is, theirs_is, unit, spread_of(ours), spread_of(theirs), spread_of(ratios), "", true};
+  Row row{what, ours_is, theirs_is, unit, spread_of(ours), spread_of(theirs), spread_of(ratios),
+          "",   true,    why};
   if (target <= 0) return row;
   row.target = fmt::format("{} {}", kind == Target::at_most ? "at most" : "at least", target);
   row.reached = kind == Target::at_most ? row.ratio.median <= target : row.ratio.median >= target;

@@ -38,6 +38,7 @@ struct Row {
   Spread ours, theirs, ratio;
   std::string target;  ///< in words; empty: reported alone
   bool reached = true;
+  std::string why;  ///< where the time goes and what was tried: told where the target is missed
 };
 
 enum class Target { at_most, at_least };
@@ -45,6 +46,7 @@ enum class Target { at_most, at_least };
 /// The ratio ours / theirs, of which at most so much is wanted; or, for what is to be faster, theirs / ours,
 /// of which at least so much. A target of 0 is none.
 Row row_of(const std::string& what, const std::string& ours_is, const std::string& theirs_is,
-           const std::string& unit, const std::vector<Pair>& pairs, Target kind, double target);
+           const std::string& unit, const std::vector<Pair>& pairs, Target kind, double target,
+           const std::string& why = {});
 
 }  // namespace texel::bench
