@@ -21,7 +21,7 @@ Looks::Looks(AnyLab& lab, const Assets& assets) {
   } catch (const Error& error) {
     fault_ = error.what();
   }
-  std::ranges::stable_partition(entries_, [](const Entry& entry) { return entry.look.hero; });
+  std::stable_partition(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.look.hero; });
 }
 
 std::size_t Looks::drawn() const {

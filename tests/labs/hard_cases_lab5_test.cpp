@@ -176,14 +176,14 @@ TEST(HardCaseOfLab5, under_shear_every_method_is_wrong_by_one_of_the_truths) {
 TEST(HardCaseOfLab5, derivative_frame_has_the_slope_of_a_height_field_but_for_one_factor) {
   // It is scaled to the longer of its two vectors. Under shear the gradient of s is sqrt(2) times as long as
   // that of t; squeezed, 4 times. Measured 0.14 and 0.21 where pixels are small: 8 bits and the filter.
-  for (const auto& [layout, factor] : {std::pair(kLeaning, std::sqrt(2.0)), {kSqueezed, 4.0}}) {
+  for (const auto& [layout, too_long] : {std::pair(kLeaning, std::sqrt(2.0)), {kSqueezed, 4.0}}) {
     const ImageF normals =
         float_pictures(kLab5, {{"normal",
                                 Settings{{"model", "quad"}, {"method", "cotangent"}, {"normal_map", "bump"}} +
                                     layout.settings,
                                 "normal", "512x512"}})
             .at("normal");
-    const auto relief = [&, factor = factor](const truth::SurfacePoint& point, dvec2 texcoord) {
+    const auto relief = [factor = too_long](const truth::SurfacePoint& point, dvec2 texcoord) {
       const procedural::Dual height =
           procedural::height(procedural::HeightField::bump, texcoord.s, texcoord.t);
       return truth::relief_normal(point, 1.4 / factor * dvec2(height.du, height.dv));  // the quad is 1.4 wide

@@ -442,7 +442,7 @@ TEST(HardCaseOfLab7, the_plane_at_0_999_hides_exactly_what_lies_beyond_its_dista
     }
   const Pictures pictures = float_pictures(kLab7, shots);
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    const auto [near, far] = ranges[i];
+    const double near = ranges[i].near, far = ranges[i].far;
     // z_ndc = 0.999, solved for the distance. 0.2 at near 1e-4 and far 100: before all of the spheres.
     const double distance = truth::distance_at_depth(0.5 * (0.999 + 1), near, far);
     if (near == 1e-4) {

@@ -121,8 +121,10 @@ TEST_P(ScoreOf, a_mirrored_picture_one_upside_down_half_a_picture_or_one_shifted
   EXPECT_EQ(score(changed([&](int x, int y, int c) { return at(last - x, y, c); })), 0) << "mirrored";
   EXPECT_EQ(score(changed([&](int x, int y, int c) { return at(x, last - y, c); })), 0) << "upside down";
   EXPECT_EQ(score(changed([&](int x, int y, int c) { return y < half ? at(x, y, c) : at(0, 0, c); })), 0);
-  for (const auto& [dx, dy] : {std::pair(1, 0), {0, 1}, {-1, 0}})
-    EXPECT_EQ(score(changed([&](int x, int y, int c) { return at(x + dx, y + dy, c); })), 0) << dx << dy;
+  for (const auto& shift : {std::pair(1, 0), {0, 1}, {-1, 0}})
+    EXPECT_EQ(score(changed([&](int x, int y, int c) { return at(x + shift.first, y + shift.second, c); })),
+              0)
+        << shift.first << shift.second;
 }
 
 /// Limit 2: three steps are 1.5 times the limit, five are 2.5 times, nine are 4.5 times, ten are 5 times.

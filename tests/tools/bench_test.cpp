@@ -230,11 +230,12 @@ TEST(AccuracyReport, has_every_default_on_the_front_and_finite) {
         known = &result;
     }
     ASSERT_FALSE(stated.empty()) << lab.lab.title;
-    for (const auto& [parameter, result] : stated) {
+    for (const auto& entry : stated) {
+      const BenchResult& result = *entry.second;
       const bool over_numbers = std::any_of(
           lab.lab.bench.begin(), lab.lab.bench.end(),
-          [&](const course::BenchCase& b) { return b.name == result->case_name && number_of(b) >= 0; });
-      EXPECT_TRUE(result->pareto || over_numbers) << lab.lab.title << ": " << result->method;
+          [&](const course::BenchCase& b) { return b.name == result.case_name && number_of(b) >= 0; });
+      EXPECT_TRUE(result.pareto || over_numbers) << lab.lab.title << ": " << result.method;
     }
   }
 }

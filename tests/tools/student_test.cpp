@@ -104,10 +104,10 @@ TEST(CourseTree, has_its_catalogue_in_the_samples_of_mistakes) {
       const course::Mutant& mutant = catalogue[mistake.at("name")];
       EXPECT_EQ(mistake.at("step"), mutant.step);
       EXPECT_EQ(mistake.at("says"), mutant.says);
-      for (const auto& [name, one] : mistake.at("cases").items())
+      for (const auto& one : mistake.at("cases").items())
         EXPECT_TRUE(std::any_of(lab.cases.begin(), lab.cases.end(), [&](const course::GradedCase& graded) {
-          return graded.name == name && graded.step == mutant.step;
-        })) << name;
+          return graded.name == one.key() && graded.step == mutant.step;
+        })) << one.key();
     }
   }
 }

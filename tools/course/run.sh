@@ -8,7 +8,7 @@ optional_packages+=(similarity-tester)
 format_packages=(clang-format)
 test_packages=(libgtest-dev libtinyobjloader-dev xvfb xauth xdotool x11-utils imagemagick chromium webp python3)
 bench_packages=(libbenchmark-dev libosmesa6-dev libtinyobjloader-dev xvfb xauth chromium)
-all_packages=(clang-tidy parallel mmdebstrap debian-archive-keyring slurmctld slurmd slurm-client munge)
+all_packages=(clang clang-tidy parallel mmdebstrap debian-archive-keyring slurmctld slurmd slurm-client munge)
 
 course_help() {
   cat <<'TEXT'
@@ -20,19 +20,20 @@ For teachers and makers of the course:
 ./run course NAME [..] autograder for Gradescope, GitHub workflow, gradebook, similarity; see docs/course.md
 ./run test             check the formatting, build, run all tests, and run the parsers' tests with sanitizers
 ./run test N           build, and run the tests of lab N
-./run test --all       run all tests, clang-tidy for the libraries below common/app, a class with all wrong and all
-                       hostile solutions, a Gradescope container, a Slurm cluster, and the last commit on bare
+./run test --all       run all tests, a build by Clang, clang-tidy for the libraries below common/app, a class with
+                       all wrong and all hostile solutions, a Gradescope container, a Slurm cluster, and the last commit on bare
                        machines of three releases (hours)
 ./run bench [N] [args] measure the cost and the error of each method of each lab, into out/bench/index.html
 ./run accuracy         the same, into docs/accuracy.md, its plots and docs/accuracy.json
 ./run performance      compare the programs with hand-written floor programs, and kernels with plain versions and other
-                       libraries; writes docs/performance.md (about half an hour). --before TREE also compares
-                       what students wait for with an earlier commit's tree, in which ./run build was typed
+                       libraries; writes docs/performance.md (about an hour).
+                       --first-run-before TREE and --saves-before TREE also compare what people wait for with earlier
+                       commits' trees, in which ./run build was typed
 ./run renderers [args] draw all cases with every renderer of this machine into out/renderers. Each limit must be three
                        times the spread. Without args it writes docs/renderers.json and the end of docs/accuracy.md.
                        To include machines with another Mesa, copy their folders into out/renderers first
 ./run mutants [args]   make small wrong changes in a copy of the tree, and check that the tests notice. Without args it
-                       writes docs/mutants.md, and goes on where it was cut off (hours)
+                       writes docs/mutants.md, and goes on where it was cut off (an hour)
 ./run marks [N ..]     check that each mistake of the catalogue loses marks, and no right answer does. Without args it
                        writes docs/marks.md (half an hour)
 ./run format           format the C++ files
@@ -96,6 +97,8 @@ run_all_tests() {
     configure tidy
     # clang-tidy 14 does not understand the labs' consteval parameters that come from a template's.
     build tidy texel_{core,params,course,image,mesh,judge,check,sandbox,store,reports,grade,procedural,gl}
+    configure clang -D TEXEL_TESTS=ON
+    build clang all
     export TEXEL_TEST_ALL=1
     "$root/run" web && "$root/run" web --starter
   fi

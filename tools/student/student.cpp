@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
-#include <ranges>
 
 #include "check/check.hpp"
 #include "check/files.hpp"
@@ -86,8 +85,9 @@ Exit see(const SeeOptions& options) {
                              0));
     if (one.picture.empty()) return Exit::failed;  // the message says why
     if (one.is_mesh()) {
-      fmt::print("This case compares vertices. To see the model, type: ./run lab {}{}\n", number,
-                 fmt::join(one.settings | std::views::transform(course::flag), ""));
+      std::string flags;
+      for (const course::Setting& setting : one.settings) flags += course::flag(setting);
+      fmt::print("This case compares vertices. To see the model, type: ./run lab {}{}\n", number, flags);
       return Exit::holds;
     }
     const image::Compared pictures = grade::compared(one);

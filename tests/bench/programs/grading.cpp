@@ -113,59 +113,91 @@ const course::Mutant& mutant_of(const std::vector<course::Mutant>& mutants, cons
   return *found;
 }
 
-/// A class in labs of C++ and GLSL that made a mistake in every tenth step: judged with each step that fails
-/// once more alone, beside judged without. All texts are new in each run, as a class's are: nothing is
-/// compiled before.
+/// A class that made a mistake in every tenth step of some labs. All texts are new in each run, as a class's
+/// are: nothing is compiled before.
+class TenthOfStepsWrong {
+ public:
+  TenthOfStepsWrong(const Options& options, std::vector<int> labs, std::size_t students)
+      : options_(options), students_(students), mistakes_(course::read_mistakes(options.root)) {
+    for (const course::Lab& lab : course::read_labs(options.root / "labs"))
+      if (std::find(labs.begin(), labs.end(), lab.number) != labs.end())
+        for (const course::Step& step : lab.steps) steps_.push_back(step.id);
+    grading_.class_folder = options.work / "tenth", grading_.out = options.work / "tenth_grades";
+    grading_.course = options.root, grading_.build = options.bin.parent_path();
+    grading_.cache = options.work / fmt::format("tenth_cache_{}", labs.size()),
+    grading_.seed_file = options.work / "seed";
+    grading_.labs = std::move(labs);
+    write_file(grading_.seed_file, "a seed of no course");
+  }
+
+  /// Milliseconds of a run with its reports. The first one makes what a course does once.
+  double grade(bool alone = true) {
+    write_class();
+    fs::remove_all(grading_.out);
+    grading_.judge_alone = alone;
+    const Stopwatch stopwatch;
+    grade::grade_class(grading_, [](const std::string&) {});
+    return stopwatch.milliseconds();
+  }
+
+  [[nodiscard]] std::string text() const {
+    return fmt::format("{} students, {} mistakes in {} steps", students_, made_, students_ * steps_.size());
+  }
+
+ private:
+  void write_class() {
+    fs::remove_all(grading_.class_folder);
+    made_ = 0, ++run_;
+    const Change mistaken = [&](std::size_t student, const std::string& file, std::string text) {
+      for (std::size_t i = 0; i < steps_.size(); ++i) {
+        if ((student * steps_.size() + i) % kOneOf != 0) continue;
+        const course::Mutant& mistake = mutant_of(mistakes_, steps_[i]);
+        if (mistake.file != file) continue;
+        text = course::mutated(mistake, text);
+        ++made_;
+      }
+      return text;
+    };
+    for (std::size_t student = 0; student < students_; ++student)
+      hand_in(options_.root, grading_.class_folder / fmt::format("student_{}", student), student, mistaken,
+              "",
+              fmt::format("student {} of class {} in {}", student, run_, options_.work.filename().string()));
+  }
+
+  static constexpr std::size_t kOneOf = 10;
+  const Options& options_;
+  std::size_t students_, made_ = 0;
+  int run_ = 0;
+  std::vector<course::Mutant> mistakes_;
+  std::vector<std::string> steps_;
+  grade::GradeOptions grading_;
+};
+
+/// Judged with each step that fails once more alone, beside judged without.
 void add_judged_alone(const Options& options, Report& report) {
-  constexpr std::size_t students = 4, one_of = 10;
-  const std::vector<int> numbers = {1, 5, 8};
-  std::vector<course::Lab> labs = course::read_labs(options.root / "labs");
-  std::erase_if(labs, [&](const course::Lab& lab) {
-    return std::find(numbers.begin(), numbers.end(), lab.number) == numbers.end();
-  });
-  std::vector<std::string> steps;
-  for (const course::Lab& lab : labs)
-    for (const course::Step& step : lab.steps) steps.push_back(step.id);
-  const std::vector<course::Mutant> mutants = course::read_catalogue(options.root / "tests/mutants");
-  const fs::path folder = options.work / "tenth";
-  std::size_t mistakes = 0;
-  const Change mistaken = [&](std::size_t student, const std::string& file, std::string text) {
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      if ((student * steps.size() + i) % one_of != 0) continue;
-      const course::Mutant& mutant = mutant_of(mutants, steps[i]);
-      if (mutant.file != file) continue;
-      text = course::mutated(mutant, text);
-      ++mistakes;
-    }
-    return text;
-  };
-  const auto write_class = [&](int run) {
-    fs::remove_all(folder);
-    mistakes = 0;
-    for (std::size_t student = 0; student < students; ++student)
-      hand_in(options.root, folder / fmt::format("student_{}", student), student, mistaken, "",
-              fmt::format("student {} of class {} in {}", student, run, options.work.filename().string()));
-  };
-  grade::GradeOptions grading;
-  grading.class_folder = folder, grading.out = options.work / "tenth_grades";
-  grading.course = options.root, grading.build = options.bin.parent_path();
-  grading.cache = options.root / "build/grade", grading.seed_file = options.work / "seed";
-  grading.labs = numbers;
-  write_file(grading.seed_file, "a seed of no course");
-  int run = 0;
-  const auto grade = [&](bool alone) {
-    write_class(++run);
-    grading.judge_alone = alone;
-    fs::remove_all(grading.out);
-    return 1000 * grade::grade_class(grading, [](const std::string&) {}).seconds;
-  };
-  grade(true);  // the mutants' pictures are drawn once for a course
-  report.add(
-      row_of(fmt::format("labs 1, 5 and 8, {} mistakes in {} steps", mistakes, students * steps.size()),
-             "failed steps once more alone", "judged once", "ms",
-             interleaved(
-                 options.long_rounds(), [&] { return grade(true); }, [&] { return grade(false); }),
-             Target::at_most, 1.3));
+  TenthOfStepsWrong made(options, {1, 5, 8}, 4);
+  made.grade();
+  const std::vector<Pair> pairs = interleaved(
+      options.long_rounds(), [&] { return made.grade(true); }, [&] { return made.grade(false); });
+  report.add(row_of("labs 1, 5 and 8, " + made.text(), "failed steps once more alone", "judged once", "ms",
+                    pairs, Target::at_most, 1.3));
+}
+
+/// What a large class takes, from a small one. Students are graded apart, so twice as many take twice as
+/// long.
+void add_course(const Options& options, Report& report) {
+  constexpr std::size_t students = 12;
+  constexpr double of_class = 1000, machines = 16, ms_per_hour = 3600e3;
+  TenthOfStepsWrong made(options, {1, 2, 3, 4, 5, 6, 7, 8, 9}, students);
+  const double first = made.grade(), again = made.grade();
+  const double once = std::max(0.0, first - again), hours = again / students * of_class / ms_per_hour;
+  report.note(fmt::format(
+      "**{:.0f} students of nine labs**: {}, all C++ new, took {:.0f} s on {} processors: {:.0f} s a "
+      "student. So "
+      "{:.0f} students take {:.1f} hours on this machine, and {:.0f} minutes on {:.0f} such machines "
+      "(`--shard`), which share nothing while they grade. What a course does once took {:.0f} s.",
+      of_class, made.text(), again / 1000, processors(), again / 1000 / students, of_class, hours,
+      (hours * ms_per_hour / machines + once) / 60e3, machines, once / 1000));
 }
 
 }  // namespace
@@ -196,6 +228,7 @@ void measure_grading(const Options& options, Report& report) {
   add_grading(options, report, "lab 1, 8 students, all wrong", 1, 2.2, 8, 8, turned);
   add_grading(options, report, "lab 5, 24 students, 10 with a mistake each", 5, 1.5, 24, 10, one_each);
   add_judged_alone(options, report);
+  add_course(options, report);
 }
 
 }  // namespace texel::bench

@@ -12,8 +12,10 @@ namespace texel::bench {
 
 struct Options {
   std::filesystem::path bin = TEXEL_BIN, root = TEXEL_SOURCE;
-  std::filesystem::path work;    ///< scratch
-  std::filesystem::path before;  ///< an earlier commit's tree, built by its ./run build; or none
+  std::filesystem::path work;  ///< scratch
+  /// Earlier commits' trees, built by their ./run build; or none: what the first ./run, and what saves and
+  /// tests, are compared with.
+  std::filesystem::path first_run_before, saves_before;
   int rounds = 11;
 
   [[nodiscard]] std::string program(const std::string& name) const { return (bin / name).string(); }
@@ -42,6 +44,9 @@ void measure_grading(const Options& options, Report& report);
 
 /// A student's first ./run, and from a save to the verdict, beside an earlier commit's; nothing without one.
 void measure_waits(const Options& options, Report& report);
+
+/// ./run test from nothing and of one lab, beside an earlier commit's from nothing; nothing without one.
+void measure_tests(const Options& options, Report& report);
 
 /// kernels_bench and obj_peak.
 void measure_kernels(const Options& options, Report& report);

@@ -15,7 +15,8 @@ int main(int argc, char** argv) {
   const std::pair<const char*, void (*)(const Options&, Report&)> parts[] = {
       {"snapshots", measure_snapshots}, {"warm", measure_one_more},   {"batch", measure_batches},
       {"grading", measure_grading},     {"kernels", measure_kernels}, {"frames", measure_frames},
-      {"start", measure_window_start},  {"peers", measure_peers},     {"waits", measure_waits}};
+      {"start", measure_window_start},  {"peers", measure_peers},     {"waits", measure_waits},
+      {"tests", measure_tests}};
   std::vector<std::string> names;
   for (const auto& [name, measure] : parts) names.emplace_back(name);
 
@@ -25,8 +26,10 @@ int main(int argc, char** argv) {
   app.add_option("--rounds", options.rounds, "Rounds of each pair [11]")->check(CLI::Range(1, 1000));
   app.add_option("--only", only, "One part alone")->check(CLI::IsMember(names));
   app.add_option(
-      "--before", options.before,
-      "An earlier commit's tree, in which ./run build was typed: what a student waits for beside it");
+      "--first-run-before", options.first_run_before,
+      "An earlier commit's tree, in which ./run build was typed: a student's first ./run beside it");
+  app.add_option("--saves-before", options.saves_before,
+                 "The same: from a save to the verdict, and ./run test, beside it");
   app.add_option("--json", json, "Write all figures into this file");
   app.add_option("--markdown", markdown, "Write the report into this file");
   CLI11_PARSE(app, argc, argv);

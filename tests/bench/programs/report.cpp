@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "core/parallel.hpp"
+
 namespace texel::bench {
 
 using Json = nlohmann::ordered_json;
@@ -21,7 +23,7 @@ std::string number(double value) {
 
 void Report::begin(const std::string& title, const std::string& text) {
   fmt::print("\n{}\n", title);
-  sections_.push_back({title, text, {}});
+  sections_.push_back({title, text, {}, {}});
 }
 
 void Report::add(const Row& row) {
@@ -31,12 +33,18 @@ void Report::add(const Row& row) {
   sections_.back().rows.push_back(row);
 }
 
+void Report::note(const std::string& text) {
+  fmt::print("  {}\n", text);
+  sections_.back().notes.push_back(text);
+}
+
 std::string Report::as_json() const {
   Json json;
   const auto spread = [](const Spread& s) {
     return Json{{"median", s.median}, {"lower", s.lower}, {"upper", s.upper}};
   };
-  for (const Section& section : sections_)
+  for (const Section& section : sections_) {
+    for (const std::string& note : section.notes) json["notes"].push_back(note);
     for (const Row& row : section.rows)
       json["results"].push_back({{"section", section.title},
                                  {"what", row.what},
@@ -46,6 +54,7 @@ std::string Report::as_json() const {
                                  {"ratio", spread(row.ratio)},
                                  {"target", row.target},
                                  {"reached", row.reached}});
+  }
   for (const auto& [name, stages] : stages_) json["stages"][name] = stages;
   return json.dump(2) + "\n";
 }
@@ -53,11 +62,13 @@ std::string Report::as_json() const {
 std::string Report::as_markdown(int rounds, int long_rounds) const {
   std::string text = fmt::format(
       "# How fast\n\n"
-      "Made by `./run performance`, which takes about half an hour. All figures are of one machine, taken "
-      "in turn with what they stand beside in {} rounds (batches and grading in {}); the ratio is the median "
-      "of the rounds, with the quarters below and above it. The driver's cache of compiled shaders is off "
-      "(`MESA_SHADER_CACHE_DISABLE=true`). Speed against *error* is in [accuracy.md](accuracy.md).\n",
-      rounds, long_rounds);
+      "Made by `./run performance`, which takes about an hour. All figures are of one machine with {} "
+      "processors, taken in turn with what they stand beside in {} rounds (batches, grading and the first "
+      "`./run` in {}); the ratio is the median of the rounds, with the quarters below and above it. The "
+      "driver's cache of compiled shaders is off (`MESA_SHADER_CACHE_DISABLE=true`) where nothing else is "
+      "said. "
+      "Speed against *error* is in [accuracy.md](accuracy.md).\n",
+      processors(), rounds, long_rounds);
   for (const Section& section : sections_) {
     if (section.rows.empty()) continue;
     text += fmt::format("\n## {}\n{}\n\n", section.title, section.text);
@@ -70,6 +81,7 @@ std::string Report::as_markdown(int rounds, int long_rounds) const {
                           row.reached ? "" : ", **missed**");
     for (const Row& row : section.rows)
       if (!row.reached && !row.why.empty()) text += fmt::format("\n**{}**: {}\n", row.what, row.why);
+    for (const std::string& note : section.notes) text += fmt::format("\n{}\n", note);
   }
   if (!stages_.empty()) text += stage_table();
   return text;

@@ -14,6 +14,8 @@ class Report {
  public:
   void begin(const std::string& title, const std::string& text);
   void add(const Row& row);
+  /// A sentence below the table.
+  void note(const std::string& text);
   /// Milliseconds by stage of a lab's snapshot, as --stats says them.
   void add_stages(const std::string& lab, const nlohmann::ordered_json& stages) {
     stages_.emplace_back(lab, stages);
@@ -27,6 +29,7 @@ class Report {
   struct Section {
     std::string title, text;
     std::vector<Row> rows;
+    std::vector<std::string> notes;
   };
   [[nodiscard]] std::string stage_table() const;
 

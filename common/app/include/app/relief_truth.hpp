@@ -38,12 +38,12 @@ using HeightGradient = std::function<glm::dvec2(glm::dvec2 texcoord)>;
 inline std::optional<HeightGradient> height_gradient(const std::string& normal_map) {
   using procedural::HeightField;
   if (normal_map == "flat") return [](glm::dvec2) { return glm::dvec2(0); };
-  for (const auto& [name, field] : {std::pair("brick", HeightField::brick),
-                                    {"wood", HeightField::wood},
-                                    {"scales", HeightField::scales},
-                                    {"bump", HeightField::bump}})
+  for (const auto& [name, relief] : {std::pair("brick", HeightField::brick),
+                                     {"wood", HeightField::wood},
+                                     {"scales", HeightField::scales},
+                                     {"bump", HeightField::bump}})
     if (name == normal_map)
-      return [field = field](glm::dvec2 texcoord) {
+      return [field = relief](glm::dvec2 texcoord) {
         const procedural::Dual height = procedural::height(field, texcoord.s, texcoord.t);
         return glm::dvec2(height.du, height.dv);
       };

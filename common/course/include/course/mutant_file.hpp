@@ -22,9 +22,8 @@
 ///     # What a student should read: what is wrong, and after a colon or full stop what is right. Of an
 ///     # equivalent, what is different and why it is right.
 ///     says = "Green points down in your map: +Y is up."
-///     same = "blue-flipped"                                 # optional: the mutant of the step that draws
-///     the
-///                                                           # same pictures; its text fits both
+///     same = "blue-flipped"                                 # optional: the step's mutant with the same
+///                                                           # pictures; its text fits both
 ///     survives = "…"                                        # optional, no equivalent has it: why no test
 ///                                                           # can notice
 namespace texel::course {
