@@ -85,24 +85,34 @@ class LabCheck {
   [[nodiscard]] const std::string& renderer() const { return renderer_; }
 
  private:
+  /// A picture of the last check stays until its new one takes its place: somebody may look at it.
   void draw_all(unsigned processes) {
-    fs::remove_all(own_);
     fs::create_directories(own_);
     std::vector<std::vector<Case>> parts(std::min<std::size_t>(processes, plan_.cases.size()));
     for (std::size_t i = 0; i < plan_.cases.size(); ++i) parts[i % parts.size()].push_back(plan_.cases[i]);
     std::vector<Drawn> drawn(parts.size());
-    in_parallel(processes, parts.size(),
-                [&](std::size_t i) { drawn[i] = draws_(plan_.lab, parts[i], own_ / fmt::format("{}", i)); });
+    const auto folder_of = [&](std::size_t i) { return own_ / fmt::format("{}", i); };
+    in_parallel(processes, parts.size(), [&](std::size_t i) {
+      fs::remove_all(folder_of(i));
+      drawn[i] = draws_(plan_.lab, parts[i], folder_of(i));
+    });
+    std::set<fs::path> all;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       faults_.merge(drawn[i].faults);
       refused_.merge(drawn[i].refused);
       if (!drawn[i].renderer.empty()) renderer_ = drawn[i].renderer;
-      const fs::path folder = own_ / fmt::format("{}", i);
-      if (!fs::exists(folder)) continue;
-      for (const fs::directory_entry& file : fs::directory_iterator(folder))
-        fs::rename(file.path(), own_ / file.path().filename());
-      fs::remove_all(folder);
+      if (!fs::exists(folder_of(i))) continue;
+      for (const fs::directory_entry& file : fs::directory_iterator(folder_of(i))) {
+        const fs::path to = own_ / file.path().filename();
+        if (file.is_directory() || fs::is_directory(to)) fs::remove_all(to);
+        fs::rename(file.path(), to);
+        all.insert(to);
+      }
     }
+    std::vector<fs::path> old;
+    for (const fs::directory_entry& file : fs::directory_iterator(own_))
+      if (!all.contains(file.path())) old.push_back(file.path());
+    for (const fs::path& file : old) fs::remove_all(file);
   }
 
   [[nodiscard]] std::string refused_of(const Case& one) const {

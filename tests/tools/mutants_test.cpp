@@ -100,6 +100,18 @@ TEST_F(MutantEngine, tells_what_is_wrong_with_the_catalogue_from_what_is_caught)
   EXPECT_TRUE(has(result.errors, "2 mutants do not apply or do not compile")) << result.errors;
 }
 
+TEST_F(MutantEngine, says_no_where_a_mutant_is_caught_that_no_test_can_notice) {
+  write("tests/mutants/clamp.toml",
+        mutant("known", "return x;", "return -x;", "Small numbers stay as they are.",
+               "survives = \"Nobody asks.\"\n"));
+  const Result result = mutants();
+  EXPECT_EQ(result.exit_code, 1) << result.errors;
+  EXPECT_TRUE(has(result.output,
+                  "caught by Clamp.keeps_small_numbers: known (clamp.cpp), of which the catalogue "
+                  "says: Nobody asks."))
+      << result.output;
+}
+
 TEST_F(MutantEngine, takes_no_test_of_the_tree_for_a_catch_and_fails_where_nothing_is_caught) {
   const std::string tests =
       "cmake_minimum_required(VERSION 3.25)\nproject(tiny CXX)\nenable_testing()\n"

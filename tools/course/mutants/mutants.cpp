@@ -153,6 +153,19 @@ void say_survivors(const std::vector<MutantResult>& results) {
           result.mutant.survives.empty() ? "the catalogue gives no reason" : result.mutant.survives));
 }
 
+/// Says which mutants were caught although no test can notice them: the catalogue's reason is wrong, or the
+/// test notices more than behaviour. Returns whether there is one.
+bool say_impossible(const std::vector<MutantResult>& results) {
+  bool any = false;
+  for (const MutantResult& result : results) {
+    if (result.fate != Fate::caught || result.mutant.survives.empty()) continue;
+    any = true;
+    say(fmt::format("caught by {}: {} ({}), of which the catalogue says: {}", fmt::join(result.by, "; "),
+                    result.mutant.name, result.mutant.file, result.mutant.survives));
+  }
+  return any;
+}
+
 /// Makes all changes that change nothing, together, unless that was done in this tree. Throws Error (exit 3)
 /// when tests notice them: those would notice anything.
 void check_unchanged(const Tree& tree, const std::string& state, const Suite& suite,
@@ -221,12 +234,13 @@ Exit mutants(const MutantsOptions& options) {
   }
   const Score total = score(results);
   say_survivors(results);
+  const bool is_impossible = say_impossible(results);
   say(fmt::format("{}; {} survive for a reason; {} took {}", total.text(), total.explained, made,
                   duration_text(stopwatch.milliseconds() / 1000)));
   if (total.broken > 0)
     throw Error::failed(fmt::format("{} mutants do not apply or do not compile", total.broken), {},
                         "correct the catalogue in tests/mutants");
-  return total.percent() >= kWanted ? Exit::holds : Exit::differs;
+  return total.percent() >= kWanted && !is_impossible ? Exit::holds : Exit::differs;
 }
 
 }  // namespace texel::tools
