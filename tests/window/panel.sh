@@ -105,6 +105,24 @@ check 'a heading closes its section' changed_from "$work/open" $panel
 settle "$work/closed" $panel
 click_at 100 249
 check 'and opens it' changed_from "$work/closed" $panel
+settle "$work/open" $panel
+click_at 100 561
+check 'the section Camera opens' changed_from "$work/open" $panel
+for slider in 'yaw 222 585' 'pitch 204 609' 'distance 173 633' 'field of view 183 657'; do
+  x=${slider% *}
+  drag "${x##* }" "${slider##* }" 20
+  check "the slider ${x% *} moves the camera" changed_from "$work/first"
+  click_at 138 57
+  check 'Undo moves it back' is_back "$work/first"
+done
+click_at 296 609
+check 'reset sets the default pitch' changed_from "$work/first"
+click_at 138 57
+check 'Undo takes it back' is_back "$work/first"
+settle "$work/camera" 320x90+0+574
+click_at 100 561
+check 'the section closes' changed_from "$work/camera" 320x90+0+574
+
 # Right of the edge, where the panel has no text.
 is_panel() { look "$work/now" 20x50+350+610 && (($(colours "$work/now") == 1)); }
 drag 336 716 60
