@@ -81,7 +81,8 @@ function(texel_options_of)
 endfunction()
 
 # texel_together(target): seven of its files are compiled as one, which reads and instantiates what they all include once
-# and takes little more than half of the time. The presets without precompiled headers (dev, tidy) compile each file alone.
+# and takes little more than half of the time. Not for files that students edit: after a save they are compiled alone, as
+# all files are by the presets without precompiled headers (dev, clang, tidy).
 function(texel_together target)
   if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 7)

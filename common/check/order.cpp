@@ -127,18 +127,18 @@ void skip_those_that_wait(std::vector<LabResult>& labs, const std::map<std::stri
         own.is_passed = true;  // its text is right: the steps that need it do not wait for it
         continue;
       }
-      std::string missing;  // the first need that did not pass
+      std::vector<std::string> missing;  // the needs that did not pass
       bool is_explained = false;
       for (const std::string& need : needs.of(step.id)) {
         const auto found = before.find(need);
         if (found == before.end() || found->second.is_passed) continue;
-        if (missing.empty()) missing = need;
+        missing.push_back(need);
         is_explained |= found->second.is_explained;
       }
       own.is_explained = !step.mistake.empty() || step.is_untouched();
       if (missing.empty() || (!is_explained && !step.mistake.empty())) continue;
       own.is_explained = false;
-      skip(step, {missing}, fmt::format("It needs step {} first.", missing));
+      skip(step, missing, fmt::format("It needs {} first.", listed(missing)));
     }
 }
 

@@ -290,7 +290,7 @@ int lab_number(const std::string& folder) {
 }  // namespace
 
 Lab read_lab(const fs::path& file) {
-  const toml::table table = parse(file);
+  const toml::table table = read_toml(file);
   Reader reader(table, file.string());
   Lab lab;
   lab.folder = reader.text("lab");

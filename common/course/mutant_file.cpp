@@ -69,7 +69,7 @@ void add(std::vector<Mutant>& mutants, Mutant mutant, const std::string& kind) {
 
 /// The tables of these kinds in a file, one kind after the other.
 std::vector<Mutant> read_kinds(const fs::path& file, const std::vector<std::string>& kinds) {
-  const toml::table table = parse(file);
+  const toml::table table = read_toml(file);
   Reader reader(table, file.string());
   std::vector<Mutant> mutants;
   for (const std::string& kind : kinds)

@@ -25,7 +25,7 @@ int lab_of_step(const std::string& step) {
   return number_error == std::errc{} && rest == end ? static_cast<int>(lab) : 0;
 }
 
-toml::table parse(const std::filesystem::path& file) {
+toml::table read_toml(const std::filesystem::path& file) {
   try {
     return toml::parse(read_file(file), file.string());
   } catch (const toml::parse_error& error) {

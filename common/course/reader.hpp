@@ -15,7 +15,7 @@ namespace texel::course {
 Place place_of(const toml::node& node, const std::string& file);
 
 /// A TOML file as a table. Throws Error (exit 3) with file, line and column for broken TOML.
-toml::table parse(const std::filesystem::path& file);
+toml::table read_toml(const std::filesystem::path& file);
 
 /// The lab of a step that is written as "5.1", two numbers with a point between them; 0 for a text that is
 /// none.

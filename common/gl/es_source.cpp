@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/plain_text.hpp"
+
 namespace texel::gl {
 namespace {
 
@@ -122,10 +124,6 @@ bool texel_goes_on() {{ return ++texel_rounds <= {}; }}
 )";
 /// What a pixel shows whose loops had to be ended. No lab draws this alpha.
 constexpr const char* kEndless = "  if (texel_rounds > {}) picture = vec4(1.0, 0.0, 1.0, 0.5);\n";
-
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 /// Where the comment or the line of the preprocessor ends that begins at `at`; `at` where none does.
 std::size_t after_comment(const std::string& text, std::size_t at) {

@@ -10,15 +10,12 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/plain_text.hpp"
 
 namespace texel::gl {
 namespace {
 
 constexpr int kLinesPerFile = 100000;
-
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front())) != 0) text.remove_prefix(1);

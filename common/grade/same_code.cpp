@@ -6,12 +6,10 @@
 #include <optional>
 #include <string>
 
+#include "core/plain_text.hpp"
+
 namespace texel::grade {
 namespace {
-
-bool is_of_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 /// Whether a space parts nothing there: "x * 2" is "x*2". Beside a point, or behind the e of 1e-5 or the p of
 /// 0x1p-5, it might part a number; beside a quote, a string from its kind; between two signs it may part
@@ -21,7 +19,7 @@ bool is_idle(const std::string& before, char next, bool in_directive) {
   const char last = before.back();
   constexpr std::string_view kParted = ".\"eEpP";
   if (in_directive || kParted.find(last) != kParted.npos || next == '.' || next == '"') return false;
-  return is_of_word(last) != is_of_word(next);
+  return is_word(last) != is_word(next);
 }
 
 /// The text without its comments and idle white space, if that can be said.

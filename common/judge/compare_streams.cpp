@@ -27,8 +27,8 @@ constexpr std::size_t kMostTooMany = 16;
 
 /// What can be wrong with a vertex. The first two have no angle.
 enum Part : std::size_t { place, side, triangles, normals, tangents };
-constexpr std::array kPartNames = {"places or texture coordinates", "the tangents' signs w", "triangles",
-                                   "normals", "tangents"};
+constexpr std::array kPartNames = {"places or texture coordinates", "the tangents' w, which is 1 or -1,",
+                                   "triangles", "normals", "tangents"};
 
 /// How far two vertices are apart, part by part, in degrees; 180 for another place or side.
 using Apart = std::array<double, kPartNames.size()>;
@@ -111,7 +111,7 @@ struct Lookup {
     if (!mesh.tangents.empty()) {
       const glm::vec4 a = other.mesh.tangents[i], b = mesh.tangents[j];
       error[tangents] = degrees_between(dvec3(a), dvec3(b));
-      if (std::signbit(a.w) != std::signbit(b.w)) error[side] = 180;
+      if (!(std::abs(a.w - b.w) <= kSame)) error[side] = 180;
     }
     return error;
   }

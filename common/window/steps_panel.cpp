@@ -16,7 +16,7 @@ namespace {
 using grade::Status;
 
 /// A text that marks code with `, without these marks.
-void wrapped(const ImVec4& colour, const std::string& text) {
+void wrapped_plain(const ImVec4& colour, const std::string& text) {
   wrapped_text(colour, without_markdown(text));
 }
 
@@ -46,16 +46,17 @@ void pick(AnyLab& lab, WindowState& state, const grade::StepResult& step, const 
 }
 
 void step_details(AnyLab& lab, WindowState& state, const grade::StepResult& step) {
-  wrapped(theme().dim, fmt::format("{}:{}", step.file, step.line));
+  wrapped_plain(theme().dim, fmt::format("{}:{}", step.file, step.line));
   const auto picked = std::ranges::find_if(step.cases, [&](const grade::CaseResult& one) {
     return state.case_pictures && state.case_pictures->name == one.name;
   });
   const std::string& message = picked != step.cases.end() ? picked->message : step.message;
-  if (step.status != Status::passed && state.shown_error().first.empty()) wrapped(theme().text, message);
-  if (!step.mistake_says.empty()) wrapped(theme().next, "This looks like: " + step.mistake_says);
+  if (step.status != Status::passed && state.shown_error().first.empty())
+    wrapped_plain(theme().text, message);
+  if (!step.mistake_says.empty()) wrapped_plain(theme().next, "This looks like: " + step.mistake_says);
   std::size_t& shown = state.hints[step.id];
   for (std::size_t i = 0; i < std::min(shown, step.hints.size()); ++i)
-    wrapped(theme().dim, fmt::format("{}. {}", i + 1, step.hints[i]));
+    wrapped_plain(theme().dim, fmt::format("{}. {}", i + 1, step.hints[i]));
   if (shown < step.hints.size() && step.status != Status::passed &&
       ImGui::SmallButton(fmt::format("hint {} of {}", shown + 1, step.hints.size()).c_str()))
     ++shown;
@@ -75,7 +76,7 @@ void step_details(AnyLab& lab, WindowState& state, const grade::StepResult& step
 void steps_section(AnyLab& lab, WindowState& state) {
   if (!state.steps || !ImGui::CollapsingHeader("Steps", ImGuiTreeNodeFlags_DefaultOpen)) return;
   const std::vector<grade::StepResult>& steps = state.steps->steps();
-  if (!state.steps->fault().empty()) wrapped(theme().next, "Not checked: " + state.steps->fault());
+  if (!state.steps->fault().empty()) wrapped_plain(theme().next, "Not checked: " + state.steps->fault());
   if (steps.empty() && state.steps->fault().empty()) ImGui::TextColored(theme().dim, "checking");
   bool has_next = false;
   for (const grade::StepResult& step : steps) {
@@ -98,10 +99,10 @@ void steps_section(AnyLab& lab, WindowState& state) {
                          : step.status == Status::skipped ? "waits"
                          : is_next                        ? "next"
                                                           : "to do";
-    wrapped(colour, fmt::format("{} {} {}", status, step.id, title));
+    wrapped_plain(colour, fmt::format("{} {} {}", status, step.id, title));
     if (is_open && !shows) {
       ImGui::Indent();
-      wrapped(theme().dim, figure(step));
+      wrapped_plain(theme().dim, figure(step));
       ImGui::Unindent();
     }
     if (!shows) continue;

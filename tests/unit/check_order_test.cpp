@@ -122,10 +122,16 @@ TEST(Waiting, skips_what_needs_a_step_that_did_not_pass) {
   const std::vector<StepResult>& steps = labs[1].steps;
   // 2.2 needs 2.1, which passed, and so 1.1, which did not.
   EXPECT_EQ(steps[1].status, Status::skipped);
-  EXPECT_EQ(steps[1].message, "It needs step 1.1 first.");
+  EXPECT_EQ(steps[1].message, "It needs 1.1 first.");
   EXPECT_EQ(steps[1].spoilt_by, Steps{"1.1"});
   EXPECT_EQ(steps[2].status, Status::failed) << "it needs nothing";
   EXPECT_EQ(steps[3].status, Status::passed) << "although it needs 1.1";
+
+  std::vector<LabResult> two = {
+      lab(1, {{"1.1", false}, {"1.2", false}, {"1.3", false}}, {{"1.3", {"1.1", "1.2"}}})};
+  skip_those_that_wait(two, {});
+  EXPECT_EQ(two[0].steps[2].message, "It needs 1.1 and 1.2 first.");
+  EXPECT_EQ(two[0].steps[2].spoilt_by, (Steps{"1.1", "1.2"}));
 }
 
 TEST(Waiting, does_not_skip_a_known_mistake_while_nothing_explains_what_it_needs) {

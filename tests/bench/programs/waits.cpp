@@ -135,7 +135,7 @@ void measure_waits(const Options& options, Report& report) {
   const Starter now(options.root, options.work / "saved_now"),
       before(options.saves_before, options.work / "saved_before");
   now.run("build", 0), before.run("build", 0);
-  int edit = 0;
+  int edits = 0;
   struct Save {
     const char* file;
     double target;
@@ -144,7 +144,7 @@ void measure_waits(const Options& options, Report& report) {
                            {"labs/05_normal_map/lab.cpp", 0.45},
                            {"common/mesh/tangents.cpp", 0.5}})
     add(save.file, "ms", options.rounds, save.target, now, before,
-        [&](const Starter& s) { return s.save_to_verdict(save.file, ++edit); });
+        [&](const Starter& s) { return s.save_to_verdict(save.file, ++edits); });
 }
 
 void measure_tests(const Options& options, Report& report) {

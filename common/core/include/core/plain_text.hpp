@@ -19,6 +19,9 @@ bool is_plain_text(std::string_view bytes);
 /// A text's lines, without the LF or CR LF that ends each. Behind the last one begins no line.
 std::vector<std::string> lines_of(std::string_view text);
 
+/// Whether this is of a name in C++ or GLSL: an ASCII letter, a digit, '_'.
+bool is_word(char c);
+
 /// ASCII capitals made small.
 std::string lower_case(std::string_view text);
 
