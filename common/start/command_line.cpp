@@ -65,7 +65,7 @@ std::optional<CommandLine> read_command_line(AnyLab& lab, int argc, char** argv)
   app.add_option("--size", size,
                  "Size of the window or picture, WxH in pixels [960x720, a snapshot 512x512]");
   app.add_option("--see", line.see,
-                 "A step, as 5.1: the window shows your picture of it and the expected one");
+                 "A step, as 5.1, or a case: the window shows your picture of it and the expected one");
   app.add_option("--snapshot", line.snapshot,
                  "Draw once without a window and write a .png, or a .pfm for a data view");
   app.add_option("--view", line.view, "Which picture to draw; --list-views lists them [color]");

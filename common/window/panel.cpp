@@ -253,6 +253,7 @@ void status_bar(const WindowState& state) {
   if (!checking.empty()) text.append(text.empty() ? "" : "\n").append(checking);
   ImGui::BeginChild("status", {0, 0}, 0, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PushTextWrapPos(0);
+  if (state.built_again) ImGui::TextColored(theme().next, "The lab was built again: F5 opens it anew");
   ImGui::TextColored(theme().dim, "%s", text.c_str());
   ImGui::PopTextWrapPos();
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());

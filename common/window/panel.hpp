@@ -42,6 +42,7 @@ struct WindowState {
   bool all_messages = false;            ///< not only the error's first
   std::string no_truth;                 ///< why the view `error` shows colours, or ""
   std::string message;                  ///< what the last action did
+  bool built_again = false;             ///< the program, since this process began
 
   /// The pixel that was clicked, from the bottom left, and the value of each data view there.
   struct Inspected {
@@ -80,6 +81,8 @@ void steps_section(AnyLab& lab, WindowState& state);
 /// The section with error and cost of the methods as a plot, where the lab has both.
 void methods_section(AnyLab& lab, WindowState& state, float scale);
 
+/// Sets the case's look and shows its pictures.
+void pick_case(AnyLab& lab, WindowState& state, const grade::StepResult& step, const grade::CaseResult& one);
 /// Sets the look of the step's case that says most, and shows that case's pictures.
 void pick_step(AnyLab& lab, WindowState& state, const grade::StepResult& step);
 

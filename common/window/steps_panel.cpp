@@ -28,23 +28,6 @@ std::string figure(const grade::StepResult& step) {
                      telling->limit);
 }
 
-/// Sets the case's look and shows its pictures.
-void pick(AnyLab& lab, WindowState& state, const grade::StepResult& step, const grade::CaseResult& one) {
-  if (!state.own_look) state.own_look = save_look(lab.parameters(), state.view, state.look);
-  try {
-    lab.parameters().reset();
-    for (const auto& [parameter, value] : one.settings) lab.parameters().at(parameter).set(value);
-    state.view = one.is_mesh() ? View::color : one.view;
-    state.split.reset();
-    state.look.reset();
-    state.paused = true;
-    state.message.clear();
-  } catch (const Error& error) {
-    state.message = error.what();
-  }
-  state.case_pictures = load_case(state.steps->root(), lab.info().folder(), step, one);
-}
-
 void step_details(AnyLab& lab, WindowState& state, const grade::StepResult& step) {
   wrapped_plain(theme().dim, fmt::format("{}:{}", step.file, step.line));
   const auto picked = std::ranges::find_if(step.cases, [&](const grade::CaseResult& one) {
@@ -64,7 +47,7 @@ void step_details(AnyLab& lab, WindowState& state, const grade::StepResult& step
     ImGui::PushStyleColor(ImGuiCol_Text, one.passed() ? theme().good : theme().next);
     if (ImGui::Selectable(fmt::format("{} {}", one.passed() ? "right" : "wrong", one.name).c_str(),
                           picked != step.cases.end() && &*picked == &one))
-      pick(lab, state, step, one);
+      pick_case(lab, state, step, one);
     ImGui::PopStyleColor();
     if (ImGui::IsItemHovered())
       ImGui::SetTooltip("Click to set this look and show the expected picture beside yours");
@@ -111,8 +94,24 @@ void steps_section(AnyLab& lab, WindowState& state) {
   }
 }
 
+void pick_case(AnyLab& lab, WindowState& state, const grade::StepResult& step, const grade::CaseResult& one) {
+  if (!state.own_look) state.own_look = save_look(lab.parameters(), state.view, state.look);
+  try {
+    lab.parameters().reset();
+    for (const auto& [parameter, value] : one.settings) lab.parameters().at(parameter).set(value);
+    state.view = one.is_mesh() ? View::color : one.view;
+    state.split.reset();
+    state.look.reset();
+    state.paused = true;
+    state.message.clear();
+  } catch (const Error& error) {
+    state.message = error.what();
+  }
+  state.case_pictures = load_case(state.steps->root(), lab.info().folder(), step, one);
+}
+
 void pick_step(AnyLab& lab, WindowState& state, const grade::StepResult& step) {
-  if (const grade::CaseResult* telling = grade::telling_case(step)) pick(lab, state, step, *telling);
+  if (const grade::CaseResult* telling = grade::telling_case(step)) pick_case(lab, state, step, *telling);
 }
 
 }  // namespace texel::app

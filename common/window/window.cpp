@@ -249,8 +249,7 @@ void Window::watch() {
   // A program that was built again draws other pictures, but this process still has the old code.
   if (!watcher_.changed({own_program_}).empty()) {
     state_.steps->request();
-    built_again_ = true;
-    state_.message = "the lab was built again: F5 opens it anew";
+    state_.built_again = true;
   }
 }
 
@@ -267,13 +266,20 @@ void Window::follow_steps() {
   if (inspected_once_ && !std::exchange(steps_begun_, true)) state_.steps->request();
   if (!state_.steps->poll()) return;
   state_.compile_error = read_message(state_.steps->compile_error(), state_.steps->root());
-  for (const grade::StepResult& step : state_.steps->steps())
-    if (step.id == see_) {
+  for (const grade::StepResult& step : state_.steps->steps()) {
+    const auto one = std::find_if(step.cases.begin(), step.cases.end(),
+                                  [&](const grade::CaseResult& other) { return other.name == see_; });
+    if (step.id == see_)
       pick_step(lab_, state_, step);
-      state_.step_to_open = std::exchange(see_, "");
-    }
+    else if (one != step.cases.end())
+      pick_case(lab_, state_, step, *one);
+    else
+      continue;
+    state_.step_to_open = step.id;
+    see_.clear();
+  }
   if (!see_.empty() && !state_.steps->steps().empty()) {
-    state_.message = fmt::format("this lab has no step {}", see_);
+    state_.message = fmt::format("this lab has no step or case {}", see_);
     see_.clear();
   }
   if (!state_.case_pictures) return;

@@ -153,8 +153,7 @@ class Window {
   bool opens_with_hero_ = false;
   bool inspected_once_ = false;
   bool steps_begun_ = false;
-  bool built_again_ = false;  ///< the program, since this process began
-  std::string see_;           ///< the step that is shown as soon as it is checked, or ""
+  std::string see_;  ///< the step or case that is shown as soon as it is checked, or ""
   std::filesystem::path own_program_;
   float scale_ = 1;
   Drag drag_ = Drag::none;

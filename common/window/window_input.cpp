@@ -80,7 +80,7 @@ void Window::perform(Action action) {
           state_.message = "nothing to redo";
         return;
       case Action::reload:
-        if (built_again_) open_anew();
+        if (state_.built_again) open_anew();
         reload(/*assets=*/true);
         return;
       case Action::open_in_editor:
@@ -148,7 +148,7 @@ void Window::open_anew() {
     // A model that is given its turn stands still, as this one does.
     if (!p.is_default() || (p.name == "turn" && state_.paused))
       words.insert(words.end(), {fmt::format("--{}", p.flag()), p.text()});
-  if (state_.case_pictures) words.insert(words.end(), {"--see", state_.case_pictures->step});
+  if (state_.case_pictures) words.insert(words.end(), {"--see", state_.case_pictures->name});
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);

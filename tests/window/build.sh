@@ -47,6 +47,8 @@ check 'and the picture is as it was' returned_to "$work/first"
 # The process has a program that is there no more: another lies in its place.
 is_replaced() { [[ $(readlink "/proc/$pid/exe") == *deleted* ]]; }
 check 'it is built again' eventually is_replaced
+says_so() { look "$work/now" 330x36+0+684 && (($(pixels_of "$work/now" 255,199,89 15) > 100)); }
+check 'the window says so, in amber' eventually says_so
 press t
 check 'the window has lines of T, B and N' changed_from "$work/first"
 # A press before the window knows of the new program only reads the shaders again.

@@ -91,5 +91,10 @@ check 'Esc quits with exit code 0' quits_with 0
 
 check 'the window opens at a step' open_lab lab05_normal_map --see 5.1
 check 'and shows its pictures' eventually white_line
+settle "$work/of_step" 340x290+620+430
+check 'Esc quits with exit code 0' quits_with 0
+check 'the window opens at a case' open_lab lab05_normal_map --see decode_exact_flat
+check 'and shows its pictures' eventually white_line
+check 'which are not those of the first case' changed_from "$work/of_step" 340x290+620+430
 check 'Esc quits with exit code 0' quits_with 0
 check 'nothing stands on standard error' test ! -s "$work/errors"
