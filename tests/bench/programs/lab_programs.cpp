@@ -255,10 +255,10 @@ void measure_window_start(const Options& options, Report& report) {
       report.add(row_of(
           fmt::format("lab {}, the panel{}", lab.number, what), "window", "floor", "ms", panel,
           Target::at_most, 1.4,
-          "the driver translates the panel's shader after the picture's, which takes 70 ms; with the shaders "
-          "kept the panel comes 15 ms after the picture. Before both, GLFW asks what the display can, 25 to "
-          "30 "
-          "ms, and X reads its table of composed letters, 14 ms. A picture can do without these."));
+          "the driver translates the panel's shader after the picture's, which takes 70 ms; with the "
+          "shaders kept the panel comes 15 ms after the picture. Before both, GLFW asks what the display "
+          "can, 25 to 30 ms, and X reads its table of composed letters, 14 ms. A picture can do without "
+          "these."));
     }
 }
 
