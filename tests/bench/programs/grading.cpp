@@ -186,7 +186,7 @@ void add_judged_alone(const Options& options, Report& report) {
 /// What a large class takes, from a small one. Students are graded apart, so twice as many take twice as
 /// long.
 void add_course(const Options& options, Report& report) {
-  constexpr std::size_t students = 12;
+  constexpr std::size_t students = 6;
   constexpr double of_class = 1000, machines = 16, ms_per_hour = 3600e3;
   TenthOfStepsWrong made(options, {1, 2, 3, 4, 5, 6, 7, 8, 9}, students);
   const double first = made.grade(), again = made.grade();
