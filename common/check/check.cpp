@@ -104,7 +104,11 @@ class LabCheck {
       if (!fs::exists(folder_of(i))) continue;
       for (const fs::directory_entry& file : fs::directory_iterator(folder_of(i))) {
         const fs::path to = own_ / file.path().filename();
-        if (file.is_directory() || fs::is_directory(to)) fs::remove_all(to);
+        bool is_in_the_way = file.is_directory() || fs::is_directory(to);
+#ifdef __EMSCRIPTEN__
+        is_in_the_way = true;  // its file system finds a replaced file again once the new one is removed
+#endif
+        if (is_in_the_way) fs::remove_all(to);
         fs::rename(file.path(), to);
         all.insert(to);
       }

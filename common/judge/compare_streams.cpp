@@ -27,7 +27,7 @@ constexpr std::size_t kMostTooMany = 16;
 
 /// What can be wrong with a vertex. The first two have no angle.
 enum Part : std::size_t { place, side, triangles, normals, tangents };
-constexpr std::array kPartNames = {"places or texture coordinates", "the tangents' w, which is 1 or -1,",
+constexpr std::array kPartNames = {"places or texture coordinates", "the tangents' signs w (1 or -1)",
                                    "triangles", "normals", "tangents"};
 
 /// How far two vertices are apart, part by part, in degrees; 180 for another place or side.

@@ -82,8 +82,7 @@ TEST_F(JudgeMesh, sees_a_flipped_triangle_a_turned_normal_and_a_lost_handedness)
   const Verdict found = verdict(reference, handed);
   EXPECT_FALSE(found.passed);
   EXPECT_EQ(found.score, 0);
-  says(handed,
-       "97 % of the vertices are right; of the others, the tangents' w, which is 1 or -1, are wrong.");
+  says(handed, "97 % of the vertices are right; of the others, the tangents' signs w (1 or -1) are wrong.");
   handed = reference;
   for (std::size_t i = 0; i < 10; ++i) handed.tangents[i].w = 0.9F;
   EXPECT_EQ(verdict(reference, handed).score, 0) << "w multiplies the bitangent: it is a sign alone";

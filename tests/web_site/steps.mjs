@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // node tests/web_site/steps.mjs STARTER_SITE COURSE [LAB ..]: the shader steps in a browser. Each fails as it is in the
-// starter, passes with the solution's text, fails with each mutant of the catalogue, and gives none another mutant's name. Most get
-// their own. The other steps are solved. Mutants that no public case shows, here as by `texel check`, are left out. Exit code 1 where one of this does
-// not hold, 77 where the site is not built.
+// starter, passes with the solution's text, fails with one that does not compile, fails with each mutant of the catalogue, and
+// gives none another mutant's name. Most get their own. The other steps are solved. Mutants that no public case shows, here as by
+// `texel check`, are left out. Exit code 1 where one of this does not hold, 77 where the site is not built.
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { enginePage, launch } from "./browser.mjs";
@@ -68,6 +68,12 @@ try {
     await engine.call("write", id, solution(file, id));
     const [after] = (await engine.call("check", id)).steps;
     hold(after.status === "passed", `${id} solved: ${after.status}, ${after.error} of ${after.limit} ${after.unit} ${after.message}`);
+    // A right picture of an earlier check is not taken for one of a shader that does not compile.
+    await engine.call("check", id);
+    await engine.call("write", id, "nothing").catch(() => {});
+    const [broken] = (await engine.call("check", id)).steps;
+    hold(broken.status === "failed", `${id} not compiled: ${broken.status}`);
+    await engine.call("write", id, solution(file, id));
   }
   for (const mutant of mutants()) {
     const step = shaderSteps.find((one) => one.id === mutant.step);

@@ -21,8 +21,8 @@ For teachers and makers of the course:
 ./run test             check the formatting, build, run all tests, and run the parsers' tests with sanitizers
 ./run test N           build, and run the tests of lab N
 ./run test --all       run all tests, a build by Clang, clang-tidy for the libraries below common/app, a class with
-                       all wrong and all hostile solutions, a Gradescope container, a Slurm cluster, and the last commit on bare
-                       machines of three releases (hours)
+                       all wrong and all hostile solutions, a Gradescope container, a Slurm cluster, and the last
+                       commit on bare machines of three releases (hours)
 ./run bench [N] [args] measure the cost and the error of each method of each lab, into out/bench/index.html
 ./run accuracy         the same, into docs/accuracy.md, its plots and docs/accuracy.json
 ./run performance      compare the programs with hand-written floor programs, and kernels with plain versions and other
