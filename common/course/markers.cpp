@@ -224,27 +224,28 @@ std::string first_text(const std::filesystem::path& tree, const std::string& fil
              : with_steps(text, file, [](const std::string&) { return false; });
 }
 
+std::map<std::string, Place> first_places(const std::filesystem::path& tree) {
+  std::map<std::string, Place> places;
+  for (const std::string& file : step_files(tree))
+    for (const Marker& marker : markers_of(first_text(tree, file), file))
+      if (!marker.step.empty()) places.emplace(marker.step, Place{file, marker.line});
+  return places;
+}
+
 std::map<std::string, Place> step_places(const std::filesystem::path& tree) {
   std::map<std::string, Place> places;
+  // Without markers_of: a marker that was spoilt must not hide the others.
   for (const std::string& file : step_files(tree)) {
-    // Without markers_of: a marker that was spoilt must not hide the others.
-    std::map<std::string, int> present;
-    if (std::filesystem::exists(tree / kFirstTexts / file)) {
-      int number = 0;
-      for (const std::string& line : lines_of(read_file(tree / file))) {
-        ++number;
-        constexpr std::string_view kBegin = "@step ";
-        const std::size_t begin = line.find(kBegin), end = line.find(" begin", begin);
-        if (end != std::string::npos)
-          present.emplace(line.substr(begin + kBegin.size(), end - begin - kBegin.size()), number);
-      }
-    }
-    for (const Marker& marker : markers_of(first_text(tree, file), file)) {
-      if (marker.step.empty()) continue;
-      const auto found = present.find(marker.step);
-      places.emplace(marker.step, Place{file, found != present.end() ? found->second : marker.line});
+    int number = 0;
+    for (const std::string& line : lines_of(read_file(tree / file))) {
+      ++number;
+      constexpr std::string_view kBegin = "@step ";
+      const std::size_t begin = line.find(kBegin), end = line.find(" begin", begin);
+      if (end != std::string::npos)
+        places.emplace(line.substr(begin + kBegin.size(), end - begin - kBegin.size()), Place{file, number});
     }
   }
+  places.merge(first_places(tree));
   return places;
 }
 

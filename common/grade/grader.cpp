@@ -203,7 +203,7 @@ ClassResult read_results(const fs::path& folder, const fs::path& course) {
   const Store store(store_file(folder));
   ClassResult results = store.read(course::read_labs(course / "labs"));
   const std::string chosen = " " + results.facts["labs"] + " ";
-  const std::map<std::string, Place> places = course::step_places(course);
+  const std::map<std::string, Place> places = course::first_places(course);
   for (StudentResult& student : results.students) {
     // Others were graded only for what theirs need.
     std::erase_if(student.labs, [&](const LabResult& lab) {

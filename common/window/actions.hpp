@@ -16,6 +16,7 @@ enum class Action {
   default_look,
   show_looks,
   own_look,
+  see_step,
   undo,
   redo,
   reload,

@@ -59,6 +59,7 @@ struct WindowState {
   std::optional<StepsCheck> steps;           ///< none where there is nothing to check
   std::map<std::string, std::size_t> hints;  ///< how many are shown, by step
   std::optional<CasePictures> case_pictures;
+  bool case_is_new = false;           ///< since the last frame
   std::string step_to_open;           ///< in the section "Steps", or ""
   std::optional<SavedLook> own_look;  ///< as it was before a case was picked
   std::optional<Looks> looks;
@@ -81,8 +82,11 @@ void steps_section(AnyLab& lab, WindowState& state);
 /// The section with error and cost of the methods as a plot, where the lab has both.
 void methods_section(AnyLab& lab, WindowState& state, float scale);
 
-/// Sets the case's look and shows its pictures.
+/// Sets the case's look and shows its pictures. Nothing is seen of a vertex stream: there the look is that of
+/// `see_step`.
 void pick_case(AnyLab& lab, WindowState& state, const grade::StepResult& step, const grade::CaseResult& one);
+/// Sets the look in which the handout shows the step.
+void see_step(AnyLab& lab, WindowState& state, const std::string& step);
 /// Sets the look of the step's case that says most, and shows that case's pictures.
 void pick_step(AnyLab& lab, WindowState& state, const grade::StepResult& step);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "image/colour.hpp"
 #include "panel.hpp"
@@ -25,45 +26,45 @@ Action text_part(WindowState& state) {
   const StepText& text = pictures.text;
   if (ImGui::SmallButton("Open in editor")) action = Action::open_in_editor;
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", "By $VISUAL, else by code -g (E)");
+  ImGui::SameLine();
+  if (ImGui::SmallButton("See it")) action = Action::see_step;
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("%s", "Sets the look in which the handout shows this step");
   if (state.own_look) {
     ImGui::SameLine();
     if (ImGui::SmallButton("Back to my look")) action = Action::own_look;
     if (ImGui::IsItemHovered())
       ImGui::SetTooltip("%s", "Sets parameters and view as they were before you picked a case");
   }
-  ImGui::SameLine();
-  if (ImGui::SmallButton("Close")) {
-    state.case_pictures.reset();
-    return action;
-  }
   wrapped_text(theme().dim, fmt::format("{}:{}", text.shown_file, text.line));
   wrapped_text(theme().text, text.task);
   if (text.lines.empty()) return action;
   ImGui::Separator();
-  ImGui::BeginChild(
-      "lines", {0, ImGui::GetTextLineHeightWithSpacing() * (static_cast<float>(text.lines.size()) + 1.2F)},
-      /*border=*/0, ImGuiWindowFlags_HorizontalScrollbar);
   for (std::size_t i = 0; i < text.lines.size(); ++i) {
-    ImGui::TextColored(theme().dim, "%4d", text.first_line + static_cast<int>(i));
-    ImGui::SameLine();
+    const int number = text.first_line + static_cast<int>(i);
+    const std::string& line = text.lines[i];
+    ImGui::TextColored(theme().dim, "%4d", number);
+    const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+    if (indent == line.size()) continue;
+    // What does not fit goes on below, indented as the line is.
+    ImGui::SameLine(0, ImGui::CalcTextSize(std::string(indent + 1, ' ').c_str()).x);
     // The function's head is not the student's to write.
-    const bool is_given =
-        text.first_line + static_cast<int>(i) <= text.line || text.lines[i].find("//@") != std::string::npos;
-    ImGui::TextColored(is_given ? theme().dim : theme().text, "%s", text.lines[i].c_str());
+    const bool is_given = number <= text.line || line.find("//@") != std::string::npos;
+    wrapped_text(is_given ? theme().dim : theme().text, line.substr(indent));
   }
-  ImGui::EndChild();
   return action;
 }
 
-/// What the pictures' scale is, and how far off the worst pixel.
+/// The figure that the step is judged by, and how far off the worst pixel is. These differ: a thousandth of the
+/// pixels, and edges that are one pixel off, are not counted.
 std::string caption(const CasePictures& p) {
   if (p.figures.non_finite > 0)
     return fmt::format("{} pixels are not finite (green in the heat map)", p.figures.non_finite);
-  const std::string worst = p.figures.max == 0
-                                ? "equal to the expected picture"
-                                : fmt::format("worst pixel ({}, {}): {:.3g} {} off", p.figures.worst_x,
-                                              p.figures.worst_y, p.figures.max, p.unit);
-  return fmt::format("{}; limit {:g}", worst, p.limit);
+  const grade::CaseResult& one = p.result;
+  if (p.figures.max == 0) return fmt::format("equal to the expected picture; limit {:g}", one.limit);
+  return fmt::format("{}: off by {:.3g} {} (limit {:g}); the worst pixel, ({}, {}), by {:.3g}",
+                     one.passed() ? "right" : "wrong", one.error, name_of(one.unit()), one.limit,
+                     p.figures.worst_x, p.figures.worst_y, p.figures.max);
 }
 
 /// The bar below the heat map.
@@ -79,7 +80,7 @@ void heat_scale(const CasePictures& p, float width) {
   }
   ImGui::Dummy({width, height});
   ImGui::TextColored(theme().dim, "0");
-  const std::string most = fmt::format("{:.3g} {}", p.full_scale, p.unit);
+  const std::string most = fmt::format("{:.3g} {}", p.full_scale, name_of(p.result.unit()));
   ImGui::SameLine(width - ImGui::CalcTextSize(most.c_str()).x);
   ImGui::TextColored(theme().dim, "%s", most.c_str());
 }
@@ -111,7 +112,7 @@ void picture_part(CasePictures& p, float side, float scale) {
   } else {
     show(p.shown == Shown::difference ? p.difference : p.heat_map, 0, 1);
   }
-  if (p.figures.max > 0) {  // the worst pixel
+  if (!p.result.passed() && p.figures.max > 0) {  // the worst pixel
     const float pixel = side / static_cast<float>(p.width);
     const ImVec2 worst(at.x + (static_cast<float>(p.figures.worst_x) + 0.5F) * pixel,
                        at.y + height - (static_cast<float>(p.figures.worst_y) + 0.5F) * pixel);
@@ -142,9 +143,16 @@ Action draw_step(WindowState& state, glm::vec2 window, float scale) {
   ImGui::SetNextWindowPos({at.x, at.y});
   ImGui::SetNextWindowSize({window.x - at.x, window.y - at.y});
   const CasePictures& p = *state.case_pictures;
-  ImGui::Begin(fmt::format("{} {}: {}###case", p.step, without_markdown(p.title), p.name).c_str(), nullptr,
+  bool is_open = true;
+  const bool is_new = std::exchange(state.case_is_new, false);
+  // The text begins at its first line, wherever the last one was scrolled to.
+  const auto from_the_top = [&] {
+    if (is_new) ImGui::SetScrollY(0);
+  };
+  ImGui::Begin(fmt::format("{} {}: {}###case", p.step, without_markdown(p.title), p.name).c_str(), &is_open,
                ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoResize);
+  from_the_top();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float aspect = p.width > 0 ? static_cast<float>(p.height) / static_cast<float>(p.width) : 1;
   // Below the picture: its buttons, the heat map's scale and two lines of text.
@@ -155,17 +163,18 @@ Action draw_step(WindowState& state, glm::vec2 window, float scale) {
     // A shader's error stands over the picture already, and in one place only.
     if (!state.error.first.empty())
       wrapped_text(theme().next, "No picture: the shader does not compile.");
-    else if (state.case_pictures)
+    else
       picture_part(*state.case_pictures, 0, scale);
   } else if (is_below) {
     const float side = std::clamp((room.y - texts) / aspect, 64.0F, 0.5F * room.x);
     const float column = std::max(side, std::min(ImGui::GetFontSize() * 23, 0.54F * room.x));
     ImGui::BeginChild("text", {room.x - column - ImGui::GetStyle().ItemSpacing.x, 0});
+    from_the_top();
     action = text_part(state);
     ImGui::EndChild();
     ImGui::SameLine();
     ImGui::BeginChild("pictures");
-    if (state.case_pictures) picture_part(*state.case_pictures, side, scale);
+    picture_part(*state.case_pictures, side, scale);
     ImGui::EndChild();
   } else {
     picture_part(*state.case_pictures,
@@ -174,6 +183,7 @@ Action draw_step(WindowState& state, glm::vec2 window, float scale) {
     action = text_part(state);
   }
   ImGui::End();
+  if (!is_open) state.case_pictures.reset();
   return action;
 }
 

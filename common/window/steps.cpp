@@ -121,11 +121,18 @@ const fs::path& StepsCheck::root() const {
   return shared_->tree.source;
 }
 
+const course::Case& StepsCheck::look_of(const std::string& step) const {
+  const std::vector<course::Step>& all = shared_->lab.steps;
+  const auto found = std::ranges::find(all, step, &course::Step::id);
+  if (found == all.end()) throw Error::usage(fmt::format("this lab has no step '{}'", step));
+  return found->see;
+}
+
 CasePictures load_case(const fs::path& root, const std::string& lab, const grade::StepResult& step,
                        const grade::CaseResult& one) {
   CasePictures pictures;
   pictures.step = step.id, pictures.name = one.name, pictures.title = step.title;
-  pictures.unit = name_of(one.unit()), pictures.limit = one.limit;
+  pictures.result = one;
   pictures.text = read_step_text(root, lab, step.id, step.file, step.line);
   try {
     const image::Compared all = grade::compared(one);

@@ -34,6 +34,8 @@ class StepsCheck {
   /// What the compiler said of what was saved last, or "".
   [[nodiscard]] const std::string& compile_error() const { return compile_error_; }
   [[nodiscard]] const std::filesystem::path& root() const;
+  /// The look in which one sees a step of this lab best, as its handout shows it.
+  [[nodiscard]] const course::Case& look_of(const std::string& step) const;
   [[nodiscard]] const std::vector<grade::StepResult>& steps() const { return steps_; }
   /// Why there are no steps, or "".
   [[nodiscard]] const std::string& fault() const { return fault_; }
@@ -55,8 +57,7 @@ struct CasePictures {
   gl::Texture own, expected, difference, heat_map;  ///< bottom row first
   image::Difference figures;
   double full_scale = 0;  ///< the heat map's hottest colour
-  std::string unit;       ///< of the figures
-  double limit = 0;
+  grade::CaseResult result;
   std::string title;  ///< of the step
   StepText text;
 };

@@ -28,6 +28,20 @@ std::string figure(const grade::StepResult& step) {
                      telling->limit);
 }
 
+void set_look(AnyLab& lab, WindowState& state, const course::Case& look) {
+  try {
+    lab.parameters().reset();
+    for (const auto& [parameter, value] : look.settings) lab.parameters().at(parameter).set(value);
+    state.view = look.view;
+    state.split.reset();
+    state.look.reset();
+    state.paused = true;
+    state.message.clear();
+  } catch (const Error& error) {
+    state.message = error.what();
+  }
+}
+
 void step_details(AnyLab& lab, WindowState& state, const grade::StepResult& step) {
   wrapped_plain(theme().dim, fmt::format("{}:{}", step.file, step.line));
   const auto picked = std::ranges::find_if(step.cases, [&](const grade::CaseResult& one) {
@@ -83,7 +97,7 @@ void steps_section(AnyLab& lab, WindowState& state) {
                          : is_next                        ? "next"
                                                           : "to do";
     wrapped_plain(colour, fmt::format("{} {} {}", status, step.id, title));
-    if (is_open && !shows) {
+    if (is_open && !shows && !step.is_untouched()) {
       ImGui::Indent();
       wrapped_plain(theme().dim, figure(step));
       ImGui::Unindent();
@@ -96,18 +110,14 @@ void steps_section(AnyLab& lab, WindowState& state) {
 
 void pick_case(AnyLab& lab, WindowState& state, const grade::StepResult& step, const grade::CaseResult& one) {
   if (!state.own_look) state.own_look = save_look(lab.parameters(), state.view, state.look);
-  try {
-    lab.parameters().reset();
-    for (const auto& [parameter, value] : one.settings) lab.parameters().at(parameter).set(value);
-    state.view = one.is_mesh() ? View::color : one.view;
-    state.split.reset();
-    state.look.reset();
-    state.paused = true;
-    state.message.clear();
-  } catch (const Error& error) {
-    state.message = error.what();
-  }
+  set_look(lab, state, one.is_mesh() ? state.steps->look_of(step.id) : one);
   state.case_pictures = load_case(state.steps->root(), lab.info().folder(), step, one);
+  state.case_is_new = true;
+}
+
+void see_step(AnyLab& lab, WindowState& state, const std::string& step) {
+  if (!state.own_look) state.own_look = save_look(lab.parameters(), state.view, state.look);
+  set_look(lab, state, state.steps->look_of(step));
 }
 
 void pick_step(AnyLab& lab, WindowState& state, const grade::StepResult& step) {

@@ -67,6 +67,9 @@ void Window::perform(Action action) {
         state_.own_look.reset();
         state_.case_pictures.reset();
         return;
+      case Action::see_step:
+        if (state_.case_pictures) see_step(lab_, state_, state_.case_pictures->step);
+        return;
       case Action::undo:
         if (const SavedLook* look = history_.undo())
           go_to(*look);

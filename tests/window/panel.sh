@@ -108,10 +108,16 @@ check 'and opens it' changed_from "$work/closed" $panel
 settle "$work/open" $panel
 click_at 100 561
 check 'the section Camera opens' changed_from "$work/open" $panel
+value_of() { sed -n "s/^$1 = //p" "$work/mine.toml"; }
+saves_another() { click_at 252 105 && sleep 0.2 && [[ $(value_of "$1") != "$2" ]]; }
 for slider in 'yaw 222 585' 'pitch 204 609' 'distance 173 633' 'field of view 183 657'; do
   x=${slider% *}
+  name=${x% *}
+  name=${name// /_}
+  before=$(value_of "$name")
   drag "${x##* }" "${slider##* }" 20
   check "the slider ${x% *} moves the camera" changed_from "$work/first"
+  check "and the file has another value of it" saves_another "$name" "$before"
   click_at 138 57
   check 'Undo moves it back' is_back "$work/first"
 done

@@ -69,15 +69,21 @@ check 'Open in editor opens the step' eventually is_opened
 click 865 419
 check 'heat map shows where the error is' eventually shows_heat
 check 'in place of the two pictures' no_white_line
-click 503 416
+click 554 416
 check 'Back to my look sets the look as it was' returned_to "$work/wrong"
 pick_case
 check 'the case again' eventually white_line
-click 584 416
-check 'Close takes the step away' eventually no_white_line
+click 946 391
+check 'its cross takes the step away' eventually no_white_line
 check 'and keeps the look of the case' shows_other "$work/wrong"
 pick_case
 check 'the case again' eventually white_line
+
+settle "$work/case" 620x370+340+0
+click 472 416
+check 'See it sets the look of the handout' changed_from "$work/case" 620x370+340+0
+pick_case
+check 'and the case its own again' returned_to "$work/case" 620x370+340+0
 
 settle "$work/button" 310x20+22+254
 click 63 264

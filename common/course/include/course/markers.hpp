@@ -63,9 +63,12 @@ std::string with_step_alone(const std::string& text, const std::string& file, co
 /// a line that begins with `//@step`. Sorted. Throws Error (exit 3) when there is none.
 std::vector<std::string> step_files(const std::filesystem::path& tree);
 
-/// Where each step is written in a student's tree: in it as it is now, or, found in the course's, as a
-/// starter has it. Throws Error (exit 3) as markers_of.
+/// Where each step is written in a student's tree or in the course's, as its files are now; a step whose
+/// marker is gone, where a starter has it. Throws Error (exit 3) as markers_of, for the starter's text.
 std::map<std::string, Place> step_places(const std::filesystem::path& tree);
+
+/// Where a new starter has each step, found in a student's tree or in the course's. Errors as step_places.
+std::map<std::string, Place> first_places(const std::filesystem::path& tree);
 
 /// Where a student's tree keeps its files with steps as they were at first, by their path in the tree.
 inline constexpr const char* kFirstTexts = ".starter";
