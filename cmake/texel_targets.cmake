@@ -19,6 +19,8 @@ endif()
 add_library(texel_flags INTERFACE)
 target_compile_options(texel_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+  # A function that forgets its result returns whatever lies there: the right value on one machine, another on the next.
+  -Werror=return-type
   # GCC 12 warns of copies inside std::string's operator+: that they overlap, or are too long. Neither can happen (GCC bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-stringop-overflow>

@@ -186,8 +186,9 @@ std::set<std::string> untouched_steps(const OwnTree& tree) {
   std::set<std::string> steps;
   for (const std::string& file : course::step_files(tree.source)) {
     const std::string text = read_file(tree.source / file);
-    course::markers_of(text, file);
-    steps.merge(course::untouched_steps(text, course::first_text(tree.source, file), file));
+    const std::string first = course::first_text(tree.source, file);
+    course::require_markers(text, first, file);
+    steps.merge(course::untouched_steps(text, first, file));
   }
   return steps;
 }

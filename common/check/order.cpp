@@ -122,8 +122,8 @@ void skip_those_that_wait(std::vector<LabResult>& labs, const std::map<std::stri
         const std::string steps = listed(found->second.steps);
         skip(step, found->second.steps,
              found->second.by_last_save
-                 ? fmt::format("Your last save changed {}; {} passed before it.", steps, step.id)
-                 : fmt::format("You changed {}; {} passed before that.", steps, step.id));
+                 ? fmt::format("Your last save changed {}; this step passed before it.", steps)
+                 : fmt::format("You changed {}; this step passed before that.", steps));
         own.is_passed = true;  // its text is right: the steps that need it do not wait for it
         continue;
       }

@@ -14,6 +14,7 @@ Studio studio_of(const OwnTree& tree, const course::Lab& lab, const std::string&
   studio.program = tree.build / "bin" / lab.program();
   studio.root = tree.source, studio.context = context;
   studio.shader_cache = tree.build / "check/shaders";
+  studio.timeouts = 1;  // somebody waits
   return studio;
 }
 

@@ -24,7 +24,7 @@ using course::Case;
 /// Measured: a lab's 20 cases take 2 s of a processor, and 10 s where eight others want it too.
 constexpr double kProcessorSeconds = 30, kWallSeconds = 120;
 /// How often a program is started: again after it died, but for those that use up their time only once.
-constexpr int kMostStarts = 4, kMostTimeouts = 2;
+constexpr int kMostStarts = 4;
 
 void set_shader_cache(const Studio& studio, Confines& confines) {
   if (studio.shader_cache.empty())
@@ -125,7 +125,7 @@ Drawn draw(const Studio& studio, const std::vector<Case>& cases, const fs::path&
   std::vector<Case> left = cases;
   const fs::path work = out.parent_path() / (out.filename().string() + ".work");
   int timeouts = 0;
-  for (int start = 0; start < kMostStarts && timeouts < kMostTimeouts && !left.empty(); ++start) {
+  for (int start = 0; start < kMostStarts && timeouts < studio.timeouts && !left.empty(); ++start) {
     if (seconds_left(studio) <= 0) break;
     const Outcome outcome = run(studio, left, work);
     if (studio.budget != nullptr) studio.budget->spend(outcome.wall_seconds);

@@ -119,6 +119,15 @@ std::vector<Marker> markers_of(const std::string& text, const std::string& file)
   return markers;
 }
 
+void require_markers(const std::string& text, const std::string& first, const std::string& file) {
+  std::map<std::string, int> counts;
+  for (const Marker& marker : markers_of(text, file)) ++counts[marker.step];
+  for (const Marker& marker : markers_of(first, file))
+    if (!marker.step.empty() && --counts[marker.step] < 0)
+      throw Error::failed(fmt::format("the marker '{} {} begin' is missing", kMarker, marker.step), {file},
+                          fmt::format("put it back with its //@end: {}/{} has them", kFirstTexts, file));
+}
+
 std::map<std::string, std::string> step_texts(const std::string& text, const std::string& file) {
   std::map<std::string, std::string> texts;
   std::string step;
@@ -250,15 +259,17 @@ std::map<std::string, Place> step_places(const std::filesystem::path& tree) {
 }
 
 std::vector<std::string> step_files(const std::filesystem::path& tree) {
+  const std::filesystem::path first = tree / kFirstTexts,
+                              root = std::filesystem::exists(first) ? first : tree;
   std::vector<std::string> files;
   std::error_code missing;
   using Folders = std::filesystem::recursive_directory_iterator;
   for (const char* folder : {"common", "labs", "shaders"})
-    for (Folders at(tree / folder, missing); at != Folders(); ++at) {
+    for (Folders at(root / folder, missing); at != Folders(); ++at) {
       const std::filesystem::directory_entry& entry = *at;
       if (entry.path().filename() == "expected") at.disable_recursion_pending();  // pictures
       if (entry.is_regular_file() && !entry.is_symlink() && has_marker(read_file(entry.path())))
-        files.push_back(entry.path().lexically_relative(tree).generic_string());
+        files.push_back(entry.path().lexically_relative(root).generic_string());
     }
   if (files.empty())
     throw Error::failed("contains no file with steps (//@step)", {tree.string()},

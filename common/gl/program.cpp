@@ -87,7 +87,7 @@ Program::Program(std::shared_ptr<const ShaderSource> vertex, std::shared_ptr<con
     char log[4096] = "";
     glGetProgramInfoLog(id_, sizeof log, nullptr, log);
     glDeleteProgram(id_);
-    throw Error::failed(fmt::format("does not link: {}", fragment_->locate(log)), {name()});
+    throw Error::failed(fmt::format("does not link: {}", fragment_->locate(log)), {"shaders/" + name()});
   }
 
   GLint count = 0;
@@ -138,17 +138,20 @@ const Uniform* Program::find(std::string_view name) const {
 Uniform* Program::to_set(std::string_view name, std::initializer_list<GLenum> types) {
   auto* uniform = const_cast<Uniform*>(find(name));
   if (uniform == nullptr) {
-    if (!vertex_->mentions(name) && !fragment_->mentions(name))
-      throw Error::failed(fmt::format("has no uniform '{}'", name), {this->name()},
-                          "declare it, or correct its name");
-    return nullptr;
+    if (vertex_->mentions(name) || fragment_->mentions(name)) return nullptr;
+    std::vector<std::string> known;
+    for (const Uniform& other : uniforms_) known.push_back(other.name);
+    const std::string near = nearest(std::string(name), known);
+    throw Error::failed(fmt::format("has no uniform '{}'", name), {"shaders/" + this->name()},
+                        near.empty() ? "the program sets it: declare it, or correct its name"
+                                     : fmt::format("the program sets it; did you mean '{}'?", near));
   }
   const bool fits = std::find(types.begin(), types.end(), uniform->type) != types.end() ||
                     (is_sampler(uniform->type) && *types.begin() == GL_INT);
   if (!fits)
     throw Error::failed(
         fmt::format("the shader declares the uniform '{}' with another type than the program sets", name),
-        {this->name()});
+        {"shaders/" + this->name()});
   uniform->is_set = true;
   return uniform;
 }

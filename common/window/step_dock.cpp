@@ -28,8 +28,7 @@ Action text_part(WindowState& state) {
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", "By $VISUAL, else by code -g (E)");
   ImGui::SameLine();
   if (ImGui::SmallButton("See it")) action = Action::see_step;
-  if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("%s", "Sets the look in which the handout shows this step");
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", "Sets the look in which the handout shows this step");
   if (state.own_look) {
     ImGui::SameLine();
     if (ImGui::SmallButton("Back to my look")) action = Action::own_look;
@@ -55,8 +54,8 @@ Action text_part(WindowState& state) {
   return action;
 }
 
-/// The figure that the step is judged by, and how far off the worst pixel is. These differ: a thousandth of the
-/// pixels, and edges that are one pixel off, are not counted.
+/// The figure that the step is judged by, and how far off the worst pixel is. These differ: a thousandth of
+/// the pixels, and edges that are one pixel off, are not counted.
 std::string caption(const CasePictures& p) {
   if (p.figures.non_finite > 0)
     return fmt::format("{} pixels are not finite (green in the heat map)", p.figures.non_finite);

@@ -113,6 +113,7 @@ struct TextureQuad : app::Lab<TextureQuadParameters> {
     // glTexImage2D(GL_TEXTURE_2D, 0, internal, shown.width, shown.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
     //              shown.samples.data());
     //@end
+    glBindTexture(GL_TEXTURE_2D, 0);  // which texture is read is for draw to say
     return texture;
   }
 

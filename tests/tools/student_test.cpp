@@ -19,6 +19,7 @@
 #include "../support/places.hpp"
 #include "../support/process.hpp"
 #include "../support/said.hpp"
+#include "check/check.hpp"
 #include "core/files.hpp"
 #include "course/lab_file.hpp"
 #include "course/markers.hpp"
@@ -312,6 +313,14 @@ TEST_F(StudentTree, takes_a_step_back_and_keeps_what_was_written) {
   write_file(file, own);
   EXPECT_EQ(texel("reset 9.2").exit_code, 0);
   EXPECT_EQ(read_file(file.string() + ".before-reset-2"), own);
+  // What is kept beside the file is no other step: what is written now is a mistake, and not "Not begun".
+  std::string wrong = own;
+  wrong.insert(wrong.find('\n', wrong.find("//@step 9.2 begin")) + 1, "  // a new attempt\n");
+  write_file(file, wrong);
+  const auto untouched = grade::untouched_steps({root_, root_ / "build"});
+  EXPECT_FALSE(untouched.contains("9.2"));
+  write_file(file, first);
+  EXPECT_TRUE(grade::untouched_steps({root_, root_ / "build"}).contains("9.2"));
 }
 
 TEST_F(StudentTree, says_what_is_wrong_with_spoilt_markers_and_missing_pictures) {
@@ -321,7 +330,15 @@ TEST_F(StudentTree, says_what_is_wrong_with_spoilt_markers_and_missing_pictures)
   spoilt.erase(spoilt.rfind("//@end"), 6);
   write_file(file, spoilt);
   const Result check = texel("check 9"), reset = texel("reset 9.2");
+  // Without its first marker nobody knows where the step is.
+  std::string lost = before;
+  lost.erase(lost.find("//@step 9.2 begin"), 17);
+  lost.erase(lost.find("//@end"), 6);
+  write_file(file, lost);
+  const Result gone = texel("check 9");
   write_file(file, before);
+  EXPECT_EQ(gone.exit_code, 3) << gone.output;
+  EXPECT_TRUE(has(gone.output, "'//@step 9.2 begin' is missing")) << gone.output;
   for (const Result& result : {check, reset}) {
     EXPECT_EQ(result.exit_code, 3) << result.output;
     EXPECT_TRUE(has(result.output, "this step has no end")) << result.output;
@@ -395,7 +412,7 @@ TEST_F(StudentTree, is_checked_again_after_each_save) {
   const std::size_t sign = wrong.find("incident - 2.0 *");
   ASSERT_NE(sign, wrong.npos);
   write_file(file, wrong.replace(sign, 10, "incident +"));
-  EXPECT_TRUE(watching.shows("Your last save changed 8.1; 8.2 passed before it.")) << read_file(output);
+  EXPECT_TRUE(watching.shows("Your last save changed 8.1; this step passed before it.")) << read_file(output);
   EXPECT_TRUE(watching.shows("next   8.1", 2)) << read_file(output);
   write_file(file, before);
   EXPECT_TRUE(watching.shows("done   8.2", 2)) << read_file(output);

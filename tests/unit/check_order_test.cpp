@@ -103,14 +103,14 @@ TEST(Waiting, skips_what_passed_before_another_step_changed) {
   skip_those_that_wait(labs, {{"1.3", {{"1.5"}, true}}});
   const std::vector<StepResult>& steps = labs[0].steps;
   EXPECT_EQ(steps[0].status, Status::skipped);
-  EXPECT_EQ(steps[0].message, "Your last save changed 1.5; 1.3 passed before it.");
+  EXPECT_EQ(steps[0].message, "Your last save changed 1.5; this step passed before it.");
   EXPECT_EQ(steps[0].spoilt_by, Steps{"1.5"});
   EXPECT_EQ(steps[1].status, Status::failed) << "1.5 does not wait for 1.3";
   EXPECT_EQ(steps[1].message, "message of 1.5");
 
   std::vector<LabResult> later = {lab(1, {{"1.3", false}})};
   skip_those_that_wait(later, {{"1.3", {{"1.4", "1.5"}, false}}});
-  EXPECT_EQ(later[0].steps[0].message, "You changed 1.4 and 1.5; 1.3 passed before that.");
+  EXPECT_EQ(later[0].steps[0].message, "You changed 1.4 and 1.5; this step passed before that.");
 }
 
 TEST(Waiting, skips_what_needs_a_step_that_did_not_pass) {

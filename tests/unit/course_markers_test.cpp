@@ -183,5 +183,37 @@ TEST(StepPlaces, are_those_of_the_file_as_it_is_now) {
   EXPECT_EQ(step_places(folder / "tree").at("5.2").line, 3) << "without its marker: as at first";
 }
 
+TEST(StepPlaces, of_the_courses_tree_are_its_own_and_first_places_those_of_a_starter) {
+  const Folder folder;
+  put(folder / "tree/labs/05_x/lab.cpp",
+      "//@step 5.1 begin\nsolution\n//@starter\n// a\n// b\n//@end\n//@step 5.2 begin\n//@starter\n//@end\n");
+  EXPECT_EQ(step_places(folder / "tree").at("5.2").line, 7);
+  EXPECT_EQ(first_places(folder / "tree").at("5.2").line, 5);
+}
+
+TEST(StepFiles, of_a_students_tree_are_those_that_its_starter_had) {
+  const Folder folder;
+  const std::string text = "//@step 5.1 begin\n//@end\n";
+  for (const char* file :
+       {".starter/labs/05_x/lab.cpp", "labs/05_x/lab.cpp", "labs/05_x/lab.cpp.before-reset"})
+    put(folder / "tree" / file, text);
+  EXPECT_EQ(step_files(folder / "tree"), std::vector<std::string>{"labs/05_x/lab.cpp"});
+}
+
+TEST(RequireMarkers, names_the_step_whose_marker_is_missing) {
+  const std::string first =
+      "//@step 5.1 begin\n//@end\n//@step 5.2 begin\n//@end\n//@step 5.2 begin\n//@end\n";
+  EXPECT_NO_THROW(require_markers(first, first, "lab.cpp"));
+  for (const char* text :
+       {"//@step 5.1 begin\n//@end\n//@step 5.2 begin\n//@end\n", "//@step 5.1 begin\n//@end\n",
+        "//@step 5.1 begin\n//@end\n//@step 5.2 begin\n//@end\n//@step 5.9 begin\n//@end\n"})
+    try {
+      require_markers(text, first, "lab.cpp");
+      ADD_FAILURE() << text;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("//@step 5.2 begin"), std::string::npos) << error.what();
+    }
+}
+
 }  // namespace
 }  // namespace texel::course

@@ -42,10 +42,11 @@ bool passed(const StepResult& step) {
 
 /// A case's message: of a compiler's, the first, since the others often follow from it.
 std::string short_message(const CaseResult& one) {
-  const std::size_t end = one.message.find('\n');
+  std::string first = one.message.substr(0, one.message.find('\n'));
+  constexpr std::string_view kListed = "; candidates are:";  // Mesa lists them below
+  if (first.ends_with(kListed)) first.resize(first.size() - kListed.size());
   const auto others = std::count(one.message.begin(), one.message.end(), '\n');
-  return one.message.substr(0, end) +
-         (others > 0 ? fmt::format("\n{} more: ./run see {}", others, one.step) : "");
+  return first + (others > 0 ? fmt::format("\n{} more: ./run see {}", others, one.step) : "");
 }
 
 /// What is wrong with the step that comes next, and what helps.
@@ -65,8 +66,9 @@ std::string details(const StepResult& step, const Paint& paint) {
       names_by_message.back().first += ", " + one.name;
   }
   std::string text;
+  const bool concerns_all = !is_drawn && names_by_message.size() == 1;  // a shader that does not compile
   for (const auto& [names, message] : names_by_message)
-    text += wrapped(fmt::format("{}: {}", names, message), indent);
+    text += wrapped(concerns_all ? message : fmt::format("{}: {}", names, message), indent);
   if (!telling.mistake.empty())
     text += paint(kYellow, wrapped("This looks like: " + telling.mistake_says, indent));
   return is_drawn ? text + see : text;
@@ -108,10 +110,12 @@ std::string report(const LabResult& lab, bool colours) {
   std::string text = paint(kBold, fmt::format("Lab {}: {}", lab.lab.number, lab.lab.title)) +
                      fmt::format(", {} of {} steps\n", done, lab.steps.size());
   const StepResult* next = next_step(lab);
+  std::string said;  // of the step above
   for (const StepResult& step : lab.steps) {
     const char* word = word_of(step, next);
     std::string line = step.title;
-    if (step.status == Status::skipped && &step != next) line += fmt::format(": {}", step.message);
+    if (step.status == Status::skipped && &step != next && step.message != said)
+      line += fmt::format(": {}", said = step.message);
     const std::string begin = fmt::format("  {:<5}  {}  ", word, step.id);
     line = begin + wrapped(line, begin.size()).substr(begin.size());
     text += paint(passed(step) ? kGreen : &step == next ? kYellow : kDim, line);

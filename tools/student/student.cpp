@@ -10,6 +10,7 @@
 
 #include "check/check.hpp"
 #include "check/files.hpp"
+#include "checked.hpp"
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "course/markers.hpp"
@@ -24,12 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-grade::OwnTree own_tree() {
-  return {course_root(), course_build()};
-}
-
 std::vector<grade::LabResult> check_labs(const std::vector<int>& labs, const std::string& context) {
-  return grade::check(own_tree(), chosen_labs(labs), grade::by_programs(own_tree(), context));
+  return checked(chosen_labs(labs), context);
 }
 
 /// The step that comes next in the first lab that is not done.
@@ -67,7 +64,8 @@ Exit check(const CheckOptions& options) {
   if (options.json) {
     fmt::print("{}\n", options.labs.size() == 1 ? to_json(labs.front()) : to_json(labs));
   } else {
-    for (const grade::LabResult& lab : labs) fmt::print("{}", report(lab, wants_colours()));
+    for (const grade::LabResult& lab : labs)
+      fmt::print("{}{}", &lab == &labs.front() ? "" : "\n", report(lab, wants_colours()));
   }
   if (next_of(labs) == nullptr || (options.unless_begun && !is_begun(labs))) return Exit::holds;
   return Exit::differs;
@@ -119,7 +117,7 @@ Exit hint(const HintOptions& options) {
     const std::vector<grade::LabResult> results = check_labs(labs, options.context);
     const grade::StepResult* next = next_of(results);
     if (next == nullptr) {
-      fmt::print("All steps are done.\n");
+      fmt::print("{}", labs.empty() ? "All steps are done.\n" : "All steps of this lab are done.\n");
       return Exit::holds;
     }
     id = next->id;

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "check/check.hpp"
+#include "checked.hpp"
 #include "commands.hpp"
 #include "core/stopwatch.hpp"
 #include "core/watcher.hpp"
@@ -61,7 +62,7 @@ bool is_program_text(const fs::path& file) {
 class Watch {
  public:
   explicit Watch(const WatchOptions& options)
-      : options_(options), lab_(chosen_labs({options.lab}).front()), tree_{course_root(), course_build()} {}
+      : options_(options), lab_(chosen_labs({options.lab}).front()), tree_(own_tree()) {}
 
   void run() {
     const Keys keys;
@@ -107,8 +108,7 @@ class Watch {
     try {
       if (!build_first || build()) {
         const Stopwatch stopwatch;
-        const std::vector<grade::LabResult> labs =
-            grade::check(tree_, {lab_}, grade::by_programs(tree_, options_.context));
+        const std::vector<grade::LabResult> labs = checked({lab_}, options_.context);
         const grade::StepResult* next = next_step(labs.front());
         next_ = next != nullptr ? next->id : "";
         if (is_terminal) fmt::print("\033[2J\033[H");

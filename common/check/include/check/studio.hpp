@@ -26,6 +26,7 @@ struct Studio {
   Run run = run_plainly;                             ///< or in a sandbox, a program that nobody trusts
   std::vector<std::filesystem::path> readable = {};  ///< what it may read besides
   std::filesystem::path shader_cache = {};           ///< where the driver keeps compiled shaders, if it does
+  int timeouts = 2;                                  ///< after so many nothing more is drawn
   TimeBudget* budget = nullptr;                      ///< what all its programs may take; null: no such limit
 };
 

@@ -33,6 +33,10 @@ struct Marker {
 /// unknown, unpaired, nested or not alone in its line.
 std::vector<Marker> markers_of(const std::string& text, const std::string& file);
 
+/// Throws Error (exit 3), with the step, when the text has fewer markers of a step than the first text, and
+/// as markers_of.
+void require_markers(const std::string& text, const std::string& first, const std::string& file);
+
 /// The text between each step's markers in a student's file, by step; several parts of a step follow each
 /// other. Errors as markers_of.
 std::map<std::string, std::string> step_texts(const std::string& text, const std::string& file);
@@ -60,7 +64,8 @@ std::string with_step_alone(const std::string& text, const std::string& file, co
                             const std::string& solution);
 
 /// The files that a student may change, as paths in the tree: every file below labs, shaders and common with
-/// a line that begins with `//@step`. Sorted. Throws Error (exit 3) when there is none.
+/// a line that begins with `//@step`. In a student's tree they are those that its starter had: a copy that
+/// lies beside one is no other step. Sorted. Throws Error (exit 3) when there is none.
 std::vector<std::string> step_files(const std::filesystem::path& tree);
 
 /// Where each step is written in a student's tree or in the course's, as its files are now; a step whose
