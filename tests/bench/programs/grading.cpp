@@ -209,7 +209,8 @@ void measure_grading(const Options& options, Report& report) {
       "wrong; beside as many `--batch` that draw the same cases, one for each processor at a time. "
       "Each step that fails is drawn again, alone, unless it has the solution's code; the last row has that "
       "beside drawing once. What a "
-      "course does once (starter, references, the pictures of known mistakes) is done before.");
+      "course does once (starter, references, the pictures of known mistakes) is done before. "
+      "From run to run the class of lab 5 takes 1.5 to 1.6 times as long.");
   const Change turned = [](std::size_t, const std::string& file, std::string text) {
     const std::string right = "fragment_texcoord = texcoord *";
     if (!file.ends_with("texture_quad.vert")) return text;
