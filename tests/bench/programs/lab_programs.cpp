@@ -232,11 +232,9 @@ void measure_window_start(const Options& options, Report& report) {
       "From the start of the process until the first picture is on the screen, and until the panel "
       "is, which comes with the next; beside the floor's snapshot, from the start of its process to "
       "its end. *Shaders kept*: both with the driver's cache of shaders, as users have them from the "
-      "second time on. Without it the driver translates the panel's shader after the picture's, which takes "
-      "55 to 75 ms; with it the panel comes 15 ms after the picture. Before both, GLFW asks what the display "
-      "can, 25 to 30 ms, and X reads its table of composed letters, 14 ms: a snapshot does without these, "
-      "and "
-      "on a quick processor they are a larger share.");
+      "second time on. Without it the driver translates the panel's shader after the picture's. The window "
+      "opens with the lab's best look, and the floor draws the plain one: these rows compare different "
+      "pictures.");
   if (!has_display()) return;
   for (const LabProgram& lab : kFloors)
     for (const bool keeps : {false, true}) {
