@@ -78,7 +78,7 @@ gl::Program& Frame::program(const std::string& vertex, const std::string& fragme
     else
       throw Error::failed(
           fmt::format("the uniform '{}' and the parameter with this name have different types", p.name),
-          {program.name()},
+          program.place(),
           fmt::format("declare it as 'uniform {} {};'", p.type == Type::number ? "float" : "int", p.name));
   }
   if (std::find(used_.begin(), used_.end(), &program) == used_.end()) used_.push_back(&program);

@@ -69,7 +69,7 @@ void MeshBuffers::bind(const Program& program) {
       if (values.floats.empty())
         throw Error::failed(
             fmt::format("reads the attribute '{}', which the mesh does not have", kAttributeNames[location]),
-            {program.name()}, "choose a method that does not need it, or add it to the mesh");
+            program.place(), "choose a method that does not need it, or add it to the mesh");
       glBindBuffer(GL_ARRAY_BUFFER, attributes_[attribute].id());
       glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.floats.size_bytes()), values.floats.data(),
                    GL_STATIC_DRAW);

@@ -87,7 +87,7 @@ Program::Program(std::shared_ptr<const ShaderSource> vertex, std::shared_ptr<con
     char log[4096] = "";
     glGetProgramInfoLog(id_, sizeof log, nullptr, log);
     glDeleteProgram(id_);
-    throw Error::failed(fmt::format("does not link: {}", fragment_->locate(log)), {"shaders/" + name()});
+    throw Error::failed(fmt::format("does not link: {}", fragment_->locate(log)), place());
   }
 
   GLint count = 0;
@@ -142,7 +142,7 @@ Uniform* Program::to_set(std::string_view name, std::initializer_list<GLenum> ty
     std::vector<std::string> known;
     for (const Uniform& other : uniforms_) known.push_back(other.name);
     const std::string near = nearest(std::string(name), known);
-    throw Error::failed(fmt::format("has no uniform '{}'", name), {"shaders/" + this->name()},
+    throw Error::failed(fmt::format("has no uniform '{}'", name), place(),
                         near.empty() ? "the program sets it: declare it, or correct its name"
                                      : fmt::format("the program sets it; did you mean '{}'?", near));
   }
@@ -151,7 +151,7 @@ Uniform* Program::to_set(std::string_view name, std::initializer_list<GLenum> ty
   if (!fits)
     throw Error::failed(
         fmt::format("the shader declares the uniform '{}' with another type than the program sets", name),
-        {"shaders/" + this->name()});
+        place());
   uniform->is_set = true;
   return uniform;
 }
@@ -183,7 +183,7 @@ void Program::set(std::string_view name, const glm::mat4& value) {
 void Program::check_uniforms() const {
   for (const Uniform& uniform : uniforms_)
     if (!uniform.is_set)
-      throw Error::failed(fmt::format("the uniform '{}' is read but never set", uniform.name), {name()},
+      throw Error::failed(fmt::format("the uniform '{}' is read but never set", uniform.name), place(),
                           "set it in the lab, or give it the name of one of the lab's parameters");
 }
 

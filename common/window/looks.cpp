@@ -32,7 +32,7 @@ void Looks::forget() {
   for (Entry& entry : entries_) entry.is_drawn = false;
 }
 
-void Looks::choose(const course::Look& look, AnyLab& lab, View& view) {
+void Looks::choose(const course::Case& look, AnyLab& lab, View& view) {
   check_settings(lab.parameters(), look.settings);
   lab.parameters().reset();
   for (const auto& [parameter, value] : look.settings) lab.parameters().at(parameter).set(value);

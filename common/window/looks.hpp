@@ -35,7 +35,7 @@ class Looks {
   void forget();
 
   /// Sets the parameters and the view. Throws Error (usage) when the lab does not have them.
-  static void choose(const course::Look& look, AnyLab& lab, View& view);
+  static void choose(const course::Case& look, AnyLab& lab, View& view);
   /// How many times as wide as high the look is meant to be seen, 1 or more.
   static double aspect_of(const course::Look& look);
 

@@ -54,16 +54,16 @@ Action text_part(WindowState& state) {
   return action;
 }
 
-/// The figure that the step is judged by, and how far off the worst pixel is. These differ: a thousandth of
-/// the pixels, and edges that are one pixel off, are not counted.
+/// The figure that the step is judged by, and the largest, which the heat map has and a ring marks. The first
+/// leaves out a thousandth of the pixels, and edges that are one pixel off.
 std::string caption(const CasePictures& p) {
   if (p.figures.non_finite > 0)
     return fmt::format("{} pixels are not finite (green in the heat map)", p.figures.non_finite);
   const grade::CaseResult& one = p.result;
   if (p.figures.max == 0) return fmt::format("equal to the expected picture; limit {:g}", one.limit);
-  return fmt::format("{}: off by {:.3g} {} (limit {:g}); the worst pixel, ({}, {}), by {:.3g}",
+  return fmt::format("{}: off by {:.3g} {} (limit {:g}); with all edges {:.3g} at most{}",
                      one.passed() ? "right" : "wrong", one.error, name_of(one.unit()), one.limit,
-                     p.figures.worst_x, p.figures.worst_y, p.figures.max);
+                     p.figures.max, one.passed() ? "" : ", in the ring");
 }
 
 /// The bar below the heat map.

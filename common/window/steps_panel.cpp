@@ -30,9 +30,7 @@ std::string figure(const grade::StepResult& step) {
 
 void set_look(AnyLab& lab, WindowState& state, const course::Case& look) {
   try {
-    lab.parameters().reset();
-    for (const auto& [parameter, value] : look.settings) lab.parameters().at(parameter).set(value);
-    state.view = look.view;
+    Looks::choose(look, lab, state.view);
     state.split.reset();
     state.look.reset();
     state.paused = true;

@@ -25,6 +25,7 @@
 #include "course/markers.hpp"
 #include "course/mutant_file.hpp"
 #include "image/load.hpp"
+#include "student/report.hpp"
 
 namespace texel {
 namespace {
@@ -277,8 +278,35 @@ TEST_F(StudentTree, says_where_a_shader_does_not_compile) {
   EXPECT_NE(first, report.output.npos) << report.output;
   EXPECT_EQ(report.output.find("error: ", first + 1), report.output.npos) << report.output;  // said once
   EXPECT_FALSE(has(report.output, "see it:")) << report.output;  // there is no picture
+  EXPECT_FALSE(has(report.output, "decode_bumps")) << "it concerns all cases: " << report.output;
   EXPECT_EQ(see.exit_code, 3) << see.output;
   EXPECT_TRUE(has(see.output, "error: ")) << see.output;
+}
+
+TEST(Report, says_once_why_several_steps_wait) {
+  grade::LabResult lab;
+  for (const char* id : {"7.1", "7.2", "7.3", "7.4"}) {
+    grade::StepResult step;
+    step.id = step.title = id;
+    step.cases.emplace_back();
+    if (!lab.steps.empty()) step.status = grade::Status::skipped, step.message = "because";
+    lab.steps.push_back(step);
+  }
+  lab.steps.back().message = "for another reason";
+  const std::string text = tools::report(lab, false);
+  EXPECT_TRUE(has(text, "7.2: because")) << text;
+  EXPECT_EQ(text.find("because"), text.rfind("because")) << text;
+  EXPECT_TRUE(has(text, "7.4: for another reason")) << text;
+}
+
+TEST_F(StudentTree, names_the_form_of_a_command_before_it_builds) {
+  for (const auto& [typed, said] : {std::pair("watch", "./run watch 1"),
+                                    {"reset 1", "./run reset 5.1"},
+                                    {"check 1.3", "./run see 1.3"}}) {
+    const Result result = shell(shell_word((root_ / "run").string()) + " " + typed + " 2>&1");
+    EXPECT_EQ(result.exit_code, 2) << result.output;
+    EXPECT_TRUE(has(result.output, said)) << result.output;
+  }
 }
 
 TEST_F(StudentTree, gives_one_hint_after_the_other) {

@@ -33,7 +33,7 @@ class Patience {
 
  private:
   void wait() {
-    constexpr std::chrono::seconds kQuiet{5};  // all nine labs take 4 s on two processors
+    constexpr std::chrono::seconds kQuiet{5};  // a check of all nine labs takes 1 s on two processors
     std::unique_lock lock(mutex_);
     if (done_.wait_for(lock, kQuiet, [this] { return is_done_; })) return;
     std::fputs("still drawing; a program that does not end is stopped\n", stderr);

@@ -12,6 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/error.hpp"
 #include "gl/shader_source.hpp"
 
 namespace texel::gl {
@@ -59,8 +60,10 @@ class Program {
   [[nodiscard]] const std::vector<Attribute>& attributes() const { return attributes_; }
   /// Throws Error when a uniform that the program reads was never set.
   void check_uniforms() const;
-  /// "05_normal_map/normal_map.frag", for messages.
+  /// "05_normal_map/normal_map.frag"
   [[nodiscard]] std::string name() const;
+  /// Its file in the tree, "shaders/05_normal_map/normal_map.frag", for messages.
+  [[nodiscard]] Place place() const { return {"shaders/" + name()}; }
   [[nodiscard]] const ShaderSource& vertex() const { return *vertex_; }
   [[nodiscard]] const ShaderSource& fragment() const { return *fragment_; }
 
