@@ -175,7 +175,8 @@ void measure_tests(const Options& options, Report& report) {
       "./run test", "now", "before", "ms", {{now.run(""), from_nothing_before}}, Target::at_most, 0.7,
       "37 tests more than before. In a tree that is built but for the sanitizers the tests of the release "
       "take "
-      "690 of 907 s, the pages with them; the longest, of steps that are judged alone, 340 beside others."));
+      "690 of 907 s, the pages with them; the longest, of steps that are judged alone, 340 s beside "
+      "others."));
   std::vector<Pair> changed;
   for (int i = 0; i < options.long_rounds(); ++i)
     changed.push_back({now.run_of_changed_lab(i), from_nothing_before});
