@@ -63,6 +63,11 @@ std::string formula(std::string_view text) {
       const auto digit = static_cast<std::size_t>(next - '0');
       result += c == '^' ? kRaised.at(digit) : kLowered.at(digit);
       ++i;
+    } else if (text.substr(i).starts_with("^{-")) {
+      result += "⁻";
+      i += 2;
+      for (; i + 1 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9'; ++i)
+        result += kRaised.at(static_cast<std::size_t>(text[i + 1] - '0'));
     } else if (c != '{' && c != '}') {
       result += c;
     }
@@ -115,6 +120,8 @@ std::string without_markdown(std::string_view text) {
       i = end + marks - 1;
     } else if (text.substr(i, 2) == "**" && !is_code) {
       ++i;
+    } else if (c == '*' && !is_code && text.substr(std::max<std::size_t>(i, 1) - 1, 3) != " * ") {
+      continue;                         // of *a word*
     } else if (c == '[' && !is_code) {  // of a link only its text
       const std::size_t end = text.find(']', i);
       if (end == std::string_view::npos) {

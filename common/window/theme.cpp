@@ -44,9 +44,11 @@ void set_theme(bool light, float scale) {
 }
 
 void load_font(float scale) {
-  // Latin, Greek, punctuation, raised and lowered digits, arrows, mathematical signs.
+  // Latin, Greek, punctuation, raised and lowered digits, arrows, mathematical signs, and what arrows with
+  // a word in them are made of.
   static constexpr ImWchar kLetters[] = {0x20,   0xFF,   0x370,  0x3FF,  0x2010, 0x205E, 0x2070,
-                                         0x209F, 0x2190, 0x21FF, 0x2200, 0x22FF, 0};
+                                         0x209F, 0x2190, 0x21FF, 0x2200, 0x22FF, 0x2500, 0x2500,
+                                         0x25B6, 0x25B6, 0x25C0, 0x25C0, 0};
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
   const std::filesystem::path font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
   if (std::filesystem::exists(font)) {

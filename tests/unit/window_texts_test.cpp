@@ -20,6 +20,8 @@ TEST(StepText, formulas_become_unicode) {
             "atan(√(n_x² + 1), | a |)");
   EXPECT_EQ(without_markdown("the [Slides] and [a page](https://example.org/a) cost $5"),
             "the Slides and a page cost $5");
+  EXPECT_EQ(without_markdown("a *unit*, an *ear* and 2 * 3; `*p`"), "a unit, an ear and 2 * 3; *p");
+  EXPECT_EQ(without_markdown("$p = V^{-1} P^{-1} c$"), "p = V⁻¹ P⁻¹ c");
 }
 
 TEST(StepText, has_the_steps_lines_and_the_handouts_task) {
@@ -37,7 +39,7 @@ TEST(StepText, has_the_steps_lines_and_the_handouts_task) {
   EXPECT_EQ(text.line, 2);
   EXPECT_EQ(text.first_line, 1);
   EXPECT_EQ(text.task,
-            "Of *a* this is known:\n   a = b\nname | value\nc | d₁\nNo more.\n\nWrite: the value, and more.");
+            "Of a this is known:\n   a = b\nname | value\nc | d₁\nNo more.\n\nWrite: the value, and more.");
 }
 
 TEST(StepText, stops_before_the_starters_text_and_bears_missing_files) {
