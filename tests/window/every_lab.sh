@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Each lab opens, shows a picture, and closes.
+# Each lab opens, shows a picture, and closes; one also on a screen of twice the density.
 source "$(dirname "${BASH_SOURCE[0]}")/window.bash"
 export TEXEL_ROOT=$source_root
 
@@ -21,3 +21,13 @@ done
 
 times_frames() { [[ $("$bin/lab01_texture_quad" --frames 2 --context window) == "the first after "*" ms, the panel after "*" ms"*"2 frames of "*"parameters: "*" %" ]]; }
 check '--frames in a window times it and its panel' times_frames
+
+# On a screen of twice the density the window has twice the pixels, and so has its text.
+twice_as_large() {
+  [[ $(xdotool getwindowgeometry --shell "$window") == *WIDTH=960$'\n'HEIGHT=720* ]] && look "$work/now" 1x60+400+0 &&
+    (($(pixels_of "$work/now" 41,74,122 2) >= 36))  # the title: 20 pixels high at the usual density
+}
+check 'a screen says its density' xprop -root -f RESOURCE_MANAGER 8s -set RESOURCE_MANAGER 'Xft.dpi: 192'
+check 'the window opens there' open_lab lab05_normal_map --size 480x360
+check 'window and panel are twice as large' eventually twice_as_large
+check 'and it quits' quits_with 0
