@@ -8,6 +8,7 @@
 #include <fstream>
 #include <set>
 
+#include "check/check.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "course/batch.hpp"
@@ -156,26 +157,38 @@ Mistake CourseSide::mistake_of(const LabPlan& plan, const course::Mutant& mutant
   return mistake;
 }
 
+const std::vector<Mistake>& CourseSide::known_mistakes(const LabPlan& plan) {
+  const std::scoped_lock lock(mutex_);
+  auto& known = known_mistakes_[plan.lab.folder];
+  if (!known) {
+    const fs::path file = expected_folder(solution_.source, plan.lab) / "mistakes.json";
+    known = parse_mistakes(read_file(file), file.string());
+  }
+  return *known;
+}
+
+const std::vector<Mistake>& CourseSide::unseen_mistakes(const LabPlan& plan, const std::string& step) {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (const auto found = unseen_mistakes_.find(step); found != unseen_mistakes_.end()) return found->second;
+  }
+  const std::vector<Mistake>& known = known_mistakes(plan);
+  std::vector<Mistake> unseen;
+  for (const course::Mutant& mutant : mutants_)
+    if (mutant.step == step && mutant.same.empty() &&
+        std::ranges::find(known, mutant.name, &Mistake::name) == known.end())
+      unseen.push_back(mistake_of(plan, mutant));
+  const std::scoped_lock lock(mutex_);
+  return unseen_mistakes_.emplace(step, std::move(unseen)).first->second;  // of the thread that was first
+}
+
 const Mistake* CourseSide::recognise(const LabPlan& plan, const std::string& step,
                                      const std::map<std::string, Failed>& failed) {
-  const std::vector<Mistake>* known = nullptr;
-  const auto find = [&] {
-    const std::scoped_lock lock(mutex_);
-    const auto found = mistakes_.find(step);
-    if (found != mistakes_.end()) known = &found->second;
-  };
-  find();
-  if (known == nullptr) {
-    std::vector<Mistake> all;
-    for (const course::Mutant& mutant : mutants_)
-      if (mutant.step == step && mutant.same.empty()) all.push_back(mistake_of(plan, mutant));
-    {
-      const std::scoped_lock lock(mutex_);
-      mistakes_.emplace(step, std::move(all));  // unless another thread was faster
-    }
-    find();
-  }
-  return grade::recognise(*known, plan, step, failed);
+  std::map<std::string, Failed> seen = failed;  // by the student, as by `check`
+  for (const Case& one : plan.cases)
+    if (one.hidden) seen.erase(one.name);
+  return seen.empty() ? grade::recognise(unseen_mistakes(plan, step), plan, step, failed)
+                      : grade::recognise(known_mistakes(plan), plan, step, seen);
 }
 
 }  // namespace texel::grade
