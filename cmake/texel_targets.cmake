@@ -50,7 +50,7 @@ endif()
 #   (plain)  what is measured
 #   LIGHT    code that waits for files, people or other programs: nobody sees that it runs slower, and it compiles sooner
 #   TEST     light, with GoogleTest
-# The sanitizers see all there is without optimisation, too, and such code compiles in half the time.
+# For the sanitizers it is not optimised: that hides no fault from them, and compiles in half the time.
 set(TEXEL_LIGHT $<$<CONFIG:Release>:-O1> $<$<BOOL:${TEXEL_SANITIZE}>:-O0>)
 function(texel_precompile name)
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/empty.cpp CONTENT "")

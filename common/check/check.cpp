@@ -60,8 +60,7 @@ class LabCheck {
     // A window and a watch may check the same lab.
     const FileLock lock(own_.string() + ".lock");
     draw_all(processes);
-    const fs::path known_mistakes = expected_ / "mistakes.json";
-    const std::vector<Mistake> mistakes = parse_mistakes(read_file(known_mistakes), known_mistakes.string());
+    const std::vector<Mistake> mistakes = known_mistakes(expected_);
     std::vector<CaseResult> results;
     for (const course::Step& step : plan_.lab.steps) {
       std::map<std::string, Failed> failed;
@@ -159,6 +158,14 @@ bool is_text_of_programs(const fs::path& file) {
 }
 
 }  // namespace
+
+std::vector<Mistake> known_mistakes(const fs::path& expected) {
+  const fs::path file = expected / kMistakesFile;
+  if (!fs::exists(file))
+    throw Error::failed("is missing; it contains what known mistakes look like", {file.string()},
+                        "copy the file from the course again; the course writes it with ./run expected");
+  return parse_mistakes(read_file(file), file.string());
+}
 
 fs::path expected_folder(const fs::path& source, const course::Lab& lab) {
   return source / "labs" / lab.folder / "expected";

@@ -159,12 +159,10 @@ Mistake CourseSide::mistake_of(const LabPlan& plan, const course::Mutant& mutant
 
 const std::vector<Mistake>& CourseSide::known_mistakes(const LabPlan& plan) {
   const std::scoped_lock lock(mutex_);
-  auto& known = known_mistakes_[plan.lab.folder];
-  if (!known) {
-    const fs::path file = expected_folder(solution_.source, plan.lab) / "mistakes.json";
-    known = parse_mistakes(read_file(file), file.string());
-  }
-  return *known;
+  const auto found = known_mistakes_.find(plan.lab.folder);
+  if (found != known_mistakes_.end()) return found->second;
+  return known_mistakes_[plan.lab.folder] =
+             grade::known_mistakes(expected_folder(solution_.source, plan.lab));
 }
 
 const std::vector<Mistake>& CourseSide::unseen_mistakes(const LabPlan& plan, const std::string& step) {

@@ -5,7 +5,6 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,9 +47,12 @@ class CourseSide {
   /// What a mutant looks like in the cases of its step. Throws Error (exit 3).
   Mistake mistake_of(const LabPlan& plan, const course::Mutant& mutant);
 
-  /// grade::recognise for the student's failed cases of a step: by the public ones among the mistakes of
-  /// `expected/mistakes.json`, as `check` does, which draws nothing; by the hidden ones where no public case
-  /// failed, among the mutants that no public case shows. Throws Error (exit 3).
+  /// grade::known_mistakes, read once. Throws Error (exit 3).
+  const std::vector<Mistake>& known_mistakes(const LabPlan& plan);
+
+  /// grade::recognise for a student's failed cases of a step, or null. The public ones are compared with
+  /// known_mistakes, as `check` does: nothing is drawn. Where no public case failed, the hidden ones are
+  /// compared with what the other mutants draw. Throws Error (exit 3).
   const Mistake* recognise(const LabPlan& plan, const std::string& step,
                            const std::map<std::string, Failed>& failed);
 
@@ -62,7 +64,6 @@ class CourseSide {
  private:
   [[nodiscard]] std::filesystem::path folder_of(const LabPlan& plan) const;
   [[nodiscard]] Studio studio(const BuiltTree& tree, const LabPlan& plan) const;
-  const std::vector<Mistake>& known_mistakes(const LabPlan& plan);
   const std::vector<Mistake>& unseen_mistakes(const LabPlan& plan, const std::string& step);
 
   BuiltTree solution_;
@@ -76,9 +77,9 @@ class CourseSide {
   std::map<std::string, Place> places_;
   std::mutex mutex_;
   std::map<std::string, std::filesystem::path> folders_;
-  std::map<std::string, std::unique_ptr<std::mutex>> drawing_;                 ///< by mutant and lab
-  std::map<std::string, std::optional<std::vector<Mistake>>> known_mistakes_;  ///< by the lab's folder
-  std::map<std::string, std::vector<Mistake>> unseen_mistakes_;                ///< by step
+  std::map<std::string, std::unique_ptr<std::mutex>> drawing_;   ///< by mutant and lab
+  std::map<std::string, std::vector<Mistake>> known_mistakes_;   ///< by the lab's folder
+  std::map<std::string, std::vector<Mistake>> unseen_mistakes_;  ///< by step
 };
 
 }  // namespace texel::grade

@@ -63,7 +63,7 @@ void write_expected(const CourseTree& options, const std::function<void(const st
       if (!expected.mask.empty()) fs::copy_file(expected.mask, fresh / (one.name + ".mask.png"));
     }
     write_file(fresh / kRendererFile, course.renderer() + "\n");
-    write_file(fresh / "mistakes.json", to_json(mistakes));
+    write_file(fresh / kMistakesFile, to_json(mistakes));
     fs::remove_all(folder);
     fs::rename(fresh, folder);
     say(fmt::format("lab {}: {} pictures, {} mistakes; {} of these differ from all others", plan.lab.number,

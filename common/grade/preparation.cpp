@@ -67,7 +67,10 @@ Preparation prepare(const GradeOptions& options, unsigned jobs) {
   }
   p.models = options.cache / "models" / fingerprint({p.seed}).substr(0, 16);
   p.plans = full_plan(p.labs, p.seed, p.models);
-  in_parallel(jobs, p.plans.size(), [&](std::size_t i) { p.course->prepare(p.plans[i]); });
+  in_parallel(jobs, p.plans.size(), [&](std::size_t i) {
+    p.course->prepare(p.plans[i]);
+    p.course->known_mistakes(p.plans[i]);  // a broken file ends the run before it judges anybody
+  });
   return p;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "../support/picture_files.hpp"
+#include "core/error.hpp"
 #include "core/files.hpp"
 
 namespace texel::grade {
@@ -65,6 +66,18 @@ TEST_F(CheckedPictures, are_gone_where_the_next_check_draws_none) {
   for (const auto& [other, there] : later) EXPECT_TRUE(fs::exists(there)) << other;
   for (const fs::directory_entry& left : fs::directory_iterator(fs::path(picture).parent_path()))
     EXPECT_FALSE(left.is_directory()) << left.path();
+}
+
+TEST_F(CheckedPictures, have_known_mistakes_beside_them_or_an_error_names_the_file) {
+  EXPECT_FALSE(known_mistakes(expected_folder(tree_.source, lab_)).empty());
+  try {
+    known_mistakes(folder_ / "nothing");
+    FAIL() << "a file that is not there was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit_code(), 3);
+    EXPECT_NE(std::string(error.what()).find((folder_ / "nothing" / kMistakesFile).string()),
+              std::string::npos);
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "check/drawn.hpp"
+#include "judge/mistakes.hpp"
 #include "judge/results.hpp"
 
 /// The grader on a student's own machine: the public cases of a tree, drawn by its own programs and judged
@@ -19,8 +20,10 @@ struct OwnTree {
 };
 
 /// Where a lab's expected pictures lie: for each public case `name.png`, `.pfm` or `.ply`, `name.mask.png`,
-/// `mistakes.json`, what known mistakes look like, and kRendererFile.
+/// kMistakesFile and kRendererFile.
 std::filesystem::path expected_folder(const std::filesystem::path& source, const course::Lab& lab);
+/// Beside the expected pictures: what known mistakes look like in the public cases.
+inline constexpr const char* kMistakesFile = "mistakes.json";
 /// Beside the expected pictures: what drew them.
 inline constexpr const char* kRendererFile = "renderer.txt";
 
@@ -30,6 +33,9 @@ bool is_software(const std::string& renderer);
 /// What a student should know: `own` drew here, and `expected`, or "" if that is not known, what is compared
 /// with.
 std::string renderer_note(const std::string& own, const std::string& expected);
+
+/// What stands in the kMistakesFile of such a folder. Throws Error (exit 3) when it is missing or broken.
+std::vector<Mistake> known_mistakes(const std::filesystem::path& expected);
 
 /// The steps that are as they were at first. Throws Error (exit 3) where markers are spoilt.
 std::set<std::string> untouched_steps(const OwnTree& tree);
