@@ -74,7 +74,7 @@ TEST_F(CheckedPictures, have_known_mistakes_beside_them_or_an_error_names_the_fi
     known_mistakes(folder_ / "nothing");
     FAIL() << "a file that is not there was read";
   } catch (const Error& error) {
-    EXPECT_EQ(error.exit_code(), 3);
+    EXPECT_EQ(error.exit_code(), Exit::failed);
     EXPECT_NE(std::string(error.what()).find((folder_ / "nothing" / kMistakesFile).string()),
               std::string::npos);
   }
