@@ -3,17 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "app/settings.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/json.hpp"
 #include "core/stopwatch.hpp"
 
 namespace texel::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Each combination of the values that vary; of a choice without values, all that it has. The first parameter
 /// changes slowest.
@@ -154,7 +151,7 @@ std::string run_bench(Canvas& canvas, AnyLab& lab, const course::BenchList& list
     fmt::print(stderr, "  case {} of {}: {}\n", ++number, list.cases.size(), c.name);
     for (Json& result : bench.run(c, list.seconds)) output["results"].push_back(std::move(result));
   }
-  return output.dump(2) + "\n";
+  return to_text(output, 2) + "\n";
 }
 
 }  // namespace texel::app

@@ -1,28 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "app/reports.hpp"
+#include "core/json.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 namespace texel::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Type = params::Parameter::Type;
 
 /// A parameter's default as JSON's own type.
 Json initial(const params::Parameter& p) {
   if (p.type == Type::toggle) return p.initial() == "on";
-  if (p.type == Type::integer || p.type == Type::number) return Json::parse(p.initial());
+  if (p.type == Type::integer || p.type == Type::number) return parse_json(p.initial());
   return p.initial();
 }
 
 /// Untrusted names (files) may hold bytes that are no UTF-8: they are replaced, not an error.
 std::string dump(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return to_text(json, 2) + "\n";
 }
 
 }  // namespace

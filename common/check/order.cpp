@@ -4,16 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/json.hpp"
 
 namespace texel::grade {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 /// What is remembered of a step. Saves are counted, from 1.
 struct Remembered {
@@ -31,7 +30,7 @@ Memory read_memory(const fs::path& file) {
   Memory memory;
   if (!fs::exists(file)) return memory;
   try {
-    const Json json = Json::parse(read_file(file));
+    const Json json = parse_json(read_file(file));
     for (const auto& [id, step] : json.at("steps").items())
       memory.steps[id] = {step.at("text"), step.at("changed"), step.at("passed")};
     memory.saves = json.at("saves");
@@ -46,7 +45,7 @@ void write_memory(const fs::path& file, const Memory& memory) {
   for (const auto& [id, step] : memory.steps)
     json["steps"][id] = {{"text", step.text}, {"changed", step.changed}, {"passed", step.passed}};
   fs::create_directories(file.parent_path());
-  write_file(file, json.dump(1) + "\n");
+  write_file(file, to_text(json, 1) + "\n");
 }
 
 /// A file that several labs use.

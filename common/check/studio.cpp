@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
-#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/json.hpp"
 #include "core/plain_text.hpp"
 #include "course/batch.hpp"
 
@@ -175,7 +175,7 @@ std::string renderer_of(const Studio& studio) {
   plain.limits.wall_seconds = plain.limits.cpu_seconds = 60;
   const Outcome outcome = run_plainly(
       plain, {studio.program.string(), "--context", studio.context, "--size", "16x16", "--stats", "-"});
-  const auto json = nlohmann::json::parse(outcome.output, nullptr, false);
+  const auto json = json_or_null(outcome.output);
   if (!outcome.succeeded() || !json.is_object())
     throw Error::failed("the course's own program cannot draw", {studio.program.string()}, outcome.errors);
   return json.value("drawn_by", std::string());

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "course/batch.hpp"
+#include "core/json.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
@@ -14,8 +14,6 @@
 namespace texel::course {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// A string, number or boolean as the command line takes it.
 std::string as_text(const Json& value) {
   if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
@@ -23,7 +21,7 @@ std::string as_text(const Json& value) {
   if (value.is_number_integer()) return fmt::format("{}", value.get<long long>());
   if (value.is_number()) return fmt::format("{}", static_cast<float>(value.get<double>()));
   throw Error::usage(
-      fmt::format("a parameter's value must be a string, number or boolean, not {}", value.dump()));
+      fmt::format("a parameter's value must be a string, number or boolean, not {}", to_text(value)));
 }
 
 std::vector<Setting> read_settings(const Json& json) {
@@ -76,7 +74,7 @@ std::vector<Entry> read_each(const Json& list, const char* what, const char* sev
 
 Json parse(const std::string& text) {
   try {
-    return Json::parse(text);
+    return parse_json(text);
   } catch (const Json::exception& error) {
     throw Error::usage(error.what());
   }
@@ -131,7 +129,7 @@ std::string to_batch(const std::vector<Case>& cases) {
     entry["set"] = to_json(one.settings);
     list.push_back(std::move(entry));
   }
-  return list.dump(1) + "\n";
+  return to_text(list, 1) + "\n";
 }
 
 std::vector<Case> parse_batch(const std::string& list) {
@@ -154,7 +152,7 @@ std::string to_json(const BenchList& list) {
                              {"set", to_json(one.settings)},
                              {"vary", vary}});
   }
-  return json.dump(2) + "\n";
+  return to_text(json, 2) + "\n";
 }
 
 BenchList parse_bench(const std::string& list) {
@@ -173,14 +171,13 @@ std::string to_json(const std::vector<Drawing>& drawings) {
                     {"place", one.place},
                     {"drawn_by", one.drawn_by},
                     {"milliseconds", one.milliseconds}});
-  // A compiler's message may quote any bytes of a file.
-  return list.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return to_text(list, 1) + "\n";
 }
 
 std::vector<Drawing> parse_drawings(const std::string& text) {
   constexpr std::size_t kMostBytes = 2000;
   std::vector<Drawing> drawings;
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = json_or_null(text);
   if (!json.is_array()) return drawings;
   const auto text_at = [](const Json& entry, const char* key) {
     const auto found = entry.find(key);

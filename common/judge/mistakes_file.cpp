@@ -2,16 +2,16 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "core/json.hpp"
 #include "judge/mistakes.hpp"
 
 namespace texel::grade {
 namespace {
 
 /// A number; JSON has none that are not finite.
-double number(const nlohmann::json& value) {
+double number(const Json& value) {
   return value.is_null() ? std::nan("") : value.get<double>();
 }
 
@@ -20,21 +20,21 @@ double number(const nlohmann::json& value) {
 std::string to_json(const std::vector<Mistake>& mistakes) {
   std::string text = "[\n";
   for (const Mistake& mistake : mistakes) {
-    nlohmann::ordered_json one{{"name", mistake.name}, {"step", mistake.step}, {"says", mistake.says}};
+    Json one{{"name", mistake.name}, {"step", mistake.step}, {"says", mistake.says}};
     for (const auto& [name, samples] : mistake.cases) {
-      nlohmann::ordered_json& place = one["cases"][name];
+      Json& place = one["cases"][name];
       if (!samples.refused.empty()) {
         place["refused"] = samples.refused;
         continue;
       }
       place["count"] = samples.count;
       for (const Samples::Sample& sample : samples.samples) {
-        nlohmann::ordered_json values = {sample.index};
+        Json values = {sample.index};
         for (const double value : sample.values) values.push_back(value);  // NaN becomes null
         place["samples"].push_back(values);
       }
     }
-    text += one.dump() + (&mistake == &mistakes.back() ? "\n" : ",\n");
+    text += to_text(one) + (&mistake == &mistakes.back() ? "\n" : ",\n");
   }
   return text + "]\n";
 }
@@ -42,13 +42,12 @@ std::string to_json(const std::vector<Mistake>& mistakes) {
 std::vector<Mistake> parse_mistakes(const std::string& text, const std::string& file) {
   std::vector<Mistake> mistakes;
   try {
-    for (const nlohmann::json& one : nlohmann::json::parse(text)) {
+    for (const Json& one : parse_json(text)) {
       Mistake mistake{one.at("name"), one.at("step"), one.at("says"), {}};
       for (const auto& [name, place] : one.at("cases").items()) {
         Samples samples{place.value("refused", std::string()), 0, {}};
         samples.count = samples.refused.empty() ? place.at("count").get<std::size_t>() : 0;
-        for (const nlohmann::json& row :
-             samples.refused.empty() ? place.at("samples") : nlohmann::json::array()) {
+        for (const Json& row : samples.refused.empty() ? place.at("samples") : Json::array()) {
           Samples::Sample sample{row.at(0), {}};
           for (std::size_t i = 1; i < row.size(); ++i) sample.values.push_back(number(row[i]));
           samples.samples.push_back(std::move(sample));
@@ -57,7 +56,7 @@ std::vector<Mistake> parse_mistakes(const std::string& text, const std::string& 
       }
       mistakes.push_back(std::move(mistake));
     }
-  } catch (const nlohmann::json::exception& error) {
+  } catch (const Json::exception& error) {
     throw Error::failed(fmt::format("is not a list of mistakes: {}", error.what()), {file},
                         "copy the file from the course again");
   }

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "judge/results_json.hpp"
+#include "core/json.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
 
 namespace texel::grade {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json json_of(const CaseResult& result) {
   Json set = Json::object();
@@ -61,7 +59,7 @@ CaseResult parse_case(const Json& json) {
   one.name = json.at("name"), one.message = json.at("message"), one.command = json.at("command");
   one.status = case_status_of(json.at("status"));
   const auto view = course::find_view(json.at("view").get<std::string>());
-  if (!view) throw Error::failed(fmt::format("there is no view {}", json.at("view").dump()));
+  if (!view) throw Error::failed(fmt::format("there is no view {}", to_text(json.at("view"))));
   one.view = *view;
   for (const auto& [parameter, value] : json.at("set").items()) one.settings.push_back({parameter, value});
   one.error = json.at("error").is_null() ? std::nan("") : json.at("error").get<double>();
@@ -82,26 +80,22 @@ StepResult parse_step(const Json& json) {
 }
 
 /// Folders may have names that are no UTF-8.
-std::string text_of(const Json& json) {
-  return json.dump(1, ' ', false, Json::error_handler_t::replace);
-}
-
 }  // namespace
 
 std::string to_json(const LabResult& lab) {
-  return text_of(json_of(lab));
+  return to_text(json_of(lab), 1);
 }
 
 std::string to_json(const std::vector<LabResult>& labs) {
   Json list = Json::array();
   for (const LabResult& lab : labs) list.push_back(json_of(lab));
-  return text_of(list);
+  return to_text(list, 1);
 }
 
 std::vector<StepResult> parse_steps(const std::string& json) {
   std::vector<StepResult> steps;
   try {
-    const Json parsed = Json::parse(json);
+    const Json parsed = parse_json(json);
     for (const Json& one : parsed.at("steps")) steps.push_back(parse_step(one));
   } catch (const Json::exception& error) {
     throw Error::failed(fmt::format("the check did not print its JSON: {}", error.what()));

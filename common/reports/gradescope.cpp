@@ -8,8 +8,6 @@
 namespace texel::grade {
 namespace {
 
-using nlohmann::json;
-
 /// What a student reads of a step at once: its public cases, and how many hidden ones failed.
 std::string public_output(const StepResult& step) {
   if (step.status == Status::passed) return passed_text(step);
@@ -19,9 +17,9 @@ std::string public_output(const StepResult& step) {
   return text;
 }
 
-json test_of(const StepResult& step, double points, double most, const std::string& output,
+Json test_of(const StepResult& step, double points, double most, const std::string& output,
              const char* visibility) {
-  json tags = json::array({name_of(step.status)});
+  Json tags = Json::array({name_of(step.status)});
   for (const Judged judged : {Judged::alone, Judged::markers_lost})
     if (step.any(judged)) tags.push_back(name_of(judged));
   if (!step.mistake.empty()) tags.push_back(clean(step.mistake));
@@ -42,19 +40,19 @@ std::string gradescope(const StudentResult& student) {
   if (!student.unmarked().empty())
     throw Error::failed(fmt::format("'{}' was not graded: {}", student.id, student.unmarked()), {},
                         "grade again with --resume");
-  json tests = json::array();
+  Json tests = Json::array();
   for (const LabResult& lab : student.labs)
     for (const StepResult& step : lab.steps) {
       tests.push_back(test_of(step, rounded(step.points * step.score), rounded(step.points),
                               public_output(step), "visible"));
       if (count(step.cases, true) == 0) continue;
       // Tests without points may stay hidden: any other hidden test would hide the student's total as well.
-      json hidden = test_of(step, 0, 0, case_lines(step, true), "hidden");
+      Json hidden = test_of(step, 0, 0, case_lines(step, true), "hidden");
       hidden["name"] = clean(step.title) + " (hidden cases)";
       hidden["status"] = count_failed(step.cases, true) == 0 ? "passed" : "failed";
       tests.push_back(hidden);
     }
-  json results = {{"score", rounded(student.points())},
+  Json results = {{"score", rounded(student.points())},
                   {"output", overview(student)},
                   {"output_format", "text"},
                   {"visibility", "visible"},

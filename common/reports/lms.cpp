@@ -11,13 +11,7 @@
 namespace texel::grade {
 namespace {
 
-using nlohmann::json;
-
-std::string text_of(const json& results) {
-  return results.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
-}
-
-void shorten(json& value, std::size_t bytes) {
+void shorten(Json& value, std::size_t bytes) {
   for (auto& [key, part] : value.items()) {
     if (part.is_structured())
       shorten(part, bytes);
@@ -80,15 +74,15 @@ std::string case_lines(const StepResult& step, bool hidden) {
   return text;
 }
 
-std::string fitted(const json& results) {
-  std::string text = text_of(results);
+std::string fitted(const Json& results) {
+  std::string text = to_text(results, 1) + "\n";
   // Halving leaves at least half of what would fit.
   for (std::size_t bytes = kLargestResults / 2; text.size() > kLargestResults; bytes /= 2) {
     if (bytes == 0)
       throw Error::failed("the results are too many for one file", {}, "grade fewer labs at once");
-    json smaller = results;
+    Json smaller = results;
     shorten(smaller, bytes);
-    text = text_of(smaller);
+    text = to_text(smaller, 1) + "\n";
   }
   return text;
 }

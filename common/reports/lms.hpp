@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/json.hpp"
 #include "wording.hpp"
 
 /// What the files for systems that keep marks have in common: plain text, and a limit of size.
@@ -28,6 +28,6 @@ std::string case_lines(const StepResult& step, bool hidden);
 
 /// The results as text of at most kLargestResults bytes: every "output" and "message" is cut to the same
 /// length, as long as fits.
-std::string fitted(const nlohmann::json& results);
+std::string fitted(const Json& results);
 
 }  // namespace texel::grade

@@ -10,13 +10,11 @@
 namespace texel::grade {
 namespace {
 
-using nlohmann::json;
-
 /// How much of the file is kept for text, in bytes: pictures may have the rest.
 constexpr std::size_t kForText = kLargestResults / 4;
 
-json not_gradable(const std::string& message) {
-  return {{"gradable", false}, {"message", message}, {"format_errors", json::array({message})}};
+Json not_gradable(const std::string& message) {
+  return {{"gradable", false}, {"message", message}, {"format_errors", Json::array({message})}};
 }
 
 /// Adds pictures until one does not fit, which ends it: those of the first failing steps matter most.
@@ -24,8 +22,8 @@ class Images {
  public:
   Images(const std::filesystem::path& folder, std::size_t bytes) : pictures_(folder), left_(bytes) {}
 
-  json of(const StepResult& step) {
-    json images = json::array();
+  Json of(const StepResult& step) {
+    Json images = Json::array();
     for (const CaseResult& result : step.cases) {
       if (result.passed() || result.is_mesh()) continue;
       add(images, result, result.picture, "yours");
@@ -35,7 +33,7 @@ class Images {
   }
 
  private:
-  void add(json& images, const CaseResult& result, const std::string& path, const char* whose) {
+  void add(Json& images, const CaseResult& result, const std::string& path, const char* whose) {
     if (path.empty() || left_ == 0) return;
     const Picture picture = pictures_.read(path, name_of(result.view));
     if (picture.url.empty()) return;
@@ -59,7 +57,7 @@ std::string prairielearn(const StudentResult& student, const std::filesystem::pa
   if (student.is_unfinished()) return fitted(not_gradable("Not graded yet: " + student.unmarked() + "."));
   if (!student.fault.empty()) return fitted(not_gradable("The submission " + clean(student.fault)));
 
-  json tests = json::array();
+  Json tests = Json::array();
   std::vector<const StepResult*> steps;
   for (const LabResult& lab : student.labs)
     for (const StepResult& step : lab.steps) {
@@ -73,17 +71,17 @@ std::string prairielearn(const StudentResult& student, const std::filesystem::pa
            {"output", passed ? "" : advice(step) + case_lines(step, false) + case_lines(step, true)}});
     }
   const double most = student.max_points();
-  json results = {{"gradable", true},
+  Json results = {{"gradable", true},
                   {"score", most > 0 ? std::clamp(rounded(student.points() / most), 0.0, 1.0) : 0},
                   {"message", fmt::format("{} of {} points.", number(student.points()), number(most))},
                   {"output", overview(student)},
-                  {"images", json::array()},
+                  {"images", Json::array()},
                   {"tests", tests}};
 
   const std::size_t text = std::max(fitted(results).size(), kForText);
   Images images(folder, kLargestResults - text);
   for (std::size_t i = 0; i < steps.size(); ++i)
-    if (json found = images.of(*steps[i]); !found.empty()) results["tests"][i]["images"] = std::move(found);
+    if (Json found = images.of(*steps[i]); !found.empty()) results["tests"][i]["images"] = std::move(found);
   return fitted(results);
 }
 

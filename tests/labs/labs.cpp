@@ -6,20 +6,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "core/files.hpp"
+#include "core/json.hpp"
 #include "image/load.hpp"
 
 namespace texel::test {
 namespace {
 
-using Json = nlohmann::json;
-
 std::string as_text(const Json& value) {
   if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
-  return value.is_string() ? value.get<std::string>() : value.dump();
+  return value.is_string() ? value.get<std::string>() : to_text(value);
 }
 
 std::vector<std::string> names(const Json& list) {
@@ -54,7 +52,7 @@ Result run_batch(const std::string& lab, const std::vector<Shot>& shots, const T
     list.push_back({{"name", shot.name}, {"view", shot.view}, {"size", shot.size}, {"set", values}});
   }
   const std::string file = (folder / "batch.json").string();
-  write_file(file, list.dump());
+  write_file(file, to_text(list));
   return run_lab(
       lab,
       fmt::format("--batch {} --out {} {}", shell_word(file), shell_word((folder / "").string()), arguments),
@@ -104,7 +102,7 @@ std::string Parameter::flag() const {
 std::vector<Parameter> parameters_of(const std::string& lab) {
   const Result result = run_lab(lab, "--list-parameters --json");
   std::vector<Parameter> parameters;
-  for (const Json& json : Json::parse(result.output)) {
+  for (const Json& json : parse_json(result.output)) {
     Parameter p;
     p.name = json.at("name");
     p.type = json.at("type");
@@ -136,7 +134,7 @@ Stats stats_of(const std::string& lab, const std::string& arguments) {
   const Result result = run_lab(lab, "--stats - --size 128x128 " + arguments);
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_EQ(result.errors, "");
-  const Json json = Json::parse(result.output);
+  const Json json = parse_json(result.output);
   Stats stats;
   stats.lab = json.at("lab");
   stats.renderer = json.at("renderer");
@@ -172,7 +170,7 @@ Figures measured(const std::string& lab, const Settings& values, const std::stri
   const Result result = run_lab(lab, "--measure - --size " + size + flags(values));
   EXPECT_EQ(result.exit_code, 0) << lab << flags(values) << "\n" << result.errors;
   if (result.exit_code != 0) return {};
-  const auto json = Json::parse(result.output);
+  const auto json = parse_json(result.output);
   return {json.at("mean"), json.at("p99"), json.at("max"), json.at("pixels"), json.at("non_finite")};
 }
 

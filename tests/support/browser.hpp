@@ -14,14 +14,12 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-#include "json.hpp"
+#include "core/json.hpp"
 
 namespace texel::test {
 
 class Browser {
  public:
-  using Json = nlohmann::json;
-
   /// `program` is Chromium, `profile` an empty folder for what it keeps.
   Browser(const std::string& program, const std::filesystem::path& profile) {
     int to_browser[2], from_browser[2];
@@ -75,7 +73,7 @@ class Browser {
     const Json answer = call("Runtime.evaluate",
                              {{"expression", expression}, {"awaitPromise", true}, {"returnByValue", true}});
     if (answer.contains("exceptionDetails"))
-      throw std::runtime_error(expression + ": " + answer["exceptionDetails"].dump());
+      throw std::runtime_error(expression + ": " + to_text(answer["exceptionDetails"]));
     return answer["result"].value("value", Json());
   }
 
@@ -143,7 +141,7 @@ class Browser {
   Json call(const std::string& method, const Json& parameters = Json::object()) {
     Json message = {{"id", ++last_}, {"method", method}, {"params", parameters}};
     if (!session_.empty()) message["sessionId"] = session_;
-    const std::string text = message.dump() + '\0';
+    const std::string text = to_text(message) + '\0';
     for (std::size_t sent = 0; sent < text.size();) {
       const ssize_t count = ::write(out_, text.data() + sent, text.size() - sent);
       if (count <= 0) throw std::runtime_error("the browser has gone");
@@ -153,7 +151,7 @@ class Browser {
       const Json answer = receive();
       note(answer);
       if (answer.value("id", 0) != last_) continue;
-      if (answer.contains("error")) throw std::runtime_error(method + ": " + answer["error"].dump());
+      if (answer.contains("error")) throw std::runtime_error(method + ": " + to_text(answer["error"]));
       return answer["result"];
     }
   }
@@ -162,7 +160,7 @@ class Browser {
     const std::string method = event.value("method", "");
     if (method == "Network.requestWillBeSent") requests_.push_back(event["params"]["request"]["url"]);
     if (method == "Runtime.exceptionThrown")
-      complaints_.push_back(event["params"]["exceptionDetails"].dump());
+      complaints_.push_back(to_text(event["params"]["exceptionDetails"]));
     if (method == "Log.entryAdded" && event["params"]["entry"]["level"] == "error")
       complaints_.push_back(event["params"]["entry"]["text"]);
   }

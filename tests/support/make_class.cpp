@@ -26,7 +26,6 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
@@ -34,6 +33,7 @@
 #include "archives.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/json.hpp"
 #include "course/lab_file.hpp"
 #include "course/markers.hpp"
 #include "course/mutant_file.hpp"
@@ -45,7 +45,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Files = std::map<std::string, std::string>;
-using Json = nlohmann::ordered_json;
 
 struct Options {
   fs::path root, out;
@@ -457,7 +456,7 @@ class ClassMaker {
     }
     const Json json = {{"labs", options_.labs}, {"steps", all_steps()}, {"students", students}};
     fs::path file = options_.out;
-    write_file(file += ".json", json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_file(file += ".json", to_text(json, 1) + "\n");
   }
 
   Options options_;

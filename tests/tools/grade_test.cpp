@@ -15,12 +15,12 @@
 #include <sstream>
 #include <thread>
 
-#include "../support/json.hpp"
 #include "../support/places.hpp"
 #include "../support/process.hpp"
 #include "../support/said.hpp"
 #include "check/files.hpp"
 #include "core/files.hpp"
+#include "core/json.hpp"
 #include "course/lab_file.hpp"
 #include "grade/grader.hpp"
 #include "graded_class.hpp"
@@ -32,7 +32,6 @@ namespace texel {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 using test::all_labs;
 using test::check;
 using test::Class;
@@ -311,10 +310,8 @@ TEST_F(GradedClass, has_reports_in_every_format) {
   EXPECT_EQ(rows.size(), few_.expected.at("students").size() + 1);
   for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
   for (const auto& [id, expected] : few_.expected.at("students").items()) {
-    EXPECT_TRUE(test::parse_json(read_file(out / "gradescope" / id / "results.json")).contains("tests"))
-        << id;
-    EXPECT_TRUE(test::parse_json(read_file(out / "prairielearn" / id / "results.json")).contains("score"))
-        << id;
+    EXPECT_TRUE(parse_json(read_file(out / "gradescope" / id / "results.json")).contains("tests")) << id;
+    EXPECT_TRUE(parse_json(read_file(out / "prairielearn" / id / "results.json")).contains("score")) << id;
     EXPECT_TRUE(read_file(out / "junit" / (id + ".xml")).starts_with("<?xml")) << id;
     EXPECT_TRUE(has(read_file(out / "report" / (id + ".html")), "</html>")) << id;
   }

@@ -11,10 +11,10 @@
 #include <set>
 #include <string>
 
-#include "../support/json.hpp"
 #include "../support/places.hpp"
 #include "../support/process.hpp"
 #include "core/files.hpp"
+#include "core/json.hpp"
 #include "course/lab_file.hpp"
 #include "grade/grader.hpp"
 #include "sandbox/sandbox.hpp"
@@ -23,7 +23,6 @@
 namespace texel::test {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 inline const fs::path kWork = fs::path(kBuild) / "grade_test";
 inline const fs::path kCache = fs::path(kBuild) / "grade";
@@ -41,7 +40,7 @@ inline std::string all_labs() {
 struct Class {
   fs::path folder;
   std::string labs;
-  json expected;
+  Json expected;
 };
 
 inline Class make_class(const std::string& name, const std::string& labs, const std::string& rest) {
@@ -79,7 +78,7 @@ inline std::map<std::string, std::string> files_in(const fs::path& folder) {
 }
 
 /// Holds one student's grades against what must come out; whether a mistake that has a name got it.
-inline bool check_student(const grade::StudentResult& student, const json& expected) {
+inline bool check_student(const grade::StudentResult& student, const Json& expected) {
   SCOPED_TRACE(fmt::format("{} ({} {})", student.id, expected.at("kind").get<std::string>(),
                            expected.at("name").get<std::string>()));
   EXPECT_EQ(student.incident, "");
@@ -117,7 +116,7 @@ inline bool check_student(const grade::StudentResult& student, const json& expec
 /// Holds all students of a class against what must come out.
 inline void check(const fs::path& out, const Class& graded) {
   const grade::ClassResult results = grade::read_results(out, kSource);
-  const json& expected = graded.expected.at("students");
+  const Json& expected = graded.expected.at("students");
   EXPECT_EQ(results.students.size(), expected.size());
   int mutants = 0, named = 0;
   for (const grade::StudentResult& student : results.students) {

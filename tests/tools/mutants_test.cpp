@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "../support/json.hpp"
 #include "../support/picture_files.hpp"
 #include "../support/places.hpp"
 #include "../support/process.hpp"
 #include "../support/said.hpp"
 #include "core/files.hpp"
+#include "core/json.hpp"
 
 namespace texel {
 namespace {
@@ -67,7 +67,7 @@ TEST_F(MutantEngine, tells_what_the_tests_notice_from_what_they_do_not) {
   EXPECT_TRUE(has(result.output, "1 of 2 caught (50 %); 0 survive for a reason")) << result.output;
   EXPECT_EQ(read_file(folder_ / "tree/clamp.cpp"), kSource) << "only the copy is changed";
   EXPECT_EQ(read_file(folder_ / "work/tree/clamp.cpp"), kSource) << "and changed back";
-  const auto json = test::parse_json(read_file(report));
+  const auto json = parse_json(read_file(report));
   EXPECT_EQ(json.at("caught"), 1);
   EXPECT_EQ(json.at("mutants"), 2);
   EXPECT_EQ(json.at("results").at(0).at("fate"), "caught");

@@ -14,13 +14,13 @@
 #include <sstream>
 #include <thread>
 
-#include "../support/json.hpp"
 #include "../support/picture_files.hpp"
 #include "../support/places.hpp"
 #include "../support/process.hpp"
 #include "../support/said.hpp"
 #include "check/check.hpp"
 #include "core/files.hpp"
+#include "core/json.hpp"
 #include "course/lab_file.hpp"
 #include "course/markers.hpp"
 #include "course/mutant_file.hpp"
@@ -31,7 +31,6 @@ namespace texel {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 using test::has;
 using test::Result;
 using test::shell;
@@ -61,10 +60,10 @@ class StudentTree : public testing::Test {
   static Result texel(const std::string& arguments) { return shell(line(arguments) + " 2>&1"); }
 
   /// The steps of a lab by id, as --json has them.
-  static std::map<std::string, json> steps(int lab) {
-    const json result = test::parse_json(shell(line(fmt::format("check {} --json", lab))).output);
-    std::map<std::string, json> steps;
-    for (const json& step : result.at("steps")) steps[step.at("id")] = step;
+  static std::map<std::string, Json> steps(int lab) {
+    const Json result = parse_json(shell(line(fmt::format("check {} --json", lab))).output);
+    std::map<std::string, Json> steps;
+    for (const Json& step : result.at("steps")) steps[step.at("id")] = step;
     return steps;
   }
 
@@ -86,9 +85,9 @@ TEST(CourseTree, passes_its_own_checks) {
   const Result result = shell(kTexel + " check --json");
   EXPECT_EQ(result.exit_code, 0) << result.output;
   std::set<int> labs;
-  for (const json& lab : test::parse_json(result.output)) {
+  for (const Json& lab : parse_json(result.output)) {
     labs.insert(std::stoi(lab.at("lab").get<std::string>()));
-    for (const json& step : lab.at("steps")) EXPECT_EQ(step.at("status"), "passed") << step.dump(1);
+    for (const Json& step : lab.at("steps")) EXPECT_EQ(step.at("status"), "passed") << to_text(step, 1);
   }
   EXPECT_EQ(labs.size(), course::read_labs(kRoot / "labs").size());
 }
@@ -98,9 +97,9 @@ TEST(CourseTree, has_its_catalogue_in_the_samples_of_mistakes) {
   std::map<std::string, course::Mutant> catalogue;
   for (const course::Mutant& mutant : course::read_mistakes(kRoot)) catalogue[mutant.name] = mutant;
   for (const course::Lab& lab : course::read_labs(kRoot / "labs")) {
-    const json mistakes = test::parse_json(read_file(kRoot / "labs" / lab.folder / "expected/mistakes.json"));
+    const Json mistakes = parse_json(read_file(kRoot / "labs" / lab.folder / "expected/mistakes.json"));
     EXPECT_GE(mistakes.size(), 6U) << lab.folder;
-    for (const json& mistake : mistakes) {
+    for (const Json& mistake : mistakes) {
       SCOPED_TRACE(mistake.at("name"));
       ASSERT_TRUE(catalogue.contains(mistake.at("name")));
       const course::Mutant& mutant = catalogue[mistake.at("name")];
@@ -170,7 +169,7 @@ TEST_F(StudentTree, names_a_mistake_that_it_knows) {
   ASSERT_NE(mutant, mutants.end());
   if (!has(read_file(root_ / mutant->file), mutant->what)) GTEST_SKIP() << "a tree of ./run mutants";
   write_file(root_ / mutant->file, course::mutated(*mutant, read_file(root_ / mutant->file)));
-  const json step = steps(5)["5.1"];
+  const Json step = steps(5)["5.1"];
   EXPECT_EQ(step.at("status"), "failed");
   EXPECT_EQ(step.at("looks_like"), mutant->name) << step;
   EXPECT_EQ(step.at("looks_like_says"), mutant->says);
@@ -201,7 +200,7 @@ TEST_F(StudentTree, names_nine_of_ten_mistakes_in_shaders) {
     if (!has(text, mutant.what))
       continue;  // as in a tree of ./run mutants; catalogue_test finds it elsewhere
     write_file(root_ / mutant.file, solved(course::mutated(mutant, text), mutant.file));
-    const json step = steps(lab)[mutant.step];
+    const Json step = steps(lab)[mutant.step];
     write_file(root_ / mutant.file, solved(text, mutant.file));
     if (step.at("status") == "passed") continue;  // seen in hidden cases alone
     ++count;

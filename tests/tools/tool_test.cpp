@@ -8,11 +8,11 @@
 #include <regex>
 
 #include "../labs/labs.hpp"
-#include "../support/json.hpp"
 #include "../support/picture_files.hpp"
 #include "../support/process.hpp"
 #include "../support/said.hpp"
 #include "core/files.hpp"
+#include "core/json.hpp"
 #include "course/lab_file.hpp"
 #include "gallery.hpp"
 #include "image/difference.hpp"
@@ -135,20 +135,20 @@ TEST_F(Compare, prints_flip_and_ssim) {
   const Result text = compare("a.png", "b.png");
   for (const char* name : {"FLIP mean", "FLIP p99", "SSIM"})
     EXPECT_TRUE(has(text.output, name)) << text.output;
-  const auto json = test::parse_json(compare("a.png", "b.png", "--json").output);
+  const auto json = parse_json(compare("a.png", "b.png", "--json").output);
   const image::ImageF errors = image::flip_errors(image::load8(file("a.png")), image::load8(file("b.png")));
   EXPECT_EQ(json["flip_mean"], image::flip_figures(errors).mean);
   EXPECT_EQ(json["flip_p99"], image::flip_figures(errors).p99);
   EXPECT_EQ(json["flip_weighted_quartiles"][1], image::flip_figures(errors).median);
   EXPECT_EQ(json["ssim"], image::ssim(image::load8(file("a.png")), image::load8(file("b.png"))));
   // From farther away less is seen of two pixels.
-  const auto far = test::parse_json(compare("a.png", "b.png", "--json --ppd 300").output);
+  const auto far = parse_json(compare("a.png", "b.png", "--json --ppd 300").output);
   EXPECT_LT(far["flip_p99"], json["flip_p99"]);
 }
 
 TEST_F(Compare, has_no_flip_of_float_pictures) {
   save_vector("x.pfm", 1, 0, 0);
-  const auto json = test::parse_json(compare("x.pfm", "x.pfm", "--json").output);
+  const auto json = parse_json(compare("x.pfm", "x.pfm", "--json").output);
   for (const char* key : {"flip_mean", "flip_p99", "flip_weighted_quartiles", "ssim"})
     EXPECT_TRUE(json.at(key).is_null()) << key;
   EXPECT_FALSE(has(compare("x.pfm", "x.pfm").output, "FLIP"));
@@ -169,9 +169,9 @@ TEST_F(Compare, pools_flip_and_ssim_within_the_mask) {
   Image8 corner(10, 10, 1);
   corner.at(0, 9) = 255;
   image::save_png(file("corner.png"), corner);
-  const auto whole = test::parse_json(compare("a.png", "b.png", "--json").output);
-  const auto masked = test::parse_json(
-      compare("a.png", "b.png", fmt::format("--json --mask '{}'", file("corner.png"))).output);
+  const auto whole = parse_json(compare("a.png", "b.png", "--json").output);
+  const auto masked =
+      parse_json(compare("a.png", "b.png", fmt::format("--json --mask '{}'", file("corner.png"))).output);
   // One pixel, 6 from the nearest difference: the filters still reach it.
   EXPECT_GT(masked["flip_mean"], 0);
   EXPECT_LT(masked["flip_mean"], whole["flip_mean"]);

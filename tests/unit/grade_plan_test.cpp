@@ -6,8 +6,8 @@
 
 #include <filesystem>
 
-#include "../support/json.hpp"
 #include "core/files.hpp"
+#include "core/json.hpp"
 #include "course/batch.hpp"
 #include "mesh/obj.hpp"
 
@@ -100,13 +100,13 @@ TEST_F(Plan, writes_models_that_nobody_has_seen) {
 
 TEST_F(Plan, lists_what_the_programs_batch_option_takes) {
   const LabPlan plan = plan_of(lab_, "s").front();
-  const auto list = test::parse_json(course::to_batch(plan.cases));
+  const auto list = parse_json(course::to_batch(plan.cases));
   ASSERT_EQ(list.size(), 3U);
-  EXPECT_EQ(list[0].dump(), R"({"name":"open.png","set":{"turn":"10"},"size":"128x128","view":"color"})");
+  EXPECT_EQ(to_text(list[0]), R"({"name":"open.png","view":"color","size":"128x128","set":{"turn":"10"}})");
   EXPECT_EQ(list[2]["name"], "unseen.ply");
   EXPECT_FALSE(list[2].contains("view"));
   EXPECT_EQ(course::parse_batch(course::to_batch({plan.cases[0]})).at(0).settings, plan.cases[0].settings);
-  const auto masks = test::parse_json(course::to_batch(plan.masks()));
+  const auto masks = parse_json(course::to_batch(plan.masks()));
   ASSERT_EQ(masks.size(), 2U) << "a vertex stream has no mask";
   EXPECT_EQ(masks[1]["view"], "mask");
 }

@@ -16,17 +16,16 @@
 #include "../../common/reports/pictures.hpp"
 #include "../../common/reports/wording.hpp"
 #include "../support/demo_class.hpp"
-#include "../support/json.hpp"
 #include "../support/picture_files.hpp"
 #include "../support/said.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/json.hpp"
 
 namespace texel::grade {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 using test::has;
 
 constexpr std::size_t kLargest = 1'000'000;
@@ -89,7 +88,7 @@ StudentResult talkative() {
 /// output, output_format, test_output_format, test_name_format, visibility, stdout_visibility, extra_data,
 /// tests, leaderboard; of a test score, max_score, status, name, name_format, number, output, output_format,
 /// tags, visibility, extra_data.
-void check_gradescope(const json& results) {
+void check_gradescope(const Json& results) {
   const std::set<std::string> top = {"score",
                                      "execution_time",
                                      "output",
@@ -112,7 +111,7 @@ void check_gradescope(const json& results) {
   EXPECT_TRUE(results.at("output").is_string());
   EXPECT_TRUE(formats.contains(results.at("output_format")));
   EXPECT_TRUE(visibilities.contains(results.at("visibility")));
-  for (const json& test : results.at("tests")) {
+  for (const Json& test : results.at("tests")) {
     for (const auto& [name, value] : test.items()) EXPECT_TRUE(of_test.contains(name)) << name;
     EXPECT_TRUE(test.at("score").is_number());
     EXPECT_TRUE(test.at("max_score").is_number());
@@ -121,7 +120,7 @@ void check_gradescope(const json& results) {
     for (const char* name : {"name", "number", "output"}) EXPECT_TRUE(test.at(name).is_string()) << name;
     EXPECT_TRUE(formats.contains(test.at("output_format")));
     EXPECT_TRUE(visibilities.contains(test.at("visibility")));
-    for (const json& tag : test.at("tags")) EXPECT_TRUE(tag.is_string());
+    for (const Json& tag : test.at("tags")) EXPECT_TRUE(tag.is_string());
     // "If test cases are hidden, students will not be able to see their total score", but for those hidden
     // for good, which should not have points.
     if (test.at("visibility") != "visible") {
@@ -133,15 +132,15 @@ void check_gradescope(const json& results) {
 
 TEST_F(Reports, for_gradescope_have_its_fields_for_every_student) {
   for (const StudentResult& each : results_.students)
-    if (each.incident.empty()) check_gradescope(test::parse_json(gradescope(each)));
+    if (each.incident.empty()) check_gradescope(parse_json(gradescope(each)));
 }
 
 TEST_F(Reports, for_gradescope_have_a_test_a_step_that_sum_up_to_the_score) {
-  const json results = test::parse_json(gradescope(student("ada-half")));
+  const Json results = parse_json(gradescope(student("ada-half")));
   EXPECT_DOUBLE_EQ(results["score"], student("ada-half").points());
   double score = 0, most = 0;
   std::vector<std::string> numbers;
-  for (const json& test : results["tests"]) {
+  for (const Json& test : results["tests"]) {
     score += double(test["score"]);
     most += double(test["max_score"]);
     if (test["visibility"] == "visible") numbers.push_back(test["number"]);
@@ -151,15 +150,15 @@ TEST_F(Reports, for_gradescope_have_a_test_a_step_that_sum_up_to_the_score) {
   EXPECT_EQ(numbers, (std::vector<std::string>{"3.1", "5.1", "5.2", "5.3", "9.1"}));
   EXPECT_EQ(results["tests"][0]["status"], "passed");
   EXPECT_EQ(results["tests"][4]["status"], "failed");
-  EXPECT_EQ(results["tests"][4]["tags"], (json{"failed", "normal-green-flipped"}));
+  EXPECT_EQ(results["tests"][4]["tags"], (Json{"failed", "normal-green-flipped"}));
   EXPECT_TRUE(has(results["tests"][4]["output"], "This looks like: Green is inverted"));
   EXPECT_TRUE(has(results["tests"][4]["output"], "shaders/05_normal_map/tangent_frame.glsl:42"));
 }
 
 TEST_F(Reports, for_gradescope_tell_students_of_hidden_cases_only_how_many_failed) {
-  const json results = test::parse_json(gradescope(student("ada-half")));
+  const Json results = parse_json(gradescope(student("ada-half")));
   ASSERT_EQ(results["tests"].size(), 10U);
-  for (const json& test : results["tests"]) {
+  for (const Json& test : results["tests"]) {
     const bool is_secret = test["visibility"] == "hidden";
     EXPECT_EQ(has(test["output"], "unseen_"), is_secret) << test;
   }
@@ -181,7 +180,7 @@ TEST_F(Reports, for_gradescope_are_shortened_to_a_megabyte_without_losing_a_scor
   const std::string text = gradescope(talkative());
   EXPECT_LE(text.size(), kLargest);
   EXPECT_GT(text.size(), kLargest / 4);  // no more was cut than had to be
-  const json results = test::parse_json(text);
+  const Json results = parse_json(text);
   check_gradescope(results);
   EXPECT_NEAR(results["score"], 60, 1e-9);
   ASSERT_EQ(results["tests"].size(), 120U);
@@ -195,13 +194,13 @@ TEST_F(Reports, for_gradescope_are_shortened_to_a_megabyte_without_losing_a_scor
 /// The fields of a results.json, from "Grading results", https://docs.prairielearn.com/externalGrading/ (in
 /// the repository docs/externalGrading.md): score is 0 to 1 and mandatory where gradable, format_errors
 /// belongs to what is not gradable, an image is an object of url and label.
-void check_prairielearn(const json& results) {
+void check_prairielearn(const Json& results) {
   const std::set<std::string> top = {"gradable", "score", "message",      "output",
                                      "images",   "tests", "format_errors"};
   const std::set<std::string> of_test = {"name",    "description", "points", "max_points",
                                          "message", "output",      "images"};
-  const auto check_images = [](const json& images) {
-    for (const json& image : images) {
+  const auto check_images = [](const Json& images) {
+    for (const Json& image : images) {
       EXPECT_EQ(image.size(), 2U);
       EXPECT_TRUE(image.at("label").is_string());
       EXPECT_TRUE(std::string(image.at("url")).starts_with("data:image/png;base64,"));
@@ -219,7 +218,7 @@ void check_prairielearn(const json& results) {
   EXPECT_LE(results.at("score"), 1);
   EXPECT_TRUE(results.at("output").is_string());
   check_images(results.at("images"));
-  for (const json& test : results.at("tests")) {
+  for (const Json& test : results.at("tests")) {
     for (const auto& [name, value] : test.items()) EXPECT_TRUE(of_test.contains(name)) << name;
     for (const char* name : {"name", "message", "output"}) EXPECT_TRUE(test.at(name).is_string()) << name;
     EXPECT_TRUE(test.at("points").is_number());
@@ -230,21 +229,21 @@ void check_prairielearn(const json& results) {
 
 TEST_F(Reports, for_prairielearn_have_its_fields_for_every_student) {
   for (const StudentResult& each : results_.students)
-    check_prairielearn(test::parse_json(prairielearn(each, folder_)));
+    check_prairielearn(parse_json(prairielearn(each, folder_)));
 }
 
 TEST_F(Reports, for_prairielearn_give_a_score_of_0_to_1_and_pictures_of_failed_cases) {
-  const json results = test::parse_json(prairielearn(student("ada-half"), folder_));
+  const Json results = parse_json(prairielearn(student("ada-half"), folder_));
   EXPECT_NEAR(results["score"], student("ada-half").points() / student("ada-half").max_points(), 1e-6);
   EXPECT_FALSE(results["tests"][0].contains("images"));  // 3.1 passed
   EXPECT_EQ(results["tests"][2]["images"].size(), 3U);   // 5.2: a public case's two, a hidden one's own
   EXPECT_EQ(results["tests"][2]["images"][0]["label"], "turned_normal, yours");
-  EXPECT_EQ(test::parse_json(prairielearn(student("index"), folder_))["score"], 1);
+  EXPECT_EQ(parse_json(prairielearn(student("index"), folder_))["score"], 1);
 }
 
 TEST_F(Reports, for_prairielearn_call_what_has_no_mark_not_gradable) {
   for (const char* id : {"dora-incident", "emil-bomb"})
-    EXPECT_EQ(test::parse_json(prairielearn(student(id), folder_))["gradable"], false) << id;
+    EXPECT_EQ(parse_json(prairielearn(student(id), folder_))["gradable"], false) << id;
 }
 
 TEST_F(Reports, for_prairielearn_leave_out_pictures_and_text_beyond_a_megabyte) {
@@ -252,9 +251,9 @@ TEST_F(Reports, for_prairielearn_leave_out_pictures_and_text_beyond_a_megabyte) 
   std::mt19937 random(1);
   for (std::uint8_t& sample : noise.samples) sample = static_cast<std::uint8_t>(random());
   image::save_png(folder_ / "pictures/wrong.png", noise);  // 260 kB as a data URL
-  const json results = test::parse_json(prairielearn(student("ada-half"), folder_));
+  const Json results = parse_json(prairielearn(student("ada-half"), folder_));
   std::size_t images = 0;
-  for (const json& test : results["tests"])
+  for (const Json& test : results["tests"])
     if (test.contains("images")) images += test["images"].size();
   EXPECT_GE(images, 2U);
   EXPECT_LT(images, 8U);
@@ -262,8 +261,8 @@ TEST_F(Reports, for_prairielearn_leave_out_pictures_and_text_beyond_a_megabyte) 
 
   const std::string text = prairielearn(talkative(), folder_);
   EXPECT_LE(text.size(), kLargest);
-  check_prairielearn(test::parse_json(text));
-  EXPECT_NEAR(test::parse_json(text)["score"], 1.0 / 3, 1e-6);
+  check_prairielearn(parse_json(text));
+  EXPECT_NEAR(parse_json(text)["score"], 1.0 / 3, 1e-6);
 }
 
 // JUnit
@@ -295,7 +294,7 @@ class Xml {
           text.compare(i, 3, "\xEF\xBF\xBF") == 0)
         fail("a character that XML has not");
     }
-    json(text).dump();  // throws for what is no UTF-8
+    Json(text).dump();  // throws for what is no UTF-8
   }
   [[noreturn]] void fail(const std::string& what) const {
     throw std::runtime_error(what + " at: " + text_.substr(at_, 60));
@@ -565,7 +564,7 @@ TEST_F(Reports, escape_everything_of_a_student) {
     EXPECT_EQ(times(html, "</script"), 1U) << file.path();
     EXPECT_EQ(times(html, "<!--"), 0U) << file.path();
     EXPECT_FALSE(has(html, "\x1b")) << file.path();
-    json(html).dump();  // throws for what is no UTF-8
+    Json(html).dump();  // throws for what is no UTF-8
     std::string policy;
     for (const auto& [name, value] : attributes(html)) {
       EXPECT_FALSE(name.starts_with("on")) << file.path() << ' ' << name;
@@ -611,7 +610,7 @@ TEST_F(Reports, give_no_mark_in_any_format_while_the_run_is_not_finished) {
   EXPECT_THROW(gradescope(ada), Error);
   write_format("gradescope", results_, folder_);
   EXPECT_FALSE(fs::exists(folder_ / "gradescope/ada-half/results.json"));
-  EXPECT_EQ(test::parse_json(prairielearn(ada, folder_))["gradable"], false);
+  EXPECT_EQ(parse_json(prairielearn(ada, folder_))["gradable"], false);
   EXPECT_EQ(Xml::parse(junit(ada, folder_)).attributes.at("errors"), "1");
   ada.judged = 44;
   EXPECT_FALSE(has(page(ada), "Not graded"));

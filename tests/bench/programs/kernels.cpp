@@ -11,8 +11,6 @@
 namespace texel::bench {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// How many times as fast as the other: small files are to be no slower. A heap of identical triangles has
 /// none: it has three distinct vertices, so that the plain version's maps stay in the nearest cache, and
 /// what is left is the same arithmetic.
@@ -38,7 +36,7 @@ void measure_kernels(const Options& options, Report& report) {
   std::map<std::string, double> triangles;
   std::map<std::string, std::vector<double>> figures;
   const std::map<std::string, double> milliseconds = {{"ns", 1e-6}, {"us", 1e-3}, {"ms", 1}, {"s", 1e3}};
-  const Json results = Json::parse(read_file(out));
+  const Json results = parse_json(read_file(out));
   for (const Json& one : results.at("benchmarks")) {
     if (one.at("run_type") != "iteration") continue;
     if (one.value("error_occurred", false))
@@ -71,7 +69,7 @@ void measure_kernels(const Options& options, Report& report) {
                         "the other", "ms", pairs, Target::at_least,
                         comparison.has_target ? kernel_target(stem) : 0));
     }
-  const Json peak = Json::parse(run_program({options.program("obj_peak")}).output);
+  const Json peak = parse_json(run_program({options.program("obj_peak")}).output);
   report.add(row_of("obj/quads_2m: memory beside the mapped file", "peak", "finished mesh", "meshes",
                     {{peak.at("meshes_beside_the_file").get<double>(), 1.0}}, Target::at_most, 2));
 

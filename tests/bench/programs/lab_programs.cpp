@@ -14,8 +14,6 @@
 namespace texel::bench {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct LabProgram {
   int number;
   std::string program, floor;
@@ -36,7 +34,7 @@ void check_same(const std::string& a, const std::string& b) {
 void add_batch(const Options& options, Report& report, const std::string& what, const LabProgram& lab,
                const Json& list, const std::vector<std::vector<std::string>>& alone, double target) {
   const std::string file = options.work_file("list.json");
-  write_file(file, list.dump());
+  write_file(file, to_text(list));
   const std::vector<Pair> pairs = interleaved(
       options.long_rounds(),
       [&] {
@@ -124,9 +122,9 @@ void measure_snapshots(const Options& options, Report& report) {
                   .milliseconds;
             }),
         Target::at_most, 1.25));
-    const Json stats = Json::parse(run_program({options.program(lab.program), "--snapshot",
-                                                options.work_file("stats.png"), "--stats", "-"})
-                                       .output);
+    const Json stats = parse_json(run_program({options.program(lab.program), "--snapshot",
+                                               options.work_file("stats.png"), "--stats", "-"})
+                                      .output);
     report.add_stages(name, stats.at("milliseconds"));
   }
 }
@@ -147,7 +145,7 @@ void measure_one_more(const Options& options, Report& report) {
       Json entries = Json::array();
       for (int i = 0; i < count; ++i) entries.push_back({{"name", fmt::format("{}", i)}});
       const std::string file = options.work_file(fmt::format("warm_{}.json", count));
-      write_file(file, entries.dump());
+      write_file(file, to_text(entries));
       return file;
     };
     const std::string many = list(more + 1), one = list(1);
@@ -192,7 +190,7 @@ void measure_batches(const Options& options, Report& report) {
     Json all = Json::array();
     std::vector<std::vector<std::string>> alone;
     const Json parameters =
-        Json::parse(run_program({options.program(lab.program), "--list-parameters", "--json"}).output);
+        parse_json(run_program({options.program(lab.program), "--list-parameters", "--json"}).output);
     std::vector<std::string> methods;
     for (const Json& parameter : parameters)
       if (parameter.at("name") == "method")

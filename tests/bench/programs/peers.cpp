@@ -11,8 +11,6 @@
 namespace texel::bench {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr const char* kLab9 = "lab09_bump";
 constexpr double kSameContent =
     2;  // 8-bit steps in the mean; 0.9 measured: mipmaps and the driver's filters differ
@@ -23,7 +21,7 @@ Json measure_pages(const Options& options) {
       run_program({"node", (options.root / "tests/bench/peers/measure.mjs").string(), "1", "--json"});
   if (ran.exit_code != 0)
     throw Error::failed("the pages cannot be measured", {}, "./run performance makes them");
-  return Json::parse(ran.output).at(0);
+  return parse_json(ran.output).at(0);
 }
 
 /// A batch of so many pictures of 512x512 with 4 samples a pixel.
@@ -31,7 +29,7 @@ double batch_ms(const Options& options, int count) {
   Json entries = Json::array();
   for (int i = 0; i < count; ++i) entries.push_back({{"name", fmt::format("{}", i)}});
   const std::string file = options.work_file(fmt::format("peers_{}.json", count));
-  write_file(file, entries.dump());
+  write_file(file, to_text(entries));
   return run_process({options.program(kLab9), "--batch", file, "--out", options.work_file("peers")},
                      {"GALLIVM_PERF=no_aos_sampling"})
       .milliseconds;

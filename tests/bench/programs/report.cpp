@@ -10,8 +10,6 @@
 
 namespace texel::bench {
 
-using Json = nlohmann::ordered_json;
-
 namespace {
 
 /// Four digits, and no exponent where there are more before the point.
@@ -56,7 +54,7 @@ std::string Report::as_json() const {
                                  {"reached", row.reached}});
   }
   for (const auto& [name, stages] : stages_) json["stages"][name] = stages;
-  return json.dump(2) + "\n";
+  return to_text(json, 2) + "\n";
 }
 
 std::string Report::as_markdown(int rounds, int long_rounds) const {

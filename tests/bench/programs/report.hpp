@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/json.hpp"
 #include "rounds.hpp"
 
 namespace texel::bench {
@@ -17,9 +17,7 @@ class Report {
   /// A sentence below the table.
   void note(const std::string& text);
   /// Milliseconds by stage of a lab's snapshot, as --stats says them.
-  void add_stages(const std::string& lab, const nlohmann::ordered_json& stages) {
-    stages_.emplace_back(lab, stages);
-  }
+  void add_stages(const std::string& lab, const Json& stages) { stages_.emplace_back(lab, stages); }
 
   [[nodiscard]] std::string as_json() const;
   /// `rounds` and `long_rounds` are told in the introduction.
@@ -34,7 +32,7 @@ class Report {
   [[nodiscard]] std::string stage_table() const;
 
   std::vector<Section> sections_;
-  std::vector<std::pair<std::string, nlohmann::ordered_json>> stages_;
+  std::vector<std::pair<std::string, Json>> stages_;
 };
 
 }  // namespace texel::bench

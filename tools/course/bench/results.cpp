@@ -8,16 +8,15 @@
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "app/measure.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/json.hpp"
 
 namespace texel::tools {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Times = std::vector<double>;
 
 /// Nearest rank.
@@ -115,7 +114,7 @@ std::optional<double> as_number(const std::string& text) {
 
 Json parse_file(const std::filesystem::path& file) {
   try {
-    return Json::parse(read_file(file));
+    return parse_json(read_file(file));
   } catch (const Json::exception& error) {
     throw Error::failed(error.what(), {file.string()});
   }
@@ -292,7 +291,7 @@ std::string to_json(const BenchReport& report) {
     }
     json["results"].push_back(std::move(result));
   }
-  return json.dump(1) + "\n";
+  return to_text(json, 1) + "\n";
 }
 
 BenchReport read_report_json(const std::filesystem::path& file) {

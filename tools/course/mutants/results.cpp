@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "course/mutants/results.hpp"
+#include "core/json.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
@@ -16,8 +16,6 @@
 
 namespace texel::tools {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::array<const char*, 3> kFates = {"caught", "survived", "broken"};
 
@@ -40,7 +38,7 @@ std::string json_text(const std::vector<MutantResult>& results) {
                                  {"what", mutant.what},
                                  {"replaced_by", mutant.by}});
   }
-  return report.dump(2) + "\n";
+  return to_text(report, 2) + "\n";
 }
 
 /// A text in a cell of a table.
@@ -154,7 +152,7 @@ std::vector<MutantResult> read_report(const std::filesystem::path& file,
   if (!std::filesystem::exists(file)) return {};
   std::vector<MutantResult> results;
   try {
-    const Json report = Json::parse(read_file(file));
+    const Json report = parse_json(read_file(file));
     for (const Json& entry : report.at("results")) {
       const auto text = [&entry](const char* key) { return entry.at(key).get<std::string>(); };
       const auto mutant = std::find_if(mutants.begin(), mutants.end(), [&](const course::Mutant& m) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "course/mutants/suite.hpp"
+#include "core/json.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 
@@ -192,7 +192,7 @@ void Suite::list() {
   const fs::path file = logs_ / "tests.json";
   const int status = shell(fmt::format("cd {} && ctest --test-dir build/release --show-only=json-v1 >{}",
                                        quoted(tree_), quoted(file)));
-  const auto json = nlohmann::json::parse(read_file(file), nullptr, false);
+  const auto json = json_or_null(read_file(file));
   if (status != 0 || json.is_discarded())
     throw Error::failed("ctest does not list its tests", {file.string()});
   tests_.clear();
@@ -204,7 +204,7 @@ void Suite::list() {
     const fs::path program = command.front();
     test.key = lower(program.filename().string() + " " + test.name);
     if (program.string().starts_with(tree_.string())) test.target = program.filename();
-    for (const auto& property : entry.value("properties", nlohmann::json::array()))
+    for (const auto& property : entry.value("properties", Json::array()))
       if (property.at("name") == "LABELS")
         for (const std::string& label : property.at("value").get<std::vector<std::string>>())
           test.is_used &= label != "tree" && label != "class";

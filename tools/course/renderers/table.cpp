@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "course/renderers/table.hpp"
+#include "core/json.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "core/error.hpp"
@@ -14,11 +14,10 @@
 namespace texel::tools {
 namespace {
 
-nlohmann::ordered_json list_of(const std::vector<RendererReport::Row>& rows) {
-  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+Json list_of(const std::vector<RendererReport::Row>& rows) {
+  Json all = Json::array();
   for (const RendererReport::Row& row : rows) {
-    nlohmann::ordered_json one{
-        {"lab", row.lab}, {"case", row.name}, {"unit", row.unit}, {"by", nlohmann::ordered_json::object()}};
+    Json one{{"lab", row.lab}, {"case", row.name}, {"unit", row.unit}, {"by", Json::object()}};
     for (const auto& [group, value] : row.by) one["by"][group] = value;  // infinity becomes null
     if (row.least > 0) one["least"] = row.least;
     all.push_back(std::move(one));
@@ -26,9 +25,9 @@ nlohmann::ordered_json list_of(const std::vector<RendererReport::Row>& rows) {
   return all;
 }
 
-std::vector<RendererReport::Row> rows_of(const nlohmann::ordered_json& list) {
+std::vector<RendererReport::Row> rows_of(const Json& list) {
   std::vector<RendererReport::Row> rows;
-  for (const nlohmann::ordered_json& one : list) {
+  for (const Json& one : list) {
     RendererReport::Row row{one.at("lab"), one.at("case"), one.at("unit"), {}, one.value("least", 0.0)};
     for (const auto& [group, value] : one.at("by").items())
       row.by[group] = value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
@@ -134,16 +133,16 @@ double RendererReport::Row::room(double limit) const {
 }
 
 std::string to_json(const RendererReport& report) {
-  nlohmann::ordered_json json{{"drawn_by", report.drawn_by},
-                              {"cases", list_of(report.cases)},
-                              {"tests", list_of(report.tests)},
-                              {"filters", list_of(report.filters)}};
+  Json json{{"drawn_by", report.drawn_by},
+            {"cases", list_of(report.cases)},
+            {"tests", list_of(report.tests)},
+            {"filters", list_of(report.filters)}};
   std::string text = "{\n";
   for (const auto& [key, value] : json.items()) {
-    text += fmt::format(" \"{}\": {}\n", key, value.is_array() ? "[" : value.dump() + ",");
+    text += fmt::format(" \"{}\": {}\n", key, value.is_array() ? "[" : to_text(value) + ",");
     if (!value.is_array()) continue;
     for (std::size_t i = 0; i < value.size(); ++i)
-      text += "  " + value[i].dump() + (i + 1 < value.size() ? ",\n" : "\n");
+      text += "  " + to_text(value[i]) + (i + 1 < value.size() ? ",\n" : "\n");
     text += key == "filters" ? " ]\n" : " ],\n";
   }
   return text + "}\n";
@@ -151,10 +150,10 @@ std::string to_json(const RendererReport& report) {
 
 RendererReport read_renderers(const std::filesystem::path& file) {
   try {
-    const nlohmann::ordered_json json = nlohmann::ordered_json::parse(read_file(file));
+    const Json json = parse_json(read_file(file));
     return {json.at("drawn_by"), rows_of(json.at("cases")), rows_of(json.at("tests")),
             rows_of(json.at("filters"))};
-  } catch (const nlohmann::json::exception& error) {
+  } catch (const Json::exception& error) {
     throw Error::failed(fmt::format("is no report on renderers: {}", error.what()), {file.string()});
   }
 }

@@ -9,13 +9,13 @@
 #include <list>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "all_labs.inc"
 #include "app/gestures.hpp"
 #include "app/reports.hpp"
 #include "check/files.hpp"
 #include "core/error.hpp"
+#include "core/json.hpp"
 #include "core/plain_text.hpp"
 #include "core/stopwatch.hpp"
 #include "course/lab_file.hpp"
@@ -46,7 +46,6 @@ namespace texel::web {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 using app::View;
 
 const fs::path kTree = "/tree";
@@ -117,7 +116,7 @@ class Engine {
   const course::Lab& lab_called(const Json& which) {
     const int number = which.is_string() ? number_of(which.get<std::string>()) : which.get<int>();
     const auto folder = folders_.find(number);
-    if (folder == folders_.end()) throw Error::usage(fmt::format("there is no lab {}", which.dump()));
+    if (folder == folders_.end()) throw Error::usage(fmt::format("there is no lab {}", to_text(which)));
     const auto known = course_.find(number);
     return known != course_.end()
                ? known->second
@@ -152,7 +151,7 @@ class Engine {
   }
 
   Json parameters() {
-    Json list = Json::parse(app::parameters_as_json(current_->lab.parameters()));
+    Json list = parse_json(app::parameters_as_json(current_->lab.parameters()));
     std::size_t i = 0;
     for (const params::Parameter& p : current_->lab.parameters()) {
       Json& one = list[i++];
@@ -207,7 +206,7 @@ class Engine {
     for (const auto& [name, value] : set.items())
       settings.push_back({name, value.is_string()    ? value.get<std::string>()
                                 : value.is_boolean() ? (value.get<bool>() ? "on" : "off")
-                                                     : value.dump()});
+                                                     : to_text(value)});
     return settings;
   }
 
@@ -244,7 +243,7 @@ class Engine {
     report["warnings"] = now.canvas.notes().warnings;
     report["facts"] = now.canvas.notes().facts;
     if (const auto& figures = now.canvas.error_figures())
-      report["error_figures"] = Json::parse(app::to_json(now.lab, *figures));
+      report["error_figures"] = parse_json(app::to_json(now.lab, *figures));
     report["key"] = now.lab.parameters().key();
     report["flags"] = now.lab.parameters().flags();
     report["command"] = command();
@@ -399,7 +398,7 @@ class Engine {
     if (!judge_)
       judge_.emplace(kTree, *context_, assets_,
                      [this](const course::Lab& lab) -> Opened& { return opened(lab); });
-    return Json::parse(grade::to_json(judge_->check(course_lab(), step)));
+    return parse_json(grade::to_json(judge_->check(course_lab(), step)));
   }
 
   Json compare(const std::string& name) {
@@ -460,7 +459,7 @@ std::string answer(const char* request) {
   try {
     if (engine == nullptr) engine = std::make_unique<Engine>();
     engine->clear();
-    const Json call = Json::parse(request);
+    const Json call = parse_json(request);
     result["result"] = engine->call(call.at("call"), call.value("with", Json::object()));
     result["buffers"] = Json::array();
     for (const Engine::Buffer& buffer : engine->buffers)
@@ -479,7 +478,7 @@ std::string answer(const char* request) {
   } catch (const std::exception& error) {
     result = {{"error", {{"message", error.what()}, {"kind", "internal"}, {"problems", Json::array()}}}};
   }
-  return result.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return to_text(result);
 }
 
 }  // namespace
