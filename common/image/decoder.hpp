@@ -3,8 +3,10 @@
 #pragma once
 #define STBI_ONLY_PNG
 #define STBI_ONLY_GIF
+#ifdef __EMSCRIPTEN__  // a page has only the tree's pictures
+#define STBI_ONLY_PNM
+#else
 #define STBI_ONLY_TGA
-#ifndef __EMSCRIPTEN__  // a page has only the tree's pictures
 #define STBI_ONLY_JPEG
 #define STBI_ONLY_BMP
 #endif

@@ -30,15 +30,16 @@ try {
   hold(packed.length > 10, `${packed.length} pictures come as WebP`);
   for (const path of packed) {
     const got = await page.evaluate(async (path) => {
-      const { asTga } = await import(new URL("pictures.mjs", location));
-      const tga = await asTga(await (await fetch(new URL(`tree/${path.replace(/png$/, "webp")}`, location))).blob());
+      const { asPpm } = await import(new URL("pictures.mjs", location));
+      const ppm = await asPpm(await (await fetch(new URL(`tree/${path.replace(/png$/, "webp")}`, location))).blob());
       let text = "";
-      for (let i = 0; i < tga.length; i += 32768) text += String.fromCharCode(...tga.subarray(i, i + 32768));
+      for (let i = 0; i < ppm.length; i += 32768) text += String.fromCharCode(...ppm.subarray(i, i + 32768));
       return btoa(text);
     }, path);
-    const tga = Buffer.from(got, "base64"), png = PNG.sync.read(readFileSync(join(course, path)));
-    let differ = tga.length === 18 + 3 * png.width * png.height && tga.readUInt16LE(12) === png.width && tga.readUInt16LE(14) === png.height ? 0 : 1;
-    for (let i = 0; i < png.width * png.height; ++i) for (let c = 0; c < 3; ++c) differ += tga[18 + 3 * i + 2 - c] === png.data[4 * i + c] ? 0 : 1;
+    const ppm = Buffer.from(got, "base64"), png = PNG.sync.read(readFileSync(join(course, path)));
+    const header = `P6 ${png.width} ${png.height} 255\n`, begin = header.length;
+    let differ = ppm.length === begin + 3 * png.width * png.height && ppm.toString("latin1", 0, begin) === header ? 0 : 1;
+    for (let i = 0; i < png.width * png.height; ++i) for (let c = 0; c < 3; ++c) differ += ppm[begin + 3 * i + c] === png.data[4 * i + c] ? 0 : 1;
     if (differ > 0) hold(false, `${path}: ${differ} bytes are others`);
   }
 

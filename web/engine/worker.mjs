@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The engine's thread: it owns the canvas and the C++, and answers calls one after the other. So a slow or endless shader
 // stops this thread, and never the page.
-import { asTga, isExact } from "./pictures.mjs";
+import { asPpm, isExact } from "./pictures.mjs";
 
 const here = new URL(".", import.meta.url);
 // All that the engine is made of is asked for at once; `start` waits for it.
@@ -69,7 +69,7 @@ function loadAhead(values) {
     unread.delete(path);
     try {
       ahead.set(path, packed.has(path)
-        ? await asTga(await (await fetched(path.replace(/png$/, "webp"))).blob())
+        ? await asPpm(await (await fetched(path.replace(/png$/, "webp"))).blob())
         : new Uint8Array(await (await fetched(path)).arrayBuffer()));
     } catch (error) {
       console.warn(error);  // the C++ asks for it again, and says what fails
