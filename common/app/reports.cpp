@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/reports.hpp"
-#include "core/json.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
+
+#include "core/json.hpp"
 
 namespace texel::app {
 namespace {
@@ -17,11 +18,6 @@ Json initial(const params::Parameter& p) {
   if (p.type == Type::toggle) return p.initial() == "on";
   if (p.type == Type::integer || p.type == Type::number) return parse_json(p.initial());
   return p.initial();
-}
-
-/// Untrusted names (files) may hold bytes that are no UTF-8: they are replaced, not an error.
-std::string dump(const Json& json) {
-  return to_text(json, 2) + "\n";
 }
 
 }  // namespace
@@ -58,7 +54,7 @@ std::string to_json(const Statistics& statistics) {
   json["renderer"] = statistics.renderer;
   json["version"] = statistics.version;
   json["drawn_by"] = statistics.drawn_by;
-  return dump(json);
+  return to_text(json, 2) + "\n";
 }
 
 std::string frame_times_as_text(std::vector<double> milliseconds, glm::ivec2 size) {
@@ -85,7 +81,7 @@ std::string to_json(AnyLab& lab, const ErrorFigures& figures) {
   json["max"] = figures.max;
   json["pixels"] = figures.pixels;
   json["non_finite"] = figures.non_finite;
-  return dump(json);
+  return to_text(json, 2) + "\n";
 }
 
 std::string shaders_as_text(const gl::ProgramCache& programs, const params::Set& parameters, View view) {
@@ -134,7 +130,7 @@ std::string parameters_as_json(const params::Set& parameters) {
     json["help"] = p.help;
     list.push_back(std::move(json));
   }
-  return dump(list);
+  return to_text(list, 2) + "\n";
 }
 
 }  // namespace texel::app

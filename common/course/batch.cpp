@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "course/batch.hpp"
-#include "core/json.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,6 +9,7 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "core/json.hpp"
 
 namespace texel::course {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "judge/results_json.hpp"
-#include "core/json.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/json.hpp"
 
 namespace texel::grade {
 namespace {

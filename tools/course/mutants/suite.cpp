@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "course/mutants/suite.hpp"
-#include "core/json.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,6 +12,7 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/json.hpp"
 #include "core/parallel.hpp"
 #include "params/set.hpp"
 #include "processes.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "course/renderers/table.hpp"
-#include "core/json.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/json.hpp"
 
 namespace texel::tools {
 namespace {
