@@ -79,7 +79,6 @@ StepResult parse_step(const Json& json) {
   return step;
 }
 
-/// Folders may have names that are no UTF-8.
 }  // namespace
 
 std::string to_json(const LabResult& lab) {
