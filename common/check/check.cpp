@@ -180,7 +180,7 @@ bool is_software(const std::string& renderer) {
 std::string renderer_note(const std::string& own, const std::string& expected) {
   if (!is_software(own))
     return fmt::format(
-        "Drawn by {}, which seems to be a GPU. The limits were measured for software renderers: install "
+        "Drawn by {}, which seems to be a GPU. By one, a right step may fail: install "
         "libgl1-mesa-dri and type LIBGL_ALWAYS_SOFTWARE=1 before the command.",
         own);
   if (expected.empty() || expected == own) return fmt::format("Drawn by {}.", own);

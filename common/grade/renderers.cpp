@@ -72,10 +72,17 @@ ExpectedFiles kept(const CourseTree& tree, const LabPlan& lab, const course::Cas
   return {folder / of.file, of.is_mesh() ? fs::path() : folder / (of.name + ".mask.png")};
 }
 
-/// "mesa22" of "… Mesa 22.3.6", or "gpu".
+/// "mesa22" of "… Mesa 22.3.6", "nvidia580" of "… NVIDIA 580.95.05", else "gpu".
 std::string version_of(const std::string& says) {
-  const std::size_t mesa = says.find("Mesa ");
-  return mesa == std::string::npos ? "gpu" : "mesa" + says.substr(mesa + 5, 2);
+  const auto after = [&](const std::string& maker) -> std::string {
+    const std::size_t place = says.rfind(maker + " ");
+    if (place == std::string::npos) return {};
+    const std::string version = says.substr(place + maker.size() + 1);
+    return version.substr(0, version.find('.'));
+  };
+  if (const std::string mesa = after("Mesa"); !mesa.empty()) return "mesa" + mesa;
+  if (const std::string nvidia = after("NVIDIA"); !nvidia.empty()) return "nvidia" + nvidia;
+  return "gpu";
 }
 
 /// 0 where both are the same bytes; NaN where nothing can be compared.
@@ -86,26 +93,30 @@ double distance(const course::Case& of, const ExpectedFiles& expected, const fs:
 }  // namespace
 
 std::vector<Renderer> known_renderers(const fs::path& rsqrt_library) {
+  using Variables = std::vector<std::pair<std::string, std::string>>;
+  // The drivers that EGL asks, in its own order; Studio would name Mesa's alone.
+  const Variables all_drivers = {
+      {"LIBGL_ALWAYS_SOFTWARE", "0"},
+      {"__EGL_VENDOR_LIBRARY_FILENAMES",
+       "/usr/share/glvnd/egl_vendor.d/10_nvidia.json:/usr/share/glvnd/egl_vendor.d/50_mesa.json"}};
   const auto rsqrt = [&](const char* how) {
-    return std::vector<std::pair<std::string, std::string>>{{"LD_PRELOAD", rsqrt_library.string()},
-                                                            {"TEXEL_RSQRT", how}};
+    return Variables{{"LD_PRELOAD", rsqrt_library.string()}, {"TEXEL_RSQRT", how}};
   };
-  return {
-      {"llvmpipe_osmesa", "osmesa", "llvmpipe", {}},
-      {"llvmpipe_egl", "egl", "llvmpipe", {}},
-      {"llvmpipe_128", "egl", "llvmpipe", {{"LP_NATIVE_VECTOR_WIDTH", "128"}}},
-      {"llvmpipe_256", "egl", "llvmpipe", {{"LP_NATIVE_VECTOR_WIDTH", "256"}}},
-      {"llvmpipe_sse2", "egl", "llvmpipe", {{"GALLIUM_OVERRIDE_CPU_CAPS", "sse2"}}},
-      {"llvmpipe_sse41", "egl", "llvmpipe", {{"GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1"}}},
-      {"llvmpipe_avx", "egl", "llvmpipe", {{"GALLIUM_OVERRIDE_CPU_CAPS", "avx"}}},
-      {"llvmpipe_rsqrt_exact", "egl", "llvmpipe", rsqrt("exact")},
-      {"llvmpipe_rsqrt_high", "egl", "llvmpipe", rsqrt("high")},
-      {"llvmpipe_rsqrt_low", "egl", "llvmpipe", rsqrt("low")},
-      {"softpipe_osmesa", "osmesa", "softpipe", {{"GALLIUM_DRIVER", "softpipe"}}},
-      {"softpipe_egl", "egl", "softpipe", {{"GALLIUM_DRIVER", "softpipe"}}},
-      // It complains on standard error where that variable is missing.
-      {"zink_egl", "egl", "zink", {{"MESA_LOADER_DRIVER_OVERRIDE", "zink"}, {"XDG_RUNTIME_DIR", "/tmp"}}},
-      {"hardware_egl", "egl", "", {{"LIBGL_ALWAYS_SOFTWARE", "0"}, {"__EGL_VENDOR_LIBRARY_FILENAMES", ""}}}};
+  return {{"llvmpipe_osmesa", "osmesa", "llvmpipe", {}},
+          {"llvmpipe_egl", "egl", "llvmpipe", {}},
+          {"llvmpipe_128", "egl", "llvmpipe", {{"LP_NATIVE_VECTOR_WIDTH", "128"}}},
+          {"llvmpipe_256", "egl", "llvmpipe", {{"LP_NATIVE_VECTOR_WIDTH", "256"}}},
+          {"llvmpipe_sse2", "egl", "llvmpipe", {{"GALLIUM_OVERRIDE_CPU_CAPS", "sse2"}}},
+          {"llvmpipe_sse41", "egl", "llvmpipe", {{"GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1"}}},
+          {"llvmpipe_avx", "egl", "llvmpipe", {{"GALLIUM_OVERRIDE_CPU_CAPS", "avx"}}},
+          {"llvmpipe_rsqrt_exact", "egl", "llvmpipe", rsqrt("exact")},
+          {"llvmpipe_rsqrt_high", "egl", "llvmpipe", rsqrt("high")},
+          {"llvmpipe_rsqrt_low", "egl", "llvmpipe", rsqrt("low")},
+          {"softpipe_osmesa", "osmesa", "softpipe", {{"GALLIUM_DRIVER", "softpipe"}}},
+          {"softpipe_egl", "egl", "softpipe", {{"GALLIUM_DRIVER", "softpipe"}}},
+          // It complains on standard error where that variable is missing.
+          {"zink_egl", "egl", "zink", {{"MESA_LOADER_DRIVER_OVERRIDE", "zink"}, {"XDG_RUNTIME_DIR", "/tmp"}}},
+          {"hardware_egl", "egl", "", all_drivers}};
 }
 
 void with(const Renderer& renderer, const std::function<void()>& action) {

@@ -106,6 +106,23 @@ void forgive_edges(const Image<Sample>& reference, const Image<Sample>& image, d
   for (const auto& [i, pixel] : forgiven) pixels[i] = pixel;
 }
 
+/// Takes away differences as `Comparing::moved_pixels` says.
+template <class Sample, class Apart>
+void forgive_moved(const Image<Sample>& reference, double moved_pixels, const Apart& apart, Pixels& pixels) {
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    PixelDifference& pixel = pixels[i];
+    if (pixel.state != State::compared || pixel.largest == 0) continue;
+    const int x = static_cast<int>(i) % reference.width, y = static_cast<int>(i) / reference.width;
+    const Place<Sample> place{reference, x, y};
+    double steepest = 0;
+    for_each_near(place, [&](const Place<Sample>& near) {
+      const PixelDifference step = apart(place, near);
+      if (step.state == State::compared) steepest = std::max(steepest, step.largest);
+    });
+    if (pixel.largest <= moved_pixels * steepest) pixel = {State::compared, 0, 0, true};
+  }
+}
+
 /// The difference of every pixel that the mask lets through. `apart` gives that of two places, of whichever
 /// picture.
 template <class Sample, class Apart>
@@ -123,6 +140,7 @@ Pixels difference_of(const Image<Sample>& reference, const Image<Sample>& image,
     }
   check_any(any);
   if (comparing.edge_tolerance) forgive_edges(reference, image, range, apart, pixels);
+  if (comparing.moved_pixels > 0) forgive_moved(reference, comparing.moved_pixels, apart, pixels);
   return pixels;
 }
 

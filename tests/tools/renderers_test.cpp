@@ -14,6 +14,7 @@
 #include "../support/picture_files.hpp"
 #include "../support/places.hpp"
 #include "core/files.hpp"
+#include "course/markers.hpp"
 
 namespace texel::tools {
 namespace {
@@ -97,6 +98,18 @@ TEST(Renderers, are_those_of_three_versions_of_mesa) {
     EXPECT_TRUE(report.drawn_by.contains(way)) << way;
 }
 
+TEST(Renderers, have_a_graphics_card_for_the_cases_that_pages_judge_by_one) {
+  const RendererReport report = kept();
+  const std::map<std::string, Place> places = course::first_places(kRoot);
+  for (const course::Lab& lab : course::read_labs(kRoot / "labs"))
+    for (const course::GradedCase& one : lab.cases)
+      for (const RendererReport::Row& row : report.cases)
+        if (row.lab == lab.number && row.name == one.name) {
+          const bool is_of_a_page = !one.hidden && places.at(one.step).file.starts_with("shaders/");
+          EXPECT_EQ(row.by.contains("hardware, nvidia580"), is_of_a_page) << row.lab << " " << row.name;
+        }
+}
+
 TEST(Renderers, have_their_section_in_the_document) {
   const std::string text = read_file(kRoot / "docs/accuracy.md");
   const std::size_t begin = text.find(fmt::format("\n{}", kRenderersTitle));
@@ -126,6 +139,7 @@ TEST(Renderers, are_kept_with_what_was_infinitely_far) {
 TEST(Renderers, are_grouped_by_driver_and_version) {
   EXPECT_EQ(group_of("mesa22_llvmpipe_sse2"), "llvmpipe, mesa22");
   EXPECT_EQ(group_of("mesa25_zink_egl"), "zink, mesa25");
+  EXPECT_EQ(group_of("nvidia580_hardware_egl"), "hardware, nvidia580");
 }
 
 }  // namespace

@@ -737,6 +737,22 @@ TEST(EdgeTolerance, holds_for_directions_and_what_is_not_finite) {
   EXPECT_EQ(compare(a, b, {.edge_tolerance = true}).forgiven, 2);
 }
 
+TEST(MovedPixels, take_away_what_the_part_of_a_slope_explains) {
+  Image8 a(20, 20, 1);
+  for (int y = 0; y < 20; ++y)
+    for (int x = 0; x < 20; ++x) a.at(x, y) = static_cast<std::uint8_t>(x < 10 ? 100 : 100 + 8 * (x - 10));
+  Image8 b = a;
+  b.at(15, 5) = static_cast<std::uint8_t>(b.at(15, 5) + 2);  // a quarter of the slope of 8 a pixel
+  b.at(15, 9) = static_cast<std::uint8_t>(b.at(15, 9) + 3);
+  b.at(5, 5) = 102;  // where the picture is flat
+  const Difference difference = compare(a, b, {.moved_pixels = 0.25});
+  EXPECT_EQ(difference.forgiven, 1);
+  EXPECT_EQ(difference.max, 3);
+  EXPECT_EQ(compare(a, b, {.moved_pixels = 0.4}).forgiven, 2);
+  EXPECT_EQ(compare(a, b, {.moved_pixels = 0.4}).max, 2);
+  EXPECT_EQ(compare(a, b).forgiven, 0);
+}
+
 std::vector<std::uint8_t> heat_samples(std::initializer_list<float> ts) {
   std::vector<std::uint8_t> samples;
   for (const float t : ts)

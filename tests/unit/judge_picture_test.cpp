@@ -87,5 +87,29 @@ TEST_F(JudgeOfPictures, fails_numbers_that_are_not_finite_also_where_the_bytes_a
   }
 }
 
+TEST_F(JudgeOfPictures, passes_a_right_picture_that_is_moved_by_what_a_gpu_rounds_and_by_no_more) {
+  // Coordinates that bend, with a slope of 0.01 to 0.09 a pixel.
+  const auto coordinates = [&](float moved) {
+    image::ImageF picture(kSide, kSide, 3);
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) {
+        const float at = static_cast<float>(x) + moved;
+        picture.at(x, y, 0) = 0.01F * at + 0.001F * at * at;
+        picture.at(x, y, 1) = 0.02F * static_cast<float>(y);
+      }
+    return bytes_of(picture);
+  };
+  const std::string right = coordinates(0);
+  EXPECT_TRUE(judged(course::View::texcoord, 1e-4, right, coordinates(1.0F / 256)).passed);
+  EXPECT_TRUE(judged(course::View::texcoord, 1e-4, right, coordinates(-1.0F / 100)).passed);
+  const Verdict beyond = judged(course::View::texcoord, 1e-4, right, coordinates(1.0F / 40));
+  EXPECT_FALSE(beyond.passed);
+  EXPECT_NEAR(beyond.error, (0.01 + 0.002 * 39) / 40, 1e-4) << "the whole of it";
+}
+
+TEST_F(JudgeOfPictures, forgives_nothing_where_the_right_picture_is_flat) {
+  EXPECT_FALSE(judged(course::View::normal, 0.05, directions(0), directions(0.06)).passed);
+}
+
 }  // namespace
 }  // namespace texel::grade

@@ -62,7 +62,11 @@ constexpr const char* kIntroduction = R"(
 No two drivers draw the same. The table has each graded case's limit and its spread: the largest distance of each renderer's
 picture from the expected one, after one pixel of a thousand is left out. A limit is at least three times the spread.
 Hidden cases are drawn with three seeds and compared with those of llvmpipe in Mesa 22.
-`check` and `grade` use these limits: the solution has all points by every renderer of the table.
+A graphics card rounds a vertex's place in the window to 1/256 of a pixel, and all that it interpolates moves with it. So a
+difference counts as none that a move by 1/64 of a pixel explains: 1/64 of what the pixel differs from one of those around it.
+`check` and `grade` use these limits and draw in software: the solution has all points by each of these renderers. Pages in a
+browser draw with the machine's graphics card. They judge the public cases of steps in shaders, and the column `hardware` has
+these.
 
 `./run renderers` draws and measures. A machine has one version of Mesa only. To join several machines, copy the folders in
 their `out/renderers` into one, and let `./run renderers --judge-only` measure there.
@@ -71,10 +75,10 @@ processor's approximation: it is also drawn with an exact one, and with one that
 )";
 
 const std::string kFiltersHead = R"(
-### Lab 1's filters by Mesa's versions, rms error in 8-bit steps
+### Lab 1's filters by driver, rms error in 8-bit steps
 
 The anisotropic filter is the driver's, and Mesa changed it between 22 and 25 and again before 26.
-`supersampled` is the lab's own and stays the same.
+`supersampled` is the lab's own: it is the same in all versions of Mesa, and nearly the same on a graphics card.
 
 )";
 

@@ -15,7 +15,7 @@ struct Difference {
   int worst_x = 0;  ///< where the largest is, from the lower left corner
   int worst_y = 0;
   long long non_finite = 0;  ///< pixels with NaN or infinity in either picture: in none of the figures above
-  long long forgiven = 0;    ///< pixels whose difference the edge tolerance made smaller
+  long long forgiven = 0;    ///< pixels whose difference a tolerance made smaller
 };
 
 /// How the samples of float pictures are compared.
@@ -39,6 +39,11 @@ struct Comparing {
   /// more than a tenth of all edge pixels would be forgiven, the picture was moved, not rasterised
   /// differently, and nothing is forgiven.
   bool edge_tolerance = false;
+
+  /// Allows the picture to be moved by this part of a pixel: a difference counts as none that is at most this
+  /// part of what the reference's pixel differs from one of the 8 around it. Renderers round a vertex's place
+  /// in the window, GPUs to 1/256 of a pixel, and what they interpolate and look up moves with it.
+  double moved_pixels = 0;
 
   Unit unit = Unit::own;
 
