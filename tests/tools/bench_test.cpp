@@ -197,8 +197,8 @@ TEST(TexelBench, refuses_a_lab_that_there_is_not_and_a_file_that_is_none) {
 TEST(AccuracyReport, is_what_its_figures_make) {
   const test::TemporaryFolder folder("accuracy");
   const std::filesystem::path made = folder / "accuracy.md";
-  const Result result =
-      texel("bench --from " + (kRoot / "docs/accuracy.json").string() + " --markdown " + made.string());
+  const Result result = texel("bench --from " + (kRoot / "docs/accuracy.json").string() + " --gpu " +
+                              (kRoot / "docs/accuracy_gpu.json").string() + " --markdown " + made.string());
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_EQ(read_file(made), read_file(kRoot / "docs/accuracy.md")) << "./run accuracy renews it";
 }

@@ -29,6 +29,8 @@ void add_bench(CLI::App& app, BenchOptions& options) {
       "--markdown", options.markdown,
       "Write the tables as Markdown, and the plots into a folder with the file's name beside it");
   command->add_option("--from", options.from, "Measure nothing: read the figures of an earlier --json");
+  command->add_option("--gpu", options.gpu,
+                      "Show the ratios of this --json too, which a graphics card measured");
   command->add_option("--against", options.against, "Compare the errors with those of an earlier --json");
   command->add_flag("--errors-only", options.errors_only, "Measure errors, but no times");
 }

@@ -17,6 +17,7 @@ struct BenchOptions {
   std::filesystem::path out = "out/bench";  ///< folder for the page and the labs' own figures
   std::filesystem::path json, markdown;     ///< more files to write, or none
   std::filesystem::path from;               ///< an earlier --json to show instead of measuring
+  std::filesystem::path gpu;                ///< another renderer's --json, whose ratios are shown too
   std::filesystem::path against;            ///< an earlier --json whose errors must be the same
   bool errors_only = false;                 ///< no clock
 };

@@ -173,7 +173,10 @@ course_command() { # command, arguments
       build_programs
       texel starter --out "$@"
       ;;
-    accuracy) run_bench --json "$root/docs/accuracy.json" --markdown "$root/docs/accuracy.md" ;;
+    accuracy)
+      run_bench --json "$root/docs/accuracy.json" --gpu "$root/docs/accuracy_gpu.json" \
+        --markdown "$root/docs/accuracy.md"
+      ;;
     performance)
       # A part, or with few rounds, is not the report.
       [[ " $* " == *' --only '* || " $* " == *' --rounds '* ]] || set -- --markdown "$root/docs/performance.md" "$@"

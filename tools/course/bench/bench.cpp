@@ -56,7 +56,8 @@ BenchReport measure(const std::vector<course::Lab>& labs, const BenchOptions& op
   return all;
 }
 
-void write_markdown(const std::vector<LabResults>& labs, const std::string& renderer, const fs::path& file) {
+void write_markdown(const std::vector<LabResults>& labs, const std::string& renderer, const std::string& gpu,
+                    const fs::path& file) {
   const fs::path folder = file.parent_path() / file.stem();
   make_folder(folder);
   for (const LabResults& lab : labs) {
@@ -64,7 +65,7 @@ void write_markdown(const std::vector<LabResults>& labs, const std::string& rend
     for (std::size_t i = 0; i < drawn.size(); ++i) write_file(folder / plot_file(lab.lab, i), svg(drawn[i]));
   }
   write_file(file,
-             bench_markdown(labs, renderer, file.stem().string()) +
+             bench_markdown(labs, renderer, gpu, file.stem().string()) +
                  renderers_markdown(read_renderers(course_root() / "docs/renderers.json"), course_labs()));
 }
 
@@ -107,9 +108,10 @@ Exit bench(const BenchOptions& options) {
     return Exit::holds;
   }
   const BenchReport report = options.from.empty() ? measure(labs, options) : read_report_json(options.from);
-  const std::vector<LabResults> results = by_lab(labs, report);
+  const BenchReport by_gpu = options.gpu.empty() ? BenchReport{} : read_report_json(options.gpu);
+  const std::vector<LabResults> results = by_lab(labs, report, by_gpu);
   if (!options.json.empty()) write_file(options.json, to_json(report));
-  if (!options.markdown.empty()) write_markdown(results, report.renderer, options.markdown);
+  if (!options.markdown.empty()) write_markdown(results, report.renderer, by_gpu.renderer, options.markdown);
   if (!options.against.empty()) {
     const BenchReport then = read_report_json(options.against);
     if (then.renderer != report.renderer)

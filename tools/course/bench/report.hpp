@@ -13,11 +13,13 @@ namespace texel::tools {
 struct LabResults {
   course::Lab lab;
   std::vector<BenchResult> results;  ///< of its cases, in their order, then those over all cases
+  std::vector<BenchResult> by_gpu;   ///< the same as a graphics card measured them, or none
 };
 
 /// The results of a report by lab, those over all cases added. Cases that the lab.toml no longer has are left
 /// out.
-std::vector<LabResults> by_lab(const std::vector<course::Lab>& labs, const BenchReport& report);
+std::vector<LabResults> by_lab(const std::vector<course::Lab>& labs, const BenchReport& report,
+                               const BenchReport& by_gpu = {});
 
 /// A table as the terminal shows it.
 std::string terminal_table(const LabResults& lab);
@@ -35,9 +37,9 @@ std::vector<course::Case> pictures_of(const course::BenchCase& bench, const Benc
 /// The whole page as HTML. It names the pictures, and nothing else outside of itself.
 std::string bench_page(const std::vector<LabResults>& labs, const std::string& renderer);
 
-/// docs/accuracy.md, whose plots are `folder`/NN_name-1.svg …
+/// docs/accuracy.md, whose plots are `folder`/NN_name-1.svg …; `gpu` is the graphics card's name, or "".
 std::string bench_markdown(const std::vector<LabResults>& labs, const std::string& renderer,
-                           const std::string& folder);
+                           const std::string& gpu, const std::string& folder);
 
 /// The name of a lab's plot, counted from 0, without a folder: "05_normal_map-1.svg".
 std::string plot_file(const course::Lab& lab, std::size_t index);
