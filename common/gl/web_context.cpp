@@ -124,10 +124,12 @@ void upload_image(GLenum target, GLint level, GLint internal, GLsizei columns, G
     std::array<float, 256> stored{};
     for (std::size_t i = 0; i < stored.size(); ++i)
       stored[i] = image::from_encoding8(static_cast<std::uint8_t>(i), encoding);
-    std::vector<float> values(3 * width * height);
+    // Of four floats OpenGL ES makes mipmaps, of three it does not.
+    std::vector<float> values(4 * width * height, 1.0F);
     for (std::size_t y = 0, to = 0; y < height; ++y)
-      for (std::size_t i = 0; i < 3 * width; ++i, ++to) values[to] = stored[bytes[y * stride + i]];
-    (glTexImage2D)(target, level, GL_RGB32F, columns, rows, border, GL_RGB, GL_FLOAT, values.data());
+      for (std::size_t x = 0; x < width; ++x, to += 4)
+        for (std::size_t c = 0; c < 3; ++c) values[to + c] = stored[bytes[y * stride + 3 * x + c]];
+    (glTexImage2D)(target, level, GL_RGBA32F, columns, rows, border, GL_RGBA, GL_FLOAT, values.data());
     return;
   }
   std::vector<unsigned char> opaque(4 * width * height);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A headless Chromium with WebGL 2 by SwiftShader, and a page that has nothing but the engine. With FIREFOX (a path) that browser
-// in its place; it needs a display (xvfb-run): without one and without a graphics card it has no WebGL.
+// A headless Chromium with WebGL 2 by SwiftShader, and a page that has nothing but the engine. CHROMIUM_ANGLE=vulkan draws with the
+// graphics card instead, if Vulkan's driver is there. With FIREFOX (a path) that browser in its place; it needs a display
+// (xvfb-run): without one and without a graphics card it has no WebGL.
 import { existsSync, mkdtempSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
@@ -20,12 +21,13 @@ export const chromium = process.env.CHROMIUM ?? "/usr/bin/chromium";
 export async function launch() {
   if (process.env.FIREFOX)
     return puppeteer.launch({ browser: "firefox", executablePath: process.env.FIREFOX, headless: false, protocolTimeout: 600000 });
-  const profile = mkdtempSync(join(tmpdir(), "texel_web_"));
+  const angle = process.env.CHROMIUM_ANGLE ?? "swiftshader", profile = mkdtempSync(join(tmpdir(), "texel_web_"));
   const browser = await puppeteer.launch({
     executablePath: chromium,
     userDataDir: profile,
     protocolTimeout: 600000,
-    args: ["--no-sandbox", "--disable-dev-shm-usage", "--use-gl=angle", "--use-angle=swiftshader",
+    args: ["--no-sandbox", "--disable-dev-shm-usage", "--use-gl=angle", `--use-angle=${angle}`,
+           ...(angle === "vulkan" ? ["--enable-features=Vulkan", "--disable-vulkan-surface", "--ignore-gpu-blocklist"] : []),
            "--enable-unsafe-swiftshader", "--disable-background-timer-throttling", "--disable-renderer-backgrounding"],
   });
   browser.once("disconnected", () => { try { rmSync(profile, { recursive: true, force: true, maxRetries: 5 }); } catch { /* a helper of the browser still writes */ } });

@@ -85,6 +85,37 @@ ${table.join("\n")}
 ${after}`);
 }
 
+/// Each value of each choice of each lab in colour, beside the desktop's.
+async function drawChoices(engine, labs) {
+  for (const lab of labs) {
+    if (only && !only.includes(lab.number)) continue;
+    await engine.call("open", lab.number);
+    const wanted = (await engine.call("parameters")).flatMap(({ name, choices = [] }) => choices.map((one) => ({ name, value: one.name ?? one })));
+    const shown = ({ name, value }) => `${lab.folder} --${name.replaceAll("_", "-")} ${value}`;
+    writeFileSync(join(folder, "batch.json"), JSON.stringify(wanted.map(({ name, value }, i) => ({ name: `${i}.png`, size: `${size}x${size}`, set: { [name]: value } }))));
+    execFileSync(join(bin, `lab${lab.folder}`), ["--batch", join(folder, "batch.json"), "--out", join(folder, lab.folder)]);
+    for (const [i, one] of wanted.entries()) {
+      const drawn = await engine.draw({ view: "color", size: `${size}x${size}`, set: { [one.name]: one.value } }).catch((error) => ({ error }));
+      if (drawn.error) {
+        ++failed;
+        console.log(`FAILED ${shown(one)}: ${drawn.error.message}`);
+        continue;
+      }
+      const own = { at: (x, y, c) => drawn.data[(y * size + x) * drawn.channels + c] };
+      const found = compare("color", size, 2, own, desktopColours(join(folder, lab.folder, `${i}.png`)));
+      console.log(`${found.within >= 0.9 ? "ok    " : "FAILED"} ${shown(one)}: ${(100 * found.within).toFixed(2)} % within 2`);
+      failed += found.within >= 0.9 ? 0 : 1;
+    }
+  }
+}
+
+/// Of a .png, the bottom row first as the engine has it.
+function desktopColours(file) {
+  execFileSync("convert", [file, "-flip", "-depth", "8", `rgb:${join(folder, "raw")}`]);
+  const raw = readFileSync(join(folder, "raw"));
+  return { at: (x, y, c) => raw[(y * size + x) * 3 + c] };
+}
+
 const size = 256;
 const folder = mkdtempSync(join(tmpdir(), "texel_labs_"));
 const browser = await launch();
@@ -114,13 +145,7 @@ try {
     for (const view of wanted) {
       const drawn = await engine.draw({ view, size: `${size}x${size}`, set: settings(view) });
       const own = { at: (x, y, c) => drawn.data[(y * size + x) * drawn.channels + c] };
-      let desktop;
-      if (view === "color") {
-        // Bottom row first, as the engine's.
-        execFileSync("convert", [join(folder, lab.folder, "color.png"), "-flip", "-depth", "8", `rgb:${join(folder, "raw")}`]);
-        const raw = readFileSync(join(folder, "raw"));
-        desktop = { at: (x, y, c) => raw[(y * size + x) * 3 + c] };
-      } else desktop = readPfm(join(folder, lab.folder, `${view}.pfm`));
+      const desktop = view === "color" ? desktopColours(join(folder, lab.folder, "color.png")) : readPfm(join(folder, lab.folder, `${view}.pfm`));
       const limit = view === "color" ? 2 : limits[`${lab.number} ${view}`] ?? limits[view] ?? (view === "mask" ? 0 : 0.001);
       const row = { lab: lab.folder, view, limit, ...compare(view, size, limit, own, desktop) };
       row.passed = row.within >= least(view);
@@ -129,6 +154,7 @@ try {
       console.log(`${row.passed ? "ok    " : "FAILED"} ${lab.folder} ${view}: ${(100 * row.within).toFixed(2)} % within ${limit}, 95 % within ${row.p95.toPrecision(3)}, at most ${row.max.toPrecision(3)}, ${(100 * row.compared).toFixed(0)} % compared`);
     }
   }
+  await drawChoices(engine, labs);
   const { renderer } = await engine.call("figures");
   if (documentFile) write(documentFile, (await browser.version()).split(".")[0], renderer);
   engine.close();

@@ -50,8 +50,9 @@ void measure_peers(const Options& options, Report& report) {
        "take until 515, the drawing until 590. Meanwhile the page lays out the handout. three.js draws "
        "on the page's own thread; our worker keeps the page alive when a shader never ends. Tried, each "
        "within the noise: the context before the files, the files before the context, no extensions but "
-       "the four that are used, no question to the driver between uploads, a handout that is laid out "
-       "when it is scrolled to."},
+       "the four that are used, no question to the driver between uploads, textures and shaders made "
+       "before the page knows the picture's size, a handout that is laid out when it is scrolled to. With "
+       "a graphics card (NVIDIA H200, Vulkan, 16 processors) ours takes 345 ms and three.js' 164."},
       {"page, antialiased", "antialiased_ms", "ms"},
       {"page, one sample", "plain_ms", "ms"},
       {"page, loaded", "bytes", "bytes"}};
