@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "comparison.hpp"
 
+#include <algorithm>
+
 namespace texel::image {
 
 Box box_to_compare(const Image8& reference, const Image8& image, int radius) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "procedural/cube.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>

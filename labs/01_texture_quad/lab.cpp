@@ -4,6 +4,8 @@
 // which colour a pixel gets between texels, and from many texels.
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
+
 #include "app/lab.hpp"
 #include "image/mipmaps.hpp"
 #include "parameters.hpp"

@@ -4,6 +4,8 @@
 // The right answer of lab 1: a pixel should show the mean of the picture over the pixel's area. The
 // picture is taken as the function that the file was made from, without texels, and many rays through each
 // pixel look it up, in double precision and linear light. See common/truth/include/truth/texture.hpp.
+#include <algorithm>
+
 #include "app/colour_truth.hpp"
 #include "app/truth_scene.hpp"
 #include "parameters.hpp"

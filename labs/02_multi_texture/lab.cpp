@@ -6,6 +6,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
+
 #include "app/lab.hpp"
 #include "gl/upload.hpp"
 #include "image/mipmaps.hpp"

@@ -2,6 +2,7 @@
 // Lab 3: a file says which point of a picture belongs to each corner. The importer (import.hpp) turns an
 // OBJ's separate lists of positions, texture coordinates and normals into one stream of vertices; each pixel
 // then reads the picture at its interpolated coordinate.
+#include <algorithm>
 #include <map>
 
 #include "app/lab.hpp"

@@ -6,6 +6,7 @@
 // the projection's, which a mesh follows at its vertices only. The picture is the function that the file was
 // made from, lit there. Known are sphere, torus, quad and the cubes; the report's two cubes count as what
 // they should be, a copy of the picture on each face.
+#include <algorithm>
 #include <numbers>
 
 #include "app/colour_truth.hpp"

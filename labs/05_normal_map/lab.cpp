@@ -4,6 +4,8 @@
 // methods differ in how they make it.
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
+
 #include "app/lab.hpp"
 #include "gl/upload.hpp"
 #include "model.hpp"

@@ -3,6 +3,7 @@
 // hold.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 

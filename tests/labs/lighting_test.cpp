@@ -3,6 +3,7 @@
 // Blinn's formula in double precision.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A small class with all that a report must show, and its pictures.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>

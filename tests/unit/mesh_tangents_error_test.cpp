@@ -4,6 +4,7 @@
 // fail.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 

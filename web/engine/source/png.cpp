@@ -2,6 +2,7 @@
 // PNG by stb in place of libspng, which Debian has for its own processors only.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "core/error.hpp"
