@@ -24,7 +24,8 @@ For teachers and makers of the course:
                        all wrong and all hostile solutions, a Gradescope container, a Slurm cluster, and the last
                        commit on bare machines of three releases (hours)
 ./run bench [N] [args] measure the cost and the error of each method of each lab, into out/bench/index.html
-./run accuracy         the same, into docs/accuracy.md, its plots and docs/accuracy.json
+./run accuracy         the same, into docs/accuracy.md, its plots and docs/accuracy.json, beside a graphics card's figures:
+                       TEXEL_CONTEXT=egl ./run bench --json docs/accuracy_gpu.json measures these
 ./run performance      compare the programs with hand-written floor programs, and kernels with plain versions and other
                        libraries; writes docs/performance.md (about an hour).
                        --first-run-before TREE and --saves-before TREE also compare what people wait for with earlier
