@@ -38,7 +38,7 @@ For teachers and makers of the course:
 ./run marks [N ..]     check that each mistake of the catalogue loses marks, and no right answer does. Without args it
                        writes docs/marks.md (half an hour)
 ./run format           format the C++ files
-./run assets           generate the textures, cube maps and models again
+./run assets           draw the textures, normal maps and cube maps again that are functions
 ./run expected [N ..]  draw the expected pictures of check again, with the solutions
 ./run docs             write docs/pictures.md and the pictures of README and handouts again
 TEXT
