@@ -17,15 +17,17 @@ double cosine_squared_behind(double cosine, double eta) {
   return (1 - eta) * (1 + eta) + eta * eta * cosine * cosine;
 }
 
+/// The change of the reflected ray when incident ray and normal change (Igehy, "Tracing Ray
+/// Differentials", SIGGRAPH 1999, on reflection).
+dvec3 reflected_derivative(dvec3 incident, dvec3 d_incident, dvec3 normal, dvec3 d_normal) {
+  const double change = glm::dot(d_incident, normal) + glm::dot(incident, d_normal);
+  return d_incident - 2.0 * (glm::dot(incident, normal) * d_normal + change * normal);
+}
+
 }  // namespace
 
 dvec3 reflected(dvec3 incident, dvec3 normal) {
   return incident - 2 * glm::dot(normal, incident) * normal;
-}
-
-dvec3 reflected_derivative(dvec3 incident, dvec3 d_incident, dvec3 normal, dvec3 d_normal) {
-  const double change = glm::dot(d_incident, normal) + glm::dot(incident, d_normal);
-  return d_incident - 2.0 * (glm::dot(incident, normal) * d_normal + change * normal);
 }
 
 std::optional<dvec3> refracted(dvec3 incident, dvec3 normal, double n_from, double n_to) {
@@ -35,20 +37,6 @@ std::optional<dvec3> refracted(dvec3 incident, dvec3 normal, double n_from, doub
   if (rest < 0) return std::nullopt;
   const dvec3 along = (n_from / n_to) * (incident - across * normal);
   return along + std::copysign(std::sqrt(rest), across) * normal;
-}
-
-double fresnel(double cosine, double n_from, double n_to) {
-  const double cos_a = std::abs(cosine);
-  const double cos_b_squared = cosine_squared_behind(cos_a, n_from / n_to);
-  if (cos_b_squared <= 0) return 1;
-  const double cos_b = std::sqrt(cos_b_squared);
-  const double across = (n_from * cos_a - n_to * cos_b) / (n_from * cos_a + n_to * cos_b);
-  const double within = (n_to * cos_a - n_from * cos_b) / (n_to * cos_a + n_from * cos_b);
-  return 0.5 * (across * across + within * within);
-}
-
-double critical_angle(double n_from, double n_to) {
-  return std::asin(n_to / n_from);
 }
 
 std::optional<MirrorPoint> mirror_point(const PixelRay& pixel, const Placement& world_from_object,

@@ -97,18 +97,6 @@ dvec2 TexcoordMap::parameter(dvec2 texcoord) const {
   return glm::inverse(linear) * (texcoord - offset);
 }
 
-TexcoordMap sheared(double angle) {
-  return {.linear = {dvec2(1, 0), dvec2(std::tan(angle), 1)}};
-}
-
-TexcoordMap stretched(double ratio) {
-  return {.linear = {dvec2(ratio, 0), dvec2(0, 1)}};
-}
-
-TexcoordMap mirrored() {
-  return {.linear = {dvec2(-1, 0), dvec2(0, 1)}, .offset = {1, 0}};
-}
-
 Surface reparameterised(Surface surface, const TexcoordMap& map) {
   return [surface = std::move(surface), map](dvec2 texcoord) {
     const SurfacePoint own = surface(map.parameter(texcoord));
@@ -135,13 +123,6 @@ Surface placed(Surface surface, const Placement& world_from_object) {
                         .normal_ds = normalized_derivative(normal, normal_matrix * own.normal_ds),
                         .normal_dt = normalized_derivative(normal, normal_matrix * own.normal_dt)};
   };
-}
-
-Frame parametric_frame(const SurfacePoint& point) {
-  return {.tangent = glm::normalize(point.ds),
-          .bitangent = glm::normalize(point.dt),
-          .normal = point.normal,
-          .handedness = handedness(point.ds, point.dt, point.normal)};
 }
 
 Frame orthonormal_frame(const SurfacePoint& point) {

@@ -9,6 +9,7 @@
 #include <map>
 #include <sstream>
 
+#include "../support/oracles.hpp"
 #include "../support/tolerance.hpp"
 #include "core/files.hpp"
 #include "image/load.hpp"
@@ -75,7 +76,7 @@ Spread degrees_off(const ImageF& picture, const std::string& model, const truth:
 
 /// Where s grows and t does not.
 dvec3 along_s(const truth::SurfacePoint& point, dvec2 /*texcoord*/ = {}) {
-  return truth::parametric_frame(point).tangent;
+  return test::parametric_frame(point).tangent;
 }
 /// Where s grows fastest.
 dvec3 steepest_s(const truth::SurfacePoint& point, dvec2 /*texcoord*/) {
@@ -88,10 +89,10 @@ struct Layout {
   truth::TexcoordMap map;
 };
 const Layout kPlain{"plain", {}, {}};
-const Layout kMirrored{"mirrored", {{"mirror", "on"}}, truth::mirrored()};
-const Layout kSqueezed{"squeezed", {{"texture_stretch", "4"}}, truth::stretched(4)};
-const Layout kLong{"long", {{"texture_stretch", "0.25"}}, truth::stretched(0.25)};
-const Layout kLeaning{"leaning", {{"texture_shear", "1"}}, truth::sheared(std::atan(1.0))};
+const Layout kMirrored{"mirrored", {{"mirror", "on"}}, test::mirrored()};
+const Layout kSqueezed{"squeezed", {{"texture_stretch", "4"}}, test::stretched(4)};
+const Layout kLong{"long", {{"texture_stretch", "0.25"}}, test::stretched(0.25)};
+const Layout kLeaning{"leaning", {{"texture_shear", "1"}}, test::sheared(std::atan(1.0))};
 
 /// The view `tangent` of a model under a layout.
 ImageF tangents(const std::string& model, const Layout& layout, const std::string& method) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "../support/directions.hpp"
+#include "../support/oracles.hpp"
 #include "truth/basis.hpp"
 
 namespace texel::math {
@@ -23,7 +24,7 @@ using test::hard_directions;
 
 /// |G - I| of a frame in floats, calculated in double.
 double error(const glm::mat3& frame) {
-  return truth::orthonormality(glm::dmat3(frame));
+  return test::orthonormality(glm::dmat3(frame));
 }
 
 bool is_finite(const glm::mat3& m) {
@@ -124,8 +125,8 @@ TEST(Basis, along_u_and_v_has_the_directions_in_which_the_worksheet_s_coordinate
     const dvec3 along_u = dvec3(-n.z, 0, n.x) / from_pole;
     const dvec3 down(n.x * n.y / from_pole, -from_pole, n.z * n.y / from_pole);
     // Two roundings of a unit vector.
-    ASSERT_LT(truth::angle(frame[0], along_u), 2e-7) << n.x << " " << n.y << " " << n.z;
-    ASSERT_LT(truth::angle(frame[1], down), 4e-7) << n.x << " " << n.y << " " << n.z;
+    ASSERT_LT(test::angle(frame[0], along_u), 2e-7) << n.x << " " << n.y << " " << n.z;
+    ASSERT_LT(test::angle(frame[1], down), 4e-7) << n.x << " " << n.y << " " << n.z;
   }
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <span>
 
+#include "../support/oracles.hpp"
 #include "mesh/distinct.hpp"
 #include "mesh/primitives.hpp"
 #include "mesh/tangents.hpp"
@@ -61,7 +62,7 @@ Errors errors_of(Mesh mesh, Method method, const truth::Surface& surface, Counts
   for (std::size_t v = 0; v < vertices; ++v) {
     if (!counts(v)) continue;
     const truth::SurfacePoint point = surface(dvec2(mesh.texcoords[v]));
-    const truth::Frame own = truth::parametric_frame(point), square = truth::orthonormal_frame(point);
+    const truth::Frame own = test::parametric_frame(point), square = truth::orthonormal_frame(point);
     const double tangent = degrees_between(tangent_of(mesh, v), own.tangent);
     errors.tangent += tangent;
     errors.bitangent += degrees_between(bitangent_of(mesh, v), own.bitangent);
@@ -376,7 +377,7 @@ TEST(TangentError, of_a_map_baked_by_mikktspace_is_nothing_in_mikktspace_alone) 
         dvec2 texcoord(0);
         for (int k = 0; k < 3; ++k)
           texcoord += weights[k] * dvec2(plain.texcoords[plain.indices[3 * t + static_cast<std::size_t>(k)]]);
-        const truth::Frame exact = truth::parametric_frame(exact_torus()(texcoord));
+        const truth::Frame exact = test::parametric_frame(exact_torus()(texcoord));
         const dvec3 normal = glm::normalize(exact.normal + 0.5 * exact.tangent + 0.3 * exact.bitangent);
         const dvec3 texel =
             glm::normalize(glm::inverse(frame_at(baked, t, weights, Method::mikktspace)) * normal);

@@ -7,11 +7,16 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "../support/oracles.hpp"
+
 namespace texel::truth {
 namespace {
 
 using glm::dvec3;
 using std::numbers::pi;
+using test::angle;
+using test::angle_in_degrees;
+using test::orthonormality;
 
 TEST(TruthAngle, keeps_its_digits_from_tiny_to_straight) {
   for (const double expected : {1e-12, 1e-8, 1e-3, 0.5 * pi, 3.0, pi - 1e-8, pi - 1e-12}) {

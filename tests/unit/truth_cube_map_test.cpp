@@ -10,7 +10,7 @@
 #include <set>
 
 #include "../support/numbers.hpp"
-#include "truth/basis.hpp"
+#include "../support/oracles.hpp"
 
 namespace texel::truth {
 namespace {
@@ -19,6 +19,7 @@ using glm::dvec2;
 using glm::dvec3;
 using procedural::face_coordinate;
 using std::numbers::pi;
+using test::angle;
 using test::number;
 
 dvec3 vector(int i) {

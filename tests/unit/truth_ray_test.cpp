@@ -11,14 +11,19 @@
 #include <numbers>
 
 #include "../support/numbers.hpp"
-#include "truth/basis.hpp"
+#include "../support/oracles.hpp"
 
 namespace texel::truth {
 namespace {
 
 using glm::dvec2;
 using glm::dvec3;
+using test::angle;
+using test::angle_in_degrees;
+using test::mirrored;
 using test::number;
+using test::sheared;
+using test::stretched;
 
 /// A ray from somewhere around the origin to somewhere near it.
 Ray ray(int i) {

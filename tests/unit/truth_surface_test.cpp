@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "../support/oracles.hpp"
 #include "procedural/noise.hpp"
-#include "truth/basis.hpp"
 
 namespace texel::truth {
 namespace {
@@ -21,6 +21,12 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 using std::numbers::pi;
+using test::angle;
+using test::mirrored;
+using test::orthonormality;
+using test::parametric_frame;
+using test::sheared;
+using test::stretched;
 
 dvec2 texcoord(int i) {
   return {procedural::random(i, 0, 5), procedural::random(i, 1, 5)};

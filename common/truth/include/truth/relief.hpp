@@ -27,16 +27,7 @@ glm::dvec3 surface_gradient(const SurfacePoint& point, glm::dvec2 height_gradien
 /// 1978) is the same formula multiplied out.
 glm::dvec3 relief_normal(const SurfacePoint& point, glm::dvec2 height_gradient, double strength = 1);
 
-/// The normal of the surface that is really displaced by strength * height along its normal, with the terms
-/// in the height (world units) that Blinn left out: it shows how far his normal is from a displaced mesh.
-glm::dvec3 displaced_normal(const SurfacePoint& point, double height, glm::dvec2 height_gradient,
-                            double strength = 1);
-
 /// The baked map's normal: normalize(x T + y B + z N) of the frame for a texel (x, y, z) of any length.
 glm::dvec3 mapped_normal(const Frame& frame, glm::dvec3 texel);
-
-/// The inverse, which a baker takes: the unit texel that gives this world-space normal in this frame. T, B
-/// and N need not be at right angles.
-glm::dvec3 baked_texel(const Frame& frame, glm::dvec3 normal);
 
 }  // namespace texel::truth

@@ -59,16 +59,6 @@ struct TexcoordMap {
   [[nodiscard]] glm::dvec2 parameter(glm::dvec2 texcoord) const;
 };
 
-/// Shears the texture by `angle`: the lines of equal s turn by it where s and t of the surface are at right
-/// angles and of equal length. Positive angles lean the lines towards smaller s as t grows.
-TexcoordMap sheared(double angle);
-
-/// The texture repeats `ratio` times as often along s as along t.
-TexcoordMap stretched(double ratio);
-
-/// s runs the other way: 1 - s.
-TexcoordMap mirrored();
-
 /// The same surface with other texture coordinates; `map.linear` must be invertible.
 Surface reparameterised(Surface surface, const TexcoordMap& map);
 
@@ -88,10 +78,6 @@ struct Frame {
   glm::dvec3 tangent, bitangent, normal;  ///< unit length
   double handedness;                      ///< -1 where the texture is mirrored, else +1
 };
-
-/// T where s grows, B where t grows, both in the surface. They are at right angles only
-/// where the parameterisation is orthogonal.
-Frame parametric_frame(const SurfacePoint& point);
 
 /// The frame of MikkTSpace, which bakers share: T is ds without its part along the normal, at unit length,
 /// and B = handedness * cross(N, T): always at right angles. Under shear t does not grow along B. Source:
