@@ -6,6 +6,7 @@
 
 #include "../support/osmesa.hpp"
 #include "../support/picture_files.hpp"
+#include "../support/probe.hpp"
 #include "../support/said.hpp"
 #include "../support/tolerance.hpp"
 #include "core/error.hpp"
@@ -13,7 +14,6 @@
 #include "gl/context.hpp"
 #include "gl/make_cube_map.hpp"
 #include "gl/mesh_buffers.hpp"
-#include "gl/probe.hpp"
 #include "gl/program.hpp"
 #include "gl/recorder.hpp"
 #include "gl/shader_source.hpp"
@@ -344,7 +344,7 @@ TEST_P(OpenGl, a_probe_gives_back_what_a_function_makes_of_each_row) {
     columns[0].emplace_back(i, 1e-20F * static_cast<float>(i), -i, 0);
     columns[1].emplace_back(0.5F);
   }
-  const auto values = probe(shaders(), "step.glsl", "vec4(scaled(a.xyz, b.x), 1.0)", {}, columns);
+  const auto values = test::probe(shaders(), "step.glsl", "vec4(scaled(a.xyz, b.x), 1.0)", {}, columns);
   ASSERT_EQ(values.size(), 2500U);
   for (std::size_t i = 0; i < values.size(); ++i)
     ASSERT_EQ(values[i], glm::vec4(0.5F * glm::vec3(columns[0][i]), 1)) << i;  // halving is exact
@@ -352,7 +352,7 @@ TEST_P(OpenGl, a_probe_gives_back_what_a_function_makes_of_each_row) {
 
 TEST_P(OpenGl, a_probe_of_columns_of_different_length_is_an_error) {
   const std::vector<std::vector<glm::vec4>> columns = {{glm::vec4(1)}, {}};
-  EXPECT_NE(error_of([&] { probe(shaders(), "step.glsl", "a", {}, columns); }), "");
+  EXPECT_NE(error_of([&] { test::probe(shaders(), "step.glsl", "a", {}, columns); }), "");
 }
 
 TEST_P(OpenGl, a_picture_of_one_colour_is_told_from_one_with_a_pixel_of_another) {

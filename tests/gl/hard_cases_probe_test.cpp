@@ -11,9 +11,9 @@
 
 #include "../support/directions.hpp"
 #include "../support/oracles.hpp"
+#include "../support/probe.hpp"
 #include "../support/tolerance.hpp"
 #include "gl/context.hpp"
-#include "gl/probe.hpp"
 #include "math/basis.hpp"
 #include "procedural/cube.hpp"
 #include "truth/cube_map.hpp"
@@ -39,7 +39,7 @@ class HardCase : public testing::Test {
 
   static Table values_of(const std::string& file, const std::string& expression,
                          const std::vector<Define>& defines, const std::vector<Table>& columns) {
-    return probe("shaders", file, expression, defines, columns);
+    return test::probe("shaders", file, expression, defines, columns);
   }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "gl/probe.hpp"
+#include "probe.hpp"
 
 #include <fmt/format.h>
 
@@ -9,18 +9,18 @@
 #include "gl/target.hpp"
 #include "gl/upload.hpp"
 
-namespace texel::gl {
+namespace texel::test {
 namespace {
 
 // The table is folded into rows of so many pixels: a single row would be wider than a texture may be.
 constexpr int kWidth = 1024;
 
 /// One column as a texture, its last row filled up with zeros.
-Texture make_column(const std::vector<glm::vec4>& values, int height) {
+gl::Texture make_column(const std::vector<glm::vec4>& values, int height) {
   std::vector<glm::vec4> padded = values;
   padded.resize(static_cast<std::size_t>(kWidth) * static_cast<std::size_t>(height), glm::vec4(0));
-  Texture texture;
-  const ScopedBinding binding(GL_TEXTURE_2D, texture);
+  gl::Texture texture;
+  const gl::ScopedBinding binding(GL_TEXTURE_2D, texture);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, kWidth, height, 0, GL_RGBA, GL_FLOAT, padded.data());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -34,7 +34,7 @@ std::string column_name(std::size_t column) {
 }  // namespace
 
 std::vector<glm::vec4> probe(const std::filesystem::path& shader_root, const std::string& file,
-                             const std::string& expression, const std::vector<Define>& defines,
+                             const std::string& expression, const std::vector<gl::Define>& defines,
                              std::span<const std::vector<glm::vec4>> columns) {
   const std::size_t count = columns.empty() ? 0 : columns.front().size();
   for (const std::vector<glm::vec4>& column : columns)
@@ -50,23 +50,23 @@ std::vector<glm::vec4> probe(const std::filesystem::path& shader_root, const std
         fmt::format("  vec4 {0} = texelFetch(column_{0}, ivec2(gl_FragCoord.xy), 0);\n", column_name(i));
   fragment += fmt::format("  result = {};\n}}\n", expression);
 
-  const auto vertex_source = std::make_shared<const ShaderSource>(shader_root, "app/present.vert");
-  const auto fragment_source = std::make_shared<const ShaderSource>(shader_root, "probe", fragment);
-  Program program(vertex_source, fragment_source, defines);
+  const auto vertex_source = std::make_shared<const gl::ShaderSource>(shader_root, "app/present.vert");
+  const auto fragment_source = std::make_shared<const gl::ShaderSource>(shader_root, "probe", fragment);
+  gl::Program program(vertex_source, fragment_source, defines);
   program.use();
 
   const int height = static_cast<int>((count + kWidth - 1) / kWidth);
-  std::vector<Texture> textures;
+  std::vector<gl::Texture> textures;
   for (const std::vector<glm::vec4>& column : columns) textures.push_back(make_column(column, height));
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    bind(static_cast<int>(i), GL_TEXTURE_2D, textures[i]);
+    gl::bind(static_cast<int>(i), GL_TEXTURE_2D, textures[i]);
     program.set("column_" + column_name(i), static_cast<int>(i));
   }
-  const Target target(Target::Kind::data, kWidth, height, 1);
+  const gl::Target target(gl::Target::Kind::data, kWidth, height, 1);
   target.bind();
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
-  const VertexArray no_attributes;
+  const gl::VertexArray no_attributes;
   glBindVertexArray(no_attributes.id());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 
@@ -78,4 +78,4 @@ std::vector<glm::vec4> probe(const std::filesystem::path& shader_root, const std
   return result;
 }
 
-}  // namespace texel::gl
+}  // namespace texel::test

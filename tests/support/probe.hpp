@@ -8,7 +8,7 @@
 
 #include "gl/shader_source.hpp"
 
-namespace texel::gl {
+namespace texel::test {
 
 /// Runs a step function in GLSL over a table of inputs and reads its values back exactly (32-bit floats).
 ///
@@ -18,7 +18,7 @@ namespace texel::gl {
 /// Functions that need derivatives (dFdx) cannot be asked so: a table has no neighbours. Throws Error (exit
 /// 3) with the shader's file and line, or when the columns differ in length.
 std::vector<glm::vec4> probe(const std::filesystem::path& shader_root, const std::string& file,
-                             const std::string& expression, const std::vector<Define>& defines,
+                             const std::string& expression, const std::vector<gl::Define>& defines,
                              std::span<const std::vector<glm::vec4>> columns);
 
-}  // namespace texel::gl
+}  // namespace texel::test
