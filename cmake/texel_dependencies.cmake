@@ -11,10 +11,7 @@ find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json REQUIRED)
 #@teacher begin
 find_package(LibArchive REQUIRED)
-find_package(SQLite3 3.37 REQUIRED)
-if(NOT TARGET SQLite3::SQLite3) # its name since CMake 4.3
-  add_library(SQLite3::SQLite3 ALIAS SQLite::SQLite3)
-endif()
+find_package(SQLiteCpp REQUIRED)
 pkg_check_modules(sodium REQUIRED IMPORTED_TARGET libsodium)
 #@starter
 #@end

@@ -3,21 +3,27 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sqlite3.h>
 
-#include <mutex>
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <variant>
+#include <vector>
 
+#include "connection.hpp"
 #include "core/error.hpp"
-#include "sqlite.hpp"
 
 namespace texel::grade {
 namespace {
 
 namespace fs = std::filesystem;
 using Facts = std::map<std::string, std::string>;
+using SQLite::Database;
+using SQLite::Transaction;
+using SQLite::TransactionBehavior;
 
 constexpr int kApplication = 0x5458474c;  ///< "TXGL": tells a store from SQLite files of other programs
 constexpr int kVersion = 3;
@@ -46,8 +52,8 @@ CREATE TABLE cases (
   student TEXT REFERENCES students ON DELETE CASCADE, lab TEXT, name TEXT, step TEXT NOT NULL,
   view TEXT NOT NULL, hidden INTEGER NOT NULL, score REAL NOT NULL CHECK (score BETWEEN 0 AND 1), error REAL,
   bound REAL NOT NULL, message TEXT NOT NULL, mistake TEXT NOT NULL, mistake_says TEXT NOT NULL,
-  command TEXT NOT NULL, picture TEXT NOT NULL, reference TEXT NOT NULL, status TEXT NOT NULL DEFAULT 'failed',
-  judged TEXT NOT NULL DEFAULT 'together',
+  command TEXT NOT NULL, picture TEXT NOT NULL, reference TEXT NOT NULL, status TEXT NOT NULL,
+  judged TEXT NOT NULL,
   PRIMARY KEY (student, lab, name)) STRICT, WITHOUT ROWID;
 CREATE TABLE overrides (
   student TEXT, step TEXT, score REAL NOT NULL CHECK (score BETWEEN 0 AND 1), reason TEXT NOT NULL,
@@ -55,18 +61,6 @@ CREATE TABLE overrides (
 CREATE TABLE earlier (
   student TEXT, step TEXT, score REAL NOT NULL, PRIMARY KEY (student, step)) STRICT, WITHOUT ROWID;
 )";
-
-/// From version 1, which told an untouched step by the beginning of its message.
-constexpr const char* kFromVersion1 = R"(
-ALTER TABLE cases ADD COLUMN status TEXT NOT NULL DEFAULT 'failed';
-UPDATE cases SET status = 'untouched' WHERE message LIKE 'This step is still as the starter has it. %';
-UPDATE cases SET status = 'passed' WHERE passed;
-ALTER TABLE cases DROP COLUMN passed;
-ALTER TABLE cases DROP COLUMN unit;
-)";
-
-/// From version 2, which judged no step alone.
-constexpr const char* kFromVersion2 = "ALTER TABLE cases ADD COLUMN judged TEXT NOT NULL DEFAULT 'together';";
 
 struct Table {
   const char* name;
@@ -87,16 +81,48 @@ constexpr Table kTables[] = {
     {"earlier", "1, 2", "the earlier score"},
 };
 
-Statement rows_of(const Connection& connection, const Table& table) {
-  return {connection, fmt::format("SELECT * FROM {} ORDER BY {}", table.name, table.order)};
+/// A row with its table; NULL is a number that is not there.
+struct Row {
+  const Table* table;
+  std::vector<std::variant<std::string, double>> values;
+
+  /// A number in the fewest digits that give it back, "nan" where it is missing.
+  [[nodiscard]] std::string text(std::size_t column) const {
+    return std::visit([](const auto& value) { return fmt::format("{}", value); }, values[column]);
+  }
+};
+
+/// Every row of a store, table by table, in the order of its key.
+std::vector<Row> rows_of(Database& database) {
+  std::vector<Row> rows;
+  for (const Table& table : kTables) {
+    Query query(database, fmt::format("SELECT * FROM {} ORDER BY {}", table.name, table.order));
+    while (query.next()) {
+      Row& row = rows.emplace_back(Row{&table, {}});
+      for (int i = 0; i < query.getColumnCount(); ++i) {
+        std::string text;
+        double number = 0;
+        if (query.getColumn(i).isText())
+          query >> text, row.values.emplace_back(text);
+        else
+          query >> number, row.values.emplace_back(number);
+      }
+    }
+  }
+  return rows;
+}
+
+std::vector<Row> rows_at_one_moment(Database& database) {
+  const Transaction transaction(database);
+  return rows_of(database);
 }
 
 /// A row on one line.
-std::string line_of(const Table& table, const Statement& row) {
-  std::string line = table.name;
-  for (int i = 0; i < row.columns(); ++i) {
+std::string line_of(const Row& row) {
+  std::string line = row.table->name;
+  for (std::size_t i = 0; i < row.values.size(); ++i) {
     line += '\t';
-    for (const char c : row.as_text(i)) {
+    for (const char c : row.text(i)) {
       if (c == '\\' || c == '\t' || c == '\n') line += '\\';
       line += c == '\t' ? 't' : c == '\n' ? 'n' : c;
     }
@@ -104,43 +130,50 @@ std::string line_of(const Table& table, const Statement& row) {
   return line + '\n';
 }
 
+bool is_fact(const Row& row) {
+  return row.table == kTables;
+}
+
+Facts facts_in(const std::vector<Row>& rows) {
+  Facts facts;
+  for (const Row& row : rows)
+    if (is_fact(row)) facts[row.text(0)] = row.text(1);
+  return facts;
+}
+
 /// All lines of a store but its facts, those together that are about the same.
-std::map<std::string, std::string> lines_by_matter(const Connection& connection) {
+std::map<std::string, std::string> lines_by_matter(const std::vector<Row>& rows) {
   std::map<std::string, std::string> lines;
-  for (const Table& table : kTables) {
-    if (table.name == std::string_view("facts")) continue;
-    for (Statement row = rows_of(connection, table); row.next();) {
-      std::string matter = "the student " + row.as_text(0);
-      if (!table.of_step.empty())
-        matter = fmt::format("{} of step {} of {}", table.of_step, row.as_text(1), matter);
-      lines[matter] += line_of(table, row);
-    }
+  for (const Row& row : rows) {
+    if (is_fact(row)) continue;
+    std::string matter = "the student " + row.text(0);
+    if (!row.table->of_step.empty())
+      matter = fmt::format("{} of step {} of {}", row.table->of_step, row.text(1), matter);
+    lines[matter] += line_of(row);
   }
   return lines;
 }
 
-/// The place of so many values in a statement.
-std::string marks(int count) {
-  return fmt::format("({})", fmt::join(std::vector<const char*>(static_cast<std::size_t>(count), "?"), ", "));
-}
-
-Facts facts_of(const Connection& connection) {
+Facts facts_of(Database& database) {
   Facts facts;
   std::string name, value;
-  for (Statement row(connection, "SELECT name, value FROM facts"); row.next();) {
+  for (Query row(database, "SELECT name, value FROM facts"); row.next();) {
     row >> name >> value;
     facts[name] = value;
   }
   return facts;
 }
 
-bool is_empty(const Connection& connection) {
-  return facts_of(connection).empty() && !Statement(connection, "SELECT 1 FROM students").next();
+/// Whether it has facts or students: else it has no facts to differ in.
+bool is_begun(const std::vector<Row>& rows) {
+  return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.table <= &kTables[1]; });
 }
 
-/// Throws Error (exit 2) that names the first fact in which two stores differ.
-void expect_equal_facts(const Connection& ours, const Connection& theirs) {
-  const Facts a = facts_of(ours), b = facts_of(theirs);
+/// Throws Error (exit 2) that names the first thing in which two stores differ.
+void expect_no_difference(const std::vector<Row>& our_rows, const std::string& ours,
+                          const std::vector<Row>& their_rows, const std::string& theirs) {
+  Facts a, b;
+  if (is_begun(our_rows) && is_begun(their_rows)) a = facts_in(our_rows), b = facts_in(their_rows);
   const auto value_in = [](const Facts& facts, const std::string& name) {
     const auto found = facts.find(name);
     return found == facts.end() ? std::string("not given") : fmt::format("'{}'", found->second);
@@ -150,29 +183,39 @@ void expect_equal_facts(const Connection& ours, const Connection& theirs) {
   for (const auto& [name, value] : all)
     if (value_in(a, name) != value_in(b, name))
       throw Error::usage(fmt::format("{} and {} were graded differently: {} is {} in one and {} in the other",
-                                     ours.file(), theirs.file(), name, value_in(a, name), value_in(b, name)),
+                                     ours, theirs, name, value_in(a, name), value_in(b, name)),
                          "merge only stores with the same course, labs, seed and renderer");
+  const auto our_lines = lines_by_matter(our_rows);
+  for (const auto& [matter, lines] : lines_by_matter(their_rows))
+    if (const auto found = our_lines.find(matter); found != our_lines.end() && found->second != lines)
+      throw Error::usage(fmt::format("{} and {} disagree about {}", ours, theirs, matter),
+                         "leave one of them out, or grade this student again");
 }
 
-void write_notes(const Connection& connection, const std::string& student, const std::string& lab,
+/// The place of so many values in a statement.
+std::string marks(std::size_t count) {
+  return fmt::format("({})", fmt::join(std::vector<const char*>(count, "?"), ", "));
+}
+
+void write_notes(Database& database, const std::string& student, const std::string& lab,
                  const std::vector<std::string>& notes) {
-  Statement(connection, "DELETE FROM notes WHERE student = ? AND lab = ?", student, lab).run();
+  Query(database, "DELETE FROM notes WHERE student = ? AND lab = ?", student, lab).exec();
   int place = 0;
   for (const std::string& note : notes)
-    Statement(connection, "INSERT INTO notes VALUES (?, ?, ?, ?)", student, lab, ++place, note).run();
+    Query(database, "INSERT INTO notes VALUES (?, ?, ?, ?)", student, lab, ++place, note).exec();
 }
 
-void write_incident(const Connection& connection, const std::string& student, const std::string& lab,
+void write_incident(Database& database, const std::string& student, const std::string& lab,
                     const std::string& text) {
   if (text.empty())
-    Statement(connection, "DELETE FROM incidents WHERE student = ? AND lab = ?", student, lab).run();
+    Query(database, "DELETE FROM incidents WHERE student = ? AND lab = ?", student, lab).exec();
   else
-    Statement(connection, "INSERT OR REPLACE INTO incidents VALUES (?, ?, ?)", student, lab, text).run();
+    Query(database, "INSERT OR REPLACE INTO incidents VALUES (?, ?, ?)", student, lab, text).exec();
 }
 
-std::vector<Override> read_overrides(const Connection& connection) {
+std::vector<Override> read_overrides(Database& database) {
   std::vector<Override> overrides;
-  for (Statement row(connection, "SELECT student, step, score, reason FROM overrides ORDER BY student, step");
+  for (Query row(database, "SELECT student, step, score, reason FROM overrides ORDER BY student, step");
        row.next();) {
     Override& one = overrides.emplace_back();
     row >> one.student >> one.step >> one.score >> one.reason;
@@ -186,30 +229,28 @@ bool is_judged(const StudentResult& student, const StepResult& step) {
 }
 
 /// The students without their labs, by id.
-std::map<std::string, StudentResult> read_students(const Connection& connection) {
+std::map<std::string, StudentResult> read_students(Database& database) {
   std::map<std::string, StudentResult> students;
   std::string id;
-  for (Statement row(connection, "SELECT student, name, number, fault FROM students"); row.next();) {
+  for (Query row(database, "SELECT student, name, number, fault FROM students"); row.next();) {
     row >> id;
     StudentResult& student = students[id];
     student.id = id;
     row >> student.name >> student.number >> student.fault;
   }
-  for (Statement row(connection, "SELECT student, path, reason FROM ignored ORDER BY student, place");
+  for (Query row(database, "SELECT student, path, reason FROM ignored ORDER BY student, place");
        row.next();) {
     row >> id;
     Ignored& ignored = students.at(id).ignored.emplace_back();
     row >> ignored.path >> ignored.reason;
   }
-  for (Statement row(connection, "SELECT student, file, text FROM logs ORDER BY student, file");
-       row.next();) {
+  for (Query row(database, "SELECT student, file, text FROM logs ORDER BY student, file"); row.next();) {
     row >> id;
     CompilerLog& log = students.at(id).logs.emplace_back();
     row >> log.file >> log.text;
   }
   std::string lab, text;
-  for (Statement row(connection, "SELECT student, lab, text FROM incidents ORDER BY student, lab");
-       row.next();) {
+  for (Query row(database, "SELECT student, lab, text FROM incidents ORDER BY student, lab"); row.next();) {
     row >> id >> lab >> text;
     std::string& incident = students.at(id).incident;
     if (!incident.empty()) incident += '\n';
@@ -229,10 +270,9 @@ constexpr const char* kCaseColumns =
     "lab, name, step, view, hidden, score, error, bound, message, mistake, mistake_says, command, picture, "
     "reference, status, judged";
 
-std::vector<CaseResult> read_cases(const Connection& connection, const std::string& student) {
+std::vector<CaseResult> read_cases(Database& database, const std::string& student) {
   std::vector<CaseResult> cases;
-  for (Statement row(connection, fmt::format("SELECT {} FROM cases WHERE student = ?", kCaseColumns),
-                     student);
+  for (Query row(database, fmt::format("SELECT {} FROM cases WHERE student = ?", kCaseColumns), student);
        row.next();) {
     CaseResult& one = cases.emplace_back();
     std::string view, status, judged;
@@ -257,28 +297,28 @@ void apply(const Override& override, StudentResult& student) {
     }
 }
 
-ClassResult read_class_result(const Connection& connection, const std::vector<course::Lab>& labs) {
+ClassResult read_class_result(Database& database, const std::vector<course::Lab>& labs) {
   ClassResult result;
-  result.facts = facts_of(connection);
-  std::map<std::string, StudentResult> students = read_students(connection);
+  result.facts = facts_of(database);
+  std::map<std::string, StudentResult> students = read_students(database);
   for (auto& [id, student] : students) {
-    student.labs = lab_results(labs, read_cases(connection, id));
+    student.labs = lab_results(labs, read_cases(database, id));
     std::string note;
     for (LabResult& lab : student.labs)
-      for (Statement row(connection, "SELECT text FROM notes WHERE student = ? AND lab = ? ORDER BY place",
-                         id, lab.lab.folder);
+      for (Query row(database, "SELECT text FROM notes WHERE student = ? AND lab = ? ORDER BY place", id,
+                     lab.lab.folder);
            row.next();) {
         row >> note;
         lab.notes.push_back(note);
       }
   }
-  for (const Override& override : read_overrides(connection))
+  for (const Override& override : read_overrides(database))
     if (const auto found = students.find(override.student); found != students.end())
       apply(override, found->second);
 
   std::map<std::pair<std::string, std::string>, double> earlier;
   std::string id, step_id;
-  for (Statement row(connection, "SELECT student, step, score FROM earlier"); row.next();) {
+  for (Query row(database, "SELECT student, step, score FROM earlier"); row.next();) {
     row >> id >> step_id;
     row >> earlier[{id, step_id}];
   }
@@ -294,155 +334,141 @@ ClassResult read_class_result(const Connection& connection, const std::vector<co
   return result;
 }
 
-/// Makes the tables in a new file. Throws Error (exit 3) for a file of another program or a later version.
-void prepare(const Connection& connection) {
+/// Makes the tables in a new file. Throws Error (exit 3) for a file of another program or another version.
+void prepare(Connection& connection) {
   const auto number = [&](const char* sql) {
-    int value = 0;
-    Statement row(connection, sql);
-    row.next();
-    row >> value;
-    return value;
+    return connection.use([&](Database& database) { return database.execAndGet(sql).getInt(); });
   };
   const auto version = [&] { return number("PRAGMA user_version"); };
+  // Another program may make the tables between two of these questions.
   const bool is_new = version() == 0 && number("SELECT count(*) FROM sqlite_master") == 0;
-  if (!is_new && number("PRAGMA application_id") != kApplication) connection.fail(SQLITE_NOTADB);
-  if (version() > kVersion)
-    throw Error::failed(fmt::format("the store has version {}, newer than {}", version(), kVersion),
-                        {connection.file()}, "use the program that made it, or a newer one");
+  if (!is_new && number("PRAGMA application_id") != kApplication) connection.fail(SQLITE_NOTADB, "");
+  if (!is_new && version() != kVersion)
+    throw Error::failed(
+        fmt::format("the store has version {}, and this program writes version {}", version(), kVersion),
+        {connection.file()}, "use the program that made it, or grade again into a new folder");
 
   // FULL waits for the disk at every case, so that no result is lost with the power; with NORMAL the last
   // ones would be. Measured: 5 ms a case, a minute for 200 students with 60 cases each (NORMAL: 0.3 ms a
   // case).
   connection.use_write_ahead_log();
-  connection.run("PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON");
-  if (version() == kVersion) return;
-  Transaction transaction(connection, Transaction::Kind::writes);
-  // Unless another program has just done so.
-  if (version() == 0)
-    connection.run(fmt::format("{} PRAGMA application_id = {}; PRAGMA user_version = {}", kSchema,
-                               kApplication, kVersion));
-  if (version() == 1) connection.run(fmt::format("{} PRAGMA user_version = 2", kFromVersion1));
-  if (version() == 2) connection.run(fmt::format("{} PRAGMA user_version = {}", kFromVersion2, kVersion));
-  transaction.commit();
+  connection.use([&](Database& database) {
+    database.exec("PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON");
+    if (!is_new) return;
+    Transaction transaction(database, TransactionBehavior::IMMEDIATE);
+    if (database.execAndGet("PRAGMA user_version").getInt() == 0)
+      database.exec(fmt::format("{} PRAGMA application_id = {}; PRAGMA user_version = {}", kSchema,
+                                kApplication, kVersion));
+    transaction.commit();
+  });
 }
 
 }  // namespace
 
-struct Store::Database {
-  explicit Database(const fs::path& file) : connection(file.string()) { prepare(connection); }
+Store::Store(const fs::path& file) : connection_(std::make_unique<Connection>(file.string())) {
+  prepare(*connection_);
+}
 
-  Connection connection;
-  std::mutex mutex;
-};
+template <class... Values>
+void Store::run(const std::string& sql, const Values&... values) {
+  connection_->use([&](Database& database) { Query(database, sql, values...).exec(); });
+}
 
-Store::Store(const fs::path& file) : database_(std::make_unique<Database>(file)) {}
 Store::~Store() = default;
 Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 
 Facts Store::facts() const {
-  const std::lock_guard lock(database_->mutex);
-  return facts_of(database_->connection);
+  return connection_->use(facts_of);
 }
 
 void Store::put_facts(const Facts& facts) {
-  const std::lock_guard lock(database_->mutex);
-  const Connection& connection = database_->connection;
-  Transaction transaction(connection, Transaction::Kind::writes);
-  connection.run("DELETE FROM facts");
-  for (const auto& [name, value] : facts)
-    Statement(connection, "INSERT INTO facts VALUES (?, ?)", name, value).run();
-  transaction.commit();
+  connection_->use([&](Database& database) {
+    Transaction transaction(database, TransactionBehavior::IMMEDIATE);
+    database.exec("DELETE FROM facts");
+    for (const auto& [name, value] : facts)
+      Query(database, "INSERT INTO facts VALUES (?, ?)", name, value).exec();
+    transaction.commit();
+  });
 }
 
 void Store::begin_anew(const std::vector<course::Lab>& labs) {
-  const std::lock_guard lock(database_->mutex);
-  const Connection& connection = database_->connection;
-  Transaction transaction(connection, Transaction::Kind::writes);
-  for (const StudentResult& student : read_class_result(connection, labs).students)
-    for (const LabResult& lab : student.labs)
-      for (const StepResult& step : lab.steps)
-        if (is_judged(student, step))
-          Statement(connection, "INSERT OR REPLACE INTO earlier VALUES (?, ?, ?)", student.id, step.id,
-                    step.score)
-              .run();
-  connection.run("DELETE FROM students");
-  transaction.commit();
+  connection_->use([&](Database& database) {
+    Transaction transaction(database, TransactionBehavior::IMMEDIATE);
+    for (const StudentResult& student : read_class_result(database, labs).students)
+      for (const LabResult& lab : student.labs)
+        for (const StepResult& step : lab.steps)
+          if (is_judged(student, step))
+            Query(database, "INSERT OR REPLACE INTO earlier VALUES (?, ?, ?)", student.id, step.id,
+                  step.score)
+                .exec();
+    database.exec("DELETE FROM students");
+    transaction.commit();
+  });
 }
 
 void Store::put_student(const StudentResult& student, const std::string& digest) {
-  const std::lock_guard lock(database_->mutex);
-  const Connection& connection = database_->connection;
-  Transaction transaction(connection, Transaction::Kind::writes);
-  if (!digest.empty())
-    Statement(connection, "DELETE FROM students WHERE student = ? AND digest <> ?", student.id, digest).run();
-  Statement(connection,
-            "INSERT INTO students VALUES (?, ?, ?, ?, ?) ON CONFLICT DO UPDATE SET "
-            "name = excluded.name, number = excluded.number, fault = excluded.fault",
-            student.id, digest, student.name, student.number, student.fault)
-      .run();
-
-  Statement(connection, "DELETE FROM ignored WHERE student = ?", student.id).run();
-  int place = 0;
-  for (const Ignored& ignored : student.ignored)
-    Statement(connection, "INSERT INTO ignored VALUES (?, ?, ?, ?)", student.id, ++place, ignored.path,
-              ignored.reason)
-        .run();
-  for (const LabResult& lab : student.labs) write_notes(connection, student.id, lab.lab.folder, lab.notes);
-  write_incident(connection, student.id, "", student.incident);
-  transaction.commit();
+  connection_->use([&](Database& database) {
+    Transaction transaction(database, TransactionBehavior::IMMEDIATE);
+    if (!digest.empty())
+      Query(database, "DELETE FROM students WHERE student = ? AND digest <> ?", student.id, digest).exec();
+    Query(database,
+          "INSERT INTO students VALUES (?, ?, ?, ?, ?) ON CONFLICT DO UPDATE SET "
+          "name = excluded.name, number = excluded.number, fault = excluded.fault",
+          student.id, digest, student.name, student.number, student.fault)
+        .exec();
+    Query(database, "DELETE FROM ignored WHERE student = ?", student.id).exec();
+    int place = 0;
+    for (const Ignored& ignored : student.ignored)
+      Query(database, "INSERT INTO ignored VALUES (?, ?, ?, ?)", student.id, ++place, ignored.path,
+            ignored.reason)
+          .exec();
+    for (const LabResult& lab : student.labs) write_notes(database, student.id, lab.lab.folder, lab.notes);
+    write_incident(database, student.id, "", student.incident);
+    transaction.commit();
+  });
 }
 
 void Store::expect_student(const StudentResult& student) {
-  const std::lock_guard lock(database_->mutex);
-  Statement(database_->connection, "INSERT OR IGNORE INTO students VALUES (?, '', ?, ?, '')", student.id,
-            student.name, student.number)
-      .run();
+  run("INSERT OR IGNORE INTO students VALUES (?, '', ?, ?, '')", student.id, student.name, student.number);
 }
 
 void Store::put_log(const std::string& student, const CompilerLog& log) {
-  const std::lock_guard lock(database_->mutex);
-  Statement(database_->connection,
-            "INSERT INTO logs VALUES (?1, ?2, ?3) ON CONFLICT DO UPDATE SET text = excluded.text", student,
-            log.file, log.text)
-      .run();
+  run("INSERT INTO logs VALUES (?1, ?2, ?3) ON CONFLICT DO UPDATE SET text = excluded.text", student,
+      log.file, log.text);
 }
 
 void Store::put_notes(const std::string& student, const std::string& lab,
                       const std::vector<std::string>& notes) {
-  const std::lock_guard lock(database_->mutex);
-  Transaction transaction(database_->connection, Transaction::Kind::writes);
-  write_notes(database_->connection, student, lab, notes);
-  transaction.commit();
+  connection_->use([&](Database& database) {
+    Transaction transaction(database, TransactionBehavior::IMMEDIATE);
+    write_notes(database, student, lab, notes);
+    transaction.commit();
+  });
 }
 
 void Store::put(const std::string& student, const CaseResult& result) {
-  const std::lock_guard lock(database_->mutex);
-  Statement(database_->connection,
-            fmt::format("INSERT OR REPLACE INTO cases (student, {}) VALUES {}", kCaseColumns, marks(17)),
-            student, result.lab, result.name, result.step, std::string(name_of(result.view)), result.hidden,
-            result.score, result.error, result.limit, result.message, result.mistake, result.mistake_says,
-            result.command, result.picture, result.reference, std::string(name_of(result.status)),
-            std::string(name_of(result.judged)))
-      .run();
+  run(fmt::format("INSERT OR REPLACE INTO cases (student, {}) VALUES {}", kCaseColumns, marks(17)), student,
+      result.lab, result.name, result.step, name_of(result.view), result.hidden, result.score, result.error,
+      result.limit, result.message, result.mistake, result.mistake_says, result.command, result.picture,
+      result.reference, name_of(result.status), name_of(result.judged));
 }
 
 void Store::put_incident(const std::string& student, const std::string& lab, const std::string& text) {
-  const std::lock_guard lock(database_->mutex);
-  write_incident(database_->connection, student, lab, text);
+  connection_->use([&](Database& database) { write_incident(database, student, lab, text); });
 }
 
 std::set<std::string> Store::judged(const std::string& student) const {
-  const std::lock_guard lock(database_->mutex);
-  std::set<std::string> cases;
-  std::string name;
-  for (Statement row(database_->connection, "SELECT lab || '/' || name FROM cases WHERE student = ?",
-                     student);
-       row.next();) {
-    row >> name;
-    cases.insert(name);
-  }
-  return cases;
+  return connection_->use([&](Database& database) {
+    std::set<std::string> cases;
+    std::string name;
+    for (Query row(database, "SELECT lab || '/' || name FROM cases WHERE student = ?", student);
+         row.next();) {
+      row >> name;
+      cases.insert(name);
+    }
+    return cases;
+  });
 }
 
 void Store::put_override(const Override& override) {
@@ -451,67 +477,51 @@ void Store::put_override(const Override& override) {
   if (!(override.score >= 0 && override.score <= 1))
     throw Error::usage(fmt::format("{} has the score {}", what, override.score), "give one from 0 to 1");
   if (override.reason.empty()) throw Error::usage(what + " has no reason", "add --reason with the reason");
-  const std::lock_guard lock(database_->mutex);
-  Statement(database_->connection, "INSERT OR REPLACE INTO overrides VALUES (?, ?, ?, ?)", override.student,
-            override.step, override.score, override.reason)
-      .run();
+  run("INSERT OR REPLACE INTO overrides VALUES (?, ?, ?, ?)", override.student, override.step, override.score,
+      override.reason);
 }
 
 void Store::drop_override(const std::string& student, const std::string& step) {
-  const std::lock_guard lock(database_->mutex);
-  Statement(database_->connection, "DELETE FROM overrides WHERE student = ? AND step = ?", student, step)
-      .run();
+  run("DELETE FROM overrides WHERE student = ? AND step = ?", student, step);
 }
 
 std::vector<Override> Store::overrides() const {
-  const std::lock_guard lock(database_->mutex);
-  return read_overrides(database_->connection);
+  return connection_->use(read_overrides);
 }
 
 ClassResult Store::read(const std::vector<course::Lab>& labs) const {
-  const std::lock_guard lock(database_->mutex);
-  // Other programs may write meanwhile: the rows are those of one moment.
-  const Transaction transaction(database_->connection, Transaction::Kind::reads);
-  return read_class_result(database_->connection, labs);
+  return connection_->use([&](Database& database) {
+    // Other programs may write meanwhile: the rows are those of one moment.
+    const Transaction transaction(database);
+    return read_class_result(database, labs);
+  });
 }
 
 std::string Store::dump() const {
-  const std::lock_guard lock(database_->mutex);
-  const Transaction transaction(database_->connection, Transaction::Kind::reads);
   std::string text;
-  for (const Table& table : kTables)
-    for (Statement row = rows_of(database_->connection, table); row.next();) text += line_of(table, row);
+  for (const Row& row : connection_->use(rows_at_one_moment)) text += line_of(row);
   return text;
 }
 
 void Store::merge(const Store& other) {
+  const std::string &ours = connection_->file(), &theirs = other.connection_->file();
   std::error_code gone;
-  if (this == &other ||
-      fs::equivalent(database_->connection.file(), other.database_->connection.file(), gone))
-    return;
-  const std::scoped_lock lock(database_->mutex, other.database_->mutex);
-  const Connection& to = database_->connection;
-  const Connection& from = other.database_->connection;
-  const Transaction reading(from, Transaction::Kind::reads);
-  Transaction writing(to, Transaction::Kind::writes);
-
-  if (!is_empty(to) && !is_empty(from)) expect_equal_facts(to, from);
-  const auto ours = lines_by_matter(to);
-  for (const auto& [matter, theirs] : lines_by_matter(from))
-    if (const auto found = ours.find(matter); found != ours.end() && found->second != theirs)
-      throw Error::usage(fmt::format("{} and {} disagree about {}", to.file(), from.file(), matter),
-                         "leave one of them out, or grade this student again");
-
-  for (const Table& table : kTables) {
-    Statement row = rows_of(from, table);
-    // What both have is the same.
-    Statement copy(to, fmt::format("INSERT OR IGNORE INTO {} VALUES {}", table.name, marks(row.columns())));
-    while (row.next()) {
-      copy.bind_row(row);
-      copy.run();
+  if (this == &other || fs::equivalent(ours, theirs, gone)) return;
+  const std::vector<Row> their_rows = other.connection_->use(rows_at_one_moment);
+  connection_->use([&](Database& database) {
+    Transaction transaction(database, TransactionBehavior::IMMEDIATE);
+    expect_no_difference(rows_of(database), ours, their_rows, theirs);
+    for (const Row& row : their_rows) {
+      // What both have is the same.
+      Query copy(database, fmt::format("INSERT OR IGNORE INTO {} VALUES {}", row.table->name,
+                                       marks(row.values.size())));
+      int place = 0;
+      for (const auto& value : row.values)
+        std::visit([&](const auto& one) { copy.bind(++place, one); }, value);
+      copy.exec();
     }
-  }
-  writing.commit();
+    transaction.commit();
+  });
 }
 
 }  // namespace texel::grade

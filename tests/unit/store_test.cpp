@@ -694,71 +694,16 @@ void run_sql(const fs::path& file, const char* sql) {
   sqlite3_close(database);
 }
 
-/// The table of cases as version 1 had it, with three of a student's.
-constexpr const char* kCasesOfVersion1 = R"(
-DROP TABLE cases;
-CREATE TABLE cases (
-  student TEXT REFERENCES students ON DELETE CASCADE, lab TEXT, name TEXT, step TEXT NOT NULL,
-  view TEXT NOT NULL, hidden INTEGER NOT NULL, passed INTEGER NOT NULL,
-  score REAL NOT NULL CHECK (score BETWEEN 0 AND 1), error REAL, bound REAL NOT NULL, unit TEXT NOT NULL,
-  message TEXT NOT NULL, mistake TEXT NOT NULL, mistake_says TEXT NOT NULL, command TEXT NOT NULL,
-  picture TEXT NOT NULL, reference TEXT NOT NULL, PRIMARY KEY (student, lab, name)) STRICT, WITHOUT ROWID;
-INSERT INTO cases VALUES
-  ('jane', '01_quad', 'a', '1.1', 'color', 0, 1, 1, 0, 2, 'steps', '', '', '', 'command', '', 'reference'),
-  ('jane', '01_quad', 'b', '1.1', 'normal', 0, 0, 0.5, 9, 2, 'degrees', 'Off.', '', '', '', '', ''),
-  ('jane', '01_quad', 'c', '1.1', 'mesh', 1, 0, 0, NULL, 2, 'degrees',
-   'This step is still as the starter has it. There is no picture.', '', '', '', '', '');
-PRAGMA user_version = 1;
-)";
-
-TEST(Store, takes_over_what_version_1_kept) {
-  const Folder folder;
-  {
-    Store store(folder / "store");
-    store.put_student(student_of("jane"), "digest");
-  }
-  run_sql(folder / "store", kCasesOfVersion1);
-  const std::vector<CaseResult> cases =
-      step_in(student_in(Store(folder / "store").read(two_labs()), "jane"), "1.1").cases;
-  ASSERT_EQ(cases.size(), 3U);
-  EXPECT_EQ(cases[0].status, CaseStatus::passed);
-  EXPECT_EQ(cases[0].reference, "reference");
-  EXPECT_EQ(cases[1].status, CaseStatus::failed);
-  EXPECT_EQ(cases[1].score, 0.5);
-  EXPECT_EQ(cases[1].unit(), course::Unit::degrees);
-  EXPECT_EQ(cases[2].status, CaseStatus::untouched);
-  EXPECT_TRUE(cases[2].is_mesh());
-  for (const CaseResult& one : cases) EXPECT_EQ(one.judged, Judged::together) << one.name;
-}
-
-TEST(Store, takes_over_what_version_2_kept) {
-  const Folder folder;
-  CaseResult result = case_of("1.1", "a", 0.5);
-  {
-    Store store(folder / "store");
-    store.put_student(student_of("jane"), "digest");
-    store.put("jane", result);
-  }
-  run_sql(folder / "store", "ALTER TABLE cases DROP COLUMN judged; PRAGMA user_version = 2");
-  {
-    Store store(folder / "store");
-    EXPECT_EQ(step_in(student_in(store.read(two_labs()), "jane"), "1.1").cases.at(0).judged,
-              Judged::together);
-    result.judged = Judged::alone;
-    store.put("jane", result);
-  }
-  EXPECT_EQ(step_in(student_in(Store(folder / "store").read(two_labs()), "jane"), "1.1").cases.at(0).judged,
-            Judged::alone);
-}
-
-TEST(Store, leaves_databases_of_other_programs_and_later_versions) {
+TEST(Store, leaves_databases_of_other_programs_and_versions) {
   const Folder folder;
   run_sql(folder / "other", "CREATE TABLE students (id); PRAGMA user_version = 1");
-  { const Store store(folder / "later"); }
+  for (const char* name : {"earlier", "later"}) const Store store(folder / name);
+  run_sql(folder / "earlier", "PRAGMA user_version = 2");
   run_sql(folder / "later", "PRAGMA user_version = 4");
   const std::map<std::string, std::string> errors = {
       {"other", "is not a store of grades"},
-      {"later", "the store has version 4, newer than 3; use the program"}};
+      {"earlier", "the store has version 2, and this program writes version 3; use the program"},
+      {"later", "the store has version 4, and this program writes version 3; use the program"}};
   for (const auto& [name, says] : errors) {
     const std::filesystem::path file = folder / name;
     const std::string before = read_file(file);

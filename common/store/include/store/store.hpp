@@ -12,6 +12,8 @@
 /// The grades of a class, in one SQLite file that survives the grader's sudden end.
 namespace texel::grade {
 
+class Connection;
+
 /// Everything is committed as it comes, in SQLite's write-ahead log, and waits for the disk. So what was put
 /// is there after a sudden end of the program or of the machine; of what was being put, either the old is
 /// there or the new. While a store is open, and after a sudden end, the files beside it that end in -wal and
@@ -20,7 +22,7 @@ namespace texel::grade {
 /// Times are not kept: two runs over the same class give the same rows. Members may be called by many
 /// threads, and many processes may open one file. Each throws Error (exit 3) with the file and a remedy, and
 /// leaves what was there: for a full disk, a file or folder without write permission, a file that is no
-/// store, is damaged, or is of a later version, and one that another program holds for half a minute.
+/// store, is damaged, or is of another version, and one that another program holds for half a minute.
 class Store {
  public:
   /// Opens the store, or makes one when there is none.
@@ -84,8 +86,11 @@ class Store {
   void merge(const Store& other);
 
  private:
-  struct Database;
-  std::unique_ptr<Database> database_;
+  /// Runs one statement with its values.
+  template <class... Values>
+  void run(const std::string& sql, const Values&... values);
+
+  std::unique_ptr<Connection> connection_;
 };
 
 }  // namespace texel::grade
