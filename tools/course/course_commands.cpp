@@ -35,25 +35,6 @@ void add_bench(CLI::App& app, BenchOptions& options) {
   command->add_flag("--errors-only", options.errors_only, "Measure errors, but no times");
 }
 
-void add_mutants(CLI::App& app, MutantsOptions& options) {
-  CLI::App* command = app.add_subcommand(
-      "mutants", "Make small wrong changes in a copy of the tree, and check that the tests notice");
-  command->footer(
-      "Exit codes: 0 at least 95 % caught, 1 fewer, 2 wrong usage, 3 a mutant does not apply or compile, or "
-      "one\n"
-      "that changes nothing is caught.");
-  command->add_option("--catalogue", options.catalogue, "Folder of the mutants [tests/mutants]");
-  command->add_option("--root", options.root, "The tree [the source tree]");
-  command->add_option("--only", options.only, "Names separated by commas, or a file with one name per line")
-      ->delimiter(',');
-  command->add_option("--every", options.every, "A sample: only each so many-th of the catalogue [1]")
-      ->check(CLI::Range(1, 1000));
-  command->add_flag("--resume", options.resume, "Go on where an earlier run of this very tree was cut off");
-  command->add_option("--report", options.report,
-                      "Write each result at once into this .md or .json, with the earlier ones");
-  command->add_option("--work", options.work, "Folder for the copy, its build and the logs [build/mutants]");
-}
-
 void add_starter(CLI::App& app, StarterOptions& options) {
   CLI::App* command = app.add_subcommand("starter", "Write the tree that students start with");
   command->footer(
@@ -214,7 +195,6 @@ Exit run_grade(const CLI::App& app, const GradeCommands& all) {
 
 struct CourseCommands::Options {
   BenchOptions bench;
-  MutantsOptions mutants;
   StarterOptions starter;
   GradeCommands grade;
   ExpectedCommand expected;
@@ -224,7 +204,6 @@ struct CourseCommands::Options {
 
 CourseCommands::CourseCommands(CLI::App& app) : app_(app), options_(std::make_unique<Options>()) {
   add_bench(app, options_->bench);
-  add_mutants(app, options_->mutants);
   add_starter(app, options_->starter);
   add_grade(app, options_->grade);
   add_expected(app, options_->expected);
@@ -238,7 +217,6 @@ CourseCommands::~CourseCommands() = default;
 
 std::optional<Exit> CourseCommands::run() const {
   if (app_.got_subcommand("bench")) return bench(options_->bench);
-  if (app_.got_subcommand("mutants")) return mutants(options_->mutants);
   if (app_.got_subcommand("starter")) return starter(options_->starter);
   if (app_.got_subcommand("grade")) return run_grade(app_, options_->grade);
   if (app_.got_subcommand("expected")) return expected(options_->expected);

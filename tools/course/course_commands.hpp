@@ -25,18 +25,6 @@ struct BenchOptions {
 /// `texel bench`: error against cost of every method. Differs when an error is not that of `against`.
 Exit bench(const BenchOptions& options);
 
-struct MutantsOptions {
-  std::filesystem::path catalogue, root, report, work;  ///< empty: those of the course
-  std::vector<std::string> only;                        ///< names, or files with names; none for all
-  std::size_t every = 1;                                ///< only each so many-th of all
-  bool resume = false;                                  ///< keep what was found in this very tree
-};
-
-/// `texel mutants`: makes each mutant of the catalogue in a copy of the tree and runs the tests on it.
-/// Differs when they catch fewer than 95 %. Throws Error (exit 3) when a mutant does not apply or compile,
-/// and when one that changes nothing is caught.
-Exit mutants(const MutantsOptions& options);
-
 struct ExpectedCommand {
   std::vector<int> labs;        ///< numbers; none for all
   std::filesystem::path cache;  ///< empty: build/grade of the course

@@ -134,10 +134,9 @@ run_performance() { # arguments of performance
   xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' "$root/build/release/bin/performance" "$@"
 }
 
-run_mutants() { # arguments of texel mutants
+run_mutants() { # arguments of mutants.py
   need "${packages[@]}" "${test_packages[@]}"
-  build_release texel
-  texel mutants "$@"
+  "$root/tools/course/mutants.py" "$@"
 }
 
 make_assets() {
