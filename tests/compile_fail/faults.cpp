@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// What must not compile. The file compiles as it is, so that nothing else is what fails. Each line of this
+// table is a test: its name, what it defines, and the reason that the compiler must give.
+// clang-format off
+//
+// choice_default_is_no_item | METHOD=static_cast<Method>(2) | the default is not one of the items
+// choice_item_without_help | HELP= | an item needs a name and a line of help
+// choice_with_duplicate_items | ITEM=nearest | two items have the same name
+// file_default_is_no_item | FILE_NAME=brick | the default is not one of the items
+// number_default_out_of_range | TILT=90 | the default is outside the range
+// number_logarithmic_from_zero | NEAREST=0 | a logarithmic range must be positive
+// number_with_bad_name | NUMBER=BumpStrength | a parameter's name is snake_case
+// number_with_empty_range | LEAST=89 | a range goes from a smaller to a larger value
+// toggle_with_trailing_underscore | TOGGLE=flip_ | a parameter's name is snake_case
+// toggle_without_help | TOGGLE_HELP= | a parameter needs a line of help
+// lab_with_misspelt_draw | DRAW=drawn | override
+// lab_with_misspelt_mesh | MESH=meshes | override
+// lab_with_misspelt_preparation | PREPARATION=preparations | override
+// lab_with_misspelt_measure | MEASURE=measures | a lab has 'static app::Measure measure(const Parameters&)' if it has the view error
+// lab_with_misspelt_truth | TRUTH=truths | a lab has 'static app::Truth truth(const Parameters&, glm::ivec2)' if it has the view error
+// lab_with_truth_without_the_view_error | VIEW=color | a lab has 'static app::Truth truth(const Parameters&, glm::ivec2)' if it has the view error
+//
+// clang-format on
+#include "app/lab.hpp"
+#include "params/set.hpp"
+
+#define QUOTED(words) #words
+#define TEXT(words) QUOTED(words)
+
+#ifndef METHOD
+#define METHOD Method::linear
+#endif
+#ifndef ITEM
+#define ITEM linear
+#endif
+#ifndef HELP
+#define HELP Four texels
+#endif
+#ifndef FILE_NAME
+#define FILE_NAME linear
+#endif
+#ifndef TILT
+#define TILT 60
+#endif
+#ifndef LEAST
+#define LEAST -89
+#endif
+#ifndef NEAREST
+#define NEAREST 0.1
+#endif
+#ifndef NUMBER
+#define NUMBER bump_strength
+#endif
+#ifndef TOGGLE
+#define TOGGLE flip_v
+#endif
+#ifndef TOGGLE_HELP
+#define TOGGLE_HELP Turns the picture over
+#endif
+#ifndef DRAW
+#define DRAW draw
+#endif
+#ifndef MESH
+#define MESH mesh
+#endif
+#ifndef PREPARATION
+#define PREPARATION preparation
+#endif
+#ifndef MEASURE
+#define MEASURE measure
+#endif
+#ifndef TRUTH
+#define TRUTH truth
+#endif
+#ifndef VIEW
+#define VIEW error
+#endif
+
+namespace texel {
+namespace params {
+
+enum class Method { nearest, linear };
+constexpr Item methods[] = {{"nearest", "The nearest texel"}, {TEXT(ITEM), TEXT(HELP)}};
+constexpr Choice<Method> choice("method", METHOD, methods, "How the texture is filtered");
+constexpr Item files[] = {{"nearest", "The nearest texel"}, {"linear", "Four texels"}};
+constexpr File file("texture", TEXT(FILE_NAME), files, "The picture on the square");
+constexpr Number tilt("tilt", TILT, LEAST, 89, "degrees", "How far the quad leans back");
+constexpr Number near("near", 1, NEAREST, 10, "", "Distance of the near plane", Scale::logarithmic);
+constexpr Number number(TEXT(NUMBER), 1, 0, 4, "", "How deep the bumps are");
+constexpr Toggle toggle(TEXT(TOGGLE), true, TEXT(TOGGLE_HELP));
+
+}  // namespace params
+
+struct SmallParameters {
+  void declare(params::Set&) {}
+};
+
+struct SmallLab : app::Lab<SmallParameters> {
+  static constexpr app::View kViews[] = {app::View::color, app::View::VIEW};
+  static constexpr app::Info info{10, "small", "Small", "As small as a lab can be.", kViews};
+  explicit SmallLab(const app::Assets&) {}
+  void DRAW(const Parameters&, app::Frame&) override {}
+  const mesh::Mesh* MESH(const Parameters&) override { return nullptr; }
+  std::optional<app::Preparation> PREPARATION(const Parameters&) override { return {}; }
+  static app::Measure MEASURE(const Parameters&) { return {app::View::color, app::Unit::steps, "a truth"}; }
+  static app::Truth TRUTH(const Parameters&, glm::ivec2) { return {}; }
+};
+template class app::LabOf<SmallLab>;
+
+}  // namespace texel
