@@ -512,36 +512,6 @@ TEST(HardCaseOfLab8, no_method_draws_a_nan_on_a_coarse_stretched_or_surrounding_
     EXPECT_EQ(count_non_finite(pictures.at(shot.name)), 0) << shot.view << flags(shot.values);
 }
 
-TEST(HardCaseOfLab8, default_is_exact_where_the_others_are_degrees_off) {
-  struct Look {
-    const char* name;
-    Settings values;
-  };
-  const std::vector<Look> looks = {{"coarse", {{"rings", "2"}, {"segments", "3"}}},
-                                   {"tall", {{"stretch", "4"}, {"tilt", "30"}}},
-                                   {"flat", {{"stretch", "0.25"}, {"tilt", "60"}}},
-                                   {"inside", {{"distance", "0.5"}}},
-                                   {"near", {{"distance", "1.2"}, {"field_of_view", "150"}}}};
-  for (const Look& look : looks)
-    for (const Settings& surface : {Settings{}, {{"surface", "refraction"}, {"index", "0.4"}}}) {
-      SCOPED_TRACE(look.name + flags(surface));
-      const Figures error = measured(kLab8, look.values + surface);
-      // The ball itself, whatever its triangles are: even six of them. Measured 1.1e-5 to 1.7e-4 in the mean.
-      EXPECT_BELOW(error.mean, 1e-3);
-      EXPECT_EQ(error.non_finite, 0);
-      EXPECT_GT(error.pixels, 5000);
-    }
-  const auto mean = [&](std::size_t look, const Settings& values) {
-    return measured(kLab8, looks[look].values + values).mean;
-  };
-  // Known to fail: the normals and rays of six triangles (77 and 116 degrees), the model's matrix for the
-  // normals of a flat ball (98), and one ray for all from inside (23).
-  EXPECT_ABOVE(mean(0, {{"normal_method", "renormalised"}}), 40);
-  EXPECT_ABOVE(mean(0, {{"evaluate", "vertex"}}), 60);
-  EXPECT_ABOVE(mean(2, {{"normal_matrix", "model"}}), 60);
-  EXPECT_ABOVE(mean(3, {{"method", "constant-eye"}}), 15);
-}
-
 TEST(HardCaseOfLab8, one_ray_for_all_is_9_7_degrees_off_over_pixels_and_11_8_over_the_visible_surface) {
   // Both rays are mirrored at the same normal, so the error is the angle at the eye, 4 away, between the
   // middle of the ball and the point that is seen: tan = sin t / (4 - cos t) for a point at the angle t from
@@ -644,31 +614,6 @@ TEST(HardCaseOfLab9, tangents_of_frisvad_s_frame_are_too_long_or_short_close_to_
     } else {
       EXPECT_BELOW(most, 1e-6);
     }
-  }
-}
-
-TEST(HardCaseOfLab9, without_strength_the_ball_is_a_plain_mirror_but_for_the_worksheet_s_length) {
-  const auto mean = [](const char* method) {
-    return measured(kLab9, {{"method", method}, {"bump_strength", "0"}}).mean;
-  };
-  // The map's x and y count nothing, and any frame has N. Measured 0.068: the ball's triangles.
-  for (const char* method : {"duff", "uv-aligned", "blinn"}) EXPECT_BELOW(mean(method), 0.1) << method;
-  // Known to fail: what is left of the map's normal is shorter than 1 on its slopes, and nobody makes it
-  // unit, so the ray is reflected at no plane. Measured 4.7.
-  EXPECT_ABOVE(mean("rotate-to-normal"), 3);
-}
-
-TEST(HardCaseOfLab9, a_hundredfold_strength_needs_the_frame_along_u_and_v) {
-  const auto mean = [](const char* method, const Settings& look) {
-    return measured(kLab9, look + Settings{{"method", method}, {"bump_strength", "100"}}).mean;
-  };
-  for (const Settings& look : {Settings{}, {{"tilt", "90"}}}) {
-    // 8 bits' 0.3 degrees count a hundredfold wherever the relief is flat. Measured 1.2 from the front
-    // and 1.4 at the pole.
-    EXPECT_BELOW(mean("uv-aligned", look), 3) << flags(look);
-    // Known to fail: a frame from the normal alone, 13 and 35, and the unnormalised one, 62 and 88.
-    EXPECT_ABOVE(mean("duff", look), 8) << flags(look);
-    EXPECT_ABOVE(mean("rotate-to-normal", look), 40) << flags(look);
   }
 }
 

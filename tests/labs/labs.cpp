@@ -166,14 +166,6 @@ Settings operator+(Settings first, const Settings& then) {
   return first;
 }
 
-Figures measured(const std::string& lab, const Settings& values, const std::string& size) {
-  const Result result = run_lab(lab, "--measure - --size " + size + flags(values));
-  EXPECT_EQ(result.exit_code, 0) << lab << flags(values) << "\n" << result.errors;
-  if (result.exit_code != 0) return {};
-  const auto json = parse_json(result.output);
-  return {json.at("mean"), json.at("p99"), json.at("max"), json.at("pixels"), json.at("non_finite")};
-}
-
 void expect_error(const Result& result, int exit_code, const std::string& lab,
                   const std::vector<std::string>& parts) {
   EXPECT_EQ(result.exit_code, exit_code) << result.errors;

@@ -93,13 +93,6 @@ struct Stats {
 };
 Stats stats_of(const std::string& lab, const std::string& arguments = {});
 
-/// What --measure - prints of a look.
-struct Figures {
-  double mean = 0, p99 = 0, most = 0;
-  int pixels = 0, non_finite = 0;
-};
-Figures measured(const std::string& lab, const Settings& values, const std::string& size = "256x256");
-
 /// Expects that the program ended with `exit_code`, printed nothing but one line of error that begins with
 /// its name and contains each of `parts`.
 void expect_error(const Result& result, int exit_code, const std::string& lab,

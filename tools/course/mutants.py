@@ -168,10 +168,12 @@ class Suite:
         listed = subprocess.run(["ctest", "--test-dir", "build/release", "--show-only=json-v1"], cwd=self.tree, capture_output=True,
                                 check=False).stdout
         for number, entry in enumerate(json.loads(listed)["tests"], 1):
-            program = pathlib.PurePath(entry.get("command", [""])[0])  # none: it is not built
+            command = entry.get("command", [""])  # none: it is not built
+            built = [word for word in command if pathlib.PurePath(word).is_relative_to(self.tree / "build/release/bin")]
+            program = pathlib.PurePath((built or command)[0])
             labels = [label for one in entry.get("properties", []) if one["name"] == "LABELS" for label in one["value"]]
             self.tests.append({"number": number, "name": entry["name"], "key": f"{program.name} {entry['name']}".lower(),
-                               "target": program.name if program.is_relative_to(self.tree) else "",
+                               "target": program.name if built else "",
                                "is_used": not {"tree", "class"} & set(labels), "seconds": 0})
         xml, known = self.logs / "unchanged.xml", self.logs / "unchanged.state"
         if known.exists() and known.read_text() == state:
