@@ -31,11 +31,11 @@ fs::path checked_folder(const OwnTree& tree) {
   return tree.build / "check" / fmt::format("{:016x}", std::hash<std::string>()(name));
 }
 
-/// What stands between each step's markers. Throws Error (exit 3) where they are spoilt.
+/// What stands between each step's markers, as far as they are whole.
 std::map<std::string, std::string> texts_of_steps(const fs::path& source) {
   std::map<std::string, std::string> texts;
   for (const std::string& file : course::step_files(source))
-    for (const auto& [step, text] : course::step_texts(read_file(source / file), file)) texts[step] += text;
+    for (const auto& [step, text] : course::step_texts(read_file(source / file))) texts[step] += text;
   return texts;
 }
 
@@ -152,6 +152,16 @@ std::string expected_by(const fs::path& source, const course::Lab& lab) {
   return text.substr(0, text.find('\n'));
 }
 
+/// Says in the lab's notes which of its steps have damaged markers.
+void note_markers(const fs::path& source, std::vector<LabResult>& labs) {
+  for (const std::string& file : course::step_files(source)) {
+    const std::string first = course::first_text(source, file);
+    for (const auto& [step, fault] : course::marker_faults(read_file(source / file), first, file))
+      for (LabResult& lab : labs)
+        if (std::stoi(step) == lab.lab.number) lab.notes.push_back(fault);
+  }
+}
+
 bool is_text_of_programs(const fs::path& file) {
   static const std::set<std::string> kEndings = {".cpp", ".hpp", ".glsl", ".vert", ".frag"};
   return kEndings.contains(file.extension().string());
@@ -193,9 +203,7 @@ std::set<std::string> untouched_steps(const OwnTree& tree) {
   std::set<std::string> steps;
   for (const std::string& file : course::step_files(tree.source)) {
     const std::string text = read_file(tree.source / file);
-    const std::string first = course::first_text(tree.source, file);
-    course::require_markers(text, first, file);
-    steps.merge(course::untouched_steps(text, first, file));
+    steps.merge(course::untouched_steps(text, course::first_text(tree.source, file)));
   }
   return steps;
 }
@@ -235,6 +243,7 @@ std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>
   if (drew != renderers.end())
     for (LabResult& lab : results)
       lab.notes.push_back(renderer_note(*drew, expected_by(tree.source, lab.lab)));
+  note_markers(tree.source, results);
   put_places(results, places);
   return results;
 }
@@ -247,6 +256,7 @@ LabResult check_step(const OwnTree& tree, const course::Lab& lab, const std::str
   std::vector<LabResult> results =
       lab_results({plan.lab}, LabCheck(tree, plan, untouched_steps(tree), draws).run(processors()));
   std::erase_if(results.front().steps, [&](const StepResult& one) { return one.id != step; });
+  note_markers(tree.source, results);
   put_places(results, course::step_places(tree.source));
   return results.front();
 }

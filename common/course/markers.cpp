@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
+#include "course/same_code.hpp"
 
 namespace texel::course {
 namespace {
@@ -30,16 +31,12 @@ bool is_step(std::string_view id) {
 
 constexpr const char* kRemedy = "a step stands between the lines '//@step 5.1 begin' and '//@end'";
 
-/// What the line says as a marker, if it is one.
-std::optional<Line> read_marker(std::string_view line, const Place& place) {
-  const std::size_t first = line.find_first_not_of(" \t");
-  if (first == line.npos) return {};
-  const bool is_code = line.substr(first).starts_with("//@"),
-             is_script = line.substr(first).starts_with("#@");
-  if (!is_code && !is_script) return {};
-  std::string_view word = line.substr(first + (is_code ? 3 : 2));
-  if (const std::size_t last = word.find_last_not_of(" \t\r"); last != word.npos)
-    word = word.substr(0, last + 1);
+/// What a line says as a marker, if it is one: the markers' own words and nothing else.
+std::optional<Line> marker_of(std::string_view line) {
+  const std::size_t first = std::min(line.find_first_not_of(" \t"), line.size());
+  std::string_view word = line.substr(first, line.find_last_not_of(" \t\r\n") + 1 - first);
+  if (!word.starts_with("//@") && !word.starts_with("#@")) return {};
+  word.remove_prefix(word.find('@') + 1);
   if (word == "starter") return Line{Kind::starter, {}};
   if (word == "end") return Line{Kind::end, {}};
   if (word == "teacher begin") return Line{Kind::begin, {}};
@@ -47,7 +44,56 @@ std::optional<Line> read_marker(std::string_view line, const Place& place) {
     const std::string_view id = word.substr(5, word.size() - 11);
     if (is_step(id)) return Line{Kind::begin, std::string(id)};
   }
-  throw Error::failed(fmt::format("there is no marker '{}'", line.substr(first)), place, kRemedy);
+  return {};
+}
+
+/// The same in a text of the course, where a misspelt marker would give a solution away.
+std::optional<Line> strict_marker_of(std::string_view line, const Place& place) {
+  std::optional<Line> marker = marker_of(line);
+  const std::string_view rest = line.substr(std::min(line.find_first_not_of(" \t"), line.size()));
+  if (!marker && (rest.starts_with("//@") || rest.starts_with("#@")))
+    throw Error::failed(fmt::format("there is no marker '{}'", rest.substr(0, rest.find_first_of("\r\n"))),
+                        place, kRemedy);
+  return marker;
+}
+
+/// Calls on_line(line, offset, number) for each line of a text, with its end.
+template <class OnLine>
+void each_line(std::string_view text, OnLine on_line) {
+  int number = 0;
+  for (std::size_t at = 0, end = 0; at < text.size(); at = end) {
+    end = std::min(text.find('\n', at), text.size() - 1) + 1;
+    on_line(text.substr(at, end - at), at, ++number);
+  }
+}
+
+/// The texts of a step's places, as many as it should have. Throws Error (exit 3) where its markers are not
+/// whole.
+std::vector<std::string> whole_texts(const std::string& text, const std::string& file,
+                                     const std::string& step, std::size_t expected) {
+  std::vector<std::string> texts;
+  for (const StepPart& part : parts_of(text)) {
+    if (part.step != step) continue;
+    if (!part.is_whole())
+      throw Error::failed(fmt::format("step {} has no '//@end' of its own", step), {file, part.line},
+                          kRemedy);
+    texts.push_back(part.of(text));
+  }
+  const std::string remedy = fmt::format("copy the lines with its markers from {}/{}", kFirstTexts, file);
+  if (texts.empty())
+    throw Error::failed(fmt::format("the marker '//@step {} begin' is missing", step), {file}, remedy);
+  if (texts.size() != expected)
+    throw Error::failed(fmt::format("step {} has its markers in {} places, but {} are expected", step,
+                                    texts.size(), expected),
+                        {file}, remedy);
+  return texts;
+}
+
+std::map<std::string, std::vector<std::string>> texts_by_step(const std::string& text) {
+  std::map<std::string, std::vector<std::string>> texts;
+  for (const StepPart& part : parts_of(text))
+    if (part.is_whole()) texts[part.step].push_back(part.of(text));
+  return texts;
 }
 
 /// A line of the starter's part without the comment's sign; other lines as they are.
@@ -62,23 +108,20 @@ std::string uncommented(std::string_view line) {
   return is_blank ? std::string(rest) : std::string(line.substr(0, first)) + std::string(rest);
 }
 
-/// Goes through a text. `marker(line, marker)` gets each marker's line, `between(part, line)` each other one
-/// with the kind of the marker above it, which is `end` outside.
+/// Goes through a text of the course. `marker(line, marker)` gets each marker's line, `between(part, line)`
+/// each other one with the kind of the marker above it, which is `end` outside.
 template <class MarkerLine, class OtherLine>
 void walk(const std::string& text, const std::string& file, MarkerLine on_marker, OtherLine on_other) {
   Kind part = Kind::end;
-  Place begun, place{file};
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size() - 1) + 1;
-    const std::string_view line = std::string_view(text).substr(at, end - at);
-    at = end;
-    ++place.line;
-    const std::optional<Line> marker = read_marker(line.substr(0, line.find('\n')), place);
+  Place begun;
+  each_line(text, [&](std::string_view line, std::size_t, int number) {
+    const Place place{file, number};
+    const std::optional<Line> marker = strict_marker_of(line, place);
     if (!marker) {
       on_other(part, line);
-      continue;
+      return;
     }
-    // In a student's tree nothing stands between the two parts, since there is one only.
+    // In a starter nothing stands between the two parts, since there is one only.
     const bool fits = marker->kind == Kind::begin     ? part == Kind::end
                       : marker->kind == Kind::starter ? part == Kind::begin
                                                       : part != Kind::end;
@@ -89,8 +132,8 @@ void walk(const std::string& text, const std::string& file, MarkerLine on_marker
                           place, kRemedy);
     part = marker->kind;
     if (part == Kind::begin) begun = place;
-    on_marker(line, *marker, place.line);
-  }
+    on_marker(line, *marker, number);
+  });
   if (part != Kind::end) throw Error::failed("this step has no end", begun, kRemedy);
 }
 
@@ -109,6 +152,23 @@ bool has_marker(std::string_view text) {
 
 }  // namespace
 
+bool is_marker(std::string_view line) {
+  return marker_of(line).has_value();
+}
+
+std::vector<StepPart> parts_of(const std::string& text) {
+  std::vector<StepPart> parts;
+  each_line(text, [&](std::string_view line, std::size_t at, int number) {
+    const std::optional<Line> marker = marker_of(line);
+    if (!marker) return;
+    if (marker->kind == Kind::begin && !marker->step.empty())
+      parts.push_back({marker->step, number, at, at + line.size()});
+    else if (marker->kind == Kind::end && !parts.empty() && !parts.back().is_whole())
+      parts.back().text_end = at, parts.back().end = at + line.size();
+  });
+  return parts;
+}
+
 std::vector<Marker> markers_of(const std::string& text, const std::string& file) {
   std::vector<Marker> markers;
   walk(
@@ -120,41 +180,30 @@ std::vector<Marker> markers_of(const std::string& text, const std::string& file)
   return markers;
 }
 
-void require_markers(const std::string& text, const std::string& first, const std::string& file) {
-  std::map<std::string, int> counts;
-  for (const Marker& marker : markers_of(text, file)) ++counts[marker.step];
-  for (const Marker& marker : markers_of(first, file))
-    if (!marker.step.empty() && --counts[marker.step] < 0)
-      throw Error::failed(fmt::format("the marker '{} {} begin' is missing", kMarker, marker.step), {file},
-                          fmt::format("put it back with its //@end: {}/{} has them", kFirstTexts, file));
+std::map<std::string, std::string> marker_faults(const std::string& text, const std::string& first,
+                                                 const std::string& file) {
+  std::map<std::string, std::string> faults;
+  for (const auto& [step, texts] : texts_by_step(first)) try {
+      whole_texts(text, file, step, texts.size());
+    } catch (const Error& error) {
+      faults[step] = error.what();
+    }
+  return faults;
 }
 
-std::map<std::string, std::string> step_texts(const std::string& text, const std::string& file) {
-  std::map<std::string, std::string> texts;
-  std::string step;
-  walk(
-      text, file,
-      [&](std::string_view, const Line& marker, int) {
-        if (marker.kind == Kind::begin) step = marker.step;
-        if (!step.empty()) texts[step];  // one without a text is there too
-      },
-      [&](Kind part, std::string_view line) {
-        if (part != Kind::end && !step.empty()) texts[step] += line;
-      });
-  return texts;
+std::map<std::string, std::string> step_texts(const std::string& text) {
+  std::map<std::string, std::string> joined;
+  for (const auto& [step, texts] : texts_by_step(text))
+    for (const std::string& part : texts) joined[step] += part;
+  return joined;
 }
 
-std::set<std::string> untouched_steps(const std::string& text, const std::string& first,
-                                      const std::string& file) {
-  const std::map<std::string, std::string> given = step_texts(first, file);
-  std::map<std::string, std::string> own;
-  try {
-    own = step_texts(text, file);
-  } catch (const Error&) {  // what is spoilt was touched
-  }
+std::set<std::string> untouched_steps(const std::string& text, const std::string& first) {
+  std::map<std::string, std::vector<std::string>> own = texts_by_step(text);
   std::set<std::string> steps;
-  for (const auto& [step, what] : given)
-    if (const auto found = own.find(step); found != own.end() && found->second == what) steps.insert(step);
+  for (const auto& [step, given] : texts_by_step(first))
+    if (std::equal(given.begin(), given.end(), own[step].begin(), own[step].end(), is_same_code))
+      steps.insert(step);
   return steps;
 }
 
@@ -184,44 +233,49 @@ std::string with_steps(const std::string& text, const std::string& file,
 
 std::string with_step_from(const std::string& text, const std::string& file, const std::string& step,
                            const std::string& other) {
-  std::vector<std::string> parts;
-  bool is_step = false;
-  walk(
-      other, file,
-      [&](std::string_view, const Line& marker, int) {
-        if (marker.kind == Kind::begin) is_step = marker.step == step;
-        if (marker.kind == Kind::begin && is_step) parts.emplace_back();
-      },
-      [&](Kind part, std::string_view line) {
-        if (part != Kind::end && is_step) parts.back() += line;
-      });
+  std::map<std::string, std::vector<std::string>> others = texts_by_step(other);
+  whole_texts(text, file, step, others[step].size());
   std::string result;
-  std::size_t count = 0;
-  is_step = false;
-  walk(
-      text, file,
-      [&](std::string_view line, const Line& marker, int) {
-        result += line;
-        if (marker.kind != Kind::begin) return;
-        is_step = marker.step == step;
-        if (is_step && count < parts.size()) result += parts[count];
-        count += is_step ? 1 : 0;
-      },
-      [&](Kind part, std::string_view line) {
-        if (part == Kind::end || !is_step) result += line;
-      });
-  if (count != parts.size() || count == 0)
-    throw Error::failed(
-        fmt::format("has {} parts of step {}, but {} are expected", count, step, parts.size()), {file},
-        fmt::format("put its markers back; copy them from {}/{}", kFirstTexts, file));
-  return result;
+  std::size_t at = 0, count = 0;
+  for (const StepPart& part : parts_of(text)) {
+    if (part.step != step) continue;
+    result += text.substr(at, part.text - at) + others[step][count++];
+    at = part.text_end;
+  }
+  return result + text.substr(at);
 }
 
 std::string with_step_alone(const std::string& text, const std::string& file, const std::string& step,
                             const std::string& solution) {
-  std::string result = text;
-  for (const auto& [other, part] : step_texts(solution, file))
-    if (other != step) result = with_step_from(result, file, other, solution);
+  const std::vector<StepPart> given = parts_of(solution);
+  std::map<std::string, std::vector<std::size_t>> places;  // in `given`
+  for (std::size_t i = 0; i < given.size(); ++i) places[given[i].step].push_back(i);
+  whole_texts(text, file, step, places[step].size());
+  const std::map<std::string, std::string> lost = marker_faults(text, solution, file);
+  std::string result;
+  std::size_t at = 0, next = 0;  // the text up to here is done, and so are the places before the next one
+  const auto copy_up_to = [&](std::size_t place, std::size_t end, std::size_t end_in_solution) {
+    bool is_lost = next < place;
+    for (std::size_t i = next; i < place; ++i) is_lost = is_lost && lost.contains(given[i].step);
+    if (!is_lost) {
+      result += text.substr(at, end - at);
+      return;
+    }
+    if (!result.empty() && result.back() != '\n') result += '\n';
+    const std::size_t begin = next == 0 ? 0 : given[next - 1].end;
+    result += solution.substr(begin, end_in_solution - begin);
+  };
+  std::map<std::string, std::size_t> count;
+  for (const StepPart& part : parts_of(text)) {
+    if (!part.is_whole() || !places.contains(part.step) || lost.contains(part.step)) continue;
+    const std::size_t place = places[part.step][count[part.step]++];
+    copy_up_to(place, part.begin, given[place].begin);
+    result += text.substr(part.begin, part.text - part.begin);
+    result += part.step == step ? part.of(text) : given[place].of(solution);
+    result += text.substr(part.text_end, part.end - part.text_end);
+    at = part.end, next = place + 1;
+  }
+  copy_up_to(given.size(), text.size(), solution.size());
   return result;
 }
 

@@ -75,7 +75,7 @@ std::vector<StarterFile> starter_files(const fs::path& root,
     }
     const std::string text = read_file(file);
     files.push_back({path, file, with_steps(text, path, solved)});
-    if (!step_texts(text, path).empty())
+    if (!step_texts(text).empty())
       files.push_back({(kFirstTexts / fs::path(path)).generic_string(), file,
                        with_steps(text, path, [](const std::string&) { return false; })});
   };

@@ -12,8 +12,8 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "course/markers.hpp"
+#include "course/same_code.hpp"
 #include "grade/submission.hpp"
-#include "same_code.hpp"
 
 namespace texel::grade {
 namespace {
@@ -51,7 +51,7 @@ std::optional<Files> step_among_solutions(const Preparation& preparation, const 
 /// Whether the student wrote the step as the solution has it.
 bool is_solution(const Preparation& preparation, const Files& spliced) {
   return std::all_of(spliced.begin(), spliced.end(), [&](const auto& file) {
-    return is_same_code(file.second, preparation.solution.at(file.first));
+    return course::is_same_code(file.second, preparation.solution.at(file.first));
   });
 }
 

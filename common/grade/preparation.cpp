@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
+#include "core/plain_text.hpp"
 #include "course/markers.hpp"
 #include "course/starter.hpp"
 #include "fingerprint.hpp"
@@ -58,12 +59,11 @@ Preparation prepare(const GradeOptions& options, unsigned jobs) {
   p.workshop = std::make_unique<Workshop>(p.starter, options.cache, options.run);
   p.allowed = course::step_files(p.starter.source);
   for (const course::StarterFile& file : course::starter_files(options.course))
-    p.given[file.path] = file.text ? file.text->size() : fs::file_size(file.source);
+    p.given[lower_case(file.path)] = file.text ? file.text->size() : fs::file_size(file.source);
   for (const std::string& path : p.allowed) {
     p.solution[path] =
         course::with_steps(read_file(options.course / path), path, [](const std::string&) { return true; });
-    for (const auto& [step, text] : course::step_texts(p.solution[path], path))
-      p.files_of_step[step].insert(path);
+    for (const auto& [step, text] : course::step_texts(p.solution[path])) p.files_of_step[step].insert(path);
   }
   p.models = options.cache / "models" / fingerprint({p.seed}).substr(0, 16);
   p.plans = full_plan(p.labs, p.seed, p.models);

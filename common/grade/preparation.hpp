@@ -16,12 +16,13 @@
 namespace texel::grade {
 
 struct Preparation {
-  std::vector<course::Lab> labs;                               ///< that are asked for and have steps
-  std::vector<LabPlan> plans;                                  ///< theirs
-  std::string seed;                                            ///< the course's secret
-  std::filesystem::path models;                                ///< models that nobody has seen
-  std::vector<std::string> allowed;                            ///< files that a student may change
-  std::map<std::string, std::uint64_t> given;                  ///< the sizes of all files that students get
+  std::vector<course::Lab> labs;     ///< that are asked for and have steps
+  std::vector<LabPlan> plans;        ///< theirs
+  std::string seed;                  ///< the course's secret
+  std::filesystem::path models;      ///< models that nobody has seen
+  std::vector<std::string> allowed;  ///< files that a student may change
+  std::map<std::string, std::uint64_t>
+      given;  ///< the sizes of all files that students get, by path in small letters
   std::map<std::string, std::string> solution;                 ///< the same with all steps solved, by path
   std::map<std::string, std::set<std::string>> files_of_step;  ///< the paths of those with a part of it
   BuiltTree starter;

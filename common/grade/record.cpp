@@ -89,6 +89,10 @@ std::set<std::string> Record::begin(const Entry& entry, const StudentRun* run) {
   }
   student.fault = run->submission().fault;
   student.ignored = run->worth_telling();
+  for (const Ignored& copy : run->submission().copies) {
+    const std::scoped_lock lock(mutex_);
+    say_(fmt::format("{}: {} {}", entry.id, copy.path, copy.reason));
+  }
   store_->put_student(student, run->digest());
   return store_->judged(student.id);
 }

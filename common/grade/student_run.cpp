@@ -8,6 +8,7 @@
 
 #include "check/files.hpp"
 #include "core/files.hpp"
+#include "core/plain_text.hpp"
 #include "course/markers.hpp"
 #include "fingerprint.hpp"
 #include "judged_alone.hpp"
@@ -26,15 +27,14 @@ std::string first_error(const std::string& log) {
   return log.substr(begin, log.find('\n', at) - begin);
 }
 
-/// The steps between whose markers a submission has what the starter has.
-std::set<std::string> untouched(const Preparation& preparation,
-                                const std::map<std::string, std::string>& files) {
+/// The steps that a student began in a file.
+std::set<std::string> begun(const Preparation& preparation, const std::string& path,
+                            const std::string& text) {
+  const std::string first = read_file(preparation.starter.source / path);
+  const std::set<std::string> untouched = course::untouched_steps(text, first);
   std::set<std::string> steps;
-  for (const std::string& path : preparation.allowed) {
-    const std::string first = read_file(preparation.starter.source / path);
-    const auto file = files.find(path);
-    steps.merge(course::untouched_steps(file == files.end() ? first : file->second, first, path));
-  }
+  for (const auto& [step, given] : course::step_texts(first))
+    if (!untouched.contains(step)) steps.insert(step);
   return steps;
 }
 
@@ -57,8 +57,10 @@ StudentRun::StudentRun(const Preparation& preparation, const GradeOptions& optio
     : preparation_(preparation),
       options_(options),
       folder_(std::move(folder)),
-      submission_(unpack(entry, preparation.allowed)),
-      untouched_(untouched(preparation, submission_.files)) {
+      submission_(unpack(
+          entry, preparation.allowed, {},
+          [&](const std::string& path, const std::string& text) { return begun(preparation, path, text); })) {
+  for (const auto& [path, text] : submission_.files) begun_.merge(begun(preparation, path, text));
   std::map<std::string, std::string> shaders;
   for (const auto& [path, text] : submission_.files) {
     digest_ = fingerprint({digest_, path, text});
@@ -82,7 +84,7 @@ bool StudentRun::is_of_course(const std::string& path) const {
   for (const std::string folder :
        {"build", "out", ".starter", ".before-update", ".devcontainer", ".git", ".vscode", ".cache"})
     if (below == folder || below.starts_with(folder + "/")) return true;
-  const auto given = preparation_.given.find(below);
+  const auto given = preparation_.given.find(lower_case(below));
   const auto size = submission_.sizes.find(path);  // none of a file that was taken at first
   return below.ends_with(".before-reset") || below == ".gitignore" ||
          (given != preparation_.given.end() && size != submission_.sizes.end() &&
@@ -91,10 +93,13 @@ bool StudentRun::is_of_course(const std::string& path) const {
 
 std::vector<Ignored> StudentRun::worth_telling() const {
   constexpr std::size_t most = 100;
-  std::vector<Ignored> told;
+  std::vector<Ignored> told = submission_.copies;
   for (const Ignored& file : submission_.ignored) {
-    if (is_of_system(file.path) || is_of_course(file.path)) continue;
-    if (told.size() == most) {
+    const bool is_in_copy =
+        std::any_of(submission_.copies.begin(), submission_.copies.end(),
+                    [&](const Ignored& copy) { return file.path.starts_with(copy.path); });
+    if (is_in_copy || is_of_system(file.path) || is_of_course(file.path)) continue;
+    if (told.size() >= most) {
       told.push_back({"…", fmt::format("and more: {} files in all", submission_.ignored.size())});
       break;
     }
@@ -132,7 +137,7 @@ JudgedLab StudentRun::judge(const LabPlan& plan, const std::vector<Case>& cases,
       const Failed& failed = of_step.failed[one.name] = failed_by(drawn.refused, one, out);
       if (!failed.picture.empty()) wrong.insert(one.name);
     }
-    const bool is_begun = submission_.fault.empty() && !untouched_.contains(step.id);
+    const bool is_begun = submission_.fault.empty() && begun_.contains(step.id);
     const Mistake* mistake = nullptr;
     if (is_begun && !of_step.failed.empty()) {
       if (options_.judge_alone) judge_alone(plan, step.id, of_step);
@@ -185,7 +190,7 @@ CaseResult StudentRun::judged(const LabPlan& plan, const Case& of, const Program
   if (!of.hidden) result.reference = fmt::format("references/{}/{}", plan.lab.folder, of.file);
   const Verdict verdict = grade::judge(of, preparation_.course->expected(plan, of), out / of.file);
   // A picture that changed through earlier steps does not score for a step that nobody began.
-  const bool is_untouched = untouched_.contains(of.step) && submission_.fault.empty();
+  const bool is_untouched = !begun_.contains(of.step) && submission_.fault.empty();
   settle(result, verdict, fault_of(of, program, drawn), is_untouched);
   return result;
 }

@@ -73,7 +73,7 @@ class StudentRun {
   /// What a student's compilers and programs may take together: one without end in each of nine labs takes as
   /// long (60 s), and a sound one a minute in all.
   mutable TimeBudget budget_{900};
-  std::set<std::string> untouched_;  ///< steps that are as the starter has them
+  std::set<std::string> begun_;  ///< steps whose code is not the starter's
 };
 
 }  // namespace texel::grade

@@ -28,16 +28,17 @@ std::vector<std::string_view> endings_of(std::string_view path) {
   return endings;
 }
 
-/// Which allowed files end in a path: all of them, so that a file of a common name stands for none.
+/// Which allowed files end in a path, whatever its capitals: all of them, so that a file of a common name
+/// stands for none.
 class Endings {
  public:
   explicit Endings(const std::vector<std::string>& allowed) {
     for (const std::string& file : allowed)
-      for (const std::string_view ending : endings_of(file)) files_[std::string(ending)].push_back(file);
+      for (const std::string_view ending : endings_of(file)) files_[lower_case(ending)].push_back(file);
   }
   [[nodiscard]] const std::vector<std::string>& find(std::string_view ending) const {
     static const std::vector<std::string> none;
-    const auto found = files_.find(std::string(ending));
+    const auto found = files_.find(lower_case(ending));
     return found == files_.end() ? none : found->second;
   }
 
@@ -45,57 +46,112 @@ class Endings {
   std::map<std::string, std::vector<std::string>> files_;
 };
 
-/// A folder of the submission as the tree's root: for each allowed file the item that stands for it.
+/// A folder of the submission as the tree's root: for each allowed file the items that stand for it. Several
+/// differ in capitals alone, so that nobody knows which is meant.
 struct Root {
   std::string folder;  ///< "" or ending in '/'
-  std::map<std::string, const Item*> files;
+  std::map<std::string, std::vector<const Item*>> files;
+  std::set<std::string> begun;  ///< steps, where there is a choice
 
   [[nodiscard]] std::ptrdiff_t depth() const { return std::count(folder.begin(), folder.end(), '/'); }
+  [[nodiscard]] std::ptrdiff_t clear() const {
+    return std::count_if(files.begin(), files.end(),
+                         [](const auto& file) { return file.second.size() == 1; });
+  }
 };
 
 bool is_better(const Root& a, const Root& b) {
-  if (a.files.size() != b.files.size()) return a.files.size() > b.files.size();
+  if (a.begun.size() != b.begun.size()) return a.begun.size() > b.begun.size();
+  if (a.clear() != b.clear()) return a.clear() > b.clear();
   if (a.depth() != b.depth()) return a.depth() < b.depth();
   return a.folder < b.folder;
 }
 
-Root find_root(const std::vector<Item>& items, const Endings& endings) {
-  std::map<std::string, Root> roots;
+/// Below one root the longer path names more of the file's place, then the one with the right capitals; of
+/// two equal paths the later is taken, as tar does.
+void stand(Root& root, const Item& item, const std::string& file) {
+  std::vector<const Item*>& taken = root.files[file];
+  const auto order = [&](const Item& one) {
+    return std::pair(one.path.size(), file.ends_with(one.path.substr(root.folder.size())));
+  };
+  if (taken.empty() || order(*taken[0]) < order(item)) {
+    taken = {&item};
+  } else if (order(*taken[0]) == order(item)) {
+    std::erase_if(taken, [&](const Item* one) { return one->path == item.path; });
+    taken.push_back(&item);
+  }
+}
+
+/// What stands for the allowed files, wherever it lies.
+struct Found {
+  std::map<std::string, Root> roots;                         ///< by folder
+  std::map<std::string, std::vector<const Item*>> anywhere;  ///< by allowed file: different paths
+  std::map<const Item*, std::string> file_of,
+      folder_of;  ///< the allowed file, and the root that names most of it
+
+  [[nodiscard]] bool has_choice() const {
+    return std::any_of(anywhere.begin(), anywhere.end(),
+                       [](const auto& file) { return file.second.size() > 1; });
+  }
+};
+
+Found find_roots(const std::vector<Item>& items, const Endings& endings) {
+  Found found;
   for (const Item& item : items) {
     if (!item.refused.empty()) continue;
     for (const std::string_view ending : endings_of(item.path)) {
       const std::vector<std::string>& files = endings.find(ending);
       if (files.size() != 1) continue;
-      Root& root = roots[item.path.substr(0, item.path.size() - ending.size())];
-      const Item*& taken = root.files[files[0]];
-      // Below one root the longer path names more of the file's place.
-      if (taken == nullptr || taken->path.size() <= item.path.size()) taken = &item;
+      const std::string folder = item.path.substr(0, item.path.size() - ending.size());
+      Root& root = found.roots[folder];
+      root.folder = folder;
+      stand(root, item, files[0]);
+      found.file_of[&item] = files[0], found.folder_of[&item] = folder;
     }
+    if (!found.file_of.contains(&item)) continue;
+    std::vector<const Item*>& all = found.anywhere[found.file_of[&item]];
+    std::erase_if(all, [&](const Item* one) { return one->path == item.path; });
+    all.push_back(&item);
   }
-  Root best;
-  for (auto& [folder, root] : roots) {
-    root.folder = folder;
-    if (is_better(root, best)) best = root;
-  }
-  return best;
+  return found;
+}
+
+/// Of two copies of the labs the one with more of the work is meant: counts the steps that were begun in
+/// each.
+void count_begun(const Entry& entry, const UnpackLimits& limits, const BegunSteps& begun, Found& found) {
+  std::map<std::size_t, const Item*> items;
+  std::set<std::size_t> wanted;
+  for (const auto& [item, file] : found.file_of) items[item->position] = item, wanted.insert(item->position);
+  std::map<const Item*, std::set<std::string>> steps;
+  Submission unused;
+  read(entry, wanted, limits, unused, [&](std::size_t position, const std::string& text) {
+    const Item* item = items.at(position);
+    steps[item] = begun(found.file_of.at(item), text);
+  });
+  for (auto& [folder, root] : found.roots)
+    for (const auto& [file, all] : root.files)
+      if (all.size() == 1) root.begun.insert(steps[all[0]].begin(), steps[all[0]].end());
+}
+
+std::string named(const std::string& folder) {
+  return folder.empty() ? "the top folder" : "'" + folder + "'";
 }
 
 /// Why an item that is not refused was not taken.
-std::string reason(const Item& item, const Root& root, const Endings& endings, const Endings& small_endings) {
-  const bool is_below_root = item.path.starts_with(root.folder);
-  const std::string_view below = std::string_view(item.path).substr(is_below_root ? root.folder.size() : 0);
-  if (const std::vector<std::string>& files = endings.find(below); is_below_root && !files.empty()) {
-    if (files.size() > 1)
-      return fmt::format("could be any of {}; hand in the folder that contains labs and shaders",
-                         fmt::join(files, ", "));
-    return fmt::format("is not used: '{}' is used for {}", root.files.at(files[0])->path, files[0]);
+std::string reason(const Item& item, const Root& root, const Found& found, const Endings& endings,
+                   const std::map<std::string, const Item*>& taken) {
+  if (const auto own = found.file_of.find(&item); own != found.file_of.end()) {
+    if (const auto used = taken.find(own->second); used != taken.end())
+      return fmt::format("is not used: '{}' is used for {}", used->second->path, own->second);
+    if (root.files.contains(own->second))
+      return fmt::format("should be called {}: upper and lower case matter where there are two", own->second);
+    return fmt::format("is one of {} files for {}, and none of them is in {}, which is graded",
+                       found.anywhere.at(own->second).size(), own->second, named(root.folder));
   }
   for (const std::string_view ending : endings_of(item.path))
-    if (endings.find(ending).size() == 1)
-      return fmt::format("is outside {}, which has most of the labs",
-                         root.folder.empty() ? "the top folder" : "'" + root.folder + "'");
-  if (const std::vector<std::string>& files = small_endings.find(lower_case(below)); !files.empty())
-    return fmt::format("should be called {}: upper and lower case matter", files[0]);
+    if (const std::vector<std::string>& files = endings.find(ending); files.size() > 1)
+      return fmt::format("could be any of {}; hand in the folder that contains labs and shaders",
+                         fmt::join(files, ", "));
   for (const char* ending : {".zip", ".gz", ".tgz", ".tar", ".rar", ".7z", ".xz", ".bz2", ".zst"})
     if (lower_case(item.path).ends_with(ending))
       return "is an archive inside the submission; it is not opened";
@@ -105,12 +161,6 @@ std::string reason(const Item& item, const Root& root, const Endings& endings, c
 /// By its byte-order mark. No compiler reads such a file.
 bool is_utf16(std::string_view bytes) {
   return bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff");
-}
-
-std::vector<std::string> all_lower_case(const std::vector<std::string>& texts) {
-  std::vector<std::string> lower;
-  for (const std::string& text : texts) lower.push_back(lower_case(text));
-  return lower;
 }
 
 std::string name_to_show(const std::string& path) {
@@ -151,31 +201,56 @@ void make_folder(const fs::path& folder) {
 
 }  // namespace
 
-Submission unpack(const Entry& entry, const std::vector<std::string>& allowed, const UnpackLimits& limits) {
+Submission unpack(const Entry& entry, const std::vector<std::string>& allowed, const UnpackLimits& limits,
+                  const BegunSteps& begun) {
   Submission submission;
   Listing listing = list(entry, limits);
   submission.fault = listing.fault;
   if (!submission.fault.empty()) return submission;
   const Endings endings(allowed);
-  const Endings small_endings(all_lower_case(allowed));
-  const Root root = find_root(listing.items, endings);
+  Found found = find_roots(listing.items, endings);
+  if (begun && found.has_choice()) count_begun(entry, limits, begun, found);
+  Root root;
+  for (const auto& [folder, one] : found.roots)
+    if (is_better(one, root)) root = one;
   submission.root = root.folder;
-  std::map<std::size_t, std::string> wanted;
-  for (const auto& [file, item] : root.files) wanted[item->position] = file;
+  std::map<std::string, const Item*> taken;
+  for (const auto& [file, items] : root.files)
+    if (items.size() == 1) taken[file] = items[0];
+  // Where there is no other it is clear what is meant.
+  for (const auto& [file, items] : found.anywhere)
+    if (items.size() == 1) taken[file] = items[0];
+  std::map<std::size_t, std::string> file_at;
+  std::set<std::size_t> wanted;
+  for (const auto& [file, item] : taken) file_at[item->position] = file, wanted.insert(item->position);
+
+  std::set<std::string> copies;
   for (const Item& item : listing.items) {
-    if (item.refused.empty() && wanted.count(item.position) > 0) continue;
+    if (item.refused.empty() && wanted.contains(item.position)) continue;
     const std::string path = item.refused.empty() ? item.path : name_to_show(item.path);
     submission.ignored.push_back(
-        {path, item.refused.empty() ? reason(item, root, endings, small_endings) : item.refused});
+        {path, item.refused.empty() ? reason(item, root, found, endings, taken) : item.refused});
     submission.sizes[path] = item.size;
+    if (const auto folder = found.folder_of.find(&item); folder != found.folder_of.end())
+      copies.insert(folder->second);
   }
-  read(entry, wanted, limits, submission);
+  for (const std::string& folder : copies) {
+    const Root& copy = found.roots.at(folder);
+    if (folder == root.folder || (copy.files.size() == 1 && copy.begun.empty())) continue;
+    submission.copies.push_back(
+        {folder.empty() ? "/" : folder,
+         fmt::format("is another copy of the labs, and is not graded: {} steps are begun in it, and {} in {}",
+                     copy.begun.size(), root.begun.size(), named(root.folder))});
+  }
+  read(entry, wanted, limits, submission, [&](std::size_t position, std::string text) {
+    submission.files[file_at.at(position)] = std::move(text);
+  });
   if (!submission.fault.empty()) submission.files.clear();
-  for (const auto& [file, item] : root.files)
-    if (const auto taken = submission.files.find(file);
-        taken != submission.files.end() && is_utf16(taken->second)) {
+  for (const auto& [file, item] : taken)
+    if (const auto read = submission.files.find(file);
+        read != submission.files.end() && is_utf16(read->second)) {
       submission.ignored.push_back({item->path, "is saved as UTF-16; save it as UTF-8"});
-      submission.files.erase(taken);
+      submission.files.erase(read);
     }
   if (submission.files.empty() && submission.fault.empty())
     submission.fault = fmt::format(

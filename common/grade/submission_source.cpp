@@ -133,11 +133,12 @@ Descriptor open_below(Descriptor folder, std::string_view path) {
   return folder;
 }
 
-void read_folder(const Entry& entry, const std::map<std::size_t, std::string>& wanted,
-                 const UnpackLimits& limits, Submission& submission) {
+using Take = std::function<void(std::size_t, std::string)>;
+
+void read_folder(const Entry& entry, const std::set<std::size_t>& wanted, const UnpackLimits& limits,
+                 Submission& submission, const Take& take) {
   for (const Item& item : list_folder(entry, limits).items) {
-    const auto found = wanted.find(item.position);
-    if (found == wanted.end()) continue;
+    if (!wanted.contains(item.position)) continue;
     const Descriptor file = open_below(open_folder(entry), item.place);
     struct stat status {};
     if (!item.refused.empty() || ::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode)) {
@@ -148,7 +149,7 @@ void read_folder(const Entry& entry, const std::map<std::size_t, std::string>& w
     if (bytes.size() > limits.file)
       submission.ignored.push_back({item.path, too_large(limits)});
     else
-      submission.files[found->second] = std::move(bytes);
+      take(item.position, std::move(bytes));
   }
 }
 
@@ -318,16 +319,14 @@ Listing list_archive(const Entry& entry, std::string_view bytes, const UnpackLim
   return listing;
 }
 
-void read_archive(const Entry& entry, std::string_view bytes,
-                  const std::map<std::size_t, std::string>& wanted, const UnpackLimits& limits,
-                  Submission& submission) {
+void read_archive(const Entry& entry, std::string_view bytes, const std::set<std::size_t>& wanted,
+                  const UnpackLimits& limits, Submission& submission, const Take& take) {
   Archive archive(entry, bytes);
   std::size_t position = 0;
   std::size_t missing = wanted.size();
   archive_entry* found = nullptr;
   while (missing > 0 && (found = archive.next()) != nullptr) {
-    const auto target = wanted.find(position++);
-    if (target == wanted.end()) continue;
+    if (!wanted.contains(position++)) continue;
     --missing;
     const std::string name = plain_text(name_of(found));
     std::string content = archive.data(limits.file);
@@ -336,13 +335,15 @@ void read_archive(const Entry& entry, std::string_view bytes,
     if (content.size() > limits.file)
       submission.ignored.push_back({name, too_large(limits)});
     else
-      submission.files[target->second] = std::move(content);
+      take(position - 1, std::move(content));
   }
   submission.fault = archive.fault();
 }
 
 /// Why a file is no archive that we open, or "".
 std::string refuse_archive(const Entry& entry, const UnpackLimits& limits) {
+  if (std::filesystem::is_symlink(entry.path))
+    return "is a symbolic link, which is not followed: put the folder or the archive itself there";
   if (entry.kind == Entry::Kind::other) return "is not a folder, a .zip or a .tar.gz file";
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(entry.path, error);
@@ -362,12 +363,12 @@ Listing list(const Entry& entry, const UnpackLimits& limits) {
   return list_archive(entry, MappedFile(entry.path).bytes(), limits);
 }
 
-void read(const Entry& entry, const std::map<std::size_t, std::string>& wanted, const UnpackLimits& limits,
-          Submission& submission) {
+void read(const Entry& entry, const std::set<std::size_t>& wanted, const UnpackLimits& limits,
+          Submission& submission, const Take& take) {
   if (entry.kind == Entry::Kind::folder)
-    read_folder(entry, wanted, limits, submission);
+    read_folder(entry, wanted, limits, submission, take);
   else
-    read_archive(entry, MappedFile(entry.path).bytes(), wanted, limits, submission);
+    read_archive(entry, MappedFile(entry.path).bytes(), wanted, limits, submission, take);
 }
 
 }  // namespace texel::grade

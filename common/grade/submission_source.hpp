@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <map>
+#include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,9 +26,9 @@ struct Listing {
 /// What is in a submission.
 Listing list(const Entry& entry, const UnpackLimits& limits);
 
-/// Reads the items at these positions, each of them the text of a file of the tree, into `submission`: its
-/// files, what turned out too large, and its fault.
-void read(const Entry& entry, const std::map<std::size_t, std::string>& wanted, const UnpackLimits& limits,
-          Submission& submission);
+/// Gives the bytes of the items at these positions, one after the other. What turned out too large is
+/// ignored by `submission`; its fault is set when the archive is broken.
+void read(const Entry& entry, const std::set<std::size_t>& wanted, const UnpackLimits& limits,
+          Submission& submission, const std::function<void(std::size_t, std::string)>& take);
 
 }  // namespace texel::grade

@@ -94,8 +94,9 @@ std::string distance(const CaseResult& result) {
 std::string judging(const StepResult& step) {
   if (step.any(Judged::markers_lost))
     return fmt::format(
-        "{} was not judged alone, since lines with //@step or //@end are missing in its file: copy them from "
-        "the folder .starter.",
+        "{0} was not judged alone, since its line //@step {0} begin or its //@end is missing or changed: "
+        "copy "
+        "both from the folder .starter.",
         step.id);
   if (!step.any(Judged::alone)) return "";
   const std::string others = step.spoilt_by.empty() ? "the other lines" : listed(step.spoilt_by);

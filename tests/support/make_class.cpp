@@ -278,7 +278,7 @@ class ClassMaker {
 
   [[nodiscard]] bool is_untouched(const std::string& step, const std::string& file,
                                   const std::string& text) const {
-    return course::untouched_steps(text, starter().at(file), file).count(step) > 0;
+    return course::untouched_steps(text, starter().at(file)).count(step) > 0;
   }
 
   void threats(const std::string& kind) {
@@ -294,7 +294,7 @@ class ClassMaker {
       const Files files = solution({{threat.file, course::mutated(threat, sources_.at(threat.file))}});
       Json outcome = {{"zero", {threat.step}}};
       // Steps of other files are judged among the solution's.
-      const auto texts = course::step_texts(files.at(threat.file), threat.file);
+      const auto texts = course::step_texts(files.at(threat.file));
       if (threat.step.empty())
         outcome = {{"zero", steps([&](const std::string& step) { return texts.contains(step); })},
                    {"passes", steps([&](const std::string& step) { return !texts.contains(step); })}};

@@ -85,7 +85,7 @@ std::set<std::string> secrets() {
   for (const char* file : {"labs/07_environment/lab.cpp", "shaders/08_reflection/rays.glsl"}) {
     const std::string starter = students(file, {});
     const std::set<std::string> all = {"7.1", "7.2", "7.3", "7.4", "8.1", "8.2", "8.3"};
-    for (const auto& [step, text] : course::step_texts(students(file, all), file)) {
+    for (const auto& [step, text] : course::step_texts(students(file, all))) {
       std::istringstream stream(text);
       for (std::string line; std::getline(stream, line);) {
         line.erase(0, line.find_first_not_of(' '));
@@ -163,15 +163,17 @@ TEST_F(JudgedAlone, shows_nothing_of_what_stands_in) {
   }
 }
 
-/// 8.2 is right and 8.1 wrong; a marker of 8.3 is gone, so nobody knows where the solution's parts belong.
-TEST_F(JudgedAlone, says_why_a_step_without_its_files_markers_was_not) {
+/// 8.2 and 8.3 are right and 8.1 is wrong. A comment that looks like a marker changes nothing; a damaged
+/// marker of 8.3 costs 8.3 alone.
+TEST_F(JudgedAlone, says_why_a_step_without_its_own_markers_was_not) {
   forget("markers");
   const Class made{kWork / "markers", "8", {}};
   const std::string file = "shaders/08_reflection/rays.glsl";
   std::string text = students(file, {"8.1", "8.2", "8.3"});
   replace(text, "incident - 2.0 *", "incident + 2.0 *");
   for (const bool is_whole : {true, false}) {
-    if (!is_whole) replace(text, "//@step 8.3 begin", "// step 8.3 begin");
+    replace(text, is_whole ? "//@step 8.2 begin" : "//@step 8.3 begin",
+            is_whole ? "//@todo\n//@step 8.2 begin" : "// step 8.3 begin");
     const fs::path path = made.folder / (is_whole ? "whole" : "lost") / file;
     fs::create_directories(path.parent_path());
     write_file(path, text);
@@ -182,12 +184,13 @@ TEST_F(JudgedAlone, says_why_a_step_without_its_files_markers_was_not) {
   const grade::ClassResult results = grade::read_results(out, kSource);
   for (const grade::StudentResult& student : results.students) {
     const bool is_whole = student.id == "whole";
-    const grade::StepResult& step = step_of(student, "8.2");
-    EXPECT_EQ(step.status, is_whole ? grade::Status::passed : grade::Status::failed) << student.id;
-    EXPECT_TRUE(step.any(is_whole ? grade::Judged::alone : grade::Judged::markers_lost)) << student.id;
+    const grade::StepResult &right = step_of(student, "8.2"), &lost = step_of(student, "8.3");
+    EXPECT_EQ(right.status, grade::Status::passed) << student.id;
+    EXPECT_TRUE(right.any(grade::Judged::alone)) << student.id;
+    EXPECT_EQ(lost.any(grade::Judged::markers_lost), !is_whole) << student.id;
     EXPECT_EQ(step_of(student, "8.1").score, 0) << student.id;
     const char* says = is_whole ? "8.2 is right: with 8.1 mended it has full marks."
-                                : "8.2 was not judged alone, since lines with //@step or //@end are missing";
+                                : "8.3 was not judged alone, since its line //@step 8.3 begin or its //@end";
     const char* id = is_whole ? "whole" : "lost";
     for (const std::string& shown :
          {fmt::format("report/{}.html", id), fmt::format("gradescope/{}/results.json", id),

@@ -134,7 +134,7 @@ TEST_F(StudentTree, has_no_solution_no_truth_and_no_test) {
     if (entry.path().extension() != ".cpp") continue;
     const std::string file = entry.path().lexically_relative(kRoot).string();
     for (const auto& [step, text] : course::step_texts(
-             course::with_steps(read_file(entry.path()), file, [](const auto&) { return true; }), file))
+             course::with_steps(read_file(entry.path()), file, [](const auto&) { return true; })))
       EXPECT_FALSE(has(read_file(root_ / file), text)) << file << " " << step;
   }
 }
@@ -351,6 +351,21 @@ TEST_F(StudentTree, takes_a_step_back_and_keeps_what_was_written) {
   EXPECT_TRUE(grade::untouched_steps({root_, root_ / "build"}).contains("9.2"));
 }
 
+/// An editor that saves with other line ends or tabs, and comments alone, begin no step, in any file of the
+/// course.
+TEST_F(StudentTree, is_not_begun_by_line_ends_tabs_blank_lines_and_comments) {
+  for (const std::string& file : course::step_files(root_)) {
+    const std::string first = read_file(root_ / course::kFirstTexts / file);
+    const std::regex end("\n");
+    for (const std::string& text :
+         {std::regex_replace(first, end, "\r\n"), std::regex_replace(first, std::regex("\n +"), "\n\t"),
+          std::regex_replace(first, std::regex("\n( *//@end)"), "\n\n  // it's my plan\n$1")}) {
+      ASSERT_NE(text, first);
+      EXPECT_EQ(course::untouched_steps(text, first).size(), course::step_texts(first).size()) << file;
+    }
+  }
+}
+
 TEST_F(StudentTree, says_what_is_wrong_with_spoilt_markers_and_missing_pictures) {
   const fs::path file = root_ / steps(9).at("9.2").at("file").get<std::string>();
   const std::string before = read_file(file);
@@ -359,17 +374,22 @@ TEST_F(StudentTree, says_what_is_wrong_with_spoilt_markers_and_missing_pictures)
   write_file(file, spoilt);
   const Result check = texel("check 9"), reset = texel("reset 9.2");
   // Without its first marker nobody knows where the step is.
-  std::string lost = before;
+  std::string lost = "//@todo\n" + before;
   lost.erase(lost.find("//@step 9.2 begin"), 17);
-  lost.erase(lost.find("//@end"), 6);
   write_file(file, lost);
-  const Result gone = texel("check 9");
+  const Result gone = texel("check 9"), progress = texel("progress"), other = texel("reset 9.1");
   write_file(file, before);
-  EXPECT_EQ(gone.exit_code, 3) << gone.output;
+  // The step is judged all the same, as the others are.
+  for (const Result& result : {check, gone}) {
+    EXPECT_LE(result.exit_code, 1) << result.output;
+    EXPECT_TRUE(has(result.output, "  9.3")) << result.output;
+  }
   EXPECT_TRUE(has(gone.output, "'//@step 9.2 begin' is missing")) << gone.output;
+  EXPECT_EQ(progress.exit_code, 0) << progress.output;
+  EXPECT_EQ(other.exit_code, 0) << other.output;
+  EXPECT_EQ(reset.exit_code, 3) << reset.output;
   for (const Result& result : {check, reset}) {
-    EXPECT_EQ(result.exit_code, 3) << result.output;
-    EXPECT_TRUE(has(result.output, "this step has no end")) << result.output;
+    EXPECT_TRUE(has(result.output, "step 9.2 has no '//@end'")) << result.output;
     EXPECT_TRUE(has(result.output, ".glsl:")) << result.output;
   }
   const fs::path expected = root_ / "labs/07_environment/expected";
@@ -448,7 +468,7 @@ TEST_F(StudentTree, is_checked_again_after_each_save) {
   std::string spoilt = before;
   spoilt.erase(spoilt.rfind("//@end"), 6);
   write_file(file, spoilt);
-  EXPECT_TRUE(watching.shows("this step has no end")) << read_file(output);
+  EXPECT_TRUE(watching.shows("has no '//@end' of its own")) << read_file(output);
   write_file(file, before);
   EXPECT_TRUE(watching.shows("done   8.2", 3)) << read_file(output);
   EXPECT_EQ(watching.end(), 0);

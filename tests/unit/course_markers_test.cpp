@@ -2,6 +2,7 @@
 #include "course/markers.hpp"
 #include "course/starter.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -80,15 +81,95 @@ TEST(Markers, let_one_step_stand_among_the_solutions_others) {
   EXPECT_EQ(with_step_alone(students, "f.cpp", "5.1", kStudents),
             "mine\n//@step 5.1 begin\nwrong\n//@end\nhelper\n//@step 5.2 begin\nother\n//@end\n"
             "//@step 5.1 begin\nwrong too\n//@end\n");
-  // Markers of another step are gone, or of one that has no end.
-  EXPECT_THROW(with_step_alone("//@step 5.2 begin\nown\n//@end\n", "f.cpp", "5.2", kStudents), Error);
-  EXPECT_THROW(with_step_alone(students + "//@step 5.3 begin\n", "f.cpp", "5.2", kStudents), Error);
+  // Only its own markers are needed.
+  EXPECT_THROW(with_step_alone("//@step 5.1 begin\nown\n//@end\n", "f.cpp", "5.2", kStudents), Error);
+  EXPECT_THROW(with_step_alone("//@step 5.2 begin\nown\n", "f.cpp", "5.2", kStudents), Error);
+}
+
+/// Three steps with lines around them, as `one`, `two` and `three`.
+std::string three(const std::string& one, const std::string& two, const std::string& three) {
+  return fmt::format(
+      "a\n//@step 1.1 begin\n{}\n//@end\nb\n//@step 1.2 begin\n{}\n//@end\nc\n//@step 1.3 "
+      "begin\n{}\n//@end\nd\n",
+      one, two, three);
+}
+
+std::string changed(std::string text, const std::string& what, const std::string& by) {
+  return text.replace(text.find(what), what.size(), by);
+}
+
+TEST(Markers, that_are_damaged_cost_their_own_step_alone) {
+  const std::string solution = three("1", "2", "3"), own = three("x", "y", "z");
+  const std::vector<std::string> steps = {"1.1", "1.2", "1.3"};
+  // A comment of the student's own is no marker, also within a step.
+  for (const char* word :
+       {"//@todo", "//@{", "//@author me", "#@x", "//@starter", "//@teacher begin", "//@step one begin",
+        "//@endif", "//@end of it", "//@step 1.1", "//@step 1.4 begin x"}) {
+    const std::string noted = word + ("\n" + three(std::string(word) + "\nx", "y", "z")) + word;
+    EXPECT_TRUE(marker_faults(noted, solution, "f.cpp").empty()) << word;
+    EXPECT_EQ(with_step_alone(noted, "f.cpp", "1.1", solution),
+              word + ("\n" + three(std::string(word) + "\nx", "2", "3")) + word);
+    EXPECT_EQ(with_step_from(noted, "f.cpp", "1.1", solution), word + ("\n" + three("1", "y", "z")) + word);
+    // The other sign is code to a compiler.
+    if (word[0] == '/') {
+      EXPECT_EQ(untouched_steps(noted, own), (std::set<std::string>{"1.1", "1.2", "1.3"})) << word;
+    }
+  }
+  struct Damage {
+    std::string step, what, by, says;
+  };
+  for (const Damage& damage : std::vector<Damage>{
+           {"1.1", "//@step 1.1 begin", "", "f.cpp: the marker '//@step 1.1 begin' is missing"},
+           {"1.2", "//@step 1.2 begin", "//@step 1,2 begin",
+            "f.cpp: the marker '//@step 1.2 begin' is missing"},
+           {"1.2", "y\n//@end", "y", "f.cpp:6: step 1.2 has no '//@end' of its own"},
+           {"1.3", "z\n//@end", "z\n//@ende", "f.cpp:10: step 1.3 has no '//@end' of its own"},
+           {"1.2", "//@end\nc", "//@end\n//@step 1.2 begin\n//@end\nc",
+            "f.cpp: step 1.2 has its markers in 2 places"}}) {
+    SCOPED_TRACE(damage.says);
+    const std::string text = changed(own, damage.what, damage.by);
+    const std::map<std::string, std::string> faults = marker_faults(text, solution, "f.cpp");
+    ASSERT_EQ(faults.size(), 1U);
+    EXPECT_TRUE(faults.at(damage.step).starts_with(damage.says)) << faults.at(damage.step);
+    EXPECT_EQ(untouched_steps(text, own).size(), 2U);
+    for (const std::string& step : steps) {
+      if (step == damage.step) {
+        EXPECT_THROW(with_step_alone(text, "f.cpp", step, solution), Error);
+        EXPECT_THROW(with_step_from(text, "f.cpp", step, solution), Error);
+        continue;
+      }
+      EXPECT_EQ(with_step_alone(text, "f.cpp", step, solution),
+                three(step == "1.1" ? "x" : "1", step == "1.2" ? "y" : "2", step == "1.3" ? "z" : "3"));
+      EXPECT_NO_THROW(with_step_from(text, "f.cpp", step, solution));
+    }
+  }
+}
+
+TEST(Markers, may_stand_in_another_order) {
+  const std::string solution = three("1", "2", "3");
+  const std::string own = "//@step 1.3 begin\nz\n//@end\nmine\n//@step 1.1 begin\nx\n//@end\n";
+  const std::string last = "//@step 1.2 begin\ny\n//@end\n";
+  EXPECT_EQ(
+      with_step_alone(own + last, "f.cpp", "1.1", solution),
+      "//@step 1.3 begin\n3\n//@end\nmine\n//@step 1.1 begin\nx\n//@end\n//@step 1.2 begin\n2\n//@end\n");
 }
 
 TEST(Markers, tell_which_steps_are_untouched) {
-  EXPECT_EQ(untouched_steps(kStudents, kFirst, "f.cpp"), std::set<std::string>{"5.2"});
-  EXPECT_EQ(untouched_steps(kFirst, kFirst, "f.cpp"), (std::set<std::string>{"5.1", "5.2"}));
-  EXPECT_TRUE(untouched_steps("//@step 5.1 begin\nstub\n", kFirst, "f.cpp").empty());
+  EXPECT_EQ(untouched_steps(kStudents, kFirst), std::set<std::string>{"5.2"});
+  EXPECT_EQ(untouched_steps(kFirst, kFirst), (std::set<std::string>{"5.1", "5.2"}));
+  EXPECT_TRUE(untouched_steps("//@step 5.1 begin\nstub\n", kFirst).empty());
+}
+
+TEST(Markers, tell_that_nobody_began_the_same_code) {
+  const std::string first =
+      changed(three("", "return 2.0 * x;  // as it is", "it = 'c';"), "1.1 begin\n\n", "1.1 begin\n");
+  const std::string commented = changed(first, "//@end", "// my plan\n\n/* x */\n//@end");
+  const std::string tabs = changed(changed(first, "return", "\treturn"), "2.0 *", "2.0\t*");
+  std::string windows = first;
+  for (std::size_t at = 0; (at = windows.find('\n', at)) != windows.npos; at += 2) windows.insert(at, "\r");
+  for (const std::string& text : {commented, tabs, windows})
+    EXPECT_EQ(untouched_steps(text, first), (std::set<std::string>{"1.1", "1.2", "1.3"})) << text;
+  EXPECT_FALSE(untouched_steps(changed(first, "2.0", "2.5"), first).contains("1.2"));
 }
 
 TEST(Markers, of_the_teacher_go_with_what_is_between_them) {
@@ -108,7 +189,7 @@ TEST(Markers, are_found_with_their_lines_in_solution_and_starter) {
 TEST(Markers, have_a_text_between_them_for_each_step) {
   const std::string text =
       with_steps(kText, "f.cpp", nothing) + "//@step 5.2 begin\n//@end\n//@step 5.1 begin\nmore\n//@end\n";
-  const std::map<std::string, std::string> texts = step_texts(text, "f.cpp");
+  const std::map<std::string, std::string> texts = step_texts(text);
   EXPECT_EQ(texts,
             (std::map<std::string, std::string>{{"5.1", "  return c;  // as it is\n\nmore\n"}, {"5.2", ""}}));
 }
@@ -198,21 +279,6 @@ TEST(StepFiles, of_a_students_tree_are_those_that_its_starter_had) {
        {".starter/labs/05_x/lab.cpp", "labs/05_x/lab.cpp", "labs/05_x/lab.cpp.before-reset"})
     put(folder / "tree" / file, text);
   EXPECT_EQ(step_files(folder / "tree"), std::vector<std::string>{"labs/05_x/lab.cpp"});
-}
-
-TEST(RequireMarkers, names_the_step_whose_marker_is_missing) {
-  const std::string first =
-      "//@step 5.1 begin\n//@end\n//@step 5.2 begin\n//@end\n//@step 5.2 begin\n//@end\n";
-  EXPECT_NO_THROW(require_markers(first, first, "lab.cpp"));
-  for (const char* text :
-       {"//@step 5.1 begin\n//@end\n//@step 5.2 begin\n//@end\n", "//@step 5.1 begin\n//@end\n",
-        "//@step 5.1 begin\n//@end\n//@step 5.2 begin\n//@end\n//@step 5.9 begin\n//@end\n"})
-    try {
-      require_markers(text, first, "lab.cpp");
-      ADD_FAILURE() << text;
-    } catch (const Error& error) {
-      EXPECT_NE(std::string(error.what()).find("//@step 5.2 begin"), std::string::npos) << error.what();
-    }
 }
 
 }  // namespace

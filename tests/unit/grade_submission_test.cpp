@@ -145,7 +145,9 @@ TEST(ReadClass, keeps_a_student_whose_file_cannot_be_unpacked) {
 TEST(ReadClass, follows_no_link_and_throws_for_a_missing_folder) {
   const test::TemporaryFolder folder("class");
   fs::create_directory_symlink("/etc", folder / "jane");
-  EXPECT_EQ(read_class(path_of(folder)).at(0).kind, Entry::Kind::other);
+  const Entry link = read_class(path_of(folder)).at(0);
+  EXPECT_EQ(link.kind, Entry::Kind::other);
+  EXPECT_TRUE(unpack(link, allowed).fault.starts_with("is a symbolic link, which is not followed"));
   EXPECT_THROW(read_class(folder / "missing"), Error);
 }
 
@@ -168,19 +170,16 @@ TEST(Unpack, takes_allowed_files_and_lists_the_others) {
                                                   {"labs/05_normal_map/lab.toml", "points = 100"},
                                                   {"CMakeLists.txt", "execute_process(COMMAND sh)"},
                                                   {"more.zip", "PK"},
-                                                  {"shaders/05_normal_map/Tangent_Frame.glsl", "case"},
                                                   {".git/config", "hidden"},
                                                   {"__MACOSX/labs/05_normal_map/._lab.cpp", "mac"}})
                                       .unpack();
     EXPECT_EQ(submission.fault, "");
     EXPECT_EQ(submission.root, "");
     EXPECT_EQ(submission.files, (std::map<std::string, std::string>{{"labs/05_normal_map/lab.cpp", "mine"}}));
-    EXPECT_EQ(submission.ignored.size(), 6U);
+    EXPECT_EQ(submission.ignored.size(), 5U);
     EXPECT_TRUE(has(reason_of(submission, "CMakeLists.txt"), "no"));
     EXPECT_TRUE(has(reason_of(submission, "labs/05_normal_map/lab.toml"), "not a file with steps"));
     EXPECT_TRUE(has(reason_of(submission, "more.zip"), "archive"));
-    EXPECT_TRUE(
-        has(reason_of(submission, "shaders/05_normal_map/Tangent_Frame.glsl"), "upper and lower case"));
     EXPECT_TRUE(has(reason_of(submission, ".git/config"), "hidden"));
   }
 }
@@ -210,6 +209,18 @@ TEST(Unpack, finds_the_root_wherever_it_lies) {
       {{"b/" + lab, "a/" + lab}, "a/", {{lab, "a/" + lab}}},
       // One that names more of its place goes before a loose one.
       {{frame, "tangent_frame.glsl"}, "", {{frame, frame}}},
+      // Capitals, and folders inside folders, where one file alone can be meant.
+      {{"Labs/05_Normal_Map/Lab.cpp", "SHADERS/05_normal_map/tangent_frame.glsl"},
+       "",
+       {{lab, "Labs/05_Normal_Map/Lab.cpp"}, {frame, "SHADERS/05_normal_map/tangent_frame.glsl"}}},
+      {{"Labs/05_normal_map/lab.cpp", lab}, "", {{lab, lab}}},
+      {{"a/labs/labs/05_normal_map/lab.cpp", "b/shaders/shaders/05_normal_map/tangent_frame.glsl"},
+       "a/labs/",
+       {{lab, "a/labs/labs/05_normal_map/lab.cpp"},
+        {frame, "b/shaders/shaders/05_normal_map/tangent_frame.glsl"}}},
+      {{frame, "shaders/05_normal_map/Decode_normal.glsl", "shaders/05_normal_map/DECODE_NORMAL.glsl"},
+       "",
+       {{frame, frame}}},
       {{"lab.cpp"}, "", {}},
       {{"readme.txt"}, "", {}},
   };
@@ -230,13 +241,49 @@ TEST(Unpack, says_why_a_loose_file_of_a_common_name_is_not_taken) {
       has(reason_of(submission, "lab.cpp"), "labs/01_texture_quad/lab.cpp, labs/05_normal_map/lab.cpp"));
 }
 
-TEST(Unpack, names_the_top_folder_where_a_file_lies_beside_it) {
-  const Submission submission = Handed(Format::zip, {{"shaders/05_normal_map/decode_normal.glsl", ""},
-                                                     {"old/labs/05_normal_map/lab.cpp", ""},
-                                                     {"labs/01_texture_quad/lab.cpp", ""}})
+TEST(Unpack, says_why_none_of_several_files_is_taken) {
+  const std::string lab = "labs/05_normal_map/lab.cpp", decode = "shaders/05_normal_map/decode_normal.glsl";
+  const Submission submission = Handed(Format::zip, {{decode, ""},
+                                                     {"labs/01_texture_quad/lab.cpp", ""},
+                                                     {"old/" + lab, ""},
+                                                     {"older/" + lab, ""},
+                                                     {"shaders/05_normal_map/Tangent_Frame.glsl", ""},
+                                                     {"shaders/05_normal_map/TANGENT_FRAME.glsl", ""}})
                                     .unpack();
-  EXPECT_EQ(reason_of(submission, "old/labs/05_normal_map/lab.cpp"),
-            "is outside the top folder, which has most of the labs");
+  EXPECT_EQ(submission.files.size(), 2U);
+  EXPECT_EQ(reason_of(submission, "old/" + lab),
+            "is one of 2 files for labs/05_normal_map/lab.cpp, and none of them is in the top folder, which "
+            "is graded");
+  EXPECT_EQ(reason_of(submission, "shaders/05_normal_map/TANGENT_FRAME.glsl"),
+            "should be called shaders/05_normal_map/tangent_frame.glsl: upper and lower case matter where "
+            "there are two");
+}
+
+TEST(Unpack, takes_of_two_copies_the_one_with_more_steps_begun) {
+  const std::string lab = "labs/05_normal_map/lab.cpp", frame = "shaders/05_normal_map/tangent_frame.glsl";
+  const BegunSteps begun = [](const std::string&, const std::string& text) {
+    return text == "work" ? std::set<std::string>{"5.1", "5.2"} : std::set<std::string>{};
+  };
+  const test::TemporaryFolder folder("copies");
+  for (const Format format : {Format::zip, Format::tar_gz})
+    // The name does not decide, nor which one has more files.
+    for (const auto& [work, backup] : {std::pair("labs-new/", "labs-backup/"), std::pair("a/", "b/"),
+                                       std::pair("x/old/", ""), std::pair("", "old/")}) {
+      SCOPED_TRACE(work);
+      const fs::path file = folder / (format == Format::zip ? "jane.zip" : "jane.tar.gz");
+      write_file(file,
+                 pack(format, {{backup + lab, "given"}, {backup + frame, "given"}, {work + lab, "work"}}));
+      const Submission submission =
+          unpack({file, format == Format::zip ? Entry::Kind::zip : Entry::Kind::tar, "jane", "", ""}, allowed,
+                 {}, begun);
+      EXPECT_EQ(submission.root, work);
+      // Of the other file there is one copy alone.
+      EXPECT_EQ(submission.files, (std::map<std::string, std::string>{{lab, "work"}, {frame, "given"}}));
+      ASSERT_EQ(submission.copies.size(), 1U);
+      EXPECT_EQ(submission.copies[0].path, *backup == 0 ? "/" : backup);
+      EXPECT_TRUE(has(submission.copies[0].reason, "0 steps are begun in it, and 2 in "))
+          << submission.copies[0].reason;
+    }
 }
 
 TEST(Unpack, takes_the_later_of_two_equal_paths) {

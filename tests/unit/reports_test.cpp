@@ -441,7 +441,7 @@ TEST_F(Reports, say_which_step_is_right_once_another_is_mended) {
   }
   for (const std::string& shown : {page, gradescope(ada), csv(results)}) {
     EXPECT_TRUE(has(shown, "5.3 was judged with 5.1 and 5.2 mended")) << shown;
-    EXPECT_TRUE(has(shown, "3.1 was not judged alone, since lines with //@step")) << shown;
+    EXPECT_TRUE(has(shown, "3.1 was not judged alone, since its line //@step 3.1 begin")) << shown;
   }
   EXPECT_TRUE(has(page, "right, only other steps spoil it"));
   EXPECT_TRUE(has(page, "judged alone, "));

@@ -138,7 +138,7 @@ Exit reset(const std::string& step) {
     if (!entry.is_regular_file()) continue;
     const std::string file = entry.path().lexically_relative(root / course::kFirstTexts).generic_string();
     const std::string first = read_file(entry.path());
-    if (!course::step_texts(first, file).contains(step)) continue;
+    if (!course::step_texts(first).contains(step)) continue;
     const std::string own = read_file(root / file), text = course::with_step_from(own, file, step, first);
     if (text == own) continue;
     // What was written is kept, under the first free name.

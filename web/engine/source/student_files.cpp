@@ -12,36 +12,22 @@
 namespace texel::web {
 namespace {
 
-/// With one text between a step's markers.
-std::string student_text(const std::string& text, const std::string& file) {
-  return text.find("@starter") == std::string::npos
-             ? text
-             : course::with_steps(text, file, [](const std::string&) { return true; });
-}
-
-bool is_marker(const std::string& line, const std::string& marker) {
-  return plain_text(line).find(marker) != std::string::npos &&
-         line.find_first_not_of(" \t") == line.find(marker);
+bool all(const std::string&) {
+  return true;
 }
 
 /// The texts between a step's markers, as one, and where the first begins.
 std::string between_markers(const std::string& text, const std::string& step, int& first_line) {
   std::string result;
-  bool inside = false;
-  int number = 0, places = 0;
-  for (const std::string& line : lines_of(text)) {
-    ++number;
-    if (is_marker(line, "//@step " + step + " begin")) {
-      if (++places == 1)
-        first_line = number + 1;
-      else
-        result.append(StudentFiles::kNextPlace).append("\n");
-      inside = true;
-    } else if (is_marker(line, "//@end")) {
-      inside = false;
-    } else if (inside) {
-      result += line + "\n";
-    }
+  bool is_first = true;
+  for (const course::StepPart& part : course::parts_of(text)) {
+    if (part.step != step || !part.is_whole()) continue;
+    if (is_first)
+      first_line = part.line + 1;
+    else
+      result.append(StudentFiles::kNextPlace).append("\n");
+    for (const std::string& line : lines_of(part.of(text))) result += line + "\n";
+    is_first = false;
   }
   return result;
 }
@@ -52,11 +38,11 @@ StudentFiles::StudentFiles(std::filesystem::path tree)
     : tree_(std::move(tree)), files_(course::step_files(tree_)) {
   for (const std::string& file : files_) {
     const std::string text = read_file(tree_ / file);
-    if (text.find("@starter") == std::string::npos) continue;
+    if (text.find("//@starter") == std::string::npos) continue;
     const std::filesystem::path first = tree_ / course::kFirstTexts / file;
     std::filesystem::create_directories(first.parent_path());
     write_file(first, course::with_steps(text, file, [](const std::string&) { return false; }));
-    write_file(tree_ / file, student_text(text, file));
+    write_file(tree_ / file, course::with_steps(text, file, all));
   }
   places_ = course::step_places(tree_);
 }
@@ -76,29 +62,25 @@ std::string StudentFiles::with(const std::string& step, const std::string& text)
     throw Error::usage(fmt::format("step {} is written in C++: do it on the desktop", step));
   std::vector<std::string> parts(1);
   for (const std::string& line : lines_of(text)) {
-    for (const char* marker : {"//@step", "//@end", "//@starter", "//@teacher"})
-      if (is_marker(line, marker)) throw Error::usage(fmt::format("a step's text has no line '{}'", marker));
-    if (is_marker(line, kNextPlace))
+    if (course::is_marker(line))
+      throw Error::usage(fmt::format("a step's text has no line '{}'", plain_text(line)));
+    if (const std::size_t next = line.find(kNextPlace);
+        next != line.npos && next == line.find_first_not_of(" \t"))
       parts.emplace_back();
     else
       parts.back() += line + "\n";
   }
-  std::string result;
-  std::size_t part = 0;
-  bool inside = false;
-  for (const std::string& line : lines_of(read(file))) {
-    if (is_marker(line, "//@end")) inside = false;
-    if (!inside) result += line + "\n";
-    if (!is_marker(line, "//@step " + step + " begin")) continue;
-    inside = true;
-    if (part < parts.size()) result += parts[part];
-    ++part;
-  }
-  if (part != parts.size())
+  const std::string own = read(file);
+  const std::vector<course::StepPart> places = course::parts_of(own);
+  const auto count = static_cast<std::size_t>(std::count_if(
+      places.begin(), places.end(), [&](const course::StepPart& place) { return place.step == step; }));
+  if (count != parts.size())
     throw Error::usage(
-        fmt::format("step {} is written in {} places, and this text has {}", step, part, parts.size()),
+        fmt::format("step {} is written in {} places, and this text has {}", step, count, parts.size()),
         fmt::format("put a line {} between them", kNextPlace));
-  return result;
+  std::string marked;
+  for (const std::string& part : parts) marked += fmt::format("//@step {} begin\n{}//@end\n", step, part);
+  return course::with_step_from(own, file, step, marked);
 }
 
 const Place* StudentFiles::place(const std::string& step) const {
@@ -123,14 +105,13 @@ std::string StudentFiles::read(const std::string& path) const {
 }
 
 void StudentFiles::write(const std::string& path, const std::string& text) const {
-  const std::string plain = student_text(text, known(path));
-  const auto steps_of = [&](const std::string& of) {
-    std::vector<std::string> steps;
-    for (const course::Marker& marker : course::markers_of(of, path)) steps.push_back(marker.step);
-    return steps;
-  };
-  if (steps_of(plain) != steps_of(course::first_text(tree_, path)))
-    throw Error::failed("has other markers (//@step) than the course's file", {path}, "put them back");
+  std::string plain = text;
+  if (text.find("//@starter") != std::string::npos) try {
+      plain = course::with_steps(text, known(path), all);
+    } catch (const Error&) {  // no text of the course: a comment of the student's
+    }
+  const auto faults = course::marker_faults(plain, course::first_text(tree_, known(path)), path);
+  if (!faults.empty()) throw Error::failed(faults.begin()->second);
   write_file(tree_ / path, plain);
 }
 

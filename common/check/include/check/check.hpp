@@ -37,7 +37,7 @@ std::string renderer_note(const std::string& own, const std::string& expected);
 /// What stands in the kMistakesFile of such a folder. Throws Error (exit 3) when it is missing or broken.
 std::vector<Mistake> known_mistakes(const std::filesystem::path& expected);
 
-/// The steps that are as they were at first. Throws Error (exit 3) where markers are spoilt.
+/// The steps whose code is as it was at first (course::untouched_steps).
 std::set<std::string> untouched_steps(const OwnTree& tree);
 
 /// Draws cases of a lab into a folder: by the tree's programs, or in a browser by the labs themselves. Called
@@ -56,8 +56,8 @@ std::string build_program(const OwnTree& tree, const course::Lab& lab);
 /// note of each lab is its renderer_note. Steps that are as they were at first are said to be so. The build
 /// folder remembers what passed: a step that passed, and fails since another one changed, is skipped and
 /// names that one. Each case's `picture` and `reference` are paths of files; there are no partial scores,
-/// only 0 and 1. Throws Error (exit 3) when a program was not built, expected pictures are missing, or
-/// markers are spoilt.
+/// only 0 and 1. Throws Error (exit 3) when a program was not built, or expected pictures are missing. What
+/// is wrong with markers is a note too.
 std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>& labs, const Draws& draws);
 
 /// One step of a lab alone, in the lab's results: no other one is drawn, and it is not skipped. Throws as

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/error.hpp"
@@ -29,17 +30,35 @@ struct Marker {
   int line = 0;      ///< of its first marker, from 1
 };
 
-/// The markers of a text, in its order. Throws Error (exit 3) with file and line for a marker that is
-/// unknown, unpaired, nested or not alone in its line.
+/// The markers of a text of the course, in its order. Throws Error (exit 3) with file and line for a marker
+/// that is unknown, unpaired, nested or not alone in its line.
 std::vector<Marker> markers_of(const std::string& text, const std::string& file);
 
-/// Throws Error (exit 3), with the step, when the text has fewer markers of a step than the first text, and
-/// as markers_of.
-void require_markers(const std::string& text, const std::string& first, const std::string& file);
+/// A place of a step in a student's text, in offsets: its markers' lines, and what stands between them.
+struct StepPart {
+  std::string step;
+  int line;  ///< of its first marker, from 1
+  std::size_t begin, text, text_end = std::string::npos, end = std::string::npos;
+
+  [[nodiscard]] bool is_whole() const { return end != std::string::npos; }
+  [[nodiscard]] std::string of(const std::string& all) const { return all.substr(text, text_end - text); }
+};
+
+/// The places of all steps in a student's text. One whose end is missing is not whole. Only the markers' own
+/// words are markers there: any other line, as `//@todo`, is the student's own.
+std::vector<StepPart> parts_of(const std::string& text);
+
+/// Whether a line is a marker of a student's or of the course's text.
+bool is_marker(std::string_view line);
+
+/// What is wrong with the markers of a student's text, as a sentence by step: of those that the first text
+/// has. A damaged marker costs no other step.
+std::map<std::string, std::string> marker_faults(const std::string& text, const std::string& first,
+                                                 const std::string& file);
 
 /// The text between each step's markers in a student's file, by step; several parts of a step follow each
-/// other. Errors as markers_of.
-std::map<std::string, std::string> step_texts(const std::string& text, const std::string& file);
+/// other. Parts without an end are left out.
+std::map<std::string, std::string> step_texts(const std::string& text);
 
 /// The text with one of the two parts of each step: the solution where `solved(step)`, else the starter's.
 /// The markers around it stay: they show where to write. The markers of the teacher's parts, which become
@@ -47,19 +66,19 @@ std::map<std::string, std::string> step_texts(const std::string& text, const std
 std::string with_steps(const std::string& text, const std::string& file,
                        const std::function<bool(const std::string&)>& solved);
 
-/// The steps whose text between the markers is unchanged. A file with damaged markers counts as
-/// changed everywhere. Errors as markers_of, for the first text.
-std::set<std::string> untouched_steps(const std::string& text, const std::string& first,
-                                      const std::string& file);
+/// The steps that nobody began: what a compiler reads between their markers is what the first text has
+/// (is_same_code). A step with damaged markers was begun.
+std::set<std::string> untouched_steps(const std::string& text, const std::string& first);
 
-/// The text, with the part between one step's markers taken from another text of the same file. Throws
-/// Error (exit 3) when their markers of that step differ, and as markers_of.
+/// A student's text, with the part between one step's markers taken from another text of the same file.
+/// Throws Error (exit 3) when the markers of that step are damaged.
 std::string with_step_from(const std::string& text, const std::string& file, const std::string& step,
                            const std::string& other);
 
 /// The text of a student's file with the solution standing in for all steps but one: what stands between
-/// their markers is taken from `solution`, and all other lines stay. Throws Error (exit 3) when markers of
-/// the other steps are missing, and as markers_of.
+/// their markers is taken from `solution`, and all other lines stay. Where markers of another step are
+/// damaged, nobody knows where it stands: there the lines between its neighbours are the solution's. Throws
+/// Error (exit 3) when the step's own markers are damaged.
 std::string with_step_alone(const std::string& text, const std::string& file, const std::string& step,
                             const std::string& solution);
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -52,13 +53,17 @@ struct UnpackLimits {
   std::size_t entries = 10'000;          ///< files and folders
 };
 
+/// The steps that a student began in the text of an allowed file.
+using BegunSteps = std::function<std::set<std::string>(const std::string& file, const std::string& text)>;
+
 struct Submission {
   std::map<std::string, std::string> files;    ///< by path in the tree: what was taken
   std::vector<Ignored> ignored;                ///< in the submission's order
   std::map<std::string, std::uint64_t> sizes;  ///< of the files of `ignored`, by their own word
   std::string
       root;  ///< the folder of the submission that stands for the tree's root, as text; "" for the top
-  std::string fault;  ///< why nothing was taken (broken, a bomb, too large, no step), or ""
+  std::vector<Ignored> copies;  ///< folders with another copy of the labs, which was not taken
+  std::string fault;            ///< why nothing was taken (broken, a bomb, too large, no step), or ""
 };
 
 /// Takes the allowed files out of a submission, into memory. Whatever the bytes, this ends with a Submission:
@@ -68,18 +73,21 @@ struct Submission {
 /// **Root.** Students pack the tree, the folder around it, or only a lab's folder. Below a root, a file
 /// stands for an allowed one when its path is the last part of that one's path and of no other's:
 /// `labs/05_normal_map/lab.cpp` below the whole tree, `05_normal_map/lab.cpp` below `labs`, `fresnel.glsl`
-/// alone. The root is the folder with the most such files; of several the least deep, then the first by
-/// bytes. When two files stand for one, the longer path is taken, and of equal paths the later, as tar does.
+/// alone. The root is the folder with the most steps begun in such files, as `begun` says where several files
+/// stand for one; of several the one with the most such files, then the least deep, then the first by bytes.
+/// What stands for a file alone in the whole submission is taken wherever it lies. Of several below the root
+/// the longer path is taken, and of equal paths the later, as tar does. Each other copy of the labs is
+/// in `copies`, with the number of its steps begun.
 ///
 /// **Names** may be in any encoding, and the locale does not matter: bytes that are no UTF-8 become U+FFFD in
 /// the text of a path. Files with steps have ASCII names.
 ///
 /// **Never taken**: links, devices, encrypted files, paths that are absolute or contain `..`, names with
-/// control characters, files over the limit, hidden folders, archives in the archive, and names that are
-/// right except for capitals. Each is in `ignored`. Nothing is followed. In a folder, a hard link is a file
-/// as any other.
+/// control characters, files over the limit, hidden folders, archives in the archive. Capitals do not matter
+/// where one file alone is meant. Each that is not taken is in `ignored`. Nothing is followed. In a folder, a
+/// hard link is a file as any other.
 Submission unpack(const Entry& entry, const std::vector<std::string>& allowed,
-                  const UnpackLimits& limits = {});
+                  const UnpackLimits& limits = {}, const BegunSteps& begun = {});
 
 /// Makes the tree `to` out of the trusted tree with the files laid over it. The trusted files are hard links
 /// where the file system can, else copies: mount `to` read-only. The trusted tree must be a starter, never a

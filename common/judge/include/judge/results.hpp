@@ -40,8 +40,8 @@ CaseStatus case_status_of(const std::string& name);
 enum class Judged {
   together,     ///< the student's tree
   alone,        ///< the student's step, with the solution standing in for all other steps
-  markers_lost  ///< the student's tree: the step could not be judged alone, since markers in its file are
-                ///< gone
+  markers_lost  ///< the student's tree: the step could not be judged alone, since its markers are
+                ///< damaged
 };
 
 /// "together", "alone", "markers lost".

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "same_code.hpp"
+#include "course/same_code.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -8,7 +8,7 @@
 
 #include "core/plain_text.hpp"
 
-namespace texel::grade {
+namespace texel::course {
 namespace {
 
 /// Whether a space parts nothing there: "x * 2" is "x*2". Beside a point, or behind the e of 1e-5 or the p of
@@ -17,9 +17,23 @@ namespace {
 bool is_idle(const std::string& before, char next, bool in_directive) {
   if (before.empty() || before.back() == '\n') return true;
   const char last = before.back();
-  constexpr std::string_view kParted = ".\"eEpP";
-  if (in_directive || kParted.find(last) != kParted.npos || next == '.' || next == '"') return false;
+  constexpr std::string_view kParted = ".\"'eEpP", kParts = ".\"'";
+  if (in_directive || kParted.find(last) != kParted.npos || kParts.find(next) != kParts.npos) return false;
   return is_word(last) != is_word(next);
+}
+
+/// Past the string or the character that begins at `at`, or past the one letter there; npos where that cannot
+/// be said: a raw string, a sign that may part digits, and what goes on in the next line.
+std::size_t literal_end(std::string_view text, std::size_t at) {
+  const char quote = text[at], before = at > 0 ? text[at - 1] : ' ';
+  if (quote != '"' && quote != '\'') return at + 1;
+  if (quote == '"' ? before == 'R' : is_word(before)) return text.npos;
+  for (std::size_t i = at + 1; i < text.size() && text[i] != '\n'; ++i) {
+    if (text[i] == quote) return i + 1;
+    if (text[i] == '\\' && i + 1 < text.size() && std::isspace(static_cast<unsigned char>(text[++i])) != 0)
+      break;
+  }
+  return text.npos;
 }
 
 /// The text without its comments and idle white space, if that can be said.
@@ -34,13 +48,16 @@ std::optional<std::string> code_of(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const std::string_view rest = text.substr(i);
     if (rest.starts_with("//")) {
-      i = std::min(text.find('\n', i), text.size()) - 1;
+      const std::size_t end = std::min(text.find('\n', i), text.size());
+      const std::size_t last = text.find_last_not_of(" \t\r", end - 1);
+      if (text[last] == '\\') return {};  // the comment goes on
+      i = end - 1;
     } else if (rest.starts_with("/*")) {
       const std::size_t end = text.find("*/", i + 2);
       if (end == text.npos) return {};
       i = end + 1;
       has_space = true;
-    } else if (text[i] == '\\' || text[i] == '\'') {
+    } else if (text[i] == '\\') {
       return {};
     } else if (text[i] == '\n') {
       end_line();
@@ -53,15 +70,10 @@ std::optional<std::string> code_of(std::string_view text) {
       }
       if (has_space && !is_idle(code, text[i], in_directive)) code += ' ';
       has_space = false;
-      if (text[i] != '"') {
-        code += text[i];
-        continue;
-      }
-      const bool is_raw = i > 0 && text[i - 1] == 'R';
-      const std::size_t end = text.find_first_of("\"\\\n", i + 1);
-      if (is_raw || end == text.npos || text[end] != '"') return {};
-      code += text.substr(i, end + 1 - i);
-      i = end;
+      const std::size_t end = literal_end(text, i);
+      if (end == text.npos) return {};
+      code += text.substr(i, end - i);
+      i = end - 1;
     }
   }
   return code;
@@ -75,4 +87,4 @@ bool is_same_code(std::string_view a, std::string_view b) {
   return code && code == code_of(b);
 }
 
-}  // namespace texel::grade
+}  // namespace texel::course

@@ -2,11 +2,11 @@
 #pragma once
 #include <string_view>
 
-namespace texel::grade {
+namespace texel::course {
 
 /// Whether two texts of GLSL or C++ differ in comments and white space alone, so that they say the same to a
-/// compiler. False where that takes more than a look: texts with a backslash, a single quote or a raw string
-/// outside comments must be equal byte by byte.
+/// compiler. False where that takes more than a look: texts with a raw string, a digit separator, or a
+/// backslash outside comments and literals must be equal byte by byte.
 bool is_same_code(std::string_view a, std::string_view b);
 
-}  // namespace texel::grade
+}  // namespace texel::course
