@@ -18,6 +18,7 @@ constexpr const char* kStudentsGuide = "docs/student.md";
 
 /// What belongs to the course.
 constexpr const char* kGiven[] = {".devcontainer",
+                                  ".gitattributes",
                                   "CMakeLists.txt",
                                   "CMakePresets.json",
                                   "LICENSE",
