@@ -53,7 +53,7 @@ web() { # --serve [PORT], --starter
     texel starter --out "$build/fresh" --solve "$(cpp_steps)"
     mkdir -p "$program"
     (cd "$build/fresh" && find . -type f -print0) | while IFS= read -r -d '' file; do
-      cmp -s "$build/fresh/$file" "$program/$file" || install -D "$build/fresh/$file" "$program/$file"
+      cmp -s "$build/fresh/$file" "$program/$file" || { mkdir -p "$(dirname "$program/$file")" && mv "$build/fresh/$file" "$program/$file"; }
     done
     rm -rf "$build/fresh"
   fi

@@ -149,7 +149,7 @@ class LabCheck {
 std::string expected_by(const fs::path& source, const course::Lab& lab) {
   const fs::path file = expected_folder(source, lab) / kRendererFile;
   const std::string text = fs::exists(file) ? read_file(file) : "";
-  return text.substr(0, text.find('\n'));
+  return text.substr(0, text.find_first_of("\r\n"));
 }
 
 /// Says in the lab's notes which of its steps have damaged markers.

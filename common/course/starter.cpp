@@ -17,21 +17,10 @@ namespace fs = std::filesystem;
 constexpr const char* kStudentsGuide = "docs/student.md";
 
 /// What belongs to the course.
-constexpr const char* kGiven[] = {".devcontainer",
-                                  "CMakeLists.txt",
-                                  "CMakePresets.json",
-                                  "LICENSE",
-                                  "assets",
-                                  "cmake",
-                                  "common",
-                                  "docs/pictures",
-                                  kStudentsGuide,
-                                  "labs",
-                                  "run",
-                                  "shaders",
-                                  "tools",
-                                  "vcpkg.json",
-                                  "web"};
+constexpr const char* kGiven[] = {".devcontainer", ".gitattributes", "CMakeLists.txt", "CMakePresets.json",
+                                  "LICENSE",       "assets",         "cmake",          "common",
+                                  "docs/pictures", kStudentsGuide,   "labs",           "run",
+                                  "shaders",       "tools",          "vcpkg.json",     "web"};
 
 /// What of it the student does not get: the right answers, and what makes or proves the course.
 constexpr const char* kWithheld[] = {"common/grade/",

@@ -81,12 +81,13 @@ StudentRun::~StudentRun() {
 bool StudentRun::is_of_course(const std::string& path) const {
   if (!path.starts_with(submission_.root)) return false;
   const std::string below = path.substr(submission_.root.size());
-  for (const std::string folder :
-       {"build", "out", ".starter", ".before-update", ".devcontainer", ".git", ".vscode", ".cache"})
+  for (const std::string folder : {"build", "out", ".starter", ".devcontainer", ".git", ".vscode", ".cache"})
     if (below == folder || below.starts_with(folder + "/")) return true;
   const auto given = preparation_.given.find(lower_case(below));
   const auto size = submission_.sizes.find(path);  // none of a file that was taken at first
-  return below.ends_with(".before-reset") || below == ".gitignore" ||
+  // Reset and update count what they keep, as in .before-reset-2.
+  return below.find(".before-reset") != std::string::npos || below.starts_with(".before-update") ||
+         below == ".gitignore" || below == ".gitattributes" ||
          (given != preparation_.given.end() && size != submission_.sizes.end() &&
           given->second == size->second);
 }

@@ -326,8 +326,9 @@ TEST_F(GradedClass, tells_a_student_who_packs_the_whole_folder_only_what_is_thei
   const fs::path tree = fresh("whole_tree") / "my-labs";
   const std::string texel = (kBin / "texel").string(), pack = "cmake -E tar cf ../../whole/";
   ASSERT_EQ(shell(fmt::format("{} starter --out {}", texel, tree.string())).exit_code, 0);
-  for (const char* path : {"build/release/build.ninja", "out/gallery/index.html", ".git/HEAD",
-                           "labs/.DS_Store", "__MACOSX/._labs"}) {
+  for (const char* path :
+       {"build/release/build.ninja", "out/gallery/index.html", ".git/HEAD", "labs/.DS_Store",
+        "__MACOSX/._labs", ".before-update-2/run", "labs/05_normal_map/lab.cpp.before-reset-2"}) {
     fs::create_directories((tree / path).parent_path());
     write_file(tree / path, "made there");
   }
