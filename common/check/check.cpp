@@ -235,6 +235,10 @@ std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>
   if (drew != renderers.end())
     for (LabResult& lab : results)
       lab.notes.push_back(renderer_note(*drew, expected_by(tree.source, lab.lab)));
+  for (LabResult& lab : results)
+    for (const std::string& copy : lab.lab.copies)
+      lab.notes.push_back(
+          fmt::format("labs/{} is a copy of this lab: what is written there does not count.", copy));
   put_places(results, places);
   return results;
 }
