@@ -31,11 +31,20 @@ fs::path checked_folder(const OwnTree& tree) {
   return tree.build / "check" / fmt::format("{:016x}", std::hash<std::string>()(name));
 }
 
+/// A file with steps. Throws Error (exit 3) where it is not.
+std::string own_text(const fs::path& source, const std::string& file) {
+  if (!fs::exists(source / file))
+    throw Error::failed("is missing; it has steps", {(source / file).string()},
+                        fmt::format("if it was renamed or moved, put it back; its first text is {}/{}",
+                                    course::kFirstTexts, file));
+  return read_file(source / file);
+}
+
 /// What stands between each step's markers. Throws Error (exit 3) where they are spoilt.
 std::map<std::string, std::string> texts_of_steps(const fs::path& source) {
   std::map<std::string, std::string> texts;
   for (const std::string& file : course::step_files(source))
-    for (const auto& [step, text] : course::step_texts(read_file(source / file), file)) texts[step] += text;
+    for (const auto& [step, text] : course::step_texts(own_text(source, file), file)) texts[step] += text;
   return texts;
 }
 
@@ -192,7 +201,7 @@ std::string renderer_note(const std::string& own, const std::string& expected) {
 std::set<std::string> untouched_steps(const OwnTree& tree) {
   std::set<std::string> steps;
   for (const std::string& file : course::step_files(tree.source)) {
-    const std::string text = read_file(tree.source / file);
+    const std::string text = own_text(tree.source, file);
     const std::string first = course::first_text(tree.source, file);
     course::require_markers(text, first, file);
     steps.merge(course::untouched_steps(text, first, file));

@@ -342,10 +342,15 @@ TEST_F(StudentBuild, says_why_it_fails) {
            {"build texel: r " + (root_ / "gone.cpp").string() + "\n",
             "'gone.cpp', needed by 'texel', missing"},
            {"build texel: r gone.cpp\n", "type: ./run build"},
-           {"build other: phony\n", "unknown target"}}) {
+           {"build other: phony\n", "unknown target"},
+           // Of two errors one is shown.
+           {"build texel: phony x y\nbuild x: r\n does = echo error: e; exit 1\nbuild y: r\n does = echo "
+            "error: e; exit 1\n",
+            "error: e"}}) {
     const Result result = run(ninja + "build lab05_normal_map: phony\n", "check 5");
     EXPECT_EQ(result.exit_code, 3) << result.output;
     EXPECT_TRUE(has(result.output, said)) << result.output;
+    EXPECT_EQ(has(result.output, "does not say why"), has(said, "does not say why")) << result.output;
   }
   fs::remove_all(root_ / "build");
   write_file(root_ / "build", "");  // no folder can be made there
@@ -368,7 +373,8 @@ TEST_F(StudentBuild, waits_for_another_and_says_for_whom) {
   const std::string other =
       "(flock build/release/build.lock sh -c 'printf \"the window of lab 5\" >build/release/build.lock; "
       "touch build/held; "
-      "for i in $(seq 600); do grep -qs waiting build/said && break; sleep 0.05; done; touch build/done' &) && "
+      "for i in $(seq 600); do grep -qs waiting build/said && break; sleep 0.05; done; touch build/done' &) "
+      "&& "
       "while [ ! -e build/held ]; do sleep 0.05; done && exec >build/said";
   const Result result =
       run("build texel: r\n does = ls ../../build/done\nbuild lab05_normal_map: phony\n", "check 5", other);
@@ -461,7 +467,12 @@ TEST_F(StudentTree, says_what_is_wrong_with_spoilt_markers_and_missing_pictures)
   lost.erase(lost.find("//@end"), 6);
   write_file(file, lost);
   const Result gone = texel("check 9");
+  fs::rename(file, file.string() + ".old");
+  const Result renamed = texel("check 1");
+  fs::remove(file.string() + ".old");
   write_file(file, before);
+  EXPECT_EQ(renamed.exit_code, 3) << renamed.output;
+  EXPECT_TRUE(has(renamed.output, "is missing; it has steps")) << renamed.output;
   EXPECT_EQ(gone.exit_code, 3) << gone.output;
   EXPECT_TRUE(has(gone.output, "'//@step 9.2 begin' is missing")) << gone.output;
   for (const Result& result : {check, reset}) {
