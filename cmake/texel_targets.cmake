@@ -15,6 +15,11 @@ if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_C_COMPILER_LAUNCHER})
 endif()
 
+# A program is linked under another name and then takes its place: one that runs, or is just started, stays whole.
+set(CMAKE_CXX_LINK_EXECUTABLE
+    "<CMAKE_CXX_COMPILER> <FLAGS> <CMAKE_CXX_LINK_FLAGS> <LINK_FLAGS> <OBJECTS> -o <TARGET>.new <LINK_LIBRARIES>"
+    "mv -f <TARGET>.new <TARGET>")
+
 # The flags of our own targets; the libraries that we use are compiled as they are.
 add_library(texel_flags INTERFACE)
 target_compile_options(texel_flags INTERFACE

@@ -8,11 +8,13 @@ web_packages=(cmake ninja-build ccache emscripten node-acorn webp libglm-dev lib
 compile_engine() { # tree, build folder
   local log
   say "Compiling the labs for a browser"
+  claim "${2##*/}"
   # Emscripten's own scripts need Debian's acorn, also where another node is first on the path.
   log=$(NODE_PATH=/usr/share/nodejs emcmake cmake -G Ninja -S "$root/web/engine" -B "$2" -D CMAKE_BUILD_TYPE=Release -D TEXEL_TREE="$1" 2>&1) ||
     fail 3 "cmake failed:"$'\n'"$log"
   NODE_PATH=/usr/share/nodejs cmake --build "$2" --parallel "$(nproc)" 2>&1 | compiler_messages ||
-    fail 3 "the build failed; the messages above say where"
+    fail 3 "the build failed; the messages above say why"
+  unclaim
 }
 
 # The steps that are written in C++: a page draws them as solved, and they are done on the desktop.

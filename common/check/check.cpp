@@ -31,11 +31,20 @@ fs::path checked_folder(const OwnTree& tree) {
   return tree.build / "check" / fmt::format("{:016x}", std::hash<std::string>()(name));
 }
 
+/// A file with steps. Throws Error (exit 3) where it is not.
+std::string own_text(const fs::path& source, const std::string& file) {
+  if (!fs::exists(source / file))
+    throw Error::failed("is missing; it has steps", {(source / file).string()},
+                        fmt::format("if it was renamed or moved, put it back; its first text is {}/{}",
+                                    course::kFirstTexts, file));
+  return read_file(source / file);
+}
+
 /// What stands between each step's markers, as far as they are whole.
 std::map<std::string, std::string> texts_of_steps(const fs::path& source) {
   std::map<std::string, std::string> texts;
   for (const std::string& file : course::step_files(source))
-    for (const auto& [step, text] : course::step_texts(read_file(source / file))) texts[step] += text;
+    for (const auto& [step, text] : course::step_texts(own_text(source, file))) texts[step] += text;
   return texts;
 }
 
@@ -202,7 +211,7 @@ std::string renderer_note(const std::string& own, const std::string& expected) {
 std::set<std::string> untouched_steps(const OwnTree& tree) {
   std::set<std::string> steps;
   for (const std::string& file : course::step_files(tree.source)) {
-    const std::string text = read_file(tree.source / file);
+    const std::string text = own_text(tree.source, file);
     steps.merge(course::untouched_steps(text, course::first_text(tree.source, file)));
   }
   return steps;
@@ -244,6 +253,10 @@ std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>
     for (LabResult& lab : results)
       lab.notes.push_back(renderer_note(*drew, expected_by(tree.source, lab.lab)));
   note_markers(tree.source, results);
+  for (LabResult& lab : results)
+    for (const std::string& copy : lab.lab.copies)
+      lab.notes.push_back(
+          fmt::format("labs/{} is a copy of this lab: what is written there does not count.", copy));
   put_places(results, places);
   return results;
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "check/check.hpp"
 #include "check/studio.hpp"
+#include "core/files.hpp"
 #include "core/plain_text.hpp"
 #include "core/process.hpp"
 
@@ -31,19 +34,41 @@ Draws by_programs(const OwnTree& tree, const std::string& context) {
       };
 }
 
-std::string build_program(const OwnTree& tree, const course::Lab& lab) {
-  const Ran ran = run_program({"cmake", "--build", tree.build.string(), "--target", lab.program()}, true);
-  if (ran.exit_code == 0) return {};
-  std::string messages;
-  bool has_begun = ran.output.find("error:") == std::string::npos;
-  for (const std::string& line : lines_of(ran.output)) {
-    has_begun |= line.find("error:") != std::string::npos;
-    if (has_begun && !line.starts_with("ninja:") && !line.starts_with("[") && messages.size() < 2000)
-      messages += line + "\n";
+std::string build_program(const OwnTree& tree, const course::Lab& lab, const std::string& who,
+                          const std::function<void(const std::string&)>& waits) {
+  // Not by a FileLock: the programs that build hold this lock themselves, also when the window is closed.
+  const std::string file = (tree.build / "build.lock").string();
+  constexpr int kTaken = 75;
+  const auto build = [&](const std::string& how) {
+    return run_program({"flock", how, fmt::format("--conflict-exit-code={}", kTaken), file, "sh", "-c",
+                        "printf %s \"$1\" >\"$0\"; shift; exec \"$@\"", file, who, "cmake", "--build",
+                        tree.build.string(), "--target", lab.program()},
+                       true);
+  };
+  Ran ran = build("--nonblock");
+  if (ran.exit_code == kTaken) {
+    waits(std::filesystem::exists(file) ? read_file(file) : "");
+    ran = build("--exclusive");
   }
+  if (ran.exit_code == 0) return {};
+  const auto is_error = [](const std::string& line) {  // "ld: …: undefined reference" has no such word
+    return line.find("error:") != line.npos || line.find("ld: ") != line.npos;
+  };
+  const std::vector<std::string> lines = lines_of(ran.output);
+  std::string messages;
+  bool has_begun = std::none_of(lines.begin(), lines.end(), is_error), is_command = false;
+  for (const std::string& line : lines) {
+    has_begun |= is_error(line);
+    const bool is_ninjas = is_command || line.starts_with("FAILED:") || line.starts_with("[") ||
+                           (line.starts_with("ninja:") && !line.starts_with("ninja: error:") &&
+                            !line.starts_with("ninja: fatal:"));
+    is_command = line.starts_with("FAILED:");  // the next line
+    if (has_begun && !is_ninjas && messages.size() < 2000) messages += line + "\n";
+  }
+  if (messages.empty()) messages = ran.output;  // a program that fails and does not say why
   // The compiler's paths begin in the build folder; editors open those that begin in the tree's root.
-  for (const std::string up = "../../"; messages.find(up) != std::string::npos;)
-    messages.erase(messages.find(up), up.size());
+  for (const std::string& up : {std::string("../../"), tree.source.string() + "/"})
+    while (messages.find(up) != messages.npos) messages.erase(messages.find(up), up.size());
   return messages;
 }
 

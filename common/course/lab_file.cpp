@@ -4,7 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <map>
 
+#include "core/files.hpp"
+#include "core/plain_text.hpp"
 #include "params/set.hpp"
 #include "reader.hpp"
 
@@ -287,6 +291,8 @@ int lab_number(const std::string& folder) {
   return (folder[0] - '0') * 10 + (folder[1] - '0');
 }
 
+constexpr const char* kSides[] = {"_BACKUP_", "_BASE_", "_LOCAL_", "_REMOTE_"};
+
 }  // namespace
 
 Lab read_lab(const fs::path& file) {
@@ -296,7 +302,8 @@ Lab read_lab(const fs::path& file) {
   lab.folder = reader.text("lab");
   lab.number = lab_number(lab.folder);
   if (lab.number == 0 || lab.folder != fs::absolute(file).parent_path().filename())
-    throw reader.error("lab", fmt::format("'{}' is not the name of the file's folder", lab.folder));
+    throw reader.error("lab", fmt::format("'{}' is not the name of the file's folder", lab.folder),
+                       "rename one of them");
   lab.title = reader.text("title");
   lab.lesson = reader.text("lesson");
   lab.looks = read_looks(reader, file.string(), lab.folder);
@@ -310,13 +317,50 @@ Lab read_lab(const fs::path& file) {
   return lab;
 }
 
+std::string copied_from(const fs::path& folder) {
+  std::error_code missing;
+  if (!fs::exists(folder / "lab.toml", missing)) return {};
+  // Not as TOML: check asks often.
+  for (const std::string& line : lines_of(read_file(folder / "lab.toml"))) {
+    const std::size_t begin = line.find('"') + 1, end = line.find('"', begin);
+    if (!line.starts_with("lab") || line.find_first_not_of(" =", 3) + 1 != begin || end == line.npos)
+      continue;
+    const std::string of = line.substr(begin, end - begin);
+    const bool is_copy = of != folder.filename() && lab_number(of) > 0 &&
+                         fs::exists(folder.parent_path() / of / "lab.toml", missing);
+    return is_copy ? of : "";
+  }
+  return {};
+}
+
+bool is_left_over(const fs::path& file) {
+  const std::string name = file.filename(), stem = file.stem();
+  for (const char* ending : {".cpp", ".hpp", ".glsl", ".vert", ".frag"}) {
+    if (name.find(ending) == name.npos || file.extension() == ".in") continue;
+    const bool is_plain =
+        file.extension() == ending && std::all_of(stem.begin(), stem.end(), [](unsigned char c) {
+          return std::isalnum(c) != 0 || c == '_' || c == '-';
+        });
+    // What git mergetool makes.
+    return !is_plain || std::any_of(std::begin(kSides), std::end(kSides),
+                                    [&](const char* side) { return stem.find(side) != stem.npos; });
+  }
+  return false;
+}
+
 std::vector<Lab> read_labs(const fs::path& folder) {
   std::vector<Lab> labs;
+  std::multimap<std::string, std::string> copies;
   std::error_code missing;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, missing)) {
     const fs::path file = entry.path() / "lab.toml";
-    if (fs::exists(file)) labs.push_back(read_lab(file));
+    if (const std::string of = copied_from(entry.path()); !of.empty())
+      copies.emplace(of, entry.path().filename());
+    else if (fs::exists(file, missing))
+      labs.push_back(read_lab(file));
   }
+  for (Lab& lab : labs)
+    for (auto [at, end] = copies.equal_range(lab.folder); at != end; ++at) lab.copies.push_back(at->second);
   if (labs.empty()) throw Error::failed("has no NN_name/lab.toml", {folder.string()});
   std::sort(labs.begin(), labs.end(), [](const Lab& a, const Lab& b) { return a.folder < b.folder; });
   check_needs(labs, folder);

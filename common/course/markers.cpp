@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
+#include "course/lab_file.hpp"
 #include "course/same_code.hpp"
 
 namespace texel::course {
@@ -323,7 +324,9 @@ std::vector<std::string> step_files(const std::filesystem::path& tree) {
     for (Folders at(root / folder, missing); at != Folders(); ++at) {
       const std::filesystem::directory_entry& entry = *at;
       if (entry.path().filename() == "expected") at.disable_recursion_pending();  // pictures
-      if (entry.is_regular_file() && !entry.is_symlink() && has_marker(read_file(entry.path())))
+      if (at.depth() == 0 && !copied_from(entry.path()).empty()) at.disable_recursion_pending();
+      if (!is_left_over(entry.path()) && entry.is_regular_file() && !entry.is_symlink() &&
+          has_marker(read_file(entry.path())))
         files.push_back(entry.path().lexically_relative(root).generic_string());
     }
   if (files.empty())

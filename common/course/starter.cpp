@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "course/lab_file.hpp"
 #include "course/markers.hpp"
 
 namespace texel::course {
@@ -57,7 +58,7 @@ std::vector<StarterFile> starter_files(const fs::path& root,
   std::vector<StarterFile> files;
   const auto give = [&](const fs::path& file) {
     const std::string path = file.lexically_relative(root).generic_string();
-    if (is_withheld(path)) return;
+    if (is_withheld(path) || is_left_over(file)) return;  // what was left over may have a solution
     if (!has_text(file)) {
       files.push_back({path, file, {}});
       return;
@@ -72,8 +73,10 @@ std::vector<StarterFile> starter_files(const fs::path& root,
     for (const char* given : kGiven) {
       if (fs::is_regular_file(root / given)) give(root / given);
       if (!fs::is_directory(root / given)) continue;
-      for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / given))
-        if (entry.is_regular_file()) give(entry.path());
+      for (fs::recursive_directory_iterator at(root / given), end; at != end; ++at) {
+        if (at.depth() == 0 && !copied_from(at->path()).empty()) at.disable_recursion_pending();
+        if (at->is_regular_file()) give(at->path());
+      }
     }
   } catch (const fs::filesystem_error& error) {
     throw Error::failed(fmt::format("cannot read: {}", error.code().message()), {error.path1().string()});

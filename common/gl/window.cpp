@@ -20,7 +20,7 @@ WindowContext::WindowContext(int width, int height, const std::string& title)
 #endif
   if (glfwInit() == GLFW_FALSE)
     throw Error::failed(fmt::format("cannot open a window: {}", reason), {},
-                        "without a display use --snapshot FILE or xvfb-run");
+                        "without a display add --snapshot FILE");
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -30,7 +30,7 @@ WindowContext::WindowContext(int width, int height, const std::string& title)
   if (window_ == nullptr) {
     glfwTerminate();
     throw Error::failed(fmt::format("cannot open a window with OpenGL 3.3: {}", reason), {},
-                        "use --snapshot FILE to draw without a window");
+                        "add --snapshot FILE to draw without a window");
   }
   WindowContext::make_current();
   glfwSwapInterval(1);

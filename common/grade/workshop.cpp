@@ -142,11 +142,12 @@ const Workshop::Recipe& Workshop::recipe(const std::string& program) {
   std::istringstream lines(output_of({"ninja", "-t", "commands", "bin/" + program}, tree_.build, 60));
   for (std::string line; std::getline(lines, line);) {
     Words words = split(line);
-    // ": && c++ … && :" is how CMake has a linker run.
-    words.erase(std::remove_if(words.begin(), words.end(),
-                               [](const std::string& w) { return w == ":" || w == "&&"; }),
-                words.end());
     if (words.empty()) continue;
+    // ": && c++ … -o PROGRAM.new … && mv PROGRAM.new PROGRAM && :" is how CMake has a linker run.
+    if (words.front() == ":" && words.size() > 1) {
+      words.erase(words.begin(), words.begin() + 2);
+      words.erase(std::find(words.begin(), words.end(), "&&"), words.end());
+    }
     if (const auto launcher = std::find_if(words.begin(), words.end(),
                                            [](const std::string& w) { return w.ends_with("/ccache"); });
         launcher != words.end())
@@ -158,7 +159,7 @@ const Workshop::Recipe& Workshop::recipe(const std::string& program) {
       drop(words, "-Werror", 1), drop(words, "-MD", 1), drop(words, "-MT", 2), drop(words, "-MF", 2);
       recipe.compile[path] = words;
     } else if (const auto o = std::find(words.begin(), words.end(), "-o");
-               o != words.end() && o + 1 != words.end() && *(o + 1) == "bin/" + program) {
+               o != words.end() && o + 1 != words.end() && *(o + 1) == "bin/" + program + ".new") {
       std::erase_if(words, [](const std::string& w) { return w.starts_with("-Wl,--dependency-file"); });
       recipe.link = words;
     }

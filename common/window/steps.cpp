@@ -40,7 +40,8 @@ struct StepsCheck::Shared {
   course::Lab lab;
   grade::OwnTree tree;
   std::mutex mutex;
-  bool is_running = false, is_wanted = false, build_is_wanted = false, is_building = false, is_new = false;
+  bool is_running = false, is_wanted = false, build_is_wanted = false, is_new = false;
+  std::string building;  ///< what the panel says of a build that goes on
   std::vector<grade::StepResult> steps;
   std::string fault, compile_error;
 
@@ -59,16 +60,22 @@ struct StepsCheck::Shared {
       const auto next = [&] {
         const std::scoped_lock lock(mutex);
         is_wanted = false;
-        return is_building = std::exchange(build_is_wanted, false);
+        building = build_is_wanted ? "building" : "";
+        return std::exchange(build_is_wanted, false);
+      };
+      const auto waits = [&](const std::string& other) {
+        const std::scoped_lock lock(mutex);
+        building = "waiting for another build: " + other;
       };
       std::optional<std::vector<grade::StepResult>> found;
       std::string why, messages;
       try {
-        if (next()) messages = grade::build_program(tree, lab);
+        if (next())
+          messages = grade::build_program(tree, lab, fmt::format("the window of lab {}", lab.number), waits);
         if (messages.empty()) {
           {
             const std::scoped_lock lock(mutex);
-            is_building = false;
+            building.clear();
           }
           found = check();
         }
@@ -115,7 +122,7 @@ bool StepsCheck::poll() {
 std::string StepsCheck::progress() const {
   const std::scoped_lock lock(shared_->mutex);
   if (!shared_->is_running) return {};
-  return shared_->is_building ? "building" : "checking your steps";
+  return shared_->building.empty() ? "checking your steps" : shared_->building;
 }
 
 const fs::path& StepsCheck::root() const {

@@ -73,7 +73,7 @@ TEST_F(Rebuild, of_one_lab_when_a_file_of_it_is_saved) {
     if (!fs::exists(lab.path() / "lab.cpp")) continue;
     const std::string name = lab.path().filename().string();
     const std::set<std::string> own = {fmt::format("labs/CMakeFiles/lab{0}.dir/{0}/lab.cpp.o", name),
-                                       fmt::format("bin/lab{}", name)};
+                                       fmt::format("bin/lab{}.new", name)};
     for (const fs::path& file : files_in(lab.path())) {
       const std::string ending = file.extension().string();
       if (ending != ".cpp" && ending != ".hpp") continue;

@@ -314,6 +314,109 @@ TEST_F(StudentTree, names_the_form_of_a_command_before_it_builds) {
   }
 }
 
+/// ./run in a tree whose build does what a test says.
+class StudentBuild : public StudentTree {
+ protected:
+  StudentBuild() {
+    fs::create_directories(build_ / "bin");
+    for (const char* program : {"texel", "lab05_normal_map"})
+      fs::create_symlink(fmt::format("{}/{}", test::kBin, program), build_ / "bin" / program);
+    is_configured_for(root_);
+  }
+  ~StudentBuild() override { fs::remove_all(root_ / "build"); }
+  void is_configured_for(const fs::path& tree) const {
+    write_file(build_ / "CMakeCache.txt", "CMAKE_HOME_DIRECTORY:INTERNAL=" + tree.string() + "\n");
+  }
+  /// What it prints; `before` is a line of shell in the same folder.
+  [[nodiscard]] Result run(const std::string& ninja, const std::string& arguments,
+                           const std::string& before = ":") const {
+    write_file(build_ / "build.ninja", "rule r\n command = $does\n" + ninja);
+    return shell(fmt::format("cd {0} && {1} && TEXEL_NO_APT=1 TEXEL_ROOT={0} ./run {2} 2>&1",
+                             shell_word(root_.string()), before, arguments));
+  }
+
+  const fs::path build_ = root_ / "build/release";
+  const std::string kAllBuilt =
+      "build texel: phony\nbuild lab05_normal_map: phony\nbuild labs/all: phony\nbuild tools/all: phony\n";
+};
+
+TEST_F(StudentBuild, says_why_it_fails) {
+  for (const auto& [ninja, said] : std::vector<std::pair<std::string, std::string>>{
+           {"build texel: r\n does = exit 1\n", "does not say why: exit 1"},
+           {"build texel: r\n does = echo cc1plus is killed; exit 1\n", "cc1plus is killed"},
+           {"build texel: r " + (root_ / "gone.cpp").string() + "\n",
+            "'gone.cpp', needed by 'texel', missing"},
+           {"build texel: r gone.cpp\n", "type: ./run build"},
+           {"build other: phony\n", "unknown target"},
+           // Of two errors one is shown.
+           {"build texel: phony x y\nbuild x: r\n does = echo error: e; exit 1\nbuild y: r\n does = echo "
+            "error: e; exit 1\n",
+            "error: e"}}) {
+    const Result result = run(ninja + "build lab05_normal_map: phony\n", "check 5");
+    EXPECT_EQ(result.exit_code, 3) << result.output;
+    EXPECT_TRUE(has(result.output, said)) << result.output;
+    EXPECT_EQ(has(result.output, "does not say why"), has(said, "does not say why")) << result.output;
+  }
+  fs::remove_all(root_ / "build");
+  write_file(root_ / "build", "");  // no folder can be made there
+  const Result result = shell(shell_word((root_ / "run").string()) + " check 5 2>&1");
+  EXPECT_EQ(result.exit_code, 3) << result.output;
+  EXPECT_TRUE(has(result.output, "cannot write build/release/build.lock")) << result.output;
+}
+
+TEST_F(StudentBuild, is_made_anew_in_a_tree_that_was_copied) {
+  is_configured_for(root_.parent_path());
+  write_file(root_ / "build/cmake", "#!/bin/sh\necho \"asked $*\"\nexit 1\n");
+  fs::permissions(root_ / "build/cmake", fs::perms::owner_all);
+  const Result result = run(kAllBuilt, "check 5", "export PATH=$PWD/build:$PATH");
+  EXPECT_EQ(result.exit_code, 3) << result.output;
+  EXPECT_TRUE(has(result.output, "asked --fresh --preset release")) << result.output;
+}
+
+TEST_F(StudentBuild, waits_for_another_and_says_for_whom) {
+  // The other one builds until ./run says that it waits.
+  const std::string other =
+      "(flock build/release/build.lock sh -c 'printf \"the window of lab 5\" >build/release/build.lock; "
+      "touch build/held; "
+      "for i in $(seq 600); do grep -qs waiting build/said && break; sleep 0.05; done; touch build/done' &) "
+      "&& "
+      "while [ ! -e build/held ]; do sleep 0.05; done && exec >build/said";
+  const Result result =
+      run("build texel: r\n does = ls ../../build/done\nbuild lab05_normal_map: phony\n", "check 5", other);
+  EXPECT_LE(result.exit_code, 1);
+  const std::string said = read_file(root_ / "build/said");
+  EXPECT_TRUE(has(said, "waiting for another build: the window of lab 5")) << said;
+  EXPECT_TRUE(has(said, "Lab 5: ")) << said;
+}
+
+TEST_F(StudentBuild, takes_no_copy_for_a_lab) {
+  fs::create_directories(root_ / "labs/10_mine");
+  fs::copy(root_ / "labs/05_normal_map", root_ / "labs/05_a_copy");
+  const Result fifth = run("build texel: phony\nbuild lab05_normal_map: phony\n", "check 5"),
+               tenth = run(kAllBuilt, "check 10"), progress = run(kAllBuilt, "progress");
+  fs::remove_all(root_ / "labs/10_mine");
+  fs::remove_all(root_ / "labs/05_a_copy");
+  EXPECT_TRUE(has(fifth.output, "labs/05_a_copy is a copy of this lab")) << fifth.output;
+  EXPECT_EQ(tenth.exit_code, 2) << tenth.output;
+  EXPECT_TRUE(has(tenth.output, "there is no lab 10")) << tenth.output;
+  EXPECT_EQ(progress.exit_code, 0) << progress.output;
+  EXPECT_TRUE(has(progress.output, "labs/05_a_copy is a copy of lab 5")) << progress.output;
+}
+
+TEST_F(StudentBuild, gives_a_picture_where_the_display_is_gone) {
+  for (const char* gone : {"export DISPLAY=:997", "unset DISPLAY && export WAYLAND_DISPLAY=wayland-997"}) {
+    fs::remove(root_ / "out/see/5.1.png");
+    const Result result = run(kAllBuilt, "see 5.1", gone);
+    EXPECT_EQ(result.exit_code, 0) << result.output;
+    EXPECT_TRUE(has(result.output, "cannot open a window")) << result.output;
+    EXPECT_FALSE(has(result.output, "--snapshot")) << result.output;
+    EXPECT_TRUE(fs::exists(root_ / "out/see/5.1.png"));
+  }
+  const Result named = run(kAllBuilt, "see 5.1 --out here.png");
+  EXPECT_EQ(named.exit_code, 0) << named.output;
+  EXPECT_TRUE(fs::remove(root_ / "here.png"));
+}
+
 TEST_F(StudentTree, gives_one_hint_after_the_other) {
   const fs::path shown = fs::path(test::kBuild) / "check/hints.json";
   fs::remove(shown);
@@ -383,7 +486,12 @@ TEST_F(StudentTree, says_what_is_wrong_with_spoilt_markers_and_missing_pictures)
   lost.erase(lost.find("//@step 9.2 begin"), 17);
   write_file(file, lost);
   const Result gone = texel("check 9"), progress = texel("progress"), other = texel("reset 9.1");
+  fs::rename(file, file.string() + ".old");
+  const Result renamed = texel("check 1");
+  fs::remove(file.string() + ".old");
   write_file(file, before);
+  EXPECT_EQ(renamed.exit_code, 3) << renamed.output;
+  EXPECT_TRUE(has(renamed.output, "is missing; it has steps")) << renamed.output;
   // The step is judged all the same, as the others are.
   for (const Result& result : {check, gone}) {
     EXPECT_LE(result.exit_code, 1) << result.output;

@@ -5,6 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
 #include "../support/picture_files.hpp"
 #include "check/check.hpp"
 #include "core/files.hpp"
@@ -121,6 +125,72 @@ TEST_F(StudioTest, passes_on_which_driver_drew) {
 TEST_F(StudioTest, allows_the_program_one_thread) {
   EXPECT_EQ(draw_all({"asks"}), "asks");
   EXPECT_EQ(read_file(picture("asks")), "1\n");
+}
+
+/// A tree whose "cmake" is a script.
+class BuildTest : public testing::Test {
+ protected:
+  BuildTest()
+      : folder_("build"), tree_{folder_ / "tree", folder_ / "tree/build"}, path_(std::getenv("PATH")) {
+    fs::create_directories(folder_ / "bin");
+    fs::create_directories(tree_.build);
+    lab_.folder = "05_x";
+    ::setenv("PATH", ((folder_ / "bin").string() + ":" + path_).c_str(), 1);
+  }
+  ~BuildTest() override { ::setenv("PATH", path_.c_str(), 1); }
+  void cmake_is(const std::string& script) const {
+    write_file(folder_ / "bin/cmake", "#!/bin/sh\ncd " + (folder_ / "").string() + "\n" + script);
+    fs::permissions(folder_ / "bin/cmake", fs::perms::owner_all);
+  }
+  std::string build(const std::string& who, const std::function<void(const std::string&)>& waits) {
+    return build_program(tree_, lab_, who, waits);
+  }
+
+  test::TemporaryFolder folder_;
+  OwnTree tree_;
+  std::string path_;
+  course::Lab lab_;
+};
+
+TEST_F(BuildTest, waits_for_another_in_the_same_folder_and_says_for_whom) {
+  // Each works until it is told to go. Two at once say so.
+  cmake_is(
+      "mkdir busy || { touch go; echo 'error: two at once'; exit 1; }\n"
+      "while [ ! -e go ]; do sleep 0.01; done\nrmdir busy\n");
+  std::string first, awaited;
+  std::thread other([&] { first = build("the window", [](const std::string&) {}); });
+  for (int i = 0; i < 6000 && !fs::exists(folder_ / "busy"); ++i)  // a minute, as the slowest machine needs
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  const std::string second = build("a watch", [&](const std::string& who) {
+    awaited = who;
+    write_file(folder_ / "go", "");
+  });
+  other.join();
+  EXPECT_EQ(first, "");
+  EXPECT_EQ(second, "");
+  EXPECT_EQ(awaited, "the window");
+}
+
+TEST_F(BuildTest, gives_what_compiler_linker_and_ninja_say_from_the_first_error_on) {
+  const std::string failed = "[1/2] Building\nFAILED: x.o \n/usr/bin/c++ -c x.cpp\n",
+                    stopped = "ninja: build stopped: subcommand failed.\n";
+  const std::string linker =
+      "/usr/bin/ld: x.o: in function `main':\nx.cpp: undefined reference to `f()'\n"
+      "collect2: error: ld returned 1 exit status\n";
+  const std::string missing = ", needed by 'x.o', missing and no known rule to make it\n";
+  for (const auto& [said, expected] : std::vector<std::pair<std::string, std::string>>{
+           {failed + "../../labs/x.cpp:1:1: warning: w\n../../labs/x.cpp:2:1: error: e\n" + stopped,
+            "labs/x.cpp:2:1: error: e\n"},
+           {failed + linker + stopped, linker},
+           {"ninja: error: '" + (tree_.source / "labs/x.cpp").string() + "'" + missing,
+            "ninja: error: 'labs/x.cpp'" + missing},
+           {"ninja: fatal: pipe: Too many open files\n", "ninja: fatal: pipe: Too many open files\n"},
+           // The command says nothing of its own.
+           {failed + stopped, failed + stopped}}) {
+    write_file(folder_ / "says", said);
+    cmake_is("cat says\nexit 1\n");
+    EXPECT_EQ(build("a watch", [](const std::string&) {}), expected);
+  }
 }
 
 TEST(Renderers, in_software_are_told_from_gpus_by_their_names) {

@@ -237,6 +237,9 @@ TEST(Starter, has_no_solution_no_tests_and_no_right_answers) {
   put(folder / "tree/tests/unit/a_test.cpp", "a test\n");
   put(folder / "tree/CMakeLists.txt", "a\n#@teacher begin\nadd_subdirectory(tests)\n#@starter\n#@end\n");
   put(folder / "tree/run", "#!/bin/sh\n");
+  for (const char* copy : {"labs/05_x/lab.cpp.orig", "labs/05_x/lab (1).cpp", "labs/05_old/lab.cpp"})
+    put(folder / "tree" / copy, kText);
+  put(folder / "tree/labs/05_old/lab.toml", "lab = \"05_x\"\n");
   for (const char* file : {"run", "labs/05_x/lab.cpp"})
     fs::permissions(folder / "tree" / file, fs::perms::owner_exec, fs::perm_options::add);
   const std::vector<StarterFile> files = starter_files(folder / "tree");
@@ -247,6 +250,9 @@ TEST(Starter, has_no_solution_no_tests_and_no_right_answers) {
   EXPECT_FALSE(fs::exists(folder / "out/common/truth"));
   EXPECT_FALSE(fs::exists(folder / "out/common/app/include/app/truth_scene.hpp"));
   EXPECT_FALSE(fs::exists(folder / "out/tests"));
+  for (const char* copy : {"labs/05_x/lab.cpp.orig", "labs/05_x/lab (1).cpp", "labs/05_old"})
+    EXPECT_FALSE(fs::exists(folder / "out" / copy)) << copy;
+  EXPECT_EQ(step_files(folder / "tree"), std::vector<std::string>{"labs/05_x/lab.cpp"});
   for (const char* file : {"run", "labs/05_x/lab.cpp"})
     EXPECT_NE(fs::status(folder / "out" / file).permissions() & fs::perms::owner_exec, fs::perms::none)
         << file;

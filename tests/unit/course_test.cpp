@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "../support/picture_files.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
@@ -250,7 +252,8 @@ TEST(LabFile, refuses_a_name_that_is_taken_or_no_file_name) {
 TEST(LabFile, refuses_what_is_missing_or_broken) {
   EXPECT_EQ(refusal(kHead + "[[look]]\nname = \"a\"\n"), "4:1: 'caption' is missing or empty");
   EXPECT_EQ(refusal("title = \"Normal map\"\n"), "1:1: 'lab' is missing or empty");
-  EXPECT_EQ(refusal("lab = \"06_cube_map\"\n"), "1:7: '06_cube_map' is not the name of the file's folder");
+  EXPECT_EQ(refusal("lab = \"06_cube_map\"\n"),
+            "1:7: '06_cube_map' is not the name of the file's folder; rename one of them");
   EXPECT_EQ(refusal(kHead + "[[look]\n").substr(0, 2), "4:");
   EXPECT_NE(refusal(std::string("\0\xff", 2)), "it was read");
 }
@@ -260,6 +263,31 @@ TEST(Labs, are_found_below_their_folder) {
   ASSERT_EQ(read_labs(file.labs()).size(), 1U);
   EXPECT_THROW(read_labs(file.path().parent_path()), Error);
   EXPECT_THROW(read_labs("no/such/folder"), Error);
+}
+
+TEST(Labs, are_not_what_was_copied_or_left_beside_them) {
+  const LabFile file(kHead);
+  file.add("05_old", kHead);
+  file.add("05_normal_map - Copy", kHead);
+  std::filesystem::create_directories(file.labs() / "10_mine");
+  write_file(file.labs() / ".DS_Store", "");
+  const std::vector<Lab> labs = read_labs(file.labs());
+  ASSERT_EQ(labs.size(), 1U);
+  EXPECT_EQ(std::set<std::string>(labs[0].copies.begin(), labs[0].copies.end()),
+            std::set<std::string>({"05_old", "05_normal_map - Copy"}));
+  // Without the lab that it was copied from, nobody knows which is meant.
+  std::filesystem::remove_all(file.path().parent_path());
+  EXPECT_THROW(read_labs(file.labs()), Error);
+}
+
+TEST(LeftOver, is_a_file_with_a_name_that_only_programs_give) {
+  for (const char* name : {"lab (1).cpp", "lab - Copy.cpp", "Copy of lab.cpp", "lab.cpp.orig", "lab.cpp~",
+                           "lab.cpp.before-reset", ".#lab.cpp", "#lab.cpp#", ".lab.cpp.swp",
+                           "lab_BACKUP_12.cpp", "bump.glsl.rej"})
+    EXPECT_TRUE(is_left_over(name)) << name;
+  for (const char* name :
+       {"lab.cpp", "decode_normal.glsl", "Own-2.hpp", "README.md", "lab.toml", "embedded.hpp.in"})
+    EXPECT_FALSE(is_left_over(name)) << name;
 }
 
 }  // namespace

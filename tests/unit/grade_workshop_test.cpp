@@ -44,8 +44,8 @@ class WorkshopTest : public testing::Test {
     std::string ninja =
         "rule cxx\n command = c++ -o $out -c $in\n"
         "rule ar\n command = ar qc $out $in\n"
-        "rule link\n command = : && c++ $in -o $out " +
-        library + " && :\n";
+        "rule link\n command = : && c++ $in -o $out.new " +
+        library + " && mv $out.new $out && :\n";
     for (const char* name : {"a", "b"})
       ninja +=
           fmt::format("build common/mesh/CMakeFiles/texel_mesh.dir/{1}.cpp.o: cxx {0}/common/mesh/{1}.cpp\n",

@@ -44,6 +44,20 @@ shows_no_red() { ! shows_red; }
 check 'mended, it goes' eventually shows_no_red
 check 'and the picture is as it was' returned_to "$work/first"
 
+# Another build in the same folder comes first: the saved text is not built before its end.
+exec 8>"$build/build.lock"
+flock 8
+printf './run watch 5' >"$build/build.lock"
+# Only this line of the panel is so long.
+is_waiting() { look "$work/now" 100x16+170+703 && has_colours "$work/now" 8; }
+times() { (($(wc -l <"$work/asked") == $1)); }
+asked=$(wc -l <"$work/asked")
+sed -i '1s/$/\n/' "$text"
+check 'while another builds, the window says so' eventually is_waiting
+check 'and waits' times "$asked"
+exec 8>&-
+check 'then it builds' eventually times $((asked + 1))
+
 # The process has a program that is there no more: another lies in its place.
 is_replaced() { [[ $(readlink "/proc/$pid/exe") == *deleted* ]]; }
 check 'it is built again' eventually is_replaced

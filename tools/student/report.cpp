@@ -150,6 +150,11 @@ std::string progress_report(const std::vector<LabResult>& labs, bool colours) {
     if (next == nullptr && next_step(lab) != nullptr) next = &lab;
   }
   text += fmt::format("  {:g} of {:g} points; # done, - to do, . waits for another step\n", points, most);
+  for (const LabResult& lab : labs)
+    for (const std::string& copy : lab.lab.copies)
+      text += wrapped(fmt::format("labs/{} is a copy of lab {}: what is written there does not count.", copy,
+                                  lab.lab.number),
+                      0);
   if (next != nullptr)
     text += fmt::format("next: {} {}   ./run watch {}\n", next_step(*next)->id, next_step(*next)->title,
                         next->lab.number);

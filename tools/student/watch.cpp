@@ -96,9 +96,13 @@ class Watch {
   bool build() {
     fmt::print("building…\n");
     std::fflush(stdout);
-    const std::string messages = grade::build_program(tree_, lab_);
+    const std::string messages = grade::build_program(tree_, lab_, fmt::format("./run watch {}", lab_.number),
+                                                      [](const std::string& other) {
+                                                        fmt::print("waiting for another build: {}\n", other);
+                                                        std::fflush(stdout);
+                                                      });
     if (messages.empty()) return true;
-    fmt::print("Your code does not compile. The messages from the first error on:\n{}", wrapped(messages, 0));
+    fmt::print("Your code cannot be built. The messages from the first error on:\n{}", wrapped(messages, 0));
     return false;
   }
 

@@ -47,9 +47,11 @@ using Draws =
 /// The programs of the tree, as they are built. `context` is their --context.
 Draws by_programs(const OwnTree& tree, const std::string& context);
 
-/// Builds a lab's program in its tree. Returns the compiler's messages from the first error on, their paths
-/// from the tree's root on, or "" when it was built. Throws Error (exit 3) without CMake.
-std::string build_program(const OwnTree& tree, const course::Lab& lab);
+/// Builds a lab's program in its tree, when nobody else builds there; `waits` is called with the name of who
+/// does, if there is one, and `who` is ours. Returns the compiler's messages from the first error on, their
+/// paths from the tree's root on, or "" when it was built. Throws Error (exit 3) without CMake.
+std::string build_program(const OwnTree& tree, const course::Lab& lab, const std::string& who,
+                          const std::function<void(const std::string&)>& waits);
 
 /// Draws the public cases of the labs, and of those whose steps they need, and judges them as the grader
 /// does. A renderer in software draws, unless the environment asks for another or the machine has none; a

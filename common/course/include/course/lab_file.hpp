@@ -68,7 +68,8 @@ struct Claim {
 
 struct Lab {
   int number = 0;
-  std::string folder;  ///< "05_normal_map"
+  std::string folder;               ///< "05_normal_map"
+  std::vector<std::string> copies;  ///< folders beside it whose lab.toml is this one's: they are no labs
   std::string title, lesson;
   std::string choice;                       ///< which method is the default, and why; or ""
   std::vector<std::string> driver_methods;  ///< methods whose result OpenGL leaves to the driver
@@ -87,8 +88,17 @@ struct Lab {
 /// labs exist that this lab needs.
 Lab read_lab(const std::filesystem::path& file);
 
-/// Every `NN_name/lab.toml` below `folder`, by number. Throws Error (exit 3) when there is none, when a step
-/// needs one that no lab has, or as read_lab.
+/// The lab's folder of which another folder below `labs` is a copy, as its lab.toml says; "" for one that is
+/// none. Throws Error (exit 3) when the file cannot be read.
+std::string copied_from(const std::filesystem::path& folder);
+
+/// Whether a file with steps has such a name as only file managers, editors, cloud drives and git give, to
+/// what they leave beside the real one: "lab (1).cpp", "lab.cpp~", "lab.cpp.orig", "lab_BACKUP_12.cpp".
+bool is_left_over(const std::filesystem::path& file);
+
+/// Every `NN_name/lab.toml` below `folder`, by number. A copy of a lab's folder is said in the lab's
+/// `copies`, and not read; nor are other files and folders. Throws Error (exit 3) when there is none, when a
+/// step needs one that no lab has, or as read_lab.
 std::vector<Lab> read_labs(const std::filesystem::path& folder);
 
 /// A setting as the programs' command line takes it, after a space: " --turn 50".
