@@ -103,6 +103,7 @@ double pixels_per_program(const Batch& batch, const params::Set& parameters) {
 }
 
 void write_mesh(AnyLab& lab, const Assets& assets, const std::filesystem::path& file) {
+  ++present_frame;
   const mesh::Mesh* mesh = lab.mesh(assets);
   if (mesh == nullptr) throw Error::usage("this lab has no mesh to write", "labs 3, 4 and 5 do");
   mesh::write_ply(file, *mesh);

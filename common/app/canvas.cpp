@@ -105,6 +105,7 @@ void Canvas::draw_into(const gl::Target& target, View view, const std::optional<
 
 void Canvas::draw(View view, glm::ivec2 size, int samples, const std::optional<Split>& split,
                   gl::Target::Kind colours) {
+  ++present_frame;
   error_.reset();
   figures_.reset();
   if (view == View::error) {
@@ -116,6 +117,7 @@ void Canvas::draw(View view, glm::ivec2 size, int samples, const std::optional<S
 }
 
 gl::Record Canvas::record(View view, glm::ivec2 size, int samples) {
+  ++present_frame;
   gl::Record record;
   {
     gl::Recorder recorder;  // of the lab's own draw calls

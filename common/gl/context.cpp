@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/stages.hpp"
+#include "gl/texture.hpp"
 
 // The types and constants of EGL 1.5; its functions are looked up at run time.
 #define EGL_EGL_PROTOTYPES 0
@@ -144,6 +145,14 @@ class EglContext : public Context {
   EGLContext context_;
 };
 
+PFNGLTEXIMAGE2DPROC upload = nullptr;
+
+void GLAD_API_PTR count_and_upload(GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height,
+                                   GLint border, GLenum format, GLenum type, const void* data) {
+  texture_bytes += std::size_t{4} * static_cast<unsigned>(width) * static_cast<unsigned>(height);
+  upload(target, level, internal, width, height, border, format, type, data);
+}
+
 }  // namespace
 
 // llvmpipe filters 8-bit textures by a short cut that is up to 10 steps off, and puts every shader through
@@ -159,6 +168,7 @@ void Context::load(void* (*get_address)(const char*)) {
   };
   if (gladLoadGLUserPtr(loader, reinterpret_cast<void*>(get_address)) == 0)
     throw Error::failed("cannot load OpenGL's functions");
+  upload = std::exchange(glad_glTexImage2D, count_and_upload);
   if (GLAD_GL_KHR_debug != 0 && glad_glDebugMessageCallback != nullptr) {
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);

@@ -49,6 +49,12 @@ MeshBuffers::MeshBuffers(mesh::Mesh mesh)
 MeshBuffers::MeshBuffers(MeshBuffers&& other) noexcept = default;
 MeshBuffers::~MeshBuffers() = default;
 
+std::size_t MeshBuffers::bytes() const {
+  std::size_t bytes = mesh_->indices.size() * sizeof(std::uint32_t);
+  mesh::for_each_attribute(*mesh_, [&](const auto& values) { bytes += std::span(values).size_bytes(); });
+  return 2 * bytes;
+}
+
 void MeshBuffers::bind(const Program& program) {
   glBindVertexArray(vertex_array_.id());
   if (indices_ == nullptr) {

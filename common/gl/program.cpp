@@ -40,7 +40,7 @@ class Shader {
 #ifdef __EMSCRIPTEN__
     log = es_message(log.substr(0, log.find('\0')));
 #endif
-    throw Error::failed(source.locate(log));
+    throw source.error(log);
   }
   ~Shader() {
     glDeleteShader(id_);

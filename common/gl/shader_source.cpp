@@ -23,96 +23,182 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// The name in `#include "name"`, or "" for any other line.
-std::string_view included(std::string_view line) {
-  line = trimmed(line);
-  if (!line.starts_with('#')) return {};
-  line = trimmed(line.substr(1));
-  if (!line.starts_with("include")) return {};
-  line = trimmed(line.substr(7));
-  const std::size_t end = line.size() < 2 ? std::string_view::npos : line.find('"', 1);
-  return line.starts_with('"') && end != std::string_view::npos ? line.substr(1, end - 1)
-                                                                : std::string_view{};
+enum class Comment { none, line, block };
+
+/// A line with a blank for each comment. `open` is the comment in which it begins, and afterwards the one in
+/// which it ends.
+std::string without_comments(std::string_view line, Comment& open) {
+  std::string code;
+  while (!line.empty() && open != Comment::line) {
+    const bool is_name = line.starts_with('"') && trimmed(code).starts_with('#');  // "a//b.glsl"
+    std::size_t end = 1;
+    if (open == Comment::block) {
+      end = line.find("*/");
+      if (end == std::string_view::npos) break;
+      end += 2;
+      open = Comment::none;
+      code += ' ';
+    } else if (line.starts_with("/*") || line.starts_with("//")) {
+      end = 2;
+      open = line[1] == '*' ? Comment::block : Comment::line;
+    } else {
+      if (is_name) end = std::min(line.find('"', 1), line.size() - 1) + 1;
+      code += line.substr(0, end);
+    }
+    line.remove_prefix(end);
+  }
+  return code;
 }
 
-/// Is it an #else, #elif or #endif?
-bool ends_branch(std::string_view line) {
-  line = trimmed(line);
-  if (!line.starts_with('#')) return false;
-  line = trimmed(line.substr(1));
-  return line.starts_with("else") || line.starts_with("elif") || line.starts_with("endif");
+/// A directive's name and the rest of its line, such as "include" and "\"lib/light.glsl\"". The name is empty
+/// for any other line.
+struct Directive {
+  std::string_view name, rest;
+};
+Directive directive(std::string_view code) {
+  code = trimmed(code);
+  if (!code.starts_with('#')) return {};
+  code = trimmed(code.substr(1));
+  const auto end =
+      static_cast<std::size_t>(std::find_if_not(code.begin(), code.end(), is_word) - code.begin());
+  return {code.substr(0, end), trimmed(code.substr(end))};
 }
+
+/// The file that an #include names in quotes or in <>, with '/' between its folders; "" where it names none.
+std::string included(std::string_view rest) {
+  const std::size_t end =
+      rest.size() < 2 ? std::string_view::npos : rest.find(rest.front() == '<' ? '>' : '"', 1);
+  if (end == std::string_view::npos || (rest.front() != '<' && rest.front() != '"')) return {};
+  std::string name(rest.substr(1, end - 1));
+  std::replace(name.begin(), name.end(), '\\', '/');
+  return name;
+}
+
+/// What the compiler says when it comes to an #include that cannot be followed, with the fault's number
+/// behind it. Only the compiler knows which branches it takes.
+constexpr std::string_view kFault = "texel_include_";
+/// Defined where a file was taken, with its number behind it.
+constexpr std::string_view kTaken = "TEXEL_INCLUDED_";
+/// Each may be taken in several branches, in which others are too: so many are no shader.
+constexpr int kMostIncludes = 1000;
 
 }  // namespace
 
+/// What is known of the branches of #if, each with a number, while files are expanded.
+struct ShaderSource::Reading {
+  std::vector<std::size_t> open;                     ///< the files, from the outermost on
+  std::vector<int> branches;                         ///< around the line that is read, the outermost first
+  std::vector<std::vector<std::vector<int>>> taken;  ///< by file: the branches around each time
+  int last_branch = 0, includes = 0;
+};
+
 ShaderSource::ShaderSource(const std::filesystem::path& root, const std::filesystem::path& file)
-    : root_(root) {
-  std::vector<std::filesystem::path> open;
-  expand(root / file, read_file(root / file), open);
-  check_version();
-}
+    : ShaderSource(root, file.string(), read_file(root / file)) {}
 
 ShaderSource::ShaderSource(const std::filesystem::path& root, const std::string& name,
                            const std::string& text)
-    : root_(root) {
-  std::vector<std::filesystem::path> open;
-  expand(root / name, text, open);
-  check_version();
-}
-
-std::string ShaderSource::shown_name(const std::filesystem::path& file) const {
-  return (root_.filename() / file.lexically_relative(root_)).string();
-}
-
-void ShaderSource::check_version() const {
+    : root_(root.lexically_normal()) {
+  Reading reading;
+  files_.push_back((root_ / name).lexically_normal());
+  reading.taken.push_back({{}});
+  expand(reading, 0, text);
   if (version_.empty())
     throw Error::failed("the shader has no #version", {shown_name(files_.front()), 1},
                         "start it with '#version 330 core'");
 }
 
-void ShaderSource::expand(const std::filesystem::path& file, const std::string& text,
-                          std::vector<std::filesystem::path>& open) {
-  const auto number = files_.size() + 1;
-  files_.push_back(file);
-  open.push_back(file);
+std::string ShaderSource::shown_name(const std::filesystem::path& file) const {
+  return (root_.filename() / file.lexically_relative(root_)).lexically_normal().string();
+}
+
+void ShaderSource::expand(Reading& reading, std::size_t file, std::string_view text) {
+  reading.open.push_back(file);
   const auto mark = [&](int line) {
-    body_ += fmt::format("#line {}\n", static_cast<int>(number) * kLinesPerFile + line);
+    body_ += fmt::format("#line {}\n", (static_cast<int>(file) + 1) * kLinesPerFile + line);
   };
   mark(1);
-  int line_number = 0;
   // Editors of Windows put a byte-order mark before the first line; a compiler of GLSL does not know it.
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  for (std::size_t start = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
-       start < text.size();) {
-    const std::size_t end = std::min(text.find('\n', start), text.size());
-    const std::string_view line(text.data() + start, end - start);
-    start = end + 1;
-    ++line_number;
-    if (trimmed(line).starts_with("#version")) {
-      version_ = std::string(trimmed(line)) + "\n";
-      body_ += '\n';
-      continue;
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  std::vector<int>& branches = reading.branches;
+  std::string lines, code;  // of a directive, which goes on behind a backslash and in a comment of many lines
+  int first = 1, next = 1;
+  Comment comment = Comment::none;
+  const std::vector<std::string> all = lines_of(text);
+  for (std::string_view line : all) {
+    ++next;
+    // Only ours may begin so, even in a comment.
+    lines.append(line.starts_with("#line ") ? " " : "").append(line).append("\n");
+    const bool goes_on = line.ends_with('\\');
+    if (goes_on) line.remove_suffix(1);
+    code += without_comments(line, comment);
+    if (comment == Comment::line && !goes_on) comment = Comment::none;
+    if ((goes_on || comment != Comment::none) && next <= static_cast<int>(all.size())) continue;
+
+    const auto [name, rest] = directive(code);
+    if (name == "include") {
+      include(reading, included(rest), {shown_name(files_[file]), first});
+      mark(next);
+    } else if (name == "version" || name == "line") {
+      if (name == "version" && version_.empty()) version_ = fmt::format("#version {}\n", rest);
+      body_.append(static_cast<std::size_t>(next - first), '\n');
+    } else {
+      body_ += lines;
     }
-    const std::string_view name = included(line);
-    if (name.empty()) {
-      body_.append(line).append("\n");
-      // In a branch that is left out the compiler skips our #line marks too.
-      if (ends_branch(line)) mark(line_number + 1);
-      continue;
-    }
-    const Place place{shown_name(file), line_number};
-    std::filesystem::path target = file.parent_path() / name;
-    if (!std::filesystem::exists(target)) target = root_ / name;
-    if (!std::filesystem::exists(target))
-      throw Error::failed(fmt::format("there is no file '{}' to include", name), place,
-                          "name a file beside this one or below shaders/");
-    if (std::find(open.begin(), open.end(), target) != open.end())
-      throw Error::failed(fmt::format("'{}' includes itself", name), place);
-    if (std::find(files_.begin(), files_.end(), target) == files_.end())
-      expand(target, read_file(target), open);
-    mark(line_number + 1);
+    const bool ends_branch = name == "else" || name == "elif" || name == "endif";
+    if (ends_branch && !branches.empty()) branches.pop_back();
+    if (name.starts_with("if") || (ends_branch && name != "endif")) branches.push_back(++reading.last_branch);
+    // In a branch that is left out the compiler skips our #line marks too.
+    if (ends_branch) mark(next);
+    lines.clear();
+    code.clear();
+    first = next;
   }
-  open.pop_back();
+  reading.open.pop_back();
+}
+
+void ShaderSource::include(Reading& reading, const std::string& name, const Place& place) {
+  const auto fault = [&](const std::string& what, const std::string& remedy = {}) {
+    body_ += fmt::format("#error {}{}\n", kFault, faults_.size());
+    faults_.push_back(Error::failed(what, place, remedy));
+  };
+  if (name.empty())
+    return fault("this #include names no file", "write it like '#include \"lib/light.glsl\"'");
+  std::filesystem::path target = (files_[reading.open.back()].parent_path() / name).lexically_normal();
+  if (!std::filesystem::is_regular_file(target)) target = (root_ / name).lexically_normal();
+  if (!std::filesystem::is_regular_file(target))
+    return fault(fmt::format("there is no file '{}' to include", name),
+                 "name a file beside this one or below shaders/");
+  const auto file =
+      static_cast<std::size_t>(std::find(files_.begin(), files_.end(), target) - files_.begin());
+  if (std::find(reading.open.begin(), reading.open.end(), file) != reading.open.end())
+    return fault(fmt::format("'{}' includes itself", name));
+  if (file == files_.size()) files_.push_back(target), reading.taken.emplace_back();
+
+  // Once is enough, unless it was in a branch that may be left out here.
+  const std::vector<int> around = reading.branches;
+  std::vector<std::vector<int>>& taken = reading.taken[file];
+  for (const std::vector<int>& before : taken)
+    if (before.size() <= around.size() && std::equal(before.begin(), before.end(), around.begin())) return;
+  if (++reading.includes > kMostIncludes)
+    throw Error::failed(fmt::format("more than {} files are included", kMostIncludes), place);
+  const std::string guard = fmt::format("{}{}", kTaken, file);
+  const bool again = !taken.empty();
+  taken.push_back(around);
+  if (again) body_ += fmt::format("#ifndef {}\n", guard);
+  if (again) reading.branches.push_back(++reading.last_branch);
+  if (!around.empty() || again) body_ += fmt::format("#define {}\n", guard);
+  expand(reading, file, read_file(target));
+  if (again) body_ += fmt::format("#endif  // {}\n", guard);
+  reading.branches = around;
+}
+
+Error ShaderSource::error(std::string_view log) const {
+  const std::size_t at = log.find(kFault);
+  std::size_t fault = faults_.size();
+  if (at != std::string_view::npos)
+    std::from_chars(log.data() + at + kFault.size(), log.data() + log.size(), fault);
+  return fault < faults_.size() ? faults_[fault] : Error::failed(locate(log));
 }
 
 std::string ShaderSource::text(const std::vector<Define>& defines) const {
@@ -137,6 +223,7 @@ std::string ShaderSource::readable(const std::vector<Define>& defines,
       shown = file;
       continue;
     }
+    if (line.find(kTaken) != std::string::npos) continue;
     std::istringstream words(line);
     std::string first, type, name;
     words >> first >> type >> name;

@@ -9,6 +9,7 @@
 
 #include "gl/context.hpp"
 #include "gl/es_source.hpp"
+#include "gl/texture.hpp"
 #include "gl/web_context.hpp"
 #include "image/colour.hpp"
 
@@ -109,6 +110,7 @@ void set_viewport(GLint x, GLint y, GLsizei width_, GLsizei height_) {
 
 void upload_image(GLenum target, GLint level, GLint internal, GLsizei columns, GLsizei rows, GLint border,
                   GLenum format, GLenum type, const void* data) {
+  texture_bytes += std::size_t{4} * static_cast<unsigned>(columns) * static_cast<unsigned>(rows);
   const bool as_floats = reads_floats_better(internal);
   if ((!as_floats && internal != GL_SRGB8) || data == nullptr) {
     (glTexImage2D)(target, level, internal, columns, rows, border, format, type, data);

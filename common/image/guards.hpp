@@ -7,14 +7,27 @@
 
 namespace texel::image {
 
-/// Whether a JPEG file would make stb_image write or read beyond its tables: a Huffman table of more than 256
-/// codes, or sampling factors that do not divide the largest one. Version 2.28 refuses both, Debian 12
-/// has 2.27 (https://github.com/nothings/stb/pull/1297).
-bool jpeg_overruns(std::string_view bytes);
+/// What is wrong with a JPEG file, or "": a variant that stb_image does not read, or reads in wrong colours;
+/// or tables beyond which it would write or read, a Huffman table of more than 256 codes and sampling factors
+/// that do not divide the largest one. Version 2.28 refuses these two, Debian 12 has 2.27
+/// (https://github.com/nothings/stb/pull/1297).
+std::string jpeg_fault(std::string_view bytes);
 
-/// Whether a TGA file that is not run-length encoded has too few bytes for its `pixels`: stb_image would give
-/// what happens to be in memory for the last row. False for files of other formats.
-bool tga_is_cut_short(std::string_view bytes, std::size_t pixels);
+/// How a picture is to be turned, as Exif numbers it (CIPA DC-008, 4.6.4): 1 as it is, 2 to 8 mirrored,
+/// turned by quarters, or both. By the Exif block of a JPEG, and the order of columns of a TGA.
+int orientation(std::string_view bytes);
+
+/// Makes a TGA with a palette one that stb_image reads: its palette begins at 0, and of a picture that does
+/// not use its palette there is none. Other files stay.
+void make_tga_plain(std::string& bytes);
+
+/// What is wrong with a TGA file of so many `pixels`, or "": a variant that stb_image reads wrongly; or too
+/// few bytes where it is not run-length encoded, when stb_image would give what happens to be in memory for
+/// the last row.
+std::string tga_fault(std::string_view bytes, std::size_t pixels);
+
+/// What a file is that cannot be read, as "a WebP file", or "" where nothing tells.
+std::string other_format(std::string_view bytes);
 
 /// The chunk of a PNG file, such as "IDAT", that is damaged: its checksum is wrong (PNG specification, 5.3
 /// and annex D), which stb_image does not ask. Only the chunks that make the picture are looked at, up to

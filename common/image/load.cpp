@@ -7,6 +7,7 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <string_view>
@@ -58,17 +59,19 @@ constexpr stbi_io_callbacks stream_callbacks = {Stream::read, Stream::skip, Stre
 /// A PNG's own size, from its first chunk; stb_image does not tell it where it thinks it too large.
 void check_png_limits(const std::filesystem::path& path, std::string_view bytes) {
   using namespace std::string_view_literals;
-  if (!bytes.starts_with("\x89PNG\r\n\x1a\n"sv) || bytes.size() < 26) return;
+  const std::size_t header = bytes.find("IHDR") + 4;  // behind a chunk of Apple's, or at once
+  if (!bytes.starts_with("\x89PNG\r\n\x1a\n"sv) || header < 16 || header > 64 || bytes.size() < header + 10)
+    return;
   const auto big_endian = [&](std::size_t at) {
     long long value = 0;
     for (std::size_t i = 0; i < 4; ++i) value = value * 256 + static_cast<unsigned char>(bytes[at + i]);
     return value;
   };
-  const long long width = big_endian(16);
-  const long long height = big_endian(20);
+  const long long width = big_endian(header);
+  const long long height = big_endian(header + 4);
   // By the colour's type: grey, RGB, a palette of RGB, grey and alpha, RGBA.
   static constexpr int kChannels[] = {1, 1, 3, 3, 2, 1, 4};
-  const auto type = static_cast<unsigned char>(bytes[25]);
+  const auto type = static_cast<unsigned char>(bytes[header + 9]);
   check_limits(path, std::min(width, 1LL << 31), std::min(height, 1LL << 31), kChannels[type < 7 ? type : 0]);
 }
 
@@ -79,12 +82,22 @@ std::size_t header_pixels(const Info& header) {
 Info read_header(const std::filesystem::path& path, std::string_view bytes) {
   if (bytes.empty()) throw broken(path, "is empty");
   check_png_limits(path, bytes);
-  if (jpeg_overruns(bytes)) throw broken(path, "has invalid JPEG tables");
+  if (const std::string fault = jpeg_fault(bytes); !fault.empty()) throw broken(path, fault);
+  static const bool once = [] {  // Apple's variant of PNG: BGR, multiplied by alpha
+    stbi_convert_iphone_png_to_rgb(1);
+    stbi_set_unpremultiply_on_load(1);
+    return true;
+  }();
+  static_cast<void>(once);
   Info header;
   Stream stream{bytes};
   if (stbi_info_from_callbacks(&stream_callbacks, &stream, &header.width, &header.height, &header.channels) ==
-      0)
-    throw broken(path, fmt::format("cannot be read as a picture ({})", stbi_failure_reason()));
+      0) {
+    const std::string other = other_format(bytes);
+    throw broken(path, other.empty() ? fmt::format("cannot be read as a picture ({})", stbi_failure_reason())
+                                     : fmt::format("is {}, which is not read", other));
+  }
+  if (header.height >= -largest_side) header.height = std::abs(header.height);  // of a BMP, top row first
   if (header.width < 1 || header.height < 1) throw broken(path, "has no pixels");
   check_limits(path, header.width, header.height, header.channels);
   // Deflate, which packs best of all, makes at most 258 bytes from 2 bits, and a byte is at most 8 pixels: a
@@ -96,17 +109,43 @@ Info read_header(const std::filesystem::path& path, std::string_view bytes) {
   return header;
 }
 
+/// The picture as Exif's `orientation` shows it, which counts rows from the top.
+template <class Sample>
+Image<Sample> turned(const Image<Sample>& stored, int orientation) {
+  const bool on_its_side = orientation >= 5;
+  const bool mirrored = orientation == 2 || orientation == 3 || orientation >= 7;
+  const bool upside_down = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
+  Image<Sample> image(on_its_side ? stored.height : stored.width, on_its_side ? stored.width : stored.height,
+                      stored.channels);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const int down = image.height - 1 - y;
+      const int column = on_its_side ? down : x, row = on_its_side ? x : down;
+      std::copy_n(&stored.at(mirrored ? stored.width - 1 - column : column,
+                             upside_down ? row : stored.height - 1 - row),
+                  image.channels, &image.at(x, y));
+    }
+  return image;
+}
+
+/// The file's bytes as the decoder reads them best.
+std::string read(const std::filesystem::path& path) {
+  std::string bytes = read_file(path);
+  make_tga_plain(bytes);
+  return bytes;
+}
+
 /// `decode` is stbi_load_from_callbacks or its 16-bit sister.
 template <class Sample, class Decode>
-Image<Sample> load(const std::filesystem::path& path, int channels, Decode decode) {
+Image<Sample> load(const std::filesystem::path& path, const std::string& bytes, const Info& header,
+                   int channels, Decode decode) {
   if (channels < 0 || channels > 4)
     throw Error::usage(fmt::format("a picture cannot have {} channels", channels), "use 1 to 4, or 0");
-  const std::string bytes = read_file(path);
-  const Info header = read_header(path, bytes);
   check_limits(path, header.width, header.height, std::max(header.channels, channels));
   if (const std::string chunk = damaged_png_chunk(bytes); !chunk.empty())
     throw broken(path, fmt::format("is damaged: the checksum of its chunk {} is wrong", chunk));
-  if (tga_is_cut_short(bytes, header_pixels(header))) throw broken(path, "is cut short");
+  if (const std::string fault = tga_fault(bytes, header_pixels(header)); !fault.empty())
+    throw broken(path, fault);
 
   Stream stream{bytes};
   int width = 0;
@@ -121,6 +160,7 @@ Image<Sample> load(const std::filesystem::path& path, int channels, Decode decod
   const auto row = static_cast<std::ptrdiff_t>(image.index(0, 1));
   for (int y = 0; y < height; ++y)  // the decoder's first row is the top one
     std::copy_n(samples.get() + (height - 1 - y) * row, row, image.samples.begin() + y * row);
+  if (const int turn = orientation(bytes); turn != 1) return turned(image, turn);
   return image;
 }
 
@@ -174,15 +214,26 @@ class PfmHeader {
 }  // namespace
 
 Info info(const std::filesystem::path& path) {
-  return read_header(path, read_file(path));
+  const std::string bytes = read(path);
+  Info header = read_header(path, bytes);
+  if (orientation(bytes) >= 5) std::swap(header.width, header.height);
+  return header;
 }
 
 Image8 load8(const std::filesystem::path& path, int channels) {
-  return load<std::uint8_t>(path, channels, stbi_load_from_callbacks);
+  const std::string bytes = read(path);
+  const Info header = read_header(path, bytes);
+  if (!header.is_16_bit) return load<std::uint8_t>(path, bytes, header, channels, stbi_load_from_callbacks);
+  const auto exact = load<std::uint16_t>(path, bytes, header, channels, stbi_load_16_from_callbacks);
+  Image8 image(exact.width, exact.height, exact.channels);
+  std::transform(exact.samples.begin(), exact.samples.end(), image.samples.begin(),
+                 [](unsigned sample) { return static_cast<std::uint8_t>((sample + 128) / 257); });
+  return image;
 }
 
 Image16 load16(const std::filesystem::path& path, int channels) {
-  return load<std::uint16_t>(path, channels, stbi_load_16_from_callbacks);
+  const std::string bytes = read(path);
+  return load<std::uint16_t>(path, bytes, read_header(path, bytes), channels, stbi_load_16_from_callbacks);
 }
 
 ImageF load_pfm(const std::filesystem::path& path) {

@@ -22,9 +22,18 @@ using test::Random;
 
 /// The seeds: small sound files of every format.
 std::vector<std::string> sound_files(const test::TemporaryFolder& folder) {
-  std::vector<std::string> files = {test::bmp_2x2(),       test::tga_2x2(),  test::tga_rle_2x2(),
-                                    test::gif_2x2(),       test::jpeg_8x8(), test::jpeg_16x16(false),
-                                    test::jpeg_16x16(true)};
+  std::vector<std::string> files = {test::bmp_2x2(),
+                                    test::tga_2x2(),
+                                    test::tga_rle_2x2(),
+                                    test::gif_2x2(),
+                                    test::jpeg_8x8(),
+                                    test::jpeg_16x16(false),
+                                    test::jpeg_16x16(true),
+                                    test::jpeg_of_camera(6, true),
+                                    test::jpeg_of_camera(7, false)};
+  // With a palette that begins at its third entry.
+  files.push_back(test::bytes({0, 1, 1, 3, 0, 2, 0, 24, 0, 0, 0, 0, 2, 0, 2, 0, 8, 0x30}) + "abcdef" +
+                  test::bytes({3, 4, 3, 4}));
   files.push_back(test::png(2, 2, 16, 0, test::bytes({0, 1, 2, 3, 4, 0, 5, 6, 7, 8})));
   const std::vector<Text> texts = {{"lab", "fuzz"}, {"unicode", "Größe"}};
   for (int channels = 1; channels <= 4; ++channels) {

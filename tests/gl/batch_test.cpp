@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Batches: that each picture is written while the next is drawn, unless there is but one thread; and how much
-// each shader program draws, which decides whether optimising it pays.
+// Batches: that each picture is written while the next is drawn, unless there is but one thread; how much
+// each shader program draws, which decides whether optimising it pays; and what is kept from frame to frame.
 #include "app/batch.hpp"
 
 #include <gtest/gtest.h>
@@ -11,6 +11,7 @@
 #include "../support/picture_files.hpp"
 #include "core/error.hpp"
 #include "image/load.hpp"
+#include "mesh/primitives.hpp"
 
 namespace texel::app {
 namespace {
@@ -155,6 +156,93 @@ TEST_F(PixelsPerProgram, are_none_of_a_vertex_stream) {
   expect(0, {});
   expect(0, {one("a.ply", View::mesh, {512, 512}, {})});
   expect(64, {one("a.ply", View::mesh, {512, 512}, {}), one("b.pfm", View::depth, {8, 8}, {})});
+}
+
+struct PicturesParameters {
+  int first{}, count{};
+  void declare(params::Set& set) {
+    set.add(first, {"first", 0, 0, 1000, "", "The number of the first picture"});
+    set.add(count, {"count", 1, 0, 100, "", "How many it draws"});
+  }
+};
+/// Makes a texture of 16x16 texels, which are 1024 bytes, and a mesh for each number from `first` on.
+struct Pictures : Lab<PicturesParameters> {
+  static constexpr View kViews[] = {View::color};
+  static constexpr Info info{1, "pictures", "Pictures", "Many pictures.", kViews};
+  static constexpr std::size_t kBound = 10 * 1024;
+  explicit Pictures(const Assets&) {}
+  void draw(const Parameters& parameters, Frame&) override {
+    for (int i = parameters.first; i < parameters.first + parameters.count; ++i) {
+      textures_.get(i, [] {
+        ++made;
+        gl::Texture texture;
+        glBindTexture(GL_TEXTURE_2D, texture.id());
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, 16, 16, 0, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
+        return Counted{std::move(texture), std::make_unique<Alive>()};
+      });
+      meshes_.get(i, [] {
+        ++meshes_made;
+        return gl::MeshBuffers(mesh::quad(1));
+      });
+    }
+  }
+
+  struct Alive {
+    Alive() { ++alive; }
+    ~Alive() { --alive; }
+    Alive(const Alive&) = delete;
+    Alive& operator=(const Alive&) = delete;
+  };
+  struct Counted {
+    gl::Texture texture;
+    std::unique_ptr<Alive> kept;
+  };
+  static inline int made = 0, meshes_made = 0, alive = 0;
+
+ private:
+  Cache<int, Counted> textures_{kBound};
+  Cache<int, gl::MeshBuffers> meshes_{2 * gl::MeshBuffers(mesh::quad(1)).bytes()};
+};
+
+class CachedPictures : public testing::Test {
+ protected:
+  /// How many textures, and in `meshes` how many meshes, are made for this frame.
+  int made(int first, int count, const std::optional<Canvas::Split>& split = {}) {
+    lab_.parameters().at("first").set(std::to_string(first));
+    lab_.parameters().at("count").set(std::to_string(count));
+    Pictures::made = Pictures::meshes_made = 0;
+    canvas_.draw(View::color, {8, 8}, 1, split);
+    meshes = Pictures::meshes_made;
+    return Pictures::made;
+  }
+  int meshes = 0;
+
+ private:
+  const std::unique_ptr<gl::Context> context_ = gl::create_headless();
+  const Assets assets_;
+  LabOf<Pictures> lab_;
+  Canvas canvas_{*context_, assets_, lab_};
+};
+
+TEST_F(CachedPictures, are_all_kept_that_a_scene_needs_even_beyond_the_bound) {
+  for (const int count : {5, 10, 40}) {
+    made(0, count);
+    EXPECT_EQ(made(0, count), 0) << count;
+    EXPECT_EQ(meshes, 0) << count;
+  }
+  made(0, 40, Canvas::Split{"first", "100", 0.5F});
+  EXPECT_EQ(made(0, 40, Canvas::Split{"first", "100", 0.5F}), 0) << "both sides of a split";
+}
+
+TEST_F(CachedPictures, are_bounded_while_a_slider_is_dragged) {
+  for (int i = 0; i < 200; ++i) EXPECT_EQ(made(i, 1), 1);
+  EXPECT_EQ(Pictures::alive, 10);
+  EXPECT_EQ(made(190, 10), 0) << "the last ones are there";
+  EXPECT_EQ(meshes, 9) << "of the meshes only the last frame's, since two are the bound";
+  made(300, 40);
+  made(300, 1);
+  made(300, 1);
+  EXPECT_EQ(Pictures::alive, 10) << "a large scene's pictures go when it is over";
 }
 
 }  // namespace

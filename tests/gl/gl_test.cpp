@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The OpenGL layer on the headless contexts: EGL, and OSMesa where there is one.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "../support/osmesa.hpp"
@@ -155,6 +157,67 @@ TEST_P(OpenGl, files_that_include_each_other_are_an_error) {
   write_file(folder_ / "b.glsl", "#include \"a.glsl\"\n");
   const std::string error = compile_error("#version 330 core\n#include \"a.glsl\"\nvoid main() {}\n");
   EXPECT_NE(error.find("b.glsl:1: 'a.glsl' includes itself"), std::string::npos) << error;
+}
+
+// Each row's shader compiles, and a mistake behind it is said to be in its own line.
+TEST_P(OpenGl, includes_are_read_as_glsl_reads_comments_and_conditions) {
+  std::filesystem::create_directories(folder_ / "lib");
+  write_file(folder_ / "step.glsl", "#define STEP\nfloat one() { return 1.0; }\n");
+  write_file(folder_ / "lib/a.glsl", "#include \"../lib/b.glsl\"\n#include \"../step.glsl\"\n");
+  write_file(folder_ / "lib/b.glsl", "#if VIEW\n#else\n#include \"./../step.glsl\"\n#endif\n");
+  const std::string head = "#version 330 core\n", step = "#include \"step.glsl\"\n",
+                    nowhere = "#include \"nowhere.glsl\"\n";
+  for (const std::string& text : std::vector<std::string>{
+           head + "/*\n" + nowhere + "*/\n" + step,
+           head + "/* no end of line\n*/ float a;\n" + step,
+           head + "#if 0\n" + nowhere + "#include\n#include \"student.frag\"\n#include \"lib\"\n#endif\n" +
+               step,
+           head + "#if 0\n#elif 0\n" + nowhere + "#else\n" + step + "#endif\n",
+           head + "// \"\n// " + nowhere + step,
+           head + "// goes on \\\n" + nowhere + step,
+           head + "#ifdef A\n" + step + "#else\n" + step + "#endif\n" + step,
+           head + "#ifndef A\n" + step + "#else\n" + step + "#endif\n" + step,
+           head + "#if 0\n#include \"lib/a.glsl\"\n#endif\n#include \"lib/a.glsl\"\n",
+           head + "#include \"lib/a.glsl\"\n#include \"./step.glsl\"\n#include \"lib/../step.glsl\"\n" + step,
+           "  # version 330 core // that of the labs\n # include \"step.glsl\"  // for one\n",
+           "/* a\n b */ #version 330 /* c */ core\n/* a\n b */ #include /*\n*/ \"step.glsl\" /*\n*/\n",
+           head + "#include \\\n  \"step.glsl\"\nfloat a;  // \\\n#else\n",
+           head + "#include <step.glsl>\n#include \"lib\\a.glsl\"\n#include \"lib//a.glsl\"\n",
+           "\xEF\xBB\xBF#version 330 core\r\n#include \"step.glsl\"\r\n#define TWO \\\r\n  2\r\n",
+           head + step + "#line 7\n/*\n#line seven\n*/\n",
+           head + "#if 1\n" + step + "#version 450\n#endif\n",
+       }) {
+    SCOPED_TRACE(text);
+    const auto lines = std::count(text.begin(), text.end(), '\n');
+    const std::string rest = "out vec4 c;\n#ifdef STEP\nvoid main() { c = vec4(one()); ";
+    EXPECT_EQ(compile_error(text + rest + "}\n#endif\n"), "");
+    const std::string error = compile_error(text + rest + "oops; }\n#endif\n");
+    EXPECT_TRUE(error.starts_with("student.frag:" + std::to_string(lines + 3) + ":")) << error;
+    const ShaderSource source(shaders(), "student.frag");
+    EXPECT_EQ(source.readable({}, {}).find("INCLUDED"), std::string::npos);
+  }
+}
+
+TEST_P(OpenGl, an_include_that_cannot_be_followed_is_one_short_message) {
+  write_file(folder_ / "a.glsl", "\n#include \"lib/.././a.glsl\"\n");
+  write_file(folder_ / "doubled.glsl", "");
+  for (int i = 0; i < 30; ++i) {
+    const std::string next = i == 0 ? "doubled.glsl" : fmt::format("doubled{}.glsl", i - 1);
+    write_file(folder_ / fmt::format("doubled{}.glsl", i),
+               fmt::format("#ifdef A\n#include \"{0}\"\n#else\n#include \"{0}\"\n#endif\n", next));
+  }
+  const std::vector<std::pair<std::string, std::string>> rows = {
+      {"#include \"./a.glsl\"", "a.glsl:2: 'lib/.././a.glsl' includes itself"},
+      {"#include \"student.frag\"", "student.frag:2: 'student.frag' includes itself"},
+      {"#include \"a.glsl", "student.frag:2: this #include names no file; write it like"},
+      {"#include a.glsl", "student.frag:2: this #include names no file; write it like"},
+      {"#include \"../nowhere.glsl\"", "student.frag:2: there is no file '../nowhere.glsl' to include"},
+      {"#include \"doubled29.glsl\"", "more than 1000 files are included"}};
+  for (const auto& [line, message] : rows) {
+    const std::string error = compile_error("#version 330 core\n" + line + "\nvoid main() {}\n");
+    EXPECT_NE(error.find(message), std::string::npos) << error;
+    EXPECT_LT(error.size(), 200U) << error;
+  }
 }
 
 TEST_P(OpenGl, an_unknown_vertex_attribute_is_an_error) {

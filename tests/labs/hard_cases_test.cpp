@@ -192,7 +192,7 @@ TEST(HardCaseOfLab1, every_texel_of_an_odd_picture_of_any_format_is_at_its_place
                        "color", "512x512"});
   draw(kLab1, shots, folder);
   for (const std::string& name : names) {
-    // A 16-bit file keeps its upper byte; grey is the same in red, green and blue.
+    // A 16-bit file is rounded to 8 bits; grey is the same in red, green and blue.
     const image::Image8 texels = image::load8("assets/textures/" + name + ".png", 4);
     for (const char* light : {"on", "off"}) {
       const image::Image8 picture = image::load8(folder / (name + "_" + light + ".png"));

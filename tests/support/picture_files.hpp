@@ -120,6 +120,23 @@ inline std::string jpeg_8x8() {
          bytes({0xff, 0xda, 0, 8, 1, 1, 0, 0, 63, 0, 0x0f, 0xbf, 0xff, 0xd9});
 }
 
+/// 24x16 grey pixels, six blocks of 144, 169, 138 in the upper half and 158, 176, 159 in the lower one, as a
+/// camera that was held in that way writes it.
+inline std::string jpeg_of_camera(int orientation, bool little_endian) {
+  const std::string one = jpeg_8x8();
+  const std::string directory =
+      little_endian ? "II" + bytes({42, 0, 8, 0, 0, 0, 2, 0, 0, 1, 3, 0, 1, 0, 0, 0, 24, 0, 0, 0}) +
+                          bytes({0x12, 1, 3, 0, 1, 0, 0, 0, orientation, 0, 0, 0, 0, 0, 0, 0})
+                    : "MM" + bytes({0, 42, 0, 0, 0, 8, 0, 2, 1, 0, 0, 3, 0, 0, 0, 1, 0, 24, 0, 0}) +
+                          bytes({1, 0x12, 0, 3, 0, 0, 0, 1, 0, orientation, 0, 0, 0, 0, 0, 0});
+  const std::string exif = "Exif" + bytes({0, 0}) + directory + one;  // with a small picture inside
+  const std::size_t frame = one.find(bytes({8, 0, 8, 0, 8})), samples = one.size() - 4;
+  return one.substr(0, 2) + bytes({0xff, 0xe1, 0, static_cast<int>(exif.size()) + 2}) + exif +
+         one.substr(2, frame - 2) + bytes({8, 0, 16, 0, 24}) + one.substr(frame + 5, samples - frame - 5) +
+         // The change of the first coefficient to the next block is that of the grey, eight times.
+         bytes({0x40, 0x19, 0x0, 0x39, 0x40, 0x48, 0xe, 0xef, 0xff, 0xd9});
+}
+
 /// 16x16 pixels of grey 128 in three components, the colours at half the size: all coefficients are zero.
 inline std::string jpeg_16x16(bool progressive) {
   const std::string quantisation(64, '\1');

@@ -87,10 +87,12 @@ TEST(Png, has_its_top_row_first_in_the_file) {
 
 TEST(Png, keeps_16_bits_when_loaded_as_16) {
   const TemporaryFolder folder("png_16");
-  write_file(folder / "a.png", test::png(2, 1, 16, 0, bytes({0, 0x12, 0x34, 0xff, 0xfe})));
+  write_file(folder / "a.png",
+             test::png(4, 1, 16, 0, bytes({0, 0x12, 0x34, 0xff, 0xfe, 0x00, 0x80, 0x00, 0x81})));
   EXPECT_TRUE(info(folder / "a.png").is_16_bit);
-  EXPECT_EQ(load16(folder / "a.png"), grey<std::uint16_t>(2, 1, {0x1234, 0xfffe}));
-  EXPECT_EQ(load8(folder / "a.png"), grey<std::uint8_t>(2, 1, {0x12, 0xff}));
+  EXPECT_EQ(load16(folder / "a.png"), grey<std::uint16_t>(4, 1, {0x1234, 0xfffe, 0x80, 0x81}));
+  // A step of 8 bits is 257 of 16: 128 is just below its middle.
+  EXPECT_EQ(load8(folder / "a.png"), grey<std::uint8_t>(4, 1, {0x12, 0xff, 0, 1}));
 }
 
 TEST(Png, spreads_8_bits_over_16) {
@@ -198,6 +200,113 @@ TEST(Load, reads_jpeg) {
   for (const bool progressive : {false, true}) {
     write_file(folder / "a.jpg", test::jpeg_16x16(progressive));
     EXPECT_EQ(load8(folder / "a.jpg"), colour) << "progressive: " << progressive;
+  }
+}
+
+TEST(Load, reads_what_stands_before_the_end_of_a_file) {
+  const TemporaryFolder folder("trailing");
+  // Much of it looks like tables: a phone's film, a second picture, a stamp.
+  const std::string film = bytes({0, 0xff, 0xc4, 0xff, 0xff, 0xff, 0xc0}) + std::string(500, '\xff');
+  for (const std::string& content :
+       {test::jpeg_8x8(), test::jpeg_16x16(true), test::png(1, 1, 8, 0, bytes({0, 7})) + "IDAT",
+        test::bmp_2x2(), test::tga_2x2(), test::gif_2x2()}) {
+    write_file(folder / "plain", content);
+    EXPECT_EQ(load_error(folder, "a", content + film), "");
+    EXPECT_EQ(load8(folder / "a"), load8(folder / "plain"));
+  }
+}
+
+TEST(Load, turns_a_photo_as_the_camera_was_held) {
+  const TemporaryFolder folder("orientation");
+  // The blocks' greys, top row first (CIPA DC-008, 4.6.4).
+  const std::vector<std::vector<std::uint8_t>> shown = {
+      {144, 169, 138, 158, 176, 159}, {138, 169, 144, 159, 176, 158}, {159, 176, 158, 138, 169, 144},
+      {158, 176, 159, 144, 169, 138}, {144, 158, 169, 176, 138, 159}, {158, 144, 176, 169, 159, 138},
+      {159, 138, 176, 169, 158, 144}, {138, 159, 169, 176, 144, 158}};
+  for (int orientation = 0; orientation <= 9; ++orientation)
+    for (const bool little_endian : {false, true}) {
+      write_file(folder / "a.jpg", test::jpeg_of_camera(orientation, little_endian));
+      const Image8 photo = load8(folder / "a.jpg");
+      const Info header = info(folder / "a.jpg");
+      const bool upright = orientation >= 5 && orientation <= 8;
+      EXPECT_EQ(std::pair(photo.width, photo.height), upright ? std::pair(16, 24) : std::pair(24, 16));
+      EXPECT_EQ(std::pair(header.width, header.height), std::pair(photo.width, photo.height));
+      std::vector<std::uint8_t> blocks;
+      for (int y = photo.height - 4; y > 0; y -= 8)
+        for (int x = 4; x < photo.width; x += 8) blocks.push_back(photo.at(x, y));
+      const bool is_known = orientation >= 1 && orientation <= 8;
+      EXPECT_EQ(blocks, shown[is_known ? static_cast<std::size_t>(orientation) - 1 : 0]) << orientation;
+    }
+}
+
+TEST(Load, reads_every_order_of_rows_columns_and_palettes) {
+  const TemporaryFolder folder("orders");
+  const std::string rows = test::tga_2x2().substr(18);
+  const auto tga = [&](int palette, int kind, int first, int entries, int index_bits, int order) {
+    return bytes({2, palette, kind, first, 0, entries, 0, palette * 24, 0, 0, 0, 0, 2, 0, 2, 0, index_bits,
+                  order}) +
+           "ID";
+  };
+  const auto pixels = [&](std::initializer_list<std::size_t> order) {
+    std::string result;
+    for (const std::size_t i : order) result += rows.substr(3 * i, 3);
+    return result;
+  };
+  std::string bmp = test::bmp_2x2();
+  bmp.replace(22, 4, bytes({0xfe, 0xff, 0xff, 0xff}));  // -2 rows: the top one first
+  bmp = bmp.substr(0, 54) + bmp.substr(62, 8) + bmp.substr(54, 8);
+  const std::string footer = std::string(8, '\0') + "TRUEVISION-XFILE." + '\0';
+  const std::vector<std::string> files = {
+      bmp,
+      tga(0, 2, 0, 0, 24, 0) + pixels({0, 1, 2, 3}) + footer,
+      tga(0, 2, 0, 0, 24, 0x10) + pixels({1, 0, 3, 2}),
+      tga(0, 2, 0, 0, 24, 0x20) + pixels({2, 3, 0, 1}),
+      tga(0, 2, 0, 0, 24, 0x30) + pixels({3, 2, 1, 0}),
+      tga(0, 10, 0, 0, 24, 0x30) + bytes({3}) + pixels({3, 2, 1, 0}) + footer,
+      tga(1, 1, 0, 4, 8, 0x30) + rows + bytes({3, 2, 1, 0}),
+      tga(1, 1, 7, 4, 8, 0) + rows + bytes({7, 8, 9, 10}),
+      tga(1, 9, 200, 4, 8, 0) + rows + bytes({3, 200, 201, 202, 203}) + footer,
+      tga(1, 2, 0, 4, 24, 0) + std::string(12, 'p') + pixels({0, 1, 2, 3})};  // a palette that is not used
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    EXPECT_EQ(load_error(folder, "a", files[i]), "") << i;
+    EXPECT_EQ(load8(folder / "a"), four_colours()) << i;
+  }
+}
+
+TEST(Load, names_a_variant_that_is_not_read) {
+  const TemporaryFolder folder("variants");
+  const auto jpeg = [](int frame, int bits) {
+    std::string file = test::jpeg_16x16(false);
+    const std::size_t at = file.find("\xff\xc0");
+    file[at + 1] = static_cast<char>(frame), file[at + 4] = static_cast<char>(bits);
+    return file;
+  };
+  std::string inks = jpeg(0xc0, 8);
+  inks[inks.find("\xff\xc0") + 9] = 4;
+  std::string packed_bmp = test::bmp_2x2(), interleaved = test::tga_2x2();
+  packed_bmp[30] = 1;
+  interleaved[17] = '\x40';
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {jpeg(0xc0, 12), "JPEG of 12 bits a sample"},
+      {jpeg(0xc9, 8), "JPEG with arithmetic coding"},
+      {jpeg(0xc3, 8), "lossless JPEG"},
+      {jpeg(0xc5, 8), "hierarchical JPEG"},
+      {inks, "JPEG of four channels"},
+      {packed_bmp, "run-length-encoded BMP"},
+      {interleaved, "TGA file with interleaved rows"},
+      {std::string(30, 'x') + "TRUEVISION-XFILE." + '\0', "TGA file of an unusual kind"},
+      {"RIFF1234WEBPVP8 ", "is a WebP file"},
+      {bytes({0, 0, 0, 28}) + "ftypavif", "is an AVIF file"},
+      {bytes({0, 0, 0, 28}) + "ftypheic", "is a HEIC file"},
+      {"\xabKTX 20\xbb", "is a KTX file"},
+      {"DDS |", "is a DDS file"},
+      {"#?RADIANCE\n", "is a Radiance HDR file"},
+      {bytes({'I', 'I', 42, 0}), "is a TIFF file"},
+      {"P6\n1 1\n65535\n123456", "is a PPM file"},
+      {"<!DOCTYPE html>", "is a file of text"}};
+  for (const auto& [content, variant] : files) {
+    const std::string message = load_error(folder, "a.png", content);
+    EXPECT_TRUE(has(message, variant) && has(message, "a.png: ") && has(message, "PNG, JPEG")) << message;
   }
 }
 

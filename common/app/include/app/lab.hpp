@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <concepts>
+#include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
 #include <list>
@@ -217,27 +218,60 @@ int run(int argc, char** argv) {
   return run(lab, argc, argv);
 }
 
-/// Keeps what was made for the last few keys. A picture or mesh is loaded when a parameter first
-/// selects it, and not in every frame.
+/// The number of the frame that is drawn: a canvas counts them, for the caches.
+inline std::uint64_t present_frame = 0;
+
+/// Keeps what was made for a key. A picture or mesh is loaded when a parameter first selects it, and not in
+/// every frame. What this frame and the last one needed always stays; of the rest goes what was used longest
+/// ago, as soon as all together have more than `most_bytes`.
 template <class Key, class Value>
 class Cache {
  public:
+  /// By default three textures of 4096x4096 texels, or fifty of 1024x1024, with their mipmaps.
+  explicit Cache(std::size_t most_bytes = std::size_t{256} << 20) : most_bytes_(most_bytes) {}
+
+  /// The value of `key`, which `make` makes if it is not there. Valid until the end of the frame.
   template <class Make>
   Value& get(const Key& key, Make&& make) {
     const auto found =
-        std::find_if(entries_.begin(), entries_.end(), [&](const auto& entry) { return entry.first == key; });
+        std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.key == key; });
     if (found != entries_.end()) {
       entries_.splice(entries_.begin(), entries_, found);
     } else {
-      entries_.emplace_front(key, make());
-      if (entries_.size() > kEntries) entries_.pop_back();
+      const std::size_t before = gl::texture_bytes;
+      entries_.push_front({key, make()});
+      entries_.front().bytes = gl::texture_bytes - before + mesh_bytes(entries_.front().value);
+      bytes_ += entries_.front().bytes;
     }
-    return entries_.front().second;
+    entries_.front().frame = present_frame;
+    while (bytes_ > most_bytes_ && entries_.back().frame + 1 < present_frame) {
+      bytes_ -= entries_.back().bytes;
+      entries_.pop_back();
+    }
+    return entries_.front().value;
   }
 
  private:
-  static constexpr std::size_t kEntries = 4;  // both sides of the split slider, and what was there before
-  std::list<std::pair<Key, Value>> entries_;  // the last one used first
+  struct Entry {
+    Key key;
+    Value value;
+    std::size_t bytes = 0;
+    std::uint64_t frame = 0;  // that used it last
+  };
+
+  /// Of the mesh in a value; a texture was counted when it was uploaded.
+  template <class Any>
+  static std::size_t mesh_bytes(const Any& value) {
+    if constexpr (requires { value.buffers; })
+      return value.buffers.bytes();
+    else if constexpr (requires { value.bytes(); })
+      return value.bytes();
+    else
+      return 0;
+  }
+
+  std::size_t most_bytes_, bytes_ = 0;
+  std::list<Entry> entries_;  // the last one used first
 };
 
 }  // namespace texel::app

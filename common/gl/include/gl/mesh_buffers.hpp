@@ -27,6 +27,8 @@ class MeshBuffers {
   void draw(const Program& program, const mesh::Group& group);
 
   [[nodiscard]] const mesh::Mesh& mesh() const { return *mesh_; }
+  /// In memory, and as many again on the GPU.
+  [[nodiscard]] std::size_t bytes() const;
 
  private:
   void bind(const Program& program);

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/error.hpp"
+
 namespace texel::gl {
 
 /// `#define name value`, put behind the #version line. `origin` says where it comes from, for people.
@@ -15,12 +17,14 @@ struct Define {
 
 /// One shader with its includes expanded: the text for the compiler, and the files that it came from.
 ///
-/// `#include "lib/light.glsl"` names a file below the folder `shaders/`, or beside the including file; each
-/// file is taken once. Mesa rejects file names in #line and forgets source numbers in semantic errors, so the
-/// line directives carry file * 100000 + line, which locate() decodes.
+/// `#include "lib/light.glsl"` names a file beside the including file, or below the folder `shaders/`. Each
+/// file is taken once, and once more in a branch of #if when it was in another one. An include that cannot be
+/// followed is an error where the compiler comes to it; in a comment it is none. Mesa rejects file names in
+/// #line and forgets source numbers in semantic errors, so the line directives carry file * 100000 + line,
+/// which locate() decodes.
 class ShaderSource {
  public:
-  /// Throws Error (exit 3) for a missing file, a missing #version or an include in a circle.
+  /// Throws Error (exit 3) when the file or its #version is missing.
   ShaderSource(const std::filesystem::path& root, const std::filesystem::path& file);
   /// The same for a text that is in no file; messages call it `name`.
   ShaderSource(const std::filesystem::path& root, const std::string& name, const std::string& text);
@@ -37,15 +41,19 @@ class ShaderSource {
   /// A compiler's log with our encoded lines turned into `shaders/file:line: message`, as editors open
   /// it in the tree. Warnings are left out.
   [[nodiscard]] std::string locate(std::string_view log) const;
+  /// The same as an error (exit 3). Where the compiler came to an include of a file that is missing, or that
+  /// includes itself, it says so instead.
+  [[nodiscard]] Error error(std::string_view log) const;
 
  private:
-  void expand(const std::filesystem::path& file, const std::string& text,
-              std::vector<std::filesystem::path>& open);
-  void check_version() const;
+  struct Reading;
+  void expand(Reading& reading, std::size_t file, std::string_view text);
+  void include(Reading& reading, const std::string& name, const Place& place);
   /// "shaders/05_normal_map/normal_map.frag".
   [[nodiscard]] std::string shown_name(const std::filesystem::path& file) const;
   std::filesystem::path root_;
   std::vector<std::filesystem::path> files_;
+  std::vector<Error> faults_;  ///< of its includes
   std::string version_, body_;
 };
 

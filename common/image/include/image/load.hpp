@@ -23,18 +23,18 @@ Info info(const std::filesystem::path& path);
 
 /// Loads a PNG, JPEG, GIF (its first frame), BMP or TGA file, bottom row first, values as they are encoded.
 /// `channels` is 1 to 4, or 0 to keep the file's own; grey becomes RGB by repetition, RGB grey by luma
-/// weights, and a missing alpha is opaque. 16-bit samples keep their upper byte. The limits are checked
-/// before anything is allocated. Throws Error (exit 3) that names the file when it is missing, broken, cut
-/// short, too large, damaged (a PNG's checksum is wrong) or of another format, as a run-length-encoded BMP
-/// is.
+/// weights, and a missing alpha is opaque. 16-bit samples are rounded to the nearest of 8 bits. A photo is
+/// turned as its Exif block says. The limits are checked before anything is allocated. Throws Error (exit 3)
+/// that names the file when it is missing, broken, cut short, too large, damaged (a PNG's checksum is wrong)
+/// or of another format or variant, which it names.
 Image8 load8(const std::filesystem::path& path, int channels = 0);
 
 /// The same with 16 bits a sample: 8-bit values v become 257 v, so that 255 becomes 65535.
 Image16 load16(const std::filesystem::path& path, int channels = 0);
 
-/// A PNG of exactly this size as RGB, as `load8` gives it, by libspng: it never unpacks more than the size
-/// needs, and it checks the file's checksums. For pictures that strangers made. Throws Error (exit 3) with
-/// `name` for any other size, and when it is broken or cut short.
+/// A PNG of exactly this size as RGB, as `load8` gives it (of 16 bits the upper 8), by libspng: it never
+/// unpacks more than the size needs, and it checks the file's checksums. For pictures that strangers made.
+/// Throws Error (exit 3) with `name` for any other size, and when it is broken or cut short.
 Image8 parse_png(std::string_view bytes, const std::string& name, int width, int height);
 
 /// A portable float map, `PF` (3 channels) or `Pf` (1), of either byte order, bottom row first as the format
