@@ -5,6 +5,8 @@ import { download, element } from "./dom.js";
 /** Fills `host`. `labNumbers`: of all labs; `benches`: the workbenches of this one. Gives `{show()}`. */
 export function buildProgress({ host, labNumbers, benches, session, work, checkAll }) {
   const count = element("b");
+  const lasts = element("span");
+  const warns = element("span", { role: "alert" });
   const said = element("p", { className: "quiet", role: "status" });
   const button = (text, title, act) => {
     const made = element("button", { type: "button", title }, text);
@@ -28,8 +30,9 @@ export function buildProgress({ host, labNumbers, benches, session, work, checkA
   }
   async function takeOut() {
     const { packed } = await import("./archive.js");
-    const texts = {};
-    for (const { file: path } of await shaderSteps()) texts[path] ??= await session.judge("file", path);
+    const texts = {}, steps = await shaderSteps();
+    await session.tellJudge(steps.map((step) => step.id));  // another tab may have written since
+    for (const { file: path } of steps) texts[path] ??= await session.judge("file", path);
     download("texel-labs.zip", await packed(texts));
     said.textContent = "Unpack it over your folder of the course: ./run check says the same there.";
   }
@@ -37,15 +40,17 @@ export function buildProgress({ host, labNumbers, benches, session, work, checkA
     const { unpacked } = await import("./archive.js");
     const steps = await shaderSteps();
     const texts = await unpacked(bytes, [...new Set(steps.map((step) => step.file))]);
+    await session.tellJudge(steps.map((step) => step.id));
+    const read = () => Promise.all(steps.map((step) => session.judge("read", step.id)));
+    const before = await read();
     for (const [path, text] of Object.entries(texts))
       await session.judge("put", path, text).catch((error) => {
         if (!error.problems?.length) throw error;  // what does not compile is taken, and its step says so
       });
     const taken = [];
-    for (const { id, file: path } of steps) {
-      if (!(path in texts)) continue;
-      const { text, first } = await session.judge("read", id);
-      if (text === (work.text(id) ?? first)) continue;
+    for (const [i, { text }] of (await read()).entries()) {
+      const { id } = steps[i];
+      if (text === before[i].text) continue;
       taken.push(id);
       if (benches.has(id)) await benches.get(id).write(text);
       else work.write(id, text);
@@ -54,7 +59,7 @@ export function buildProgress({ host, labNumbers, benches, session, work, checkA
   }
 
   host.replaceChildren(
-    element("p", {}, count, work.lasts ? " Your code stays in this browser." : " This browser keeps nothing: take your code out before you leave."),
+    element("p", {}, count, lasts, warns),
     element("div", { className: "buttons" }, button("Check all", "Check every step of this lab", checkAll),
       button("Save as .zip", "Your shader files of all labs, with the paths of the course's folder", takeOut),
       button("Load a .zip", "Take your shader files from a .zip", async () => file.click()), file), said);
@@ -66,7 +71,12 @@ export function buildProgress({ host, labNumbers, benches, session, work, checkA
     const unknown = all.filter((bench) => !bench.result && !bench.step.untouched);
     const points = (list) => list.reduce((sum, bench) => sum + bench.step.points, 0);
     const also = unknown.length === 0 ? "" : ` ${unknown.length} ${unknown.length === 1 ? "is" : "are"} not checked yet.`;
-    count.textContent = `${done.length} of ${all.length} shader steps ${all.length === 1 ? "is" : "are"} right, ${points(done)} of ${points(all)} points.${also}`;
+    count.textContent = unknown.length === all.length ? `${all.length} shader ${all.length === 1 ? "step" : "steps"}, not checked yet.`
+      : `${done.length} of ${all.length} shader steps ${all.length === 1 ? "is" : "are"} right, ${points(done)} of ${points(all)} points.${also}`;
+    host.classList.toggle("unsaved", !work.lasts);
+    lasts.textContent = work.lasts ? " Your code stays in this browser." : "";
+    const text = work.lasts ? "" : " This browser does not keep your code: its storage is full or blocked. Save it as .zip before you leave.";
+    if (warns.textContent !== text) warns.textContent = text;  // else it would be spoken at each change
   };
   show();
   return { show };
