@@ -206,18 +206,20 @@ test("a full storage is said at once, and the page saves again when there is roo
   await open("?look=default");
   const says = () => page.$eval(".progress p", (p) => p.textContent);
   assert.match(await says(), /Your code stays in this browser\.$/);
+  assert.equal(await page.$eval(".refused", (line) => line.hidden), true);
   await page.evaluate(() => {
     for (let size = 1 << 22, n = 0; size >= 1; size >>= 1)
       for (;;)
         try { localStorage.setItem(`fill ${++n}`, "x".repeat(size)); } catch { break; }
   });
   await type("  return swapped;");
-  await until(() => document.querySelector(".progress [role=alert]").textContent.includes("does not keep your code"));
+  await until(() => !document.querySelector(".refused").hidden);
   assert.doesNotMatch(await says(), /stays/);
   assert.equal(await page.evaluate(() => !dispatchEvent(new Event("beforeunload", { cancelable: true }))), true);  // asks before it is left
   await page.evaluate(() => Object.keys(localStorage).filter((key) => key.startsWith("fill")).forEach((key) => localStorage.removeItem(key)));
   await type("  return right;");
-  await until(() => document.querySelector(".progress p").textContent.includes("stays in this browser."));
+  await until(() => document.querySelector(".refused").hidden);
+  assert.match(await says(), /stays in this browser/);
   assert.equal(await page.evaluate(() => !dispatchEvent(new Event("beforeunload", { cancelable: true }))), false);
   await page.reload();
   await page.evaluate(() => texel.ready);
@@ -227,7 +229,8 @@ test("a full storage is said at once, and the page saves again when there is roo
 test("a blocked storage is said from the beginning", async () => {
   await page.evaluateOnNewDocument(() => Object.defineProperty(window, "localStorage", { get() { throw new DOMException("blocked", "SecurityError"); } }));
   await open("?look=default");
-  assert.match(await text(".progress [role=alert]"), /does not keep your code/);
+  assert.equal(await page.$eval(".refused", (line) => line.checkVisibility()), true);
+  assert.doesNotMatch(await text(".progress"), /stays/);
   await type("  return right;");
   await badge("done");
   assert.match(strFromU8((await saved(page))[kFile]), /return right;/);

@@ -6,7 +6,6 @@ import { download, element } from "./dom.js";
 export function buildProgress({ host, labNumbers, benches, session, work, checkAll }) {
   const count = element("b");
   const lasts = element("span");
-  const warns = element("span", { role: "alert" });
   const said = element("p", { className: "quiet", role: "status" });
   const button = (text, title, act) => {
     const made = element("button", { type: "button", title }, text);
@@ -58,10 +57,14 @@ export function buildProgress({ host, labNumbers, benches, session, work, checkA
     said.textContent = taken.length === 0 ? "The .zip has nothing new." : `Taken from the .zip: ${taken.join(", ")}.`;
   }
 
+  const save = () => button("Save as .zip", "Your shader files of all labs, with the paths of the course's folder", takeOut);
+  const refused = element("p", { className: "refused", role: "alert", hidden: true },
+    "This browser does not keep your code: its storage is full or blocked. ", save());
+  host.after(refused);
   host.replaceChildren(
-    element("p", {}, count, lasts, warns),
+    element("p", {}, count, lasts),
     element("div", { className: "buttons" }, button("Check all", "Check every step of this lab", checkAll),
-      button("Save as .zip", "Your shader files of all labs, with the paths of the course's folder", takeOut),
+      save(),
       button("Load a .zip", "Take your shader files from a .zip", async () => file.click()), file), said);
   host.hidden = benches.size === 0;
 
@@ -73,10 +76,8 @@ export function buildProgress({ host, labNumbers, benches, session, work, checkA
     const also = unknown.length === 0 ? "" : ` ${unknown.length} ${unknown.length === 1 ? "is" : "are"} not checked yet.`;
     count.textContent = unknown.length === all.length ? `${all.length} shader ${all.length === 1 ? "step" : "steps"}, not checked yet.`
       : `${done.length} of ${all.length} shader steps ${all.length === 1 ? "is" : "are"} right, ${points(done)} of ${points(all)} points.${also}`;
-    host.classList.toggle("unsaved", !work.lasts);
     lasts.textContent = work.lasts ? " Your code stays in this browser." : "";
-    const text = work.lasts ? "" : " This browser does not keep your code: its storage is full or blocked. Save it as .zip before you leave.";
-    if (warns.textContent !== text) warns.textContent = text;  // else it would be spoken at each change
+    refused.hidden = work.lasts || host.hidden;
   };
   show();
   return { show };
