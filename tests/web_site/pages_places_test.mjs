@@ -102,8 +102,11 @@ test("what the browser refuses is tried again at each change", () => {
     Store.room = Infinity;
   }
   assert.deepEqual([said, work.hasUnsaved, new Work("/course/", () => store).text("5.1")], [[false, true], false, "a text that is too long"]);
-  // The last who wrote counts.
+  // The last good text is dispensable.
   Store.room = 10;
+  work.drewWell("5.2", "a good text that is too long");
+  assert.deepEqual([work.lasts, work.hasUnsaved, work.lastGood("5.2")], [true, false, "a good text that is too long"]);
+  // The last who wrote counts.
   work.write("5.1", "another text that is too long");
   store.setItem("texel-labs /course/ 5.1", "newer");
   work.heard("texel-labs /course/ 5.1");

@@ -89,15 +89,15 @@ class Workbench {
 
   edited = (text) => {
     this.work.write(this.step.id, asWritten(text));
-    this.soon(asWritten(text));
+    this.soon();
   };
-  /** Tries a text when no other came for a moment. */
-  soon(text) {
+  /** Tries what stands there when no other text came for a moment. */
+  soon() {
     ++this.round;
     this.badge.textContent = "…";
-    this.tried(text);
+    this.tried();
   }
-  tried = afterPause(kPause, (text) => this.try(text).catch(this.complain));
+  tried = afterPause(kPause, () => this.try(this.text()).catch(this.complain));
 
   /** Writes the text, and judges it if it compiles. */
   async try(text) {
@@ -195,7 +195,7 @@ class Workbench {
     const text = this.kept();
     if (asWritten(asShown(text)) === this.text()) return;
     this.put(text);
-    this.soon(asWritten(text));
+    this.soon();
   }
 
   put(text) {

@@ -28,7 +28,7 @@ export class Work {
   }
   /** Whether a text would be lost with the page. */
   get hasUnsaved() {
-    return [...this.#unsaved.values()].some((text) => text !== null);
+    return this.#refused().some((key) => this.#unsaved.get(key) !== null);
   }
   /** Steps that have a text. */
   steps() {
@@ -79,12 +79,16 @@ export class Work {
       });
       if (isKept) this.#unsaved.delete(key);
     }
-    const lasts = this.#unsaved.size === 0;
+    const lasts = this.#refused().length === 0;
     if (lasts === this.#lasts) return;
     this.#lasts = lasts;
     this.watch();
   }
 
+  /** Without the last good texts: a page does without them. */
+  #refused() {
+    return [...this.#unsaved.keys()].filter((key) => !key.endsWith(" good"));
+  }
   #key(step) {
     return `${this.#place} ${step}`;
   }
