@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Small parts of the pages that need no browser.
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import { test } from "node:test";
+import { fileURLToPath } from "node:url";
 import { lineNumbersOf, surroundingsOf } from "../../web/site/src/places.js";
 import { readState, writeState } from "../../web/site/src/state.js";
 import { Work } from "../../web/site/src/storage.js";
@@ -121,4 +123,16 @@ test("a blocked storage is said from the beginning, and loses nothing while the 
   assert.deepEqual([work.steps(), work.text("5.1"), work.hasUnsaved], [["5.1"], "text", true]);
   work.forget("5.1");
   assert.deepEqual([work.steps(), work.hasUnsaved], [[], false]);
+});
+
+test("./run web ends with the command that serves what it made", () => {
+  const script = fileURLToPath(new URL("../../web/run.sh", import.meta.url));
+  // All that works is left out: what is printed stays.
+  const web = (course, ...options) => execFileSync("bash", ["-c", `root=/nowhere; is_course() { ${course}; }
+    say() { :; }; need() { :; }; build_programs() { :; }; draw_gallery() { :; }; build_release() { :; }; texel() { :; }
+    node() { :; }; rm() { :; }; mkdir() { :; }; find() { :; }; cd() { :; }
+    . "$0"; compile_engine() { :; }; cpp_steps() { :; }; web "$@"`, script, ...options], { encoding: "utf8" }).trim().split("\n").at(-1);
+  assert.match(web("true"), / \.\/run web --serve$/);
+  assert.match(web("true", "--starter"), / \.\/run web --starter --serve$/);
+  assert.match(web("false"), / \.\/run web --serve$/);
 });
