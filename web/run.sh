@@ -70,5 +70,5 @@ web() { # --serve [PORT], --starter
   say "Ready after $SECONDS s"
   printf 'static files for any web server   %s\n' "$out"
   [[ -z $serve ]] || exec node "$root/web/engine/serve.mjs" "$out" "$port"
-  printf 'look at them here                 ./run web --serve\n'
+  printf 'look at them here                 ./run web %s--serve\n' "$([[ $out != *_starter ]] || printf -- '--starter ')"
 }

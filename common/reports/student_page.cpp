@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "course/mutant_file.hpp"
 #include "page.hpp"
@@ -84,15 +85,16 @@ std::string wrong_case(const CaseResult& result, const StepResult& step, Picture
   return html + "</article>\n";
 }
 
-std::string passed_cases(const StepResult& step) {
+/// A line of the names of cases of which there is no more to say, or "".
+std::string other_cases(const std::vector<const CaseResult*>& cases, const char* style, const char* symbol,
+                        const char* says) {
   std::string names;
-  for (const CaseResult& result : step.cases)
-    if (result.passed() && !result.is_alone())
-      names += fmt::format("{}{}{}", names.empty() ? "" : ", ", escaped(result.name),
-                           result.hidden ? " (hidden)" : "");
+  for (const CaseResult* result : cases)
+    names += fmt::format("{}{}{}", names.empty() ? "" : ", ", escaped(result->name),
+                         result->hidden ? " (hidden)" : "");
   if (names.empty()) return "";
-  return fmt::format(
-      "<p class=\"others\"><span class=\"passed\" aria-hidden=\"true\">✓</span> Passed: {}</p>\n", names);
+  return fmt::format("<p class=\"others\"><span class=\"{}\" aria-hidden=\"true\">{}</span> {}: {}</p>\n",
+                     style, symbol, says, names);
 }
 
 std::string details(const StepResult& step, Pictures& pictures, const Detail& detail) {
@@ -108,12 +110,26 @@ std::string details(const StepResult& step, Pictures& pictures, const Detail& de
                         with_code(step.hints.front()));
   if (step.is_untouched()) return html;  // its pictures say nothing of the student
   Shown shown = detail.first;
+  const CaseResult* nothing = nullptr;  // the first of which nothing can be compared
+  std::vector<const CaseResult*> same, passed;
   for (const CaseResult& result : step.cases) {
-    if (result.passed()) continue;
+    if (result.passed()) {
+      if (!result.is_alone()) passed.push_back(&result);
+      continue;
+    }
+    // A file that does not compile fails all its cases with one sentence: once is enough.
+    const bool has_nothing = std::isnan(result.error) && !result.message.empty();
+    if (has_nothing && nothing != nullptr && result.message == nothing->message &&
+        result.mistake == nothing->mistake) {
+      same.push_back(&result);
+      continue;
+    }
+    if (has_nothing && nothing == nullptr) nothing = &result;
     html += wrong_case(result, step, pictures, shown);
     shown = detail.others;
   }
-  return html + passed_cases(step);
+  return html + other_cases(same, "failed", "✗", "The same is true of") +
+         other_cases(passed, "passed", "✓", "Passed");
 }
 
 /// The cases that are right, but whose pictures other steps spoil.
@@ -130,7 +146,9 @@ std::string spoilt_cases(const StepResult& step, Pictures& pictures, const Detai
                      counted(count, "picture"), cases);
 }
 
-std::string step_section(const StepResult& step, Pictures& pictures, const Detail& detail) {
+/// Of a submission with a `fault` no step has more to say.
+std::string step_section(const StepResult& step, Pictures& pictures, const Detail& detail,
+                         const std::string& fault) {
   const Standing stands = standing(step);
   std::string html = fmt::format(
       "<section class=\"step {0}\" id=\"step-{1}\">\n<h3><span class=\"symbol\" "
@@ -143,11 +161,13 @@ std::string step_section(const StepResult& step, Pictures& pictures, const Detai
         fmt::format("<p class=\"cause\">The teacher set these points: {}</p>\n", escaped(step.overridden));
   if (const std::string told = judging(step); !told.empty())
     html += fmt::format("<p>{}</p>\n", escaped(told));
-  if (step.status != Status::passed) html += details(step, pictures, detail);
+  if (step.status != Status::passed && (fault.empty() || step.message != fault))
+    html += details(step, pictures, detail);
   return html + spoilt_cases(step, pictures, detail) + "</section>\n";
 }
 
-std::string lab_section(const LabResult& lab, Pictures& pictures, const Detail& detail) {
+std::string lab_section(const LabResult& lab, Pictures& pictures, const Detail& detail,
+                        const std::string& fault) {
   std::string html = fmt::format(
       "<section class=\"lab\" id=\"lab{0}\" aria-labelledby=\"title{0}\">\n<header>\n"
       "<p class=\"number\" aria-hidden=\"true\">{0}</p>\n<div><h2 id=\"title{0}\">{1}</h2>\n<p>{2} of {3} "
@@ -156,7 +176,7 @@ std::string lab_section(const LabResult& lab, Pictures& pictures, const Detail& 
   for (const std::string& note : lab.notes) html += fmt::format("<p class=\"cause\">{}</p>\n", escaped(note));
   for (const bool begun : {true, false})  // what is not begun comes last
     for (const StepResult& step : lab.steps)
-      if (step.is_untouched() != begun) html += step_section(step, pictures, detail);
+      if (step.is_untouched() != begun) html += step_section(step, pictures, detail, fault);
   return html + "</section>\n";
 }
 
@@ -222,7 +242,7 @@ std::string page_with(const StudentResult& student, const std::map<std::string, 
     contents +=
         fmt::format("<li><a href=\"#lab{0}\"><b>{0}</b> {1} <span>{2}/{3}</span></a></li>\n", lab.lab.number,
                     escaped(lab.lab.title), number(lab.points()), number(lab.max_points()));
-    labs += lab_section(lab, pictures, detail);
+    labs += lab_section(lab, pictures, detail, student.fault);
   }
   if (!contents.empty()) contents = "<nav aria-label=\"Labs\"><ol>\n" + contents + "</ol></nav>\n";
   std::string mark = "Not graded";

@@ -626,6 +626,35 @@ TEST_F(Reports, name_the_first_failing_step_its_cause_place_and_hint) {
       has(page(student("wolfeschlegelsteinhausenbergerdorff")), "The teacher set these points: right idea"));
 }
 
+TEST_F(Reports, say_once_what_is_true_of_many_cases) {
+  const std::string fault = "contains no file of the labs.", broken = "lab.cpp does not compile";
+  const auto count = [](const std::string& html, const std::string& part) {
+    int times = 0;
+    for (std::size_t at = html.find(part); at != html.npos; at = html.find(part, at + 1)) ++times;
+    return times;
+  };
+  StudentResult& ben = results_.students[2];
+  const auto fail_all = [&](const std::string& message) {
+    for (LabResult& lab : ben.labs)
+      for (StepResult& step : lab.steps) {
+        for (CaseResult& each : step.cases)
+          each.status = CaseStatus::failed, each.message = message, each.error = NAN, each.picture = "";
+        step = step_result(lab.lab.steps[static_cast<std::size_t>(&step - lab.steps.data())], step.cases);
+      }
+  };
+  fail_all(broken);
+  const std::string once_a_step = page(ben);
+  EXPECT_EQ(count(once_a_step, broken), 5);  // of 15 cases
+  EXPECT_TRUE(has(once_a_step, "The same is true of: turned_mesh, unseen_mesh (hidden)</p>"));
+  ben.labs[0].steps[0].cases[1].message = "is stopped after 10 s";
+  EXPECT_TRUE(has(page(ben), "is stopped after 10 s</p>"));
+  fail_all(ben.fault = fault);
+  const std::string html = page(ben);
+  EXPECT_EQ(count(html, fault), 1);
+  EXPECT_FALSE(has(html, "<img"));
+  EXPECT_TRUE(has(html, "id=\"step-5.2\""));  // its points
+}
+
 TEST_F(Reports, keep_a_hidden_command_until_its_reference_is_shown) {
   StudentResult& ada = results_.students[1];
   CaseResult& hidden = ada.labs[1].steps[1].cases[2];

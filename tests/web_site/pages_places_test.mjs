@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Small parts of the pages that need no browser.
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import { test } from "node:test";
+import { fileURLToPath } from "node:url";
 import { lineNumbersOf, surroundingsOf } from "../../web/site/src/places.js";
 import { readState, writeState } from "../../web/site/src/state.js";
 import { Work } from "../../web/site/src/storage.js";
@@ -42,16 +44,95 @@ test("a state is the same after its way through the address", () => {
   assert.equal(readState("?compare=method:raw:7").split, null);
 });
 
-test("what was written survives, also what cannot be read", () => {
-  const kept = new Map();
-  const store = { getItem: (key) => kept.get(key) ?? null, setItem: (key, text) => kept.set(key, text) };
-  const work = new Work("/course/", store);
-  work.write("5.1", "first");
-  work.drewWell("5.1");
-  work.write("5.1", "second");
-  const again = new Work("/course/", store);
-  assert.deepEqual([again.text("5.1"), again.lastGood("5.1")], ["second", "first"]);
-  assert.equal(new Work("/other/", store).text("5.1"), undefined);
-  kept.set([...kept.keys()][0], "{broken");
-  assert.deepEqual(new Work("/course/", store).steps(), []);
+/** A browser's storage: what it keeps are its own properties. `room`: characters of the texts that it takes. */
+class Store {
+  static room = Infinity;
+  getItem(key) {
+    return this[key] ?? null;
+  }
+  setItem(key, text) {
+    if (text.length > Store.room) throw new Error("full");
+    this[key] = text;
+  }
+  removeItem(key) {
+    delete this[key];
+  }
+}
+
+test("what was written survives, beside what another page writes", () => {
+  const store = new Store(), page = (place = "/course/") => new Work(place, () => store);
+  const one = page(), other = page();
+  one.write("5.1", "first");
+  one.drewWell("5.1", "first");
+  one.write("5.1", "second");
+  other.write("9.4", "of the other page");
+  const again = page();
+  assert.deepEqual(again.steps().sort(), ["5.1", "9.4"]);
+  assert.deepEqual([again.text("5.1"), again.lastGood("5.1"), again.text("9.4")], ["second", "first", "of the other page"]);
+  assert.equal(other.text("5.1"), "second");
+  assert.deepEqual(page("/other/").steps(), []);
+  other.forget("5.1");
+  one.drewWell("5.1", "second");
+  assert.deepEqual([one.text("5.1"), one.lastGood("5.1"), page().steps()], [undefined, undefined, ["9.4"]]);
+});
+
+test("what an earlier version kept is read, and gives way to newer texts", () => {
+  const store = new Store(), page = () => new Work("/course/", () => store);
+  store.setItem("texel-labs /course/", JSON.stringify({ "5.1": { text: "old", good: "older" }, "5.4": { text: "four" }, "5.5": 7 }));
+  const work = page();
+  assert.deepEqual([work.steps().sort(), work.text("5.1"), work.lastGood("5.1")], [["5.1", "5.4"], "old", "older"]);
+  work.write("5.1", "new");
+  work.forget("5.4");
+  assert.deepEqual([page().steps(), page().text("5.1"), page().text("5.4")], [["5.1"], "new", undefined]);
+  work.forget("5.1");
+  assert.deepEqual(page().steps(), []);
+  store.setItem("texel-labs /course/", "{broken");
+  assert.deepEqual(page().steps(), []);
+});
+
+test("what the browser refuses is tried again at each change", () => {
+  const store = new Store(), work = new Work("/course/", () => store), said = [];
+  work.watch = () => said.push(work.lasts);
+  try {
+    Store.room = 10;
+    work.write("5.1", "a text that is too long");
+    assert.deepEqual([work.text("5.1"), work.hasUnsaved, new Work("/course/", () => store).steps()], ["a text that is too long", true, []]);
+    work.write("5.2", "short");
+    Store.room = Infinity;
+    work.write("5.2", "shorter");
+  } finally {
+    Store.room = Infinity;
+  }
+  assert.deepEqual([said, work.hasUnsaved, new Work("/course/", () => store).text("5.1")], [[false, true], false, "a text that is too long"]);
+  // The last good text is dispensable.
+  Store.room = 10;
+  work.drewWell("5.2", "a good text that is too long");
+  assert.deepEqual([work.lasts, work.hasUnsaved, work.lastGood("5.2")], [true, false, "a good text that is too long"]);
+  // The last who wrote counts.
+  work.write("5.1", "another text that is too long");
+  store.setItem("texel-labs /course/ 5.1", "newer");
+  work.heard("texel-labs /course/ 5.1");
+  Store.room = Infinity;
+  assert.deepEqual([work.text("5.1"), work.lasts], ["newer", true]);
+});
+
+test("a blocked storage is said from the beginning, and loses nothing while the page is open", () => {
+  const work = new Work("/course/", () => { throw new Error("blocked"); });
+  assert.equal(work.lasts, false);
+  work.write("5.1", "text");
+  assert.deepEqual([work.steps(), work.text("5.1"), work.hasUnsaved], [["5.1"], "text", true]);
+  work.forget("5.1");
+  assert.deepEqual([work.steps(), work.hasUnsaved], [[], false]);
+});
+
+test("./run web ends with the command that serves what it made", () => {
+  const script = fileURLToPath(new URL("../../web/run.sh", import.meta.url));
+  // All that works is left out: what is printed stays.
+  const web = (course, ...options) => execFileSync("bash", ["-c", `root=/nowhere; is_course() { ${course}; }
+    say() { :; }; need() { :; }; build_programs() { :; }; draw_gallery() { :; }; build_release() { :; }; texel() { :; }
+    node() { :; }; rm() { :; }; mkdir() { :; }; find() { :; }; cd() { :; }
+    . "$0"; compile_engine() { :; }; cpp_steps() { :; }; web "$@"`, script, ...options], { encoding: "utf8" }).trim().split("\n").at(-1);
+  assert.match(web("true"), / \.\/run web --serve$/);
+  assert.match(web("true", "--starter"), / \.\/run web --starter --serve$/);
+  assert.match(web("false"), / \.\/run web --serve$/);
 });

@@ -2,7 +2,7 @@
 // The pages of the labs in a real browser, with a stand-in for the engine (engine/). CHROMIUM names the browser.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { cpSync, existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { cpSync, existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
@@ -62,6 +62,22 @@ async function type(code) {
   await page.keyboard.press("a");
   await page.keyboard.up("Control");
   await page.keyboard.type(code);
+}
+/** The files that "Save as .zip" gives to the user, without a folder for downloads. */
+async function saved(of) {
+  const bytes = await of.evaluate(() => {
+    const given = new Promise((done) => {
+      const make = URL.createObjectURL;
+      URL.createObjectURL = (blob) => {
+        URL.createObjectURL = make;
+        blob.arrayBuffer().then((content) => done([...new Uint8Array(content)]));
+        return make(blob);
+      };
+    });
+    [...document.querySelectorAll(".progress button")].find((b) => b.textContent === "Save as .zip").click();
+    return given;
+  });
+  return unzipSync(Uint8Array.from(bytes));
 }
 const badge = (wanted) => until((w) => document.querySelector(".badge").textContent === w, wanted);
 
@@ -147,6 +163,80 @@ test("what is written is judged after a pause, and survives a reload", async () 
   assert.match(await text(".editor"), /return color;/);
 });
 
+test("two tabs have the same text, and so have the .zip of the older one and a reload", async () => {
+  await open("?look=default");
+  const older = page;
+  // A page behind another has no frames: it is asked from time to time.
+  const stands = (wanted, selector = ".editor") => older.waitForFunction((node, code) => document.querySelector(node).textContent.includes(code),
+    { timeout: 20_000, polling: 100 }, selector, wanted);
+  await older.evaluate(() => localStorage.setItem(`texel-labs ${new URL("..", location.href).pathname} 9.4`, "of lab 9"));
+  page = await older.browserContext().newPage();
+  await open("?look=default");
+  await page.evaluate(() => texel.write("5.1", "  return swapped;\n"));
+  await stands("return swapped;");
+  await type("  return right;");
+  await stands("return right;");
+  await stands("done", ".badge");
+  assert.match(strFromU8((await saved(older))[kFile]), /return right;/);
+  await older.reload();
+  await older.evaluate(() => texel.ready);
+  assert.match(await older.$eval(".editor", (editor) => editor.textContent), /return right;/);
+  assert.deepEqual(await older.evaluate(() => Object.keys(localStorage).map((key) => key.split(" ").slice(2).join(" ")).sort()), ["5.1", "5.1 good", "9.4"]);
+  await page.evaluate(() => [...document.querySelectorAll(".workbench button")].find((b) => b.textContent === "Start over").click());
+  await stands("return color;");
+});
+
+test("a key is kept at once", async () => {
+  await open("?look=default");
+  await type("  return right;");
+  await page.reload();
+  await page.evaluate(() => texel.ready);
+  assert.match(await text(".editor"), /return right;/);
+});
+
+test("what an earlier version of the page kept is still there", async () => {
+  await open("?look=default");
+  await page.evaluate(() => localStorage.setItem(`texel-labs ${new URL("..", location.href).pathname}`, JSON.stringify({ "5.1": { text: "  return right;\n" } })));
+  await page.reload();
+  await badge("done");
+});
+
+test("a full storage is said at once, and the page saves again when there is room", async () => {
+  page.on("dialog", (dialog) => dialog.accept());
+  await open("?look=default");
+  const says = () => page.$eval(".progress p", (p) => p.textContent);
+  assert.match(await says(), /Your code stays in this browser\.$/);
+  assert.equal(await page.$eval(".refused", (line) => line.hidden), true);
+  await page.evaluate(() => {
+    for (let size = 1 << 22, n = 0; size >= 1; size >>= 1)
+      for (;;)
+        try { localStorage.setItem(`fill ${++n}`, "x".repeat(size)); } catch { break; }
+  });
+  await type("  return swapped;");
+  await until(() => !document.querySelector(".refused").hidden);
+  assert.doesNotMatch(await says(), /stays/);
+  assert.equal(await page.evaluate(() => !dispatchEvent(new Event("beforeunload", { cancelable: true }))), true);  // asks before it is left
+  await page.evaluate(() => Object.keys(localStorage).filter((key) => key.startsWith("fill")).forEach((key) => localStorage.removeItem(key)));
+  await type("  return right;");
+  await until(() => document.querySelector(".refused").hidden);
+  assert.match(await says(), /stays in this browser/);
+  assert.equal(await page.evaluate(() => !dispatchEvent(new Event("beforeunload", { cancelable: true }))), false);
+  await page.reload();
+  await page.evaluate(() => texel.ready);
+  assert.match(await text(".editor"), /return right;/);
+});
+
+test("a blocked storage is said from the beginning", async () => {
+  await page.evaluateOnNewDocument(() => Object.defineProperty(window, "localStorage", { get() { throw new DOMException("blocked", "SecurityError"); } }));
+  await open("?look=default");
+  assert.equal(await page.$eval(".refused", (line) => line.checkVisibility()), true);
+  assert.doesNotMatch(await text(".progress"), /stays/);
+  await type("  return right;");
+  await badge("done");
+  assert.match(strFromU8((await saved(page))[kFile]), /return right;/);
+  assert.deepEqual(complaints, []);
+});
+
 test("an error of the compiler stands at its line, over the last good picture", async () => {
   await open("?look=default");
   await type("  float a;\nsyntax error");
@@ -173,19 +263,7 @@ test("a case shows yours and the expected picture", async () => {
 test("a .zip goes out and comes in again with the same text", async () => {
   await open("?look=default");
   await page.evaluate(() => texel.write("5.1", "  return right; // é\n"));
-  // What the page gives to the user, without a folder for downloads.
-  await page.evaluate(() => {
-    window.given = new Promise((done) => {
-      const make = URL.createObjectURL;
-      URL.createObjectURL = (blob) => {
-        blob.arrayBuffer().then((bytes) => done([...new Uint8Array(bytes)]));
-        return make(blob);
-      };
-    });
-    [...document.querySelectorAll(".progress button")].find((b) => b.textContent === "Save as .zip").click();
-  });
-  const bytes = Uint8Array.from(await page.evaluate(() => window.given));
-  const files = unzipSync(bytes);
+  const files = await saved(page);
   assert.deepEqual(Object.keys(files), [kFile]);
   assert.match(strFromU8(files[kFile]), /begin\n {2}return right; \/\/ é\n {2}\/\/@end/);
   // In a browser that has nothing yet; a folder around the tree does not matter.
@@ -250,6 +328,22 @@ test("pages fit a phone, a desk and a large screen, in light and dark", async ()
       }
     }
   assert.deepEqual(complaints, []);
+});
+
+test("no page scrolls into an empty part, at any size", async () => {
+  const labs = readdirSync(folder).filter((name) => /^\d\d_/.test(name));
+  assert.equal(labs.length, 9);
+  for (const path of [...labs.map((lab) => `${lab}/index.html`), "index.html", "guide/index.html"]) {
+    await page.goto(server.url + path);
+    await page.evaluate(() => window.texel?.ready);
+    for (const [width, height] of [[375, 667], [800, 600], [1000, 200], [1280, 800], [1920, 1080], [2560, 300]]) {
+      await page.setViewport({ width, height });
+      const [all, content] = await page.evaluate(() => [document.documentElement.scrollHeight, document.querySelector("main").getBoundingClientRect().bottom + scrollY]);
+      // On a phone the page scrolls; else a lab's picture stays, and the handout scrolls beside it. 4rem are below the first page's cards.
+      const most = path.startsWith("0") && width > 992 ? height : Math.max(height, Math.ceil(content) + 64);
+      assert.ok(all <= most, `${path} is ${all} high at ${width}x${height}, its content ${content}`);
+    }
+  }
 });
 
 test("every control has a name and can be reached and worked by keys", async () => {

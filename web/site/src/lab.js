@@ -38,7 +38,7 @@ const session = new Session({
   freshCanvas: picture.fresh,
   work,
   state: () => ({ set: changed(now.parameters, now.values), view: now.view, split: now.split, size: picture.size() }),
-  on: { stuck, lost, failed: complain, restarted, undone: (step, text) => benches.get(step)?.write(text).catch(complain) },
+  on: { stuck, lost, failed: complain, restarted, undone: (step, text) => benches.get(step)?.take(text).catch(complain) },
 });
 
 // ---- What a frame says ----
@@ -356,6 +356,12 @@ async function startSteps() {
   for (const [id, bench] of benches) if (work.text(id) !== undefined) await bench.check().catch(complain);
 }
 
+/** Takes up what another tab wrote. */
+function follow(step) {
+  if (benches.has(step)) benches.get(step).follow();
+  else session.follow(step).catch(() => {});  // of another course, or the page has stopped
+}
+
 /** Judges the whole lab and shows each step's verdict. */
 async function check() {
   const results = await session.judge("check");
@@ -363,6 +369,20 @@ async function check() {
   progress?.show();
   return results;
 }
+
+work.watch = () => progress?.show();
+addEventListener("storage", ({ key }) => {
+  work.heard(key);
+  const step = work.stepOf(key);
+  if (step !== null) withSteps.then(() => follow(step), () => {});
+});
+// A page that slept heard nothing.
+for (const back of ["visibilitychange", "pageshow"])
+  addEventListener(back, () => {
+    work.save();
+    if (!document.hidden) withSteps.then(() => work.steps().forEach(follow), () => {});
+  });
+addEventListener("beforeunload", (event) => work.hasUnsaved && event.preventDefault());
 
 const ready = start();
 const withSteps = ready.then(startSteps);

@@ -17,7 +17,8 @@ export class Session {
   #judge = null;
   #judgeStarts = null;
   #stopped = false;
-  #lastWritten = null;
+  #lastWritten = null;  // {step, text}
+  #own = new Map();  // {step: the page's own text}, of steps that were written
   #lastLoss = 0;
   #gone = null;  // rejects when the engines are ended: their open calls never answer
   #end = null;
@@ -67,8 +68,9 @@ export class Session {
     if (split) await tried(this.call("split", split.parameter, split.value, split.position));
     for (const step of this.work.steps()) {
       if (!(await this.#concerns(step))) continue;
-      this.#lastWritten = step;
-      await tried(this.call("write", step, this.work.text(step)));
+      const text = this.work.text(step);
+      this.#lastWritten = { step, text };
+      await tried(this.#put(this.#engine, step, text));
     }
     await tried(this.call("resize", size.width, size.height));
     if (first) throw first;
@@ -82,39 +84,50 @@ export class Session {
 
   /** A call of the judge's engine, which starts with the first one. */
   async judge(name, ...values) {
-    if (this.#stopped) throw new Stopped();
-    this.#judgeStarts ??= this.#startJudge();
-    await this.#within(this.#judgeStarts);
-    return this.#within(this.#judge[name](...values));
+    const judge = await this.#started();
+    return this.#within(judge[name](...values));
   }
 
-  /** A text of a step: kept, drawn, and told to the judge. Gives the frame's report. Rejects where it does not compile; it is kept all the same. */
+  /** A text of a step: drawn, and told to the judge. Gives the frame's report. Rejects where it does not compile. */
   async write(step, text) {
-    this.work.write(step, text);
-    this.#lastWritten = step;
+    this.#lastWritten = { step, text };
     let problem = null;
-    const report = await this.call("write", step, text).catch((error) => {
+    const report = await this.#put(this.#engine, step, text).catch((error) => {
       if (error instanceof Stopped) throw error;
       problem = error;
     });
-    if (this.#judgeStarts) {
-      await this.#within(this.#judgeStarts);
-      await this.#tell(step, text);
-    }
+    if (this.#judgeStarts) await this.#tell(await this.#started(), step, text);
     if (problem) throw problem;
     return report;
   }
 
-  /** Takes the last change back and starts again. */
+  /** The text of a step of another lab, which another tab changed. */
+  async follow(step) {
+    if (await this.#concerns(step)) await this.#bring(this.#engine, step);
+    if (this.#judgeStarts) await this.#bring(await this.#started(), step);
+  }
+
+  /** Tells the judge what is kept of these steps. */
+  async tellJudge(steps) {
+    const judge = await this.#started();
+    for (const step of steps) await this.#bring(judge, step);
+  }
+
+  /** The page's own text of a step; undefined where none was written over it. */
+  ownText(step) {
+    return this.#own.get(step);
+  }
+
+  /** Takes the last change back and starts again. What another tab wrote meanwhile stays. */
   async undoAndRestart() {
-    const step = this.#lastWritten;
-    if (step !== null) {
+    const { step, text } = this.#lastWritten ?? {};
+    if (step && this.work.text(step) === text) {
       const good = this.work.lastGood(step);
-      if (good === undefined || good === this.work.text(step)) this.work.forget(step);
+      if (good === undefined || good === text) this.work.forget(step);
       else this.work.write(step, good);
     }
     await this.restart();
-    if (step !== null) this.on.undone(step, this.work.text(step) ?? (await this.call("read", step)).text);
+    if (step) this.on.undone(step, this.work.text(step) ?? this.#own.get(step));
   }
 
   async restart() {
@@ -136,12 +149,33 @@ export class Session {
     const ofNow = (act) => () => round === this.#gone && act();
     this.#judge = await startEngine({ patience: kPatience, onStuck: ofNow(() => this.#stuck()), onLost: ofNow(() => this.#forgetJudge()) });
     await this.#judge.open(this.lab);
-    for (const step of this.work.steps()) await this.#tell(step, this.work.text(step));
+    for (const step of this.work.steps()) await this.#tell(this.#judge, step, this.work.text(step));
   }
 
-  /** What the judge does not compile, its check says. */
-  async #tell(step, text) {
-    await this.#within(this.#judge.write(step, text)).catch((error) => {
+  /** Writes into an engine. What it had before the first text is the page's own. */
+  async #put(engine, step, text) {
+    if (this.#stopped || !engine) throw new Stopped();
+    if (!this.#own.has(step)) this.#own.set(step, (await this.#within(engine.read(step))).text);
+    return this.#within(engine.write(step, text));
+  }
+
+  /** Writes what is kept of a step, where an engine has another text. */
+  async #bring(engine, step) {
+    const wanted = this.work.text(step) ?? this.#own.get(step);
+    if (wanted !== undefined && (await this.#within(engine.read(step))).text !== wanted) await this.#tell(engine, step, wanted);
+  }
+
+  /** The judge's engine, which starts with the first call. */
+  async #started() {
+    if (this.#stopped) throw new Stopped();
+    this.#judgeStarts ??= this.#startJudge();
+    await this.#within(this.#judgeStarts);
+    return this.#judge;
+  }
+
+  /** What does not compile, the step's check says. */
+  async #tell(engine, step, text) {
+    await this.#put(engine, step, text).catch((error) => {
       if (error instanceof Stopped) throw error;
     });
   }
@@ -166,7 +200,7 @@ export class Session {
     if (this.#stopped) return;
     this.#stopped = true;
     this.#stop();
-    this.on.stuck(this.#lastWritten);
+    this.on.stuck(this.#lastWritten?.step ?? null);
   }
 
   /** A lost context comes back by itself, unless it is lost again at once. */
@@ -181,6 +215,6 @@ export class Session {
     }
     this.#stopped = true;
     this.#stop();
-    this.on.lost(message, this.#lastWritten);
+    this.on.lost(message, this.#lastWritten?.step ?? null);
   }
 }

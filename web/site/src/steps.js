@@ -53,17 +53,22 @@ class Workbench {
   /** The text before the editor is loaded: of the same size. */
   async load() {
     this.read = await this.session.call("read", this.step.id);
+    this.own = this.session.ownText(this.step.id) ?? this.read.text;  // on a solved page not the first one
     const file = await this.session.call("file", this.read.file);
     const around = surroundingsOf(file, this.step.id);
     this.numbers = lineNumbersOf(file, this.step.id);
-    this.host = element("div", { className: "editor" }, element("pre", { className: "plain" }, asShown(this.text())));
+    this.host = element("div", { className: "editor" }, element("pre", { className: "plain" }, asShown(this.kept())));
     this.code.replaceChildren(element("p", { className: "file" }, this.read.file), element("pre", { className: "context" }, around.before), this.host,
       element("pre", { className: "context" }, around.after));
   }
 
+  /** What this browser keeps of the step, which another tab may have written. */
+  kept() {
+    return this.work.text(this.step.id) ?? this.own;
+  }
+  /** What stands there. */
   text() {
-    if (this.editor) return asWritten(this.editor.text());
-    return this.work.text(this.step.id) ?? this.read.text;
+    return asWritten(this.editor ? this.editor.text() : this.host.textContent);
   }
 
   async mount() {
@@ -83,11 +88,16 @@ class Workbench {
   }
 
   edited = (text) => {
+    this.work.write(this.step.id, asWritten(text));
+    this.soon();
+  };
+  /** Tries what stands there when no other text came for a moment. */
+  soon() {
     ++this.round;
     this.badge.textContent = "…";
-    this.tried(asWritten(text));
-  };
-  tried = afterPause(kPause, (text) => this.try(text).catch(this.complain));
+    this.tried();
+  }
+  tried = afterPause(kPause, () => this.try(this.text()).catch(this.complain));
 
   /** Writes the text, and judges it if it compiles. */
   async try(text) {
@@ -105,7 +115,7 @@ class Workbench {
       return;
     }
     await this.check();
-    if (round === this.round && !report?.endless) this.work.drewWell(this.step.id);
+    if (round === this.round && !report?.endless) this.work.drewWell(this.step.id, text);
   }
 
   /** Judges what stands there; `show` has the result. */
@@ -137,7 +147,7 @@ class Workbench {
     this.verdict.textContent = judged ? result.message || (good ? "Right." : "") : "";
     this.cause.hidden = !judged || !result.looks_like_says;
     this.cause.textContent = this.cause.hidden ? "" : `This looks like: ${result.looks_like_says}`;
-    this.back.disabled = this.work.text(this.step.id) === undefined;
+    this.back.disabled = [undefined, this.read?.first].includes(this.work.text(this.step.id));
     this.cases.replaceChildren(...result.cases.map((one) => this.caseItem(one, judged)));
     if (judged) this.changed();
     if (this.open && judged) this.compare(this.open).catch(this.complain);
@@ -176,8 +186,26 @@ class Workbench {
 
   /** A text from elsewhere: a .zip, the test's hand, an undone change. */
   async write(text) {
+    this.work.write(this.step.id, asWritten(text));
+    await this.take(text);
+  }
+
+  /** Another tab may have changed the text. */
+  follow() {
+    const text = this.kept();
+    if (asWritten(asShown(text)) === this.text()) return;
+    this.put(text);
+    this.soon();
+  }
+
+  put(text) {
     if (this.editor) this.editor.write(asShown(text));
     else this.host.firstChild.textContent = asShown(text);
+  }
+
+  /** Shows a text and tries it; what is kept stays as it is. */
+  async take(text) {
+    this.put(text);
     await this.try(asWritten(text)).catch((error) => {
       if (error instanceof Stopped) throw error;
       this.complain(error);
@@ -185,9 +213,10 @@ class Workbench {
   }
 
   async reset() {
-    await this.write(this.read.first);
-    this.work.forget(this.step.id);
-    this.back.disabled = true;
+    if (this.own === this.read.first) {
+      this.work.forget(this.step.id);
+      await this.take(this.own);
+    } else await this.write(this.read.first);
   }
 
   nextHint() {

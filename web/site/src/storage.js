@@ -1,72 +1,118 @@
 // SPDX-License-Identifier: MIT
-// What a student wrote, kept in this browser: it survives a reload.
+// What a student wrote, kept in this browser: it survives a reload. Each text has a key of its own, and is read when it is asked
+// for: another tab may have written it meanwhile.
 
 /** The texts of all labs' steps. `place` tells courses on the same host apart, such as the folder of the pages. */
 export class Work {
-  #key;
-  #kept;
+  #place;
   #store;
+  #unsaved = new Map();  // {key: text, or null for none}: what the browser refused so far
+  #lasts;
+  /** Called when `lasts` changes. */
+  watch = () => {};
 
-  constructor(place, store = safeStore()) {
-    this.#key = `texel-labs ${place}`;
+  /** `store()` gives the browser's storage, or throws where it is blocked. */
+  constructor(place, store = () => window.localStorage) {
+    this.#place = `texel-labs ${place}`;
     this.#store = store;
-    this.#kept = parsed(store?.getItem(this.#key));
+    this.#lasts = this.#tried((to) => {
+      to.setItem("texel-labs", "1");
+      to.removeItem("texel-labs");
+      return true;
+    }) ?? false;
   }
 
-  /** Whether the browser keeps anything: in some private windows it does not. */
+  /** Whether the browser kept all that it was given. It does not where its storage is full or blocked. */
   get lasts() {
-    return this.#store !== null;
+    return this.#lasts;
+  }
+  /** Whether a text would be lost with the page. */
+  get hasUnsaved() {
+    return this.#refused().some((key) => this.#unsaved.get(key) !== null);
   }
   /** Steps that have a text. */
   steps() {
-    return Object.keys(this.#kept);
+    const keys = this.#tried((store) => Object.keys(store)) ?? [];
+    const known = [...keys, ...this.#unsaved.keys()].map((key) => this.stepOf(key)).concat(Object.keys(this.#older()));
+    return [...new Set(known)].filter((step) => step !== null && this.text(step) !== undefined);
   }
   text(step) {
-    return this.#kept[step]?.text;
+    return this.#read(this.#key(step)) ?? this.#older()[step]?.text;
   }
   /** The last text with which a picture was drawn; undefined: only the first text is known to draw. */
   lastGood(step) {
-    return this.#kept[step]?.good;
+    return this.#read(`${this.#key(step)} good`) ?? this.#older()[step]?.good;
   }
   write(step, text) {
-    this.#kept[step] = { ...this.#kept[step], text };
-    this.#save();
+    this.#put(this.#key(step), text);
   }
-  drewWell(step) {
-    const kept = this.#kept[step];
-    if (!kept || kept.good === kept.text) return;
-    kept.good = kept.text;
-    this.#save();
+  /** A picture was drawn with this text. */
+  drewWell(step, text) {
+    if (this.text(step) !== undefined && this.lastGood(step) !== text) this.#put(`${this.#key(step)} good`, text);
   }
   forget(step) {
-    delete this.#kept[step];
-    this.#save();
+    const { [step]: gone, ...others } = this.#older();
+    if (gone) this.#put(this.#place, Object.keys(others).length > 0 ? JSON.stringify(others) : null);
+    this.#put(`${this.#key(step)} good`, null);
+    this.#put(this.#key(step), null);
   }
-  #save() {
+  /** The step whose text has this key; null for another key. */
+  stepOf(key) {
+    return key?.startsWith(`${this.#place} `) && !key.endsWith(" good") ? key.slice(this.#place.length + 1) : null;
+  }
+  /** Another tab wrote this key: the last one who wrote counts. */
+  heard(key) {
+    if (this.#unsaved.delete(key)) this.#flush();
+    else this.save();
+  }
+  /** Tries again what the browser refused. */
+  save() {
+    if (this.#unsaved.size > 0) this.#flush();
+  }
+
+  #flush() {
+    for (const [key, text] of this.#unsaved) {
+      const isKept = this.#tried((store) => {
+        if (text === null) store.removeItem(key);
+        else store.setItem(key, text);
+        return true;
+      });
+      if (isKept) this.#unsaved.delete(key);
+    }
+    const lasts = this.#refused().length === 0;
+    if (lasts === this.#lasts) return;
+    this.#lasts = lasts;
+    this.watch();
+  }
+
+  /** Without the last good texts: a page does without them. */
+  #refused() {
+    return [...this.#unsaved.keys()].filter((key) => !key.endsWith(" good"));
+  }
+  #key(step) {
+    return `${this.#place} ${step}`;
+  }
+  #read(key) {
+    return (this.#unsaved.has(key) ? this.#unsaved.get(key) : this.#tried((store) => store.getItem(key))) ?? undefined;
+  }
+  #put(key, text) {
+    this.#unsaved.set(key, text);
+    this.#flush();
+  }
+  /** Earlier versions kept all steps under one key, as {step: {text, good}}. It counts for steps that have no key of their own. */
+  #older() {
     try {
-      this.#store?.setItem(this.#key, JSON.stringify(this.#kept));
+      const kept = JSON.parse(this.#read(this.#place) ?? "{}");
+      return Object.fromEntries(Object.entries(kept).filter(([, one]) => typeof one?.text === "string"));
     } catch {
-      this.#store = null;  // full, or forbidden meanwhile
+      return {};
     }
   }
-}
-
-function safeStore() {
-  try {
-    const store = window.localStorage;
-    store.setItem("texel-labs", "1");
-    store.removeItem("texel-labs");
-    return store;
-  } catch {
-    return null;
-  }
-}
-
-function parsed(text) {
-  try {
-    const kept = JSON.parse(text ?? "{}");
-    return Object.fromEntries(Object.entries(kept).filter(([, one]) => typeof one?.text === "string"));
-  } catch {
-    return {};
+  #tried(act) {
+    try {
+      return act(this.#store());
+    } catch {
+      return undefined;  // full, or blocked
+    }
   }
 }
