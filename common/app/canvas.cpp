@@ -219,6 +219,16 @@ void Canvas::draw_error(glm::ivec2 size) {
   std::swap(picture_, colour_);
 }
 
+void Canvas::draw_nothing(glm::ivec2 size) {
+  const gl::Target& target = fit(colour_, gl::Target::Kind::colour, size, 1);
+  target.bind();
+  glDisable(GL_SCISSOR_TEST);
+  glEnable(GL_FRAMEBUFFER_SRGB);
+  glClearColor(kBackground.r, kBackground.g, kBackground.b, kBackground.a);
+  glClear(GL_COLOR_BUFFER_BIT);
+  std::swap(picture_, colour_);
+}
+
 void Canvas::copy_to_window(glm::ivec2 origin, glm::ivec2 size) const {
   if (!picture_) return;
   const glm::vec2 own(picture_->width(), picture_->height());

@@ -36,8 +36,8 @@ image::Compared compared(const CaseResult& one) {
   // What renderers differ by is dark.
   const double scale = kNothingLeft * one.limit;
   if (one.view == course::View::color)
-    return image::compared(image::load8(one.picture, 3), image::load8(one.reference, 3), scale);
-  return image::compared(image::load_pfm(one.picture), image::load_pfm(one.reference), scale,
+    return image::compared(image::load8(one.picture, 3), image::load8(one.reference, 3), scale, one.error);
+  return image::compared(image::load_pfm(one.picture), image::load_pfm(one.reference), scale, one.error,
                          name_of(one.view),
                          one.unit() == course::Unit::degrees ? image::Unit::degrees : image::Unit::own);
 }

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/stages.hpp"
+#include "gl/compiler_log.hpp"
 #include "gl/es_source.hpp"
 #include "gl/web_context.hpp"
 
@@ -40,7 +41,7 @@ class Shader {
 #ifdef __EMSCRIPTEN__
     log = es_message(log.substr(0, log.find('\0')));
 #endif
-    throw source.error(log);
+    throw source.error(at_missing_semicolons(log, source.text(defines)));
   }
   ~Shader() {
     glDeleteShader(id_);

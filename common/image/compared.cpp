@@ -2,6 +2,7 @@
 #include "image/compared.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "core/error.hpp"
@@ -27,21 +28,27 @@ Image8 absolute_difference(const Image8& a, const Image8& b) {
 
 }  // namespace
 
-Compared compared(const Image8& own, const Image8& expected, double least_scale) {
+Compared compared(const Image8& own, const Image8& expected, double least_scale, double error) {
   need_one_size(own, expected);
-  const Difference figures = compare(expected, own);
-  const double full_scale = std::max(figures.max, least_scale);
+  const Difference figures = compare(expected, own, {.told = error});
+  const double full_scale = std::max(std::isnan(error) ? figures.max : error, least_scale);
   return {own,     expected,  absolute_difference(own, expected), heatmap(expected, own, full_scale),
           figures, full_scale};
 }
 
-Compared compared(const ImageF& own, const ImageF& expected, double least_scale, const std::string& view,
-                  Unit unit) {
+Compared compared(const ImageF& own, const ImageF& expected, double least_scale, double error,
+                  const std::string& view, Unit unit) {
   need_one_size(own, expected);
   Comparing comparing;
   comparing.unit = unit;
+  comparing.told = error;
   const Difference figures = compare(expected, own, comparing);
-  Compared all{shown(own, view), shown(expected, view), {}, {}, figures, std::max(figures.max, least_scale)};
+  Compared all{shown(own, view),
+               shown(expected, view),
+               {},
+               {},
+               figures,
+               std::max(std::isnan(error) ? figures.max : error, least_scale)};
   all.difference = absolute_difference(all.own, all.expected);
   all.heat_map = heatmap(expected, own, all.full_scale, comparing);
   return all;

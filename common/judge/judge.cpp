@@ -130,7 +130,7 @@ Verdict judge_picture(const Case& of, const Expected& expected, std::string_view
 
   long long non_finite = image::compare(reference, picture).non_finite;
   verdict.passed = non_finite == 0;
-  std::string worst;
+  std::string place;
   std::vector<Part> parts = parts_of(expected.mask, of.size);
   for (Part& part : parts) {
     part.difference = image::compare(reference, picture,
@@ -139,10 +139,10 @@ Verdict judge_picture(const Case& of, const Expected& expected, std::string_view
                                       .moved_pixels = kMovedPixels,
                                       .unit = compared_as(unit)});
     const image::Difference& difference = part.difference;
-    if (difference.p999 > verdict.error || worst.empty()) {
+    if (difference.p999 > verdict.error || place.empty()) {
       verdict.error = std::max(verdict.error, difference.p999);
-      worst = fmt::format("the worst pixel is {}, {} from the lower left, in the {}", difference.worst_x,
-                          difference.worst_y, part.name);
+      place = fmt::format("so is the pixel {}, {} from the lower left, in the {}", difference.telling_x,
+                          difference.telling_y, part.name);
     }
     if (difference.p999 > of.limit) verdict.passed = false;
   }
@@ -152,7 +152,7 @@ Verdict judge_picture(const Case& of, const Expected& expected, std::string_view
       non_finite > 0
           ? fmt::format("{} pixels are not finite (NaN or infinity).", non_finite)
           : fmt::format("Off by {} {}, {} times the limit of {}; {}.", short_number(verdict.error),
-                        name_of(unit), short_number(verdict.error / of.limit), short_number(of.limit), worst);
+                        name_of(unit), short_number(verdict.error / of.limit), short_number(of.limit), place);
   return verdict;
 }
 

@@ -106,6 +106,13 @@ bool StepResult::is_untouched() const {
                      [](const CaseResult& one) { return one.status == CaseStatus::untouched; });
 }
 
+const char* word_of(const StepResult& step, bool is_next) {
+  if (step.status == Status::passed) return "done";
+  if (step.status == Status::failed && !step.is_untouched()) return "wrong";
+  if (is_next) return "next";
+  return step.status == Status::skipped ? "waits" : "to do";
+}
+
 Needs::Needs(const std::vector<course::Lab>& labs) {
   for (const course::Lab& lab : labs)
     for (const course::Step& step : lab.steps) {

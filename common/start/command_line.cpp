@@ -106,7 +106,7 @@ std::optional<CommandLine> read_command_line(AnyLab& lab, int argc, char** argv)
     app.add_option("--" + p.flag(), values[std::string(p.name)], describe(p))->group("Parameters");
   app.footer(
       "In the window: drag orbit, wheel zoom, G looks, J default look, space pause; F1 lists all keys, Esc "
-      "quit");
+      "closes what is open, else quits");
 
   try {
     app.parse(argc, argv);

@@ -25,7 +25,7 @@ constexpr Key kKeys[] = {
     {GLFW_KEY_F5, false, Action::reload, "F5", "read all files again"},
     {GLFW_KEY_F12, false, Action::snapshot, "F12", "write the picture"},
     {GLFW_KEY_H, false, Action::toggle_panel, "H", "hide the panel"},
-    {GLFW_KEY_ESCAPE, false, Action::quit, "Esc", "close a list, else quit"},
+    {GLFW_KEY_ESCAPE, false, Action::quit, "Esc", "close what is open, else quit"},
 };
 constexpr Gesture kGestures[] = {{"drag", "orbit"},
                                  {"right drag", "move the light"},

@@ -29,10 +29,11 @@ ImU32 colour_of(FrameLine::Axis axis) {
 }
 
 /// Text on a plate: it can be read over any picture.
-void plate(ImVec2 at, const ImVec4& colour, const std::string& text, float wrap_width, ImVec2 pivot) {
+void plate(const char* id, ImVec2 at, const ImVec4& colour, const std::string& text, float wrap_width,
+           ImVec2 pivot) {
   ImGui::SetNextWindowPos(at, ImGuiCond_Always, pivot);
   ImGui::SetNextWindowBgAlpha(0.86F);
-  ImGui::Begin("##plate", nullptr, kPlate | ImGuiWindowFlags_NoInputs);
+  ImGui::Begin(id, nullptr, kPlate | ImGuiWindowFlags_NoInputs);
   ImGui::PushTextWrapPos(wrap_width);
   ImGui::TextColored(colour, "%s", text.c_str());
   ImGui::PopTextWrapPos();
@@ -109,12 +110,20 @@ Action draw_overlay(AnyLab& lab, WindowState& state, glm::vec2 size, float pixel
   Action action = Action::none;
   if (!state.shown_error().first.empty()) {
     action = error_plate(state, size, scale);
-  } else if (!state.record.warnings.empty() || !state.no_truth.empty()) {
-    std::string text = state.no_truth;
+  } else {
+    std::string text;
     for (const std::string& warning : state.record.warnings)
       text.append(text.empty() ? "" : "\n").append(warning);
-    plate({origin + size.x - 12 * scale, size.y - 12 * scale}, theme().next, text, size.x * 0.8F, {1, 1});
+    if (!text.empty())
+      plate("##warnings", {origin + size.x - 12 * scale, size.y - 12 * scale}, theme().next, text,
+            size.x * 0.8F, {1, 1});
+    if (!state.no_truth.empty())
+      plate("##no truth", {origin + size.x / 2, size.y / 2}, theme().text, state.no_truth, size.x * 0.8F,
+            {0.5F, 0.5F});
   }
+  if (state.quit_asked)
+    plate("##quit", {origin + size.x / 2, size.y / 4}, theme().text, "Press Esc again to quit", size.x * 0.8F,
+          {0.5F, 0.5F});
   return action;
 }
 

@@ -40,9 +40,10 @@ struct WindowState {
   ErrorMessage compile_error;           ///< of what was saved in C++, until it is mended
   ErrorMessage error;                   ///< over the last good picture, until it is mended
   bool all_messages = false;            ///< not only the error's first
-  std::string no_truth;                 ///< why the view `error` shows colours, or ""
+  std::string no_truth;                 ///< why the view `error` shows nothing, or ""
   std::string message;                  ///< what the last action did
   bool built_again = false;             ///< the program, since this process began
+  bool quit_asked = false;              ///< Esc was typed with nothing open: the next one quits
 
   /// The pixel that was clicked, from the bottom left, and the value of each data view there.
   struct Inspected {

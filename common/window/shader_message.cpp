@@ -52,6 +52,7 @@ ErrorMessage read_message(const std::string& text, const fs::path& root) {
   if (!message.rest.empty()) message.others = 1 + static_cast<int>(std::ranges::count(message.rest, '\n'));
   find_place(message, message.first, root);
   if (message.line > 0) message.source_line = line_of(message.file, message.line);
+  if (message.first.ends_with(": " + message.source_line)) message.source_line.clear();  // said already
   return message;
 }
 

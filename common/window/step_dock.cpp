@@ -54,16 +54,14 @@ Action text_part(WindowState& state) {
   return action;
 }
 
-/// The figure that the step is judged by, and the largest, which the heat map has and a ring marks. The first
-/// leaves out a thousandth of the pixels, and edges that are one pixel off.
+/// The figure that the step is judged by: a ring marks a pixel that has it.
 std::string caption(const CasePictures& p) {
   if (p.figures.non_finite > 0)
     return fmt::format("{} pixels are not finite (green in the heat map)", p.figures.non_finite);
   const grade::CaseResult& one = p.result;
   if (p.figures.max == 0) return fmt::format("equal to the expected picture; limit {:g}", one.limit);
-  return fmt::format("{}: off by {:.3g} {} (limit {:g}); with all edges {:.3g} at most{}",
-                     one.passed() ? "right" : "wrong", one.error, name_of(one.unit()), one.limit,
-                     p.figures.max, one.passed() ? "" : ", in the ring");
+  return fmt::format("{}: off by {:.3g} {} (limit {:g}){}", one.passed() ? "right" : "wrong", one.error,
+                     name_of(one.unit()), one.limit, one.passed() ? "" : ", as in the ring");
 }
 
 /// The bar below the heat map.
@@ -111,12 +109,12 @@ void picture_part(CasePictures& p, float side, float scale) {
   } else {
     show(p.shown == Shown::difference ? p.difference : p.heat_map, 0, 1);
   }
-  if (!p.result.passed() && p.figures.max > 0) {  // the worst pixel
+  if (!p.result.passed() && p.figures.max > 0) {  // the pixel that has the error
     const float pixel = side / static_cast<float>(p.width);
-    const ImVec2 worst(at.x + (static_cast<float>(p.figures.worst_x) + 0.5F) * pixel,
-                       at.y + height - (static_cast<float>(p.figures.worst_y) + 0.5F) * pixel);
-    list.AddCircle(worst, 7 * scale, IM_COL32_BLACK, 0, 4 * scale);
-    list.AddCircle(worst, 7 * scale, IM_COL32(255, 64, 255, 255), 0, 2 * scale);
+    const ImVec2 place(at.x + (static_cast<float>(p.figures.telling_x) + 0.5F) * pixel,
+                       at.y + height - (static_cast<float>(p.figures.telling_y) + 0.5F) * pixel);
+    list.AddCircle(place, 7 * scale, IM_COL32_BLACK, 0, 4 * scale);
+    list.AddCircle(place, 7 * scale, IM_COL32(255, 64, 255, 255), 0, 2 * scale);
   }
   // The picture is a slider: the line follows the mouse.
   ImGui::InvisibleButton("##picture", {side, height});

@@ -90,11 +90,7 @@ void steps_section(AnyLab& lab, WindowState& state) {
     if (ImGui::IsItemToggledOpen() && shows) pick_step(lab, state, step);
     if (ImGui::IsItemHovered() && is_done) ImGui::SetTooltip("%s", figure(step).c_str());
     ImGui::SameLine();  // the title beside the triangle: a tree node's own text is not wrapped
-    const char* status = is_done                          ? "done"
-                         : step.status == Status::skipped ? "waits"
-                         : is_next                        ? "next"
-                                                          : "to do";
-    wrapped_plain(colour, fmt::format("{} {} {}", status, step.id, title));
+    wrapped_plain(colour, fmt::format("{} {} {}", grade::word_of(step, is_next), step.id, title));
     if (is_open && !shows && !step.is_untouched()) {
       ImGui::Indent();
       wrapped_plain(theme().dim, figure(step));

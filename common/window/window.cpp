@@ -299,7 +299,7 @@ void Window::reload(bool assets) {
   drawn_ = {};
   state_.looks->forget();
   if (state_.methods) state_.methods->forget();
-  state_.message = assets ? "files reloaded" : "shaders compiled again";
+  reloaded_ = assets ? "files reloaded" : "shaders compiled again";
 }
 
 void Window::advance() {
@@ -322,15 +322,25 @@ void Window::draw_picture() {
         truth_share_ = canvas_.work_on_truth(size, kTruthMilliseconds);
       } catch (const Error& error) {
         state_.no_truth = error.what();
+        if (std::ranges::any_of(state_.looks->entries(),
+                                [](const Looks::Entry& entry) { return entry.look.view == View::error; }))
+          state_.no_truth += "\nThe looks of the gallery (G) have one with a view of the error.";
       }
     if (truth_share_ < 1)
       state_.progress = fmt::format("working out the exact answer: {:.0f} %", 100 * truth_share_);
-    // The colours stand in for the error until the exact answer is there, and where there is none.
-    const View view = truth_share_ < 1 || !state_.no_truth.empty() ? View::color : state_.view;
+    // The colours stand in for the error until the exact answer is there. Where there is none, they are drawn
+    // for the statistics only, and not shown: they would pass for an error.
+    const bool is_unknown = !state_.no_truth.empty();
+    const View view = truth_share_ < 1 || is_unknown ? View::color : state_.view;
     Look look;
     {
       const Stage stage("parameters");
-      look = {lab_.parameters().key(), view, size, split, state_.wireframe, state_.axes};
+      look = {lab_.parameters().key(),
+              is_unknown ? state_.view : view,
+              size,
+              split,
+              state_.wireframe,
+              state_.axes};
     }
     if (look == drawn_) return;
     drawn_ = look;
@@ -342,6 +352,7 @@ void Window::draw_picture() {
       canvas_.draw(view, size, samples_, state_.split);
     else
       state_.record = canvas_.record(view, size, samples_);
+    if (is_unknown) canvas_.draw_nothing(size);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glFinish();
     inspected_once_ = true;
@@ -349,6 +360,7 @@ void Window::draw_picture() {
     state_.notes = canvas_.notes();
     state_.figures = canvas_.error_figures();
     state_.error = {};
+    if (!reloaded_.empty()) state_.message = std::exchange(reloaded_, {});
     inspect();
     state_.frame_lines =
         state_.axes ? frame_lines(canvas_, lab_, size, kFrameSpacing) : std::vector<FrameLine>();
@@ -356,6 +368,7 @@ void Window::draw_picture() {
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     state_.error = read_message(error.what(), assets_.shader_root().parent_path());
     state_.frame_lines.clear();  // the last good picture may have another size
+    if (!std::exchange(reloaded_, {}).empty()) state_.message = "the last good picture stays";
   }
 }
 

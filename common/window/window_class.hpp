@@ -114,6 +114,8 @@ class Window {
   void write_picture(const std::filesystem::path& file);
   void copy_picture();
   void go_on_with_turntable();
+  /// Closes what lies over all else, up to the split line; false where nothing is open.
+  bool close_topmost();
   /// The shader error's place, else the step's.
   void open_place();
   /// The previous or next item of a list.
@@ -149,6 +151,7 @@ class Window {
   std::optional<Turntable> turntable_;    ///< while it is written
   std::optional<ScratchFolder> scratch_;  ///< for the clipboard
   double truth_share_ = 1;                ///< of the exact answer that the view `error` needs
+  std::string reloaded_;                  ///< what is said once the files that were read again are drawn
   int frames_due_ = 0;                    ///< to draw without a wait
   bool opens_with_hero_ = false;
   bool inspected_once_ = false;

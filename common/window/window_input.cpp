@@ -25,6 +25,7 @@ constexpr float kClickTolerance = 3;  // window units that a click may move
 }  // namespace
 
 void Window::perform(Action action) {
+  if (action != Action::none && action != Action::quit) state_.quit_asked = false;
   try {
     switch (action) {
       case Action::none:
@@ -130,18 +131,29 @@ void Window::perform(Action action) {
         state_.keys_open = !state_.keys_open;
         return;
       case Action::quit:
-        // Esc closes an open list first.
-        if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) {
-          ImGui::ClosePopupToLevel(0, true);
-          return;
-        }
-        if (std::exchange(state_.looks_open, false) || std::exchange(state_.keys_open, false)) return;
-        glfwSetWindowShouldClose(window(), GLFW_TRUE);
+        if (close_topmost())
+          state_.quit_asked = false;
+        else if (std::exchange(state_.quit_asked, true))
+          glfwSetWindowShouldClose(window(), GLFW_TRUE);
         return;
     }
   } catch (const Error& error) {
     state_.message = error.what();
   }
+}
+
+bool Window::close_topmost() {
+  if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) {
+    ImGui::ClosePopupToLevel(0, true);
+    return true;
+  }
+  const auto close = [](auto& optional) {
+    const bool was_open = optional.has_value();
+    optional.reset();
+    return was_open;
+  };
+  return std::exchange(state_.keys_open, false) || std::exchange(state_.looks_open, false) ||
+         close(state_.inspected) || close(state_.case_pictures) || close(state_.split);
 }
 
 void Window::open_anew() {
@@ -227,6 +239,8 @@ params::Parameter* Window::texture_parameter() {
 
 void Window::on_key(int key, int action, bool control) {
   if (action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
+  // Held down, Esc would close one thing after the other, and quit.
+  if (action == GLFW_REPEAT && key == GLFW_KEY_ESCAPE) return;
   perform(action_of(key, control));
 }
 
@@ -262,6 +276,7 @@ void Window::on_scroll(double dy) {
 }
 
 void Window::on_button(int button, int action) {
+  state_.quit_asked = false;
   if (button == GLFW_MOUSE_BUTTON_RIGHT) {
     drag_ = action == GLFW_PRESS && over_picture() ? Drag::light : Drag::none;
     return;

@@ -68,6 +68,70 @@ TEST(Handouts, show_each_step_before_and_after_with_the_command_to_see_it) {
   EXPECT_EQ(kept, shown) << "./run docs draws what is missing; remove what no step has";
 }
 
+/// What a handout says with "within 3/255" or "within 0.05 degrees", as lab.toml has its limits.
+std::set<double> limits_in(const std::string& text) {
+  static const std::regex within(R"(within\s+(\d+(?:\.\d+)?(?:e-?\d+)?))");
+  std::set<double> limits;
+  for (std::sregex_iterator at(text.begin(), text.end(), within), end; at != end; ++at)
+    limits.insert(std::stod((*at)[1]));
+  return limits;
+}
+
+/// Whether a case has that option of the lab's program, by its settings or as one of the values that are
+/// drawn.
+bool has_option(const course::GradedCase& one, std::string name, const std::string& value) {
+  std::replace(name.begin(), name.end(), '-', '_');
+  if (name == "view") return name_of(one.view) == value;
+  const auto is_it = [&](const auto& other) { return other.parameter == name; };
+  const auto set = std::find_if(one.settings.begin(), one.settings.end(), is_it);
+  const auto drawn = std::find_if(one.hidden_settings.begin(), one.hidden_settings.end(), is_it);
+  return (set != one.settings.end() && set->value == value) ||
+         (drawn != one.hidden_settings.end() &&
+          std::find(drawn->values.begin(), drawn->values.end(), value) != drawn->values.end());
+}
+
+TEST(Handouts, have_the_cases_and_limits_of_the_check) {
+  for (const course::Lab& lab : labs()) {
+    const std::string text = handout_of(lab);
+    for (const course::Step& step : lab.steps) {
+      SCOPED_TRACE(step.id);
+      const std::size_t begin = text.find(fmt::format("\n### {} ", step.id));
+      const std::string section = text.substr(begin, text.find("\n##", begin + 1) - begin);
+      const std::size_t checked = section.find("- **Checked by:**");
+      ASSERT_NE(checked, section.npos);
+      const std::string how = section.substr(checked, section.find("\n- **", checked) - checked);
+      const std::size_t split = std::min(how.find("Hidden:"), how.size());
+      const std::string parts[] = {how.substr(0, split), how.substr(split)};
+      EXPECT_FALSE(std::regex_search(section, std::regex("not\\s+checked"))) << "is a case of it";
+
+      // Vertex streams have one limit, which the handout explains where they come first.
+      std::set<double> of_pictures[2], all;
+      for (const course::GradedCase& one : lab.cases) {
+        if (one.step != step.id) continue;
+        all.insert(one.limit);
+        if (!one.is_mesh()) of_pictures[one.hidden ? 1 : 0].insert(one.limit);
+      }
+      for (const double limit : limits_in(section))
+        EXPECT_TRUE(all.contains(limit)) << limit << " is no limit";
+      const std::set<double> said[] = {limits_in(parts[0]), limits_in(parts[1])};
+      for (const double limit : of_pictures[0])
+        EXPECT_TRUE(said[0].contains(limit)) << limit << " is not said";
+      for (const double limit : of_pictures[1])
+        EXPECT_TRUE(said[0].contains(limit) || said[1].contains(limit)) << limit << " (hidden) is not said";
+
+      static const std::regex option(R"(--([a-z0-9-]+)\s+([a-z0-9.-]+)`)");
+      for (const std::size_t part : {0U, 1U})
+        for (std::sregex_iterator at(parts[part].begin(), parts[part].end(), option), end; at != end; ++at)
+          EXPECT_TRUE(std::any_of(lab.cases.begin(), lab.cases.end(),
+                                  [&](const course::GradedCase& one) {
+                                    return one.step == step.id && one.hidden == (part == 1) &&
+                                           has_option(one, (*at)[1], (*at)[2]);
+                                  }))
+              << at->str() << " is in no case";
+    }
+  }
+}
+
 TEST(Handouts, begin_with_the_picture_and_the_first_step_within_one_screen) {
   for (const course::Lab& lab : labs()) {
     const std::string text = handout_of(lab);

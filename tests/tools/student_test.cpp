@@ -182,7 +182,7 @@ TEST_F(StudentTree, names_a_mistake_that_it_knows) {
   write_file(renderer, name.substr(0, name.find('\n')) + "\r\n");
   EXPECT_EQ(texel("check 5").output, report.output);
   EXPECT_TRUE(has(report.output, "This looks like: ")) << report.output;
-  EXPECT_TRUE(has(report.output, "next   5.1")) << report.output;
+  EXPECT_TRUE(has(report.output, "wrong  5.1")) << report.output;
   EXPECT_TRUE(has(report.output, "rawn by ")) << report.output;  // "Drawn by llvmpipe", or "… are drawn by …"
   EXPECT_TRUE(has(report.output, "shaders/05_normal_map/decode_normal.glsl:")) << report.output;
 }
@@ -568,13 +568,13 @@ TEST_F(StudentTree, is_checked_again_after_each_save) {
   solve(file.lexically_relative(root_).string(), "8.2");
   EXPECT_TRUE(watching.shows("done   8.2")) << read_file(output);
   const std::string before = read_file(file);
-  // What passed is remembered: the step that changed comes next, and not the one that it spoils.
+  // What passed is remembered: the step that changed is wrong, and not the one that it spoils.
   std::string wrong = before;
   const std::size_t sign = wrong.find("incident - 2.0 *");
   ASSERT_NE(sign, wrong.npos);
   write_file(file, wrong.replace(sign, 10, "incident +"));
   EXPECT_TRUE(watching.shows("Your last save changed 8.1; this step passed before it.")) << read_file(output);
-  EXPECT_TRUE(watching.shows("next   8.1", 2)) << read_file(output);
+  EXPECT_TRUE(watching.shows("wrong  8.1")) << read_file(output);
   write_file(file, before);
   EXPECT_TRUE(watching.shows("done   8.2", 2)) << read_file(output);
   // A marker that is gone is said, and the watch goes on.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where a picture passes: up to the limit and no further, in the unit of its view. What a wrong one scores is
 // in tests/labs/score_test.cpp.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 
 #include "core/files.hpp"
 #include "core/scratch_folder.hpp"
+#include "image/compared.hpp"
 #include "image/save.hpp"
 #include "judge/judge.hpp"
 
@@ -109,6 +111,26 @@ TEST_F(JudgeOfPictures, passes_a_right_picture_that_is_moved_by_what_a_gpu_round
 
 TEST_F(JudgeOfPictures, forgives_nothing_where_the_right_picture_is_flat) {
   EXPECT_FALSE(judged(course::View::normal, 0.05, directions(0), directions(0.06)).passed);
+}
+
+TEST_F(JudgeOfPictures, names_a_pixel_that_has_the_error_that_is_told) {
+  // One pixel of the background is farther off: it is the thousandth that does not count.
+  image::ImageF right(kSide, kSide, 3), wrong(kSide, kSide, 3);
+  wrong.at(15, 35, 0) = 0.3F, wrong.at(16, 35, 0) = 0.2F, wrong.at(17, 35, 0) = 0.1F;
+  const std::string bytes = bytes_of(wrong);
+  const image::Difference difference = image::compare(right, wrong);
+  const Verdict verdict = judged(course::View::depth, 0.01, bytes_of(right), bytes);
+  EXPECT_NEAR(verdict.error, difference.p999, 1e-7);
+  EXPECT_NEAR(wrong.at(difference.telling_x, difference.telling_y, 0), verdict.error, 1e-7);
+  EXPECT_NE(verdict.message.find(
+                fmt::format("so is the pixel {}, {} ", difference.telling_x, difference.telling_y)),
+            std::string::npos)
+      << verdict.message;
+  // The same pixel of the picture that is shown, and the same figure.
+  const image::Compared shown = image::compared(wrong, right, 0.05, 0.2, "depth", image::Unit::own);
+  EXPECT_EQ(shown.figures.telling_x, 16);
+  EXPECT_EQ(shown.figures.telling_y, 35);
+  EXPECT_EQ(shown.full_scale, 0.2);
 }
 
 }  // namespace

@@ -149,6 +149,7 @@ test("what is written is judged after a pause, and survives a reload", async () 
   await type("  return swapped;");
   await until(() => document.querySelector(".cause").textContent === "This looks like: red and green swapped");
   assert.match(await text(".verdict"), /Off by 12.4 degrees/);
+  await badge("wrong");
   await type("  return right;");
   await badge("done");
   assert.match(await text(".progress b"), /^1 of 1 shader steps is right, 1 of 1 points/);

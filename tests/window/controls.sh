@@ -78,6 +78,17 @@ check 'which is what the window shows' compare -quiet -metric AE "$work/clipboar
 xdotool mousemove --window "$window" 650 390 click 1
 check 'a click shows the pixel magnified' changed_from "$work/first"
 press j # a window that stands over the picture keeps no key away
+press Escape
+check 'Esc closes it' returned_to "$work/first"
+press Escape
+check 'with nothing open Esc asks' changed_from "$work/first"
+press j
+check 'another key is no answer' returned_to "$work/first"
+press Escape
+check 'Esc asks again' changed_from "$work/first"
+press g
+press Escape
+check 'and forgets it when it closes the looks' returned_to "$work/first"
 
 look "$work/dark" $panel
 xdotool mousemove --window "$window" 278 57 click 1
@@ -109,11 +120,19 @@ check 'a shader error stands over the picture' eventually shows_red
 press e
 opened() { [[ $(cat "$work/edited" 2>/dev/null) == "+"*"$1" ]]; }
 check 'E opens its file in the editor' eventually opened "$shader"
-printf '      at %s; the mistake is in line %d\n' "$(head -n 1 "$work/edited")" "$line"
+is_at_line() { [[ $(head -n 1 "$work/edited") == *"+$line"* ]]; }
+check 'at the line after which the ; is missing' is_at_line
 cp "$work/good" "$shader"
 
 check 'Esc quits with exit code 0' quits_with 0
 check 'nothing stands on standard error' test ! -s "$work/errors"
+
+# The default look's model comes from a file.
+check 'the window opens with an error that nobody knows' open_lab lab05_normal_map --turn 0 --model gator --view error
+look_below() { look "$work/now" 620x250+340+460 && look "$work/reason" 620x200+340+260; }
+shows_reason() { look_below && (($(colours "$work/now") == 1 && $(colours "$work/reason") > 20)); }
+check 'the reason stands over a picture of one colour' eventually shows_reason
+check 'Esc quits with exit code 0' quits_with 0
 
 # The exact answer takes longer than a frame.
 check 'the window opens with the view error' open_lab lab05_normal_map --turn 0 --model torus --view error

@@ -78,6 +78,11 @@ check 'another value is shown there' changed_from "$work/linear" 180x600+760+20
 check 'the list again' opens 220 200
 click_at 155 226
 check 'nothing is compared' is_back "$work/first"
+check 'the list again' opens 220 200
+click_at 155 298
+check 'the picture is split again' eventually has_line 650
+press Escape
+check 'Esc ends that' is_back "$work/first"
 
 click_at 110 105
 # Until the field has the caret it does not hear this.

@@ -28,7 +28,7 @@ are_whole() { look "$work/now" 6x300+312+130 && (($(pixels_of "$work/now" $green
 check 'no title is cut off' are_whole
 
 sed -i 's/return color \* 2.0 - 1.0/return (color * 2.0 - 1.0) * vec3(1.0, -1.0, 1.0)/' "$shader"
-check 'a step that a save has spoilt is the next, in amber' eventually has_text $amber
+check 'a step that a save has spoilt is in amber' eventually has_text $amber
 check 'and the picture shows the mistake' changed_from "$work/first"
 settle "$work/wrong"
 
@@ -76,6 +76,10 @@ check 'the case again' eventually white_line
 click 946 391
 check 'its cross takes the step away' eventually no_white_line
 check 'and keeps the look of the case' shows_other "$work/wrong"
+pick_case
+check 'the case again' eventually white_line
+press Escape
+check 'Esc takes the step away, too' eventually no_white_line
 pick_case
 check 'the case again' eventually white_line
 

@@ -70,11 +70,17 @@ stand_in_for_programs() {
 
 press() { xdotool key --window "$window" "$1"; }
 
-# The exit code of the program after Esc; what it wrote to standard error is in $work/errors.
+# The exit code of the program after Esc, typed until it ends: it closes what is open, one after the other, and asks
+# once. What the program wrote to standard error is in $work/errors.
 quits_with() {
-  # The window may be gone before xdotool has released the key: held down, it would repeat and quit the next window.
-  press Escape 2>/dev/null
-  xdotool keyup Escape
+  local i
+  for ((i = 0; i < 8; ++i)); do
+    # The window may be gone before xdotool has released the key: held down, it would repeat in the next window.
+    press Escape 2>/dev/null
+    xdotool keyup Escape
+    sleep 0.2
+    kill -0 "$pid" 2>/dev/null || break
+  done
   eventually eval "! kill -0 $pid 2>/dev/null" || kill "$pid"
   wait "$pid"
   local code=$?

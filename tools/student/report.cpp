@@ -74,10 +74,6 @@ std::string details(const StepResult& step, const Paint& paint) {
   return is_drawn ? text + see : text;
 }
 
-const char* word_of(const StepResult& step, const StepResult* next) {
-  return passed(step) ? "done" : &step == next ? "next" : step.status == Status::skipped ? "waits" : "to do";
-}
-
 /// The command for the lab after this one, or "" after the last.
 std::string what_follows(int number) {
   for (const course::Lab& lab : course_labs())
@@ -112,7 +108,7 @@ std::string report(const LabResult& lab, bool colours) {
   const StepResult* next = next_step(lab);
   std::string said;  // of the step above
   for (const StepResult& step : lab.steps) {
-    const char* word = word_of(step, next);
+    const char* word = word_of(step, &step == next);
     std::string line = step.title;
     if (step.status == Status::skipped && &step != next && step.message != said)
       line += fmt::format(": {}", said = step.message);

@@ -59,8 +59,12 @@ export function makeEditor({ host, text, numbers, label, changed }) {
     },
     mark(problems) {
       const found = problems.map(({ line, column, message }) => {
-        const at = view.state.doc.line(Math.max(numbers(view.state.doc.toString()).indexOf(line), 0) + 1);
-        const from = column > 1 && column <= at.length ? at.from + column - 1 : at.from;
+        // What is found beyond the step's text is marked at the line that is closest to it.
+        const distance = (number) => (number === null ? Infinity : Math.abs(number - line));
+        const known = numbers(view.state.doc.toString());
+        const closest = known.reduce((best, number, i) => (distance(number) < distance(known[best]) ? i : best), 0);
+        const at = view.state.doc.line(closest + 1);
+        const from = known[closest] === line && column > 1 && column <= at.length ? at.from + column - 1 : at.from;
         return { from, to: at.to, severity: "error", message };
       });
       view.dispatch(setDiagnostics(view.state, found));

@@ -7,7 +7,7 @@ import { Stopped } from "./session.js";
 import { readState } from "./state.js";
 
 const kPause = 250;  // milliseconds without a key before the text is tried
-const kWords = { passed: "done", failed: "to do", skipped: "waits", untouched: "to do", unchecked: "not checked" };
+const kWords = { passed: "done", failed: "wrong", skipped: "waits", untouched: "to do", unchecked: "not checked" };
 
 /** The editor shows a step's part without its last line's end: else an empty line would follow. */
 const asShown = (text) => text.replace(/\n$/, "");
@@ -142,8 +142,10 @@ class Workbench {
   show(result, judged) {
     this.result = judged ? result : null;
     const good = result.status === "passed";
-    this.badge.className = `badge ${result.status}`;
-    this.badge.textContent = kWords[result.status] ?? result.status;
+    // A step that is not begun is no wrong answer.
+    const status = result.status === "failed" && result.cases.some((one) => one.status === "untouched") ? "untouched" : result.status;
+    this.badge.className = `badge ${status}`;
+    this.badge.textContent = kWords[status] ?? status;
     this.verdict.textContent = judged ? result.message || (good ? "Right." : "") : "";
     this.cause.hidden = !judged || !result.looks_like_says;
     this.cause.textContent = this.cause.hidden ? "" : `This looks like: ${result.looks_like_says}`;

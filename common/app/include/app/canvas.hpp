@@ -34,6 +34,9 @@ class Canvas {
   void draw(View view, glm::ivec2 size, int samples, const std::optional<Split>& split = {},
             gl::Target::Kind colours = gl::Target::Kind::colour);
 
+  /// A picture of the background alone: for a view that cannot be drawn.
+  void draw_nothing(glm::ivec2 size);
+
   /// As draw, and says what was drawn.
   gl::Record record(View view, glm::ivec2 size, int samples);
 

@@ -13,16 +13,17 @@ struct Compared {
   Image8 own, expected;
   Image8 difference;   ///< of each channel, absolute
   Image8 heat_map;     ///< of the error; `full_scale` has the hottest colour
-  Difference figures;  ///< the largest error and its pixel
-  double full_scale;   ///< the largest error, and not less than was asked for
+  Difference figures;  ///< the pixel that has the error that was given
+  double full_scale;   ///< this error, and not less than was asked for
 };
 
-/// Errors that are small beside `least_scale` are dark in the heat map, also where none is larger. Throws
-/// Error (exit 3) if the sizes differ.
-Compared compared(const Image8& own, const Image8& expected, double least_scale);
+/// `error` is what is told of the picture as its error; NaN stands for the largest. Errors that are small
+/// beside `least_scale` are dark in the heat map, also where none is larger. Throws Error (exit 3) if the
+/// sizes differ.
+Compared compared(const Image8& own, const Image8& expected, double least_scale, double error);
 /// Of a data view: its name, and the unit of its error.
-Compared compared(const ImageF& own, const ImageF& expected, double least_scale, const std::string& view,
-                  Unit unit);
+Compared compared(const ImageF& own, const ImageF& expected, double least_scale, double error,
+                  const std::string& view, Unit unit);
 
 /// RGB pictures of one size from left to right, with white gaps of 6 pixels. Each pixel becomes a square of
 /// `zoom` pixels a side.

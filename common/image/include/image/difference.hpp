@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <limits>
+
 #include "image/image.hpp"
 
 namespace texel::image {
 
 /// How far one picture is from another.
 struct Difference {
-  int width = 0;    ///< pixels
-  int height = 0;   ///< pixels
-  double max = 0;   ///< the largest difference
-  double mean = 0;  ///< the mean over samples (over pixels for directions and texture coordinates)
-  double p99 = 0;   ///< the 99th percentile over pixels of each pixel's largest difference
-  double p999 = 0;  ///< and the 99.9th
-  int worst_x = 0;  ///< where the largest is, from the lower left corner
-  int worst_y = 0;
+  int width = 0;      ///< pixels
+  int height = 0;     ///< pixels
+  double max = 0;     ///< the largest difference
+  double mean = 0;    ///< the mean over samples (over pixels for directions and texture coordinates)
+  double p99 = 0;     ///< the 99th percentile over pixels of each pixel's largest difference
+  double p999 = 0;    ///< and the 99.9th
+  int telling_x = 0;  ///< the pixel whose difference is p999, or Comparing::told, from the lower left corner
+  int telling_y = 0;
   long long non_finite = 0;  ///< pixels with NaN or infinity in either picture: in none of the figures above
   long long forgiven = 0;    ///< pixels whose difference a tolerance made smaller
 };
@@ -46,6 +48,9 @@ struct Comparing {
   double moved_pixels = 0;
 
   Unit unit = Unit::own;
+
+  /// The pixel is sought whose difference is closest to this; where it is NaN, to p999.
+  double told = std::numeric_limits<double>::quiet_NaN();
 
   /// Of texels: the size of the texture, in texels for each whole step of the coordinate.
   double texture_width = 1, texture_height = 1;

@@ -98,6 +98,10 @@ struct StepResult {
   [[nodiscard]] bool is_untouched() const;
 };
 
+/// A word for the step in a list of its lab's: "done", "waits", "wrong", and of one that is not begun "next"
+/// or "to do".
+const char* word_of(const StepResult& step, bool is_next);
+
 struct LabResult {
   course::Lab lab;
   std::vector<StepResult> steps;
