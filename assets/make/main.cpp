@@ -7,8 +7,8 @@
 #include <filesystem>
 
 #include "check.hpp"
-#include "core/error.hpp"
 #include "core/scratch_folder.hpp"
+#include "core/terminal.hpp"
 #include "cube_maps.hpp"
 #include "models.hpp"
 #include "textures.hpp"
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 void make_all(const fs::path& folder) {
   const auto progress = [](const fs::path& file) {
     fmt::print("making {}\n", file.string());
-    std::fflush(stdout);
+    texel::flush_output();
   };
   texel::assets::make_textures(folder, progress);
   texel::assets::make_normal_maps(folder, progress);
@@ -38,22 +38,18 @@ int main(int argc, char** argv) {
   app.add_option("--out", folder, "the asset folder to write, or to compare with")->capture_default_str();
   app.add_flag("--check", is_check,
                "write nothing there; exit 1 if what would be made differs from what is there");
-  try {
-    app.parse(argc, argv);
+  return texel::run_main("make_assets", [&] {
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      return app.exit(error) == 0 ? texel::Exit::holds : texel::Exit::usage;
+    }
     if (!is_check) {
       make_all(folder);
-      return 0;
+      return texel::Exit::holds;
     }
     const texel::ScratchFolder fresh;
     make_all(fresh.path());
-    return texel::assets::same_files(fresh.path(), folder) ? 0 : 1;
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : static_cast<int>(texel::Exit::usage);
-  } catch (const texel::Error& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return static_cast<int>(error.exit_code());
-  } catch (const fs::filesystem_error& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return static_cast<int>(texel::Exit::failed);
-  }
+    return texel::assets::same_files(fresh.path(), folder) ? texel::Exit::holds : texel::Exit::differs;
+  });
 }

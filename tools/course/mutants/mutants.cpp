@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "core/stopwatch.hpp"
+#include "core/terminal.hpp"
 #include "course/course_commands.hpp"
 #include "course/mutants/results.hpp"
 #include "course/mutants/suite.hpp"
@@ -63,7 +64,7 @@ std::vector<course::Mutant> chosen(const std::vector<course::Mutant>& mutants,
 
 void say(const std::string& line) {
   fmt::print("{}\n", line);
-  std::fflush(stdout);  // a log shows each as it ends
+  flush_output();  // a log shows each as it ends
 }
 
 /// Makes mutants together and asks the tests. Returns what became of each.
