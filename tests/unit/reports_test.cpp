@@ -501,14 +501,15 @@ TEST_F(Reports, as_csv_have_a_row_a_student_and_a_column_a_step) {
   ASSERT_EQ(rows.size(), 9U);
   EXPECT_EQ(rows[0],
             (std::vector<std::string>{"name", "id", "number", "total", "lab 3", "lab 5", "lab 9", "step 3.1",
-                                      "step 5.1", "step 5.2", "step 5.3", "step 9.1", "note"}));
+                                      "step 5.1", "step 5.2", "step 5.3", "step 9.1", "begun", "note"}));
   for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
   EXPECT_EQ(rows[1], (std::vector<std::string>{"Index Page", "index", "10231", "12", "2", "7", "3", "2", "2",
-                                               "4", "1", "3", ""}));
+                                               "4", "1", "3", "3 5 9", ""}));
   EXPECT_EQ(rows[7][3], "");  // an incident is no zero
   EXPECT_EQ(rows[7][8], "");
   EXPECT_TRUE(has(rows[7].back(), "not graded"));
   EXPECT_EQ(rows[8][3], "0");  // a submission that cannot be read is
+  EXPECT_EQ(rows[8][12], "");  // and has no steps
 }
 
 TEST_F(Reports, as_csv_quote_names_and_defuse_formulas) {
