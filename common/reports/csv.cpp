@@ -37,10 +37,11 @@ std::string row(const std::vector<std::string>& cells) {
   return text + "\r\n";
 }
 
-/// Whether a step of the lab is written, or has a score by hand.
-bool is_begun(const LabResult& lab) {
-  return std::any_of(lab.steps.begin(), lab.steps.end(),
-                     [](const StepResult& step) { return !step.is_untouched() || !step.overridden.empty(); });
+/// Whether a step of the lab was handed in, or has a score by hand.
+bool is_begun(const StudentResult& student, const LabResult& lab) {
+  return std::any_of(lab.steps.begin(), lab.steps.end(), [&](const StepResult& step) {
+    return (student.fault.empty() && !step.is_untouched()) || !step.overridden.empty();
+  });
 }
 
 /// The steps of each lab that anybody has, in the labs' own order.
@@ -86,7 +87,8 @@ std::string csv(const ClassResult& results) {
       }
     std::string begun;
     for (const LabResult& lab : student.labs)
-      if (graded && is_begun(lab)) begun += (begun.empty() ? "" : " ") + std::to_string(lab.lab.number);
+      if (graded && is_begun(student, lab))
+        begun += (begun.empty() ? "" : " ") + std::to_string(lab.lab.number);
     cells.push_back(begun);
     std::string note = student.fault.empty() ? "" : "the submission " + student.fault;
     if (!graded) note = "not graded: " + student.unmarked();

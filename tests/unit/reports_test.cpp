@@ -509,7 +509,18 @@ TEST_F(Reports, as_csv_have_a_row_a_student_and_a_column_a_step) {
   EXPECT_EQ(rows[7][8], "");
   EXPECT_TRUE(has(rows[7].back(), "not graded"));
   EXPECT_EQ(rows[8][3], "0");  // a submission that cannot be read is
-  EXPECT_EQ(rows[8][12], "");  // and has no steps
+}
+
+TEST_F(Reports, as_csv_name_the_labs_of_which_steps_were_handed_in) {
+  StudentResult& one = results_.students[0];
+  const auto begun = [&] { return parse_csv(csv(results_))[1][12]; };
+  for (StepResult& step : one.labs[0].steps)
+    for (CaseResult& result : step.cases) result.status = CaseStatus::untouched;
+  EXPECT_EQ(begun(), "5 9");
+  one.fault = "is broken";
+  EXPECT_EQ(begun(), "");
+  one.labs[1].steps[0].overridden = "seen on paper";
+  EXPECT_EQ(begun(), "5");
 }
 
 TEST_F(Reports, as_csv_quote_names_and_defuse_formulas) {
