@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
+#include <map>
 #include <set>
+#include <string>
 
 #include "commands.hpp"
 #include "core/files.hpp"
@@ -62,21 +63,23 @@ Exit print_steps(const GradeCommand& command) {
       try {
         course::require_markers(text, first, file);
         const Steps written = course::step_texts(text, file);
-        for (const auto& [step, starter] : of_file->second)
-          if (without_blanks(written.at(step)) != starter)
-            steps[step] = steps.value(step, "") + written.at(step);
+        for (const auto& [step, part] : written)
+          if (const auto starter = of_file->second.find(step);
+              starter != of_file->second.end() && without_blanks(part) != starter->second)
+            steps[step] = steps.value(step, "") + part;
       } catch (const Error& error) {
-        damaged[file] = error.what();
+        damaged[file] = plain_text(error.what());
         steps[file] = new_lines(text, first);
       }
     }
     for (const grade::Ignored& file : taken.ignored) ignored[file.path] = file.reason;
-    submissions.push_back({{"entry", entry.path.lexically_relative(command.class_folder).string()},
-                           {"id", entry.id},
-                           {"fault", taken.fault},
-                           {"steps", steps},
-                           {"damaged", damaged},
-                           {"ignored", ignored}});
+    submissions.push_back(
+        {{"entry", plain_text(entry.path.lexically_relative(command.class_folder).string())},
+         {"id", entry.id},
+         {"fault", taken.fault},
+         {"steps", steps},
+         {"damaged", damaged},
+         {"ignored", ignored}});
   }
   fmt::print("{}\n", to_text({{"solution", solution}, {"submissions", submissions}}));
   return Exit::holds;
