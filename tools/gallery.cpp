@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "app/assets.hpp"
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
+#include "core/terminal.hpp"
 #include "course/batch.hpp"
 #include "image/load.hpp"
 #include "image/mipmaps.hpp"
@@ -71,7 +71,7 @@ void leave_out_errors(std::vector<course::Lab>& labs) {
 
 void say(const course::Lab& lab, const char* what) {
   fmt::print("  lab {:<2} {:<28} {:2} pictures {}\n", lab.number, lab.title, lab.looks.size(), what);
-  std::fflush(stdout);  // a log shows each as it ends
+  flush_output();  // a log shows each as it ends
 }
 
 /// Draws everything that is not up to date. Throws if a lab fails, after the others have ended.

@@ -157,13 +157,5 @@ Exit run(int argc, char** argv) {
 }  // namespace texel::tools
 
 int main(int argc, char** argv) {
-  try {
-    return static_cast<int>(texel::tools::run(argc, argv));
-  } catch (const texel::Error& error) {
-    texel::print_error("texel", error);
-    return static_cast<int>(error.exit_code());
-  } catch (const std::exception& error) {  // out of memory, a fault of ours
-    texel::print_error("texel", error);
-    return static_cast<int>(texel::Exit::failed);
-  }
+  return texel::run_main("texel", [&] { return texel::tools::run(argc, argv); });
 }

@@ -5,17 +5,16 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <string>
 
-#include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "core/scratch_folder.hpp"
+#include "core/terminal.hpp"
 #include "image/colour.hpp"
 #include "image/difference.hpp"
 #include "image/load.hpp"
@@ -124,7 +123,7 @@ constexpr struct {
 void make_all(const fs::path& folder) {
   const auto save = [&](const fs::path& file, const image::Image8& picture) {
     fmt::print("made {}\n", file.string());
-    std::fflush(stdout);
+    flush_output();
     fs::create_directories((folder / file).parent_path());
     constexpr int best_compression = 9;  // of zlib: these files are written once and cloned often
     image::save_png(folder / file, picture, {}, best_compression);
@@ -178,22 +177,18 @@ int main(int argc, char** argv) {
   app.add_option("--out", folder, "the asset folder to write, or to compare with")->capture_default_str();
   app.add_flag("--check", is_check,
                "write nothing there; exit 1 if what would be made differs from what is there");
-  try {
-    app.parse(argc, argv);
+  return texel::run_main("make_assets", [&] {
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      return app.exit(error) == 0 ? texel::Exit::holds : texel::Exit::usage;
+    }
     if (!is_check) {
       texel::assets::make_all(folder);
-      return 0;
+      return texel::Exit::holds;
     }
     const texel::ScratchFolder fresh;
     texel::assets::make_all(fresh.path());
-    return texel::assets::same_pictures(fresh.path(), folder) ? 0 : 1;
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : static_cast<int>(texel::Exit::usage);
-  } catch (const texel::Error& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return static_cast<int>(error.exit_code());
-  } catch (const std::filesystem::filesystem_error& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return static_cast<int>(texel::Exit::failed);
-  }
+    return texel::assets::same_pictures(fresh.path(), folder) ? texel::Exit::holds : texel::Exit::differs;
+  });
 }

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "core/terminal.hpp"
 
+#include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
 
 namespace texel {
 
@@ -40,6 +44,31 @@ void print_error(const std::string& program, const std::exception& error) {
   std::string text = program + ": " + error.what() + "\n";
   if (const auto columns = terminal_columns(STDERR_FILENO)) text = wrapped(text, *columns);
   std::fputs(text.c_str(), stderr);
+}
+
+void flush_output() {
+  errno = 0;
+  const bool failed = std::fflush(stdout) != 0;
+  if (failed || std::ferror(stdout) != 0)
+    throw Error::failed(
+        fmt::format("cannot write to standard output: {}",
+                    errno != 0 ? std::strerror(errno) : "the disk is full, or nobody reads it"));
+}
+
+int run_main(const std::string& program, const std::function<Exit()>& run) {
+  // Not ignored: programs that this one starts would ignore the signal too.
+  std::signal(SIGPIPE, [](int) {});
+  try {
+    const Exit exit = run();
+    flush_output();
+    return static_cast<int>(exit);
+  } catch (const Error& error) {
+    print_error(program, error);
+    return static_cast<int>(error.exit_code());
+  } catch (const std::exception& error) {  // out of memory, a fault of ours
+    print_error(program, error);
+    return static_cast<int>(Exit::failed);
+  }
 }
 
 }  // namespace texel

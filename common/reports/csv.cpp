@@ -37,6 +37,13 @@ std::string row(const std::vector<std::string>& cells) {
   return text + "\r\n";
 }
 
+/// Whether a step of the lab was handed in, or has a score by hand.
+bool is_begun(const StudentResult& student, const LabResult& lab) {
+  return std::any_of(lab.steps.begin(), lab.steps.end(), [&](const StepResult& step) {
+    return (student.fault.empty() && !step.is_untouched()) || !step.overridden.empty();
+  });
+}
+
 /// The steps of each lab that anybody has, in the labs' own order.
 std::map<int, std::vector<std::string>> columns(const ClassResult& results) {
   std::map<int, std::vector<std::string>> labs;
@@ -57,7 +64,7 @@ std::string csv(const ClassResult& results) {
   for (const auto& [lab, steps] : labs) head.push_back("lab " + std::to_string(lab));
   for (const auto& [lab, steps] : labs)
     for (const std::string& step : steps) head.push_back("step " + line(step));
-  head.emplace_back("note");
+  head.insert(head.end(), {"begun", "note"});
 
   std::string text = row(head);
   for (const StudentResult& student : results.students) {
@@ -78,6 +85,11 @@ std::string csv(const ClassResult& results) {
             if (step.id == id) value = step.points * step.score;
         cells.push_back(points(value));
       }
+    std::string begun;
+    for (const LabResult& lab : student.labs)
+      if (graded && is_begun(student, lab))
+        begun += (begun.empty() ? "" : " ") + std::to_string(lab.lab.number);
+    cells.push_back(begun);
     std::string note = student.fault.empty() ? "" : "the submission " + student.fault;
     if (!graded) note = "not graded: " + student.unmarked();
     for (const LabResult& lab : student.labs)

@@ -150,16 +150,10 @@ void run_as_asked(AnyLab& lab, const CommandLine& line) {
 }  // namespace
 
 int run(AnyLab& lab, int argc, char** argv) {
-  try {
+  return run_main(lab.info().program(), [&] {
     if (const std::optional<CommandLine> line = read_command_line(lab, argc, argv)) run_as_asked(lab, *line);
-    return static_cast<int>(Exit::holds);
-  } catch (const Error& error) {
-    print_error(lab.info().program(), error);
-    return static_cast<int>(error.exit_code());
-  } catch (const std::exception& error) {  // out of memory, a fault of ours
-    print_error(lab.info().program(), error);
-    return static_cast<int>(Exit::failed);
-  }
+    return Exit::holds;
+  });
 }
 
 }  // namespace texel::app

@@ -25,12 +25,22 @@ X
 }
 write first tangent '// by me'
 write second t ''
+# The grader takes a file that lies alone in an archive, and one whose markers are spoilt, too.
+mkdir -p third "class/fourth/${file%/*}"
+sed 's/$/\r/' "class/first/$file" >"third/${file##*/}"
+(cd third && cmake -E tar czf ../class/third.tgz "${file##*/}")
+sed 's/^.*@end/  \/\/end/' "class/first/$file" >"class/fourth/$file"
 (cd class/second && cmake -E tar cf ../second.zip --format=zip shaders) && rm -r class/second
 ln -s /etc/passwd class/link.zip
 printf 'no archive' >class/broken.zip
-"$bin/texel" course similar class --labs 5 --top 3 | tee said
-sed -n 2p said | grep -q '100 %.*first  second.zip' # before the solutions, which are alike too
-grep -q '9 submissions' said
+"$bin/texel" course similar class --labs 5 --top 7 2>errors | tee said
+for pair in 'first  fourth' 'first  second.zip' 'first  third.tgz' 'second.zip  third.tgz'; do
+  sed -n 2,7p said | grep -q "100 %.*$pair" # before the solutions, which are alike too
+done
+grep -q '11 submissions' said
+grep -q 'link.zip: not compared: is not a folder' errors
+grep -q 'broken.zip: not compared: is a broken archive' errors
+grep -q "fourth: $file: its new lines are compared" errors
 ! grep -q starter said
 status=0
 "$bin/texel" course similar nowhere --labs 5 2>/dev/null || status=$?

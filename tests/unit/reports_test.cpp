@@ -501,14 +501,26 @@ TEST_F(Reports, as_csv_have_a_row_a_student_and_a_column_a_step) {
   ASSERT_EQ(rows.size(), 9U);
   EXPECT_EQ(rows[0],
             (std::vector<std::string>{"name", "id", "number", "total", "lab 3", "lab 5", "lab 9", "step 3.1",
-                                      "step 5.1", "step 5.2", "step 5.3", "step 9.1", "note"}));
+                                      "step 5.1", "step 5.2", "step 5.3", "step 9.1", "begun", "note"}));
   for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
   EXPECT_EQ(rows[1], (std::vector<std::string>{"Index Page", "index", "10231", "12", "2", "7", "3", "2", "2",
-                                               "4", "1", "3", ""}));
+                                               "4", "1", "3", "3 5 9", ""}));
   EXPECT_EQ(rows[7][3], "");  // an incident is no zero
   EXPECT_EQ(rows[7][8], "");
   EXPECT_TRUE(has(rows[7].back(), "not graded"));
   EXPECT_EQ(rows[8][3], "0");  // a submission that cannot be read is
+}
+
+TEST_F(Reports, as_csv_name_the_labs_of_which_steps_were_handed_in) {
+  StudentResult& one = results_.students[0];
+  const auto begun = [&] { return parse_csv(csv(results_))[1][12]; };
+  for (StepResult& step : one.labs[0].steps)
+    for (CaseResult& result : step.cases) result.status = CaseStatus::untouched;
+  EXPECT_EQ(begun(), "5 9");
+  one.fault = "is broken";
+  EXPECT_EQ(begun(), "");
+  one.labs[1].steps[0].overridden = "seen on paper";
+  EXPECT_EQ(begun(), "5");
 }
 
 TEST_F(Reports, as_csv_quote_names_and_defuse_formulas) {

@@ -156,6 +156,8 @@ void add_grade(CLI::App& app, GradeCommands& all) {
                    "container that forbids namespaces [namespaces]")
       ->check(CLI::IsMember({"namespaces", "user"}));
   add_formats(grade, g.formats);
+  grade->add_flag("--print-steps", g.print_steps,
+                  "Grade nothing: print as JSON the steps that each submission has, and what is not taken");
 
   CLI::App* merge = grade->add_subcommand("merge", "Merge the results of shards");
   merge->add_option("PART", all.merge.parts, "Folders that 'texel grade --shard' wrote")->required();
@@ -188,7 +190,7 @@ Exit run_grade(const CLI::App& app, const GradeCommands& all) {
   if (all.grade.class_folder.empty())
     throw Error::usage("the class is missing; type texel grade CLASS --out DIR",
                        "CLASS is a folder with one folder or archive per student");
-  return grade_class(all.grade);
+  return all.grade.print_steps ? print_steps(all.grade) : grade_class(all.grade);
 }
 
 }  // namespace

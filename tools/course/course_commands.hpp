@@ -84,8 +84,13 @@ struct GradeCommand {
   unsigned jobs = 0;                       ///< 0: one for each processor
   std::string shard = "1/1", context = "auto", walls = "namespaces";
   std::vector<std::string> formats;
-  bool resume = false, unsafe = false;
+  bool resume = false, unsafe = false, print_steps = false;
 };
+
+/// `texel grade CLASS --print-steps`: prints as JSON what grading takes from each submission: the text of
+/// each step that is not the starter's, or of a file whose markers are spoilt the lines that are new; what is
+/// not taken, and why. Beside it the solution's steps. Draws nothing and runs no student's program.
+Exit print_steps(const GradeCommand& command);
 
 /// `texel grade CLASS`: grades a class and writes its reports.
 Exit grade_class(const GradeCommand& command);

@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "core/scratch_folder.hpp"
+#include "core/terminal.hpp"
 #include "course/batch.hpp"
 #include "course/course_commands.hpp"
 #include "grade/stage.hpp"
@@ -100,7 +100,7 @@ Exit step_pictures(const StarterOptions& options) {
   for (const course::Lab& lab : chosen_labs(options.labs)) {
     draw_steps(tree, lab, options.pictures);
     fmt::print("  lab {}: {} steps, before and after\n", lab.number, lab.steps.size());
-    std::fflush(stdout);  // a log shows each as it ends
+    flush_output();  // a log shows each as it ends
   }
   return Exit::holds;
 }

@@ -14,6 +14,7 @@
 #include "checked.hpp"
 #include "commands.hpp"
 #include "core/stopwatch.hpp"
+#include "core/terminal.hpp"
 #include "core/watcher.hpp"
 #include "hints.hpp"
 #include "report.hpp"
@@ -95,11 +96,11 @@ class Watch {
   /// Builds the lab where that is needed; whether there is a program of what was saved.
   bool build() {
     fmt::print("building…\n");
-    std::fflush(stdout);
+    flush_output();
     const std::string messages = grade::build_program(tree_, lab_, fmt::format("./run watch {}", lab_.number),
                                                       [](const std::string& other) {
                                                         fmt::print("waiting for another build: {}\n", other);
-                                                        std::fflush(stdout);
+                                                        flush_output();
                                                       });
     if (messages.empty()) return true;
     fmt::print("Your code cannot be built. The messages from the first error on:\n{}", wrapped(messages, 0));
@@ -123,7 +124,7 @@ class Watch {
       fmt::print("{}\n", error.what());
     }
     fmt::print("Save a file to check again; h: show a hint, q: quit.\n");
-    std::fflush(stdout);
+    flush_output();
   }
 
   void hint() {
@@ -131,7 +132,7 @@ class Watch {
       if (step.id == next_) fmt::print("{}", Hints(hints_file()).next(step));
     if (!next_) fmt::print("Nothing is checked yet. Correct the first message above.\n");
     if (next_ == "") fmt::print("All steps are done.\n");
-    std::fflush(stdout);
+    flush_output();
   }
 
   WatchOptions options_;

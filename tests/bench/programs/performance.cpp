@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Measures what docs/performance.md says, and writes it. No figure fails: the program ends with an error only
 // where a result is missing or wrong.
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 
 #include "core/files.hpp"
 #include "core/scratch_folder.hpp"
+#include "core/terminal.hpp"
 #include "measures.hpp"
 
 int main(int argc, char** argv) {
@@ -33,7 +32,7 @@ int main(int argc, char** argv) {
   app.add_option("--json", json, "Write all figures into this file");
   app.add_option("--markdown", markdown, "Write the report into this file");
   CLI11_PARSE(app, argc, argv);
-  try {
+  return texel::run_main("performance", [&] {
     // With the driver's cache of compiled shaders the second start would be another one than the first.
     ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
     const texel::ScratchFolder folder;
@@ -47,9 +46,6 @@ int main(int argc, char** argv) {
       if (!markdown.empty())
         texel::write_file(markdown, report.as_markdown(options.rounds, options.long_rounds()));
     }
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "performance: {}\n", error.what());
-    return 3;
-  }
-  return 0;
+    return texel::Exit::holds;
+  });
 }

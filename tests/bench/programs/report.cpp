@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "core/parallel.hpp"
+#include "core/terminal.hpp"
 
 namespace texel::bench {
 
@@ -27,7 +27,7 @@ void Report::begin(const std::string& title, const std::string& text) {
 void Report::add(const Row& row) {
   fmt::print("  {:<44} {:8.2f} ({:.2f} to {:.2f})  {}{}\n", row.what, row.ratio.median, row.ratio.lower,
              row.ratio.upper, row.target, row.reached ? "" : "  MISSED");
-  std::fflush(stdout);
+  flush_output();
   sections_.back().rows.push_back(row);
 }
 

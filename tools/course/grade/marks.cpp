@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "commands.hpp"
 #include "core/files.hpp"
+#include "core/terminal.hpp"
 #include "course/course_commands.hpp"
 #include "course/renderers/table.hpp"
 
@@ -20,7 +20,7 @@ constexpr double kApart = 3;
 
 void print_now(const std::string& line) {
   fmt::print("{}\n", line);
-  std::fflush(stdout);
+  flush_output();
 }
 
 grade::Spreads spreads_of(const std::filesystem::path& file) {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <sstream>
 
@@ -14,6 +13,7 @@
 #include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "core/process.hpp"
+#include "core/terminal.hpp"
 #include "course/bench/results.hpp"
 #include "course/course_commands.hpp"
 #include "course/markers.hpp"
@@ -31,7 +31,7 @@ constexpr const char* kTolerances = "tolerances";
 
 void print_now(const std::string& line) {
   fmt::print("{}\n", line);
-  std::fflush(stdout);
+  flush_output();
 }
 
 /// "mesa22" of "mesa22_llvmpipe_egl".

@@ -2,8 +2,11 @@
 #pragma once
 #include <cstddef>
 #include <exception>
+#include <functional>
 #include <optional>
 #include <string>
+
+#include "core/error.hpp"
 
 namespace texel {
 
@@ -16,5 +19,14 @@ std::string wrapped(const std::string& text, std::size_t columns, std::size_t in
 
 /// Says on standard error why a program ends; in a terminal in lines that fit.
 void print_error(const std::string& program, const std::exception& error);
+
+/// Hands what was printed so far to the system. Throws Error (exit 3) when standard output does not take all
+/// of it: the disk is full, the pipe has no reader.
+void flush_output();
+
+/// What a program's main does: the exit code of `run`, or that of the Error that it throws, which is printed.
+/// 3 where standard output did not take all that was printed; a pipe without a reader does not end the
+/// program before it has said so.
+int run_main(const std::string& program, const std::function<Exit()>& run);
 
 }  // namespace texel

@@ -40,9 +40,10 @@ std::string prairielearn(const StudentResult& student, const std::filesystem::pa
 /// https://plugins.jenkins.io/junit-attachments/
 std::string junit(const StudentResult& student, const std::filesystem::path& folder);
 
-/// One row a student: name, id, number, total, each lab, each step (all in points), and a note. A student
-/// with an incident has no points there: empty cells, which Canvas and Moodle leave as they are. RFC 4180; a
-/// text that a spreadsheet would take for a formula begins with an apostrophe.
+/// One row a student: name, id, number, total, each lab, each step (all in points), the numbers
+/// of the labs of which a step is written, and a note. A student with an incident has no points there: empty
+/// cells, which Canvas and Moodle leave as they are. RFC 4180; a text that a spreadsheet would take for a
+/// formula begins with an apostrophe.
 std::string csv(const ClassResult& results);
 
 /// Writes one of the formats above into the results' folder: "gradescope" and "prairielearn" as
