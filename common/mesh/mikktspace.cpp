@@ -406,7 +406,7 @@ TangentReport mikktspace(Mesh& mesh, unsigned threads) {
       find_frames(mesh, group_corners(opposite_edges(welded, triangles.kinds, threads), triangles.kinds),
                   triangles, threads);
 
-  // What no group reached is (1, 0, 0) with the sign -1, whatever the normal.
+  // What no group reached is (1, 0, 0) with the sign -1, whatever the normal but that along it.
   const auto nothing = static_cast<std::uint32_t>(frames.tangents.size());
   frames.tangents.emplace_back(1.0f, 0.0f, 0.0f, -1.0f);
   std::replace(frames.of_corner.begin(), frames.of_corner.end(), no_index, nothing);
@@ -425,7 +425,7 @@ TangentReport mikktspace(Mesh& mesh, unsigned threads) {
     for (std::size_t v = share.begin; v < share.end; ++v) {
       const std::uint32_t frame = of_vertex[v] == no_index ? nothing : of_vertex[v];
       glm::vec4 tangent = frames.tangents[frame];
-      const bool has_none = is_zero(glm::vec3(tangent));
+      const bool has_none = is_along(glm::vec3(tangent), mesh.normals[v]);
       if (has_none) tangent = {any_orthogonal(mesh.normals[v]), tangent.w};
       if (has_none || frame == nothing) ++fallbacks;
       mesh.tangents[v] = tangent;

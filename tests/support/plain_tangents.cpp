@@ -239,7 +239,7 @@ class Plain {
     mesh_.tangents.clear();
     for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
       const auto [group, x, y, z, w] = of_vertex[v].value_or(nothing);
-      const bool has_none = x == 0.0f && y == 0.0f && z == 0.0f;
+      const bool has_none = is_along(vec3(x, y, z), mesh_.normals[v]);
       if (has_none || group == group_turns_.size()) ++report_.fallback_vertices;
       mesh_.tangents.emplace_back(has_none ? any_orthogonal(mesh_.normals[v]) : vec3(x, y, z), w);
     }

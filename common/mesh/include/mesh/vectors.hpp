@@ -40,4 +40,10 @@ inline glm::vec3 any_orthogonal(const glm::vec3& n) {
   return is_zero(t) ? axis : t;
 }
 
+/// Whether a unit vector or zero lies along the unit normal `n`: nothing but rounding is left of it in the
+/// plane.
+inline bool is_along(const glm::dvec3& v, const glm::dvec3& n) {
+  return !(glm::length(v - n * (glm::dot(v, n) / glm::dot(n, n))) > 1e-6);
+}
+
 }  // namespace texel::mesh
