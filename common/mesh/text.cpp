@@ -94,7 +94,8 @@ bool is_below_one(std::string_view word) {
 bool names_not_finite(std::string_view word) {
   if (word.starts_with('-')) word.remove_prefix(1);
   if (word.starts_with("1.#")) return true;
-  if (word.size() > 40) return false;
+  // The names begin with none of these; numbers with exponents are common.
+  if (word.empty() || word[0] == '.' || (word[0] >= '0' && word[0] <= '9')) return false;
   const std::string text = lower(word);
   const auto is = [&text](const char* name) { return text == name; };
   return text.starts_with("nan(") || is("nan") || is("nanq") || is("nans") || is("inf") || is("infinity") ||
