@@ -76,6 +76,12 @@ bool same_way(const glm::dvec3& solved, const glm::dvec3& reference) {
   return along > 0.0 && along * along > 0.9999 * glm::dot(solved, solved) * glm::dot(reference, reference);
 }
 
+/// Twice the signed area in texture space, as the reference has it.
+float float_area(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c) {
+  const glm::vec2 d1 = b - a, d2 = c - a;
+  return d1.s * d2.t - d1.t * d2.s;
+}
+
 /// T and B by triangle_frame. Taken with both edges from the first corner, as in the reference; and where the
 /// result agrees with the reference's up to rounding, the reference's bits.
 Kind find_directions(const std::array<glm::vec3, 3>& p, const std::array<glm::vec2, 3>& st,
@@ -83,7 +89,7 @@ Kind find_directions(const std::array<glm::vec3, 3>& p, const std::array<glm::ve
   if (p[0] == p[1] || p[0] == p[2] || p[1] == p[2]) return Kind::collapsed;
   const glm::vec3 e1 = p[1] - p[0], e2 = p[2] - p[0];
   const glm::vec2 d1 = st[1] - st[0], d2 = st[2] - st[0];
-  const float area = d1.s * d2.t - d1.t * d2.s;
+  const float area = float_area(st[0], st[1], st[2]);
   if (!not_zero(area)) return Kind::loose;
   const float turn = area > 0.0f ? 1.0f : -1.0f;
   const glm::vec3 tangent = e1 * d2.t - e2 * d1.t, bitangent = e1 * -d2.s + e2 * d1.s;
@@ -425,13 +431,24 @@ TangentReport mikktspace(Mesh& mesh, unsigned threads) {
     for (std::size_t v = share.begin; v < share.end; ++v) {
       const std::uint32_t frame = of_vertex[v] == no_index ? nothing : of_vertex[v];
       glm::vec4 tangent = frames.tangents[frame];
-      const bool has_none = is_zero(glm::vec3(tangent));
+      const bool has_none = is_along(glm::vec3(tangent), mesh.normals[v]);
       if (has_none) tangent = {any_orthogonal(mesh.normals[v]), tangent.w};
       if (has_none || frame == nothing) ++fallbacks;
       mesh.tangents[v] = tangent;
     }
   });
   report.fallback_vertices = fallbacks;
+  // Without a texture area any direction in the plane is right. With one, triangle_frame gave none: that is
+  // seen.
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+    const std::uint32_t v = mesh.indices[i];
+    if (of_vertex[v] != nothing || triangles.kinds[i / 3] != Kind::loose) continue;
+    const std::uint32_t* corner = &mesh.indices[i / 3 * 3];
+    const auto& st = mesh.texcoords;
+    if (!not_zero(float_area(st[corner[0]], st[corner[1]], st[corner[2]])) && mesh.tangents[v].x == 1.0f)
+      mesh.tangents[v] = {unit_or_zero(orthogonal_part({1.0, 0.0, 0.0}, mesh.normals[v])),
+                          mesh.tangents[v].w};
+  }
   return report;
 }
 

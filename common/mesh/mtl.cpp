@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <array>
+#include <fmt/format.h>
 
-#include "core/error.hpp"
+#include <algorithm>
+
 #include "mesh/obj.hpp"
 #include "text.hpp"
 
 namespace texel::mesh {
 namespace {
-
-std::string lower(std::string_view word) {
-  std::string text(word);
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
 
 /// How many words may follow a texture option. Those with fewer than this are numbers, so the first word that
 /// is none ends them.
@@ -23,18 +16,30 @@ std::size_t option_arguments(std::string_view option) {
   return option == "-mm" ? 2 : 1;
 }
 
-/// The file's name after the options of a map_ line; it may hold blanks.
-std::string map_file(std::string_view line) {
+/// Whether a texture option's argument number `i` asks for a picture other than as without the option, which
+/// is how pictures are drawn.
+bool changes_picture(std::string_view option, std::size_t i, std::string_view word, float number) {
+  if (option == "-clamp") return lower(word) != "off";
+  if (option == "-s") return number != 1.0f;
+  if (option == "-o" || option == "-t") return number != 0.0f;
+  return option == "-mm" && number != static_cast<float>(i);
+}
+
+/// The file's name after the options of a map_ line, to the line's end. `unfollowed` gets an option that asks
+/// for something that is not done.
+std::string map_file(std::string_view line, std::string& unfollowed) {
   std::string_view rest = rest_of_line(line);
   while (rest.size() > 1 && rest[0] == '-') {
     std::string_view after = rest;
-    const std::size_t arguments = option_arguments(take_word(after));
+    const std::string_view option = take_word(after);
+    const std::size_t arguments = option_arguments(option);
     for (std::size_t i = 0; i < arguments; ++i) {
       std::string_view peek = after;
-      float ignored = 0.0f;
+      float number = 0.0f;
       const std::string_view word = take_word(peek);
       // -clamp on and the like have one word of any kind; numbers may be fewer than the most.
-      if (i > 0 && parse_float(word, ignored) != NumberStatus::ok) break;
+      if (parse_float(word, number) != NumberStatus::ok && i > 0) break;
+      if (changes_picture(option, i, word, number)) unfollowed = option;
       after = peek;
     }
     rest = rest_of_line(after);
@@ -44,29 +49,35 @@ std::string map_file(std::string_view line) {
   return file;
 }
 
+bool is_number(std::string_view word, float& value) {
+  const NumberStatus status = parse_float(word, value);
+  return status == NumberStatus::ok || status == NumberStatus::repaired;
+}
+
 /// `r g b`, or one number for all three. A colour as a spectral curve or in CIE XYZ is left as it is.
 bool parse_color(std::string_view line, glm::vec3& color) {
   std::string_view word = take_word(line);
   if (word == "spectral" || word == "xyz") return true;
   glm::vec3 rgb(0.0f);
-  if (parse_float(word, rgb.r) != NumberStatus::ok) return false;
+  if (!is_number(word, rgb.r)) return false;
   rgb = glm::vec3(rgb.r);
   if (word = take_word(line); !word.empty())
-    if (parse_float(word, rgb.g) != NumberStatus::ok ||
-        parse_float(take_word(line), rgb.b) != NumberStatus::ok)
-      return false;
+    if (!is_number(word, rgb.g) || !is_number(take_word(line), rgb.b)) return false;
   color = rgb;
   return true;
 }
 
 }  // namespace
 
-std::vector<Material> parse_mtl(std::string_view text, const std::string& name) {
+std::vector<Material> parse_mtl(std::string_view text, const std::string& name,
+                                std::vector<std::string>& warnings) {
   std::vector<Material> materials;
   bool has_norm = false;  // `norm` is a normal map for certain, `bump` may be a height map: it yields
   LineReader lines(text);
-  const auto fail = [&](const std::string& what, const std::string& remedy) {
-    return Error::failed(what, {name, static_cast<int>(lines.line_number())}, remedy);
+  std::size_t lost = 0, changed = 0;
+  std::string first_lost, first_changed;
+  const auto lose_line = [&](const std::string& why) {
+    if (lost++ == 0) first_lost = fmt::format("line {}: {}", lines.line_number(), why);
   };
   std::string_view line;
   while (lines.next(line)) {
@@ -78,19 +89,30 @@ std::vector<Material> parse_mtl(std::string_view text, const std::string& name) 
     }
     const bool bump = keyword == "map_bump" || keyword == "bump", norm = keyword == "norm";
     if (keyword != "kd" && keyword != "map_kd" && !bump && !norm) continue;
-    if (materials.empty())
-      throw fail(for_message(keyword) + " before any newmtl", "start with a line newmtl NAME");
+    if (materials.empty()) {
+      lose_line(for_message(keyword) + " before any newmtl");
+      continue;
+    }
     Material& material = materials.back();
     if (keyword == "kd") {
-      if (!parse_color(line, material.diffuse))
-        throw fail("Kd needs one or three finite numbers", "write Kd r g b, each 0 to 1");
+      if (!parse_color(line, material.diffuse)) lose_line("Kd needs one or three finite numbers");
     } else if (keyword == "map_kd") {
-      material.color_map = map_file(line);
+      std::string option;
+      material.color_map = map_file(line, option);
+      if (!option.empty() && changed++ == 0)
+        first_changed = fmt::format("{} of material {}", option, for_message(material.name));
     } else if (norm || !has_norm) {
-      material.normal_map = map_file(line);
+      std::string ignored;
+      material.normal_map = map_file(line, ignored);
       has_norm = has_norm || norm;
     }
   }
+  if (lost > 0)
+    warnings.push_back(fmt::format("{}: {} lines ignored; the first is {}", name, lost, first_lost));
+  if (changed > 0)
+    warnings.push_back(fmt::format(
+        "{}: options of {} pictures not followed, these are drawn as without them; the first is {}", name,
+        changed, first_changed));
   return materials;
 }
 

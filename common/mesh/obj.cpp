@@ -113,13 +113,17 @@ class Parser {
     if (data_.report.unknown_lines++ == 0) first_unknown_ = for_message(keyword);
   }
 
+  [[noreturn]] void fail_no_number(std::string_view word) const {
+    fail(for_message(word) + " is not a number", "write numbers as 1.5 or -2e-3");
+  }
+
   /// The numbers on the rest of a line, of which there must be `least` to `most`.
   std::span<const float> numbers(std::string_view line, const char* keyword, std::size_t least,
                                  std::size_t most) {
     std::size_t count = 0;
     const char* at = line.data();
     const char* const end = at + line.size();
-    not_finite_ = false;
+    finite_ = most;
     for (; skip_blanks(at, end); ++count) {
       if (count == most) fail(fmt::format("{} has more than {} numbers", keyword, most), "remove the rest");
       if (take_plain_number(at, end, numbers_[count])) continue;
@@ -129,20 +133,22 @@ class Parser {
         case NumberStatus::ok:
           break;
         case NumberStatus::malformed:
-          fail(for_message(word) + " is not a number", "write numbers as 1.5 or -2e-3");
-        case NumberStatus::with_rest:
-          if (data_.report.numbers_with_rest++ == 0) first_rest_ = for_message(word);
+          fail_no_number(word);
+        case NumberStatus::repaired:
+          // A comma alone on its line may part two numbers.
+          if (count == 0 && word.find(',') != std::string_view::npos && !skip_blanks(at, end))
+            fail_no_number(word);
+          if (data_.report.repaired_numbers++ == 0)
+            first_repaired_ = fmt::format("{}, read as {}", for_message(word), numbers_[count]);
           break;
-        case NumberStatus::not_finite:  // an error only where a face uses it
+        case NumberStatus::not_finite:
           numbers_[count] = 0.0f;
-          not_finite_ = true;
-          break;
-        case NumberStatus::too_large:
-          fail(for_message(word) + " is too large for a 32-bit float", "make the model smaller than 1e38");
+          finite_ = std::min(finite_, count);
       }
     }
     if (count < least)
       fail(fmt::format("{} has {} numbers and needs {}", keyword, count, least), "is the file cut off here?");
+    if (finite_ < most && data_.report.not_finite_lines++ == 0) first_not_finite_ = lines_.line_number();
     return {numbers_.data(), count};
   }
 
@@ -159,11 +165,12 @@ class Parser {
     if (n.size() == 5) fail("v has 5 numbers", "write x y z, x y z w or x y z r g b");
     if (data_.positions.size() >= no_index - 1) fail("more than 4294967294 positions", "split the model");
     data_.positions.push_back(position_from(n));
-    if (not_finite_) note_not_finite(not_finite_positions_, data_.positions.size() - 1);
+    if (finite_ < 3) not_finite_positions_.push_back(static_cast<std::uint32_t>(data_.positions.size() - 1));
     if ((n.size() == 4 || n.size() == 7) && n[3] != 1.0f) ++data_.report.ignored_weights;
     if (n.size() >= 6) {
       data_.colors.resize(data_.positions.size() - 1, glm::vec3(1.0f));
       data_.colors.emplace_back(n[n.size() - 3], n[n.size() - 2], n[n.size() - 1]);
+      if (finite_ < n.size()) data_.colors.back() = glm::vec3(1.0f);
     }
   }
 
@@ -173,38 +180,18 @@ class Parser {
     const glm::vec2 kept = glm::clamp(texcoord, -greatest_texcoord, greatest_texcoord);
     if (kept != texcoord) ++data_.report.great_texcoords;
     data_.texcoords.push_back(kept);
-    if (not_finite_) note_not_finite(not_finite_texcoords_, data_.texcoords.size() - 1);
+    if (finite_ < 2) not_finite_texcoords_.push_back(static_cast<std::uint32_t>(data_.texcoords.size() - 1));
   }
 
   void normal_line(std::string_view line) {
     reserve_by(data_.normals, line.size(), 1);
     const std::span<const float> n = numbers(line, "vn", 3, 3);
-    data_.normals.emplace_back(n[0], n[1], n[2]);
-    if (!not_finite_) return;
-    data_.normals.back() = glm::vec3(0.0f);  // as one without a direction: a generated one takes its place
-    ++data_.report.not_finite_normals;
+    // Without a direction: a generated one takes its place.
+    data_.normals.push_back(finite_ < 3 ? glm::vec3(0.0f) : glm::vec3(n[0], n[1], n[2]));
   }
 
-  /// A line with NaN or infinity, which counts as 0.
-  struct NotFinite {
-    std::size_t index;  // in its list
-    std::uint64_t line;
-  };
-
-  void note_not_finite(std::vector<NotFinite>& list, std::size_t index) const {
-    list.push_back({index, lines_.line_number()});
-  }
-
-  /// Refuses a file of which a face uses such a line.
-  void check_unused(const std::vector<NotFinite>& list, std::uint32_t Corner::*index_of) const {
-    if (list.empty()) return;
-    for (const Corner& corner : data_.corners) {
-      const auto found = std::partition_point(
-          list.begin(), list.end(), [&](const NotFinite& one) { return one.index < corner.*index_of; });
-      if (found != list.end() && found->index == corner.*index_of)
-        throw Error::failed("a face uses a number that is not finite", place(found->line),
-                            "export the model again without NaN and infinity");
-    }
+  static bool is_in(const std::vector<std::uint32_t>& list, std::uint32_t index) {
+    return !list.empty() && std::binary_search(list.begin(), list.end(), index);
   }
 
   [[noreturn]] void fail_no_index(const char* at, const char* end, const char* list) const {
@@ -220,26 +207,27 @@ class Parser {
          "a face can use only lines above it");
   }
 
-  /// One index of a corner as it is meant in a list of `count` entries, inside of it or not; `at` stands on
-  /// its first character.
+  /// One index of a corner as it is meant in a list of `count` entries, inside of it or not (as 0 never is);
+  /// `at` stands on its first character.
   std::int64_t take_index(const char*& at, const char* end, std::size_t count, const char* list,
                           std::int64_t& written) const {
     const char* const begin = at;
     if (!take_integer(at, end, written)) fail_no_index(begin, end, list);
-    if (written == 0) fail_index(written, count, list);
-    return resolve_index(written, static_cast<std::int64_t>(count));
+    return written == 0 ? -1 : resolve_index(written, static_cast<std::int64_t>(count));
   }
 
-  /// An index of v or vt, which must be there.
-  std::uint32_t take_entry(const char*& at, const char* end, std::size_t count, const char* list) const {
+  /// An index of v or vt, which must be there. As index of vt some programs write 0 for none.
+  std::uint32_t take_entry(const char*& at, const char* end, std::size_t count, const char* list,
+                           bool may_be_none) const {
     std::int64_t written = 0;
     const std::int64_t index = take_index(at, end, count, list, written);
+    if (may_be_none && written == 0) return no_index;
     if (index < 0 || index >= static_cast<std::int64_t>(count)) fail_index(written, count, list);
     return static_cast<std::uint32_t>(index);
   }
 
-  /// An index of vn. Some programs write it without the list, or with one that is too short, since a normal
-  /// can be made: no_index then.
+  /// An index of vn. Some programs write it without the list, or with one that is too short, or as 0, since a
+  /// normal can be made: no_index then.
   std::uint32_t take_normal(const char*& at, const char* end) {
     std::int64_t written = 0;
     const auto count = static_cast<std::int64_t>(data_.normals.size());
@@ -253,9 +241,10 @@ class Parser {
   Corner take_corner(const char*& at, const char* end) {
     Corner corner;
     const auto at_index = [&] { return at != end && *at != '/' && !is_blank(*at); };
-    corner.position = take_entry(at, end, data_.positions.size(), "v");
+    corner.position = take_entry(at, end, data_.positions.size(), "v", false);
     if (at != end && *at == '/') {
-      if (++at; at_index()) corner.texcoord = take_entry(at, end, data_.texcoords.size(), "vt");
+      if (++at; at_index()) corner.texcoord = take_entry(at, end, data_.texcoords.size(), "vt", true);
+      if (is_in(not_finite_texcoords_, corner.texcoord)) corner.texcoord = no_index;
       if (at != end && *at == '/')
         if (++at; at_index()) corner.normal = take_normal(at, end);
     }
@@ -284,6 +273,9 @@ class Parser {
       ++data_.report.dropped_corners;
     }
     if (face_.size() < 3) return static_cast<void>(++data_.report.dropped_faces);
+    for (const Corner& corner : face_)
+      if (is_in(not_finite_positions_, corner.position))
+        return static_cast<void>(++data_.report.not_finite_faces);
     reserve_by(data_.corners, line.size(), 3 * (face_.size() - 2));
     if (data_.corners.size() + 3 * face_.size() >= no_index)
       fail("more than 4294967294 corners", "split the model");
@@ -323,17 +315,18 @@ class Parser {
       runs.push_back({std::string(name), triangles_so_far()});
   }
 
+  /// Any number is a group; also -1 and what is too large, of which some digits are enough to tell it from
+  /// others.
   void smoothing_line(std::string_view line) {
-    const std::string_view word = take_word(line);
+    const std::string word = lower(take_word(line));
     std::int64_t group = 0;
     const char* at = word.data();
-    if (word == "on") {
+    take_integer(at, at + word.size(), group);
+    if (word == "on")
       group = 1;
-    } else if (word != "off") {
-      const bool whole = take_integer(at, at + word.size(), group) && at == word.data() + word.size();
-      if (!whole || group < 0 || group > INT32_MAX)
-        fail(for_message(word) + " is not a smoothing group", "write s 1, s 2 … or s off");
-    }
+    else if (word != "off" && at == word.data() && data_.report.unknown_smoothing++ == 0)
+      first_smoothing_ = for_message(word);
+    if (group < 0 || group > UINT32_MAX) group = 0x80000000u | static_cast<std::uint32_t>(group);
     if (data_.smoothing.empty() && group == 0) return;  // off is how it begins
     if (data_.smoothing.empty() && triangles_so_far() > 0) data_.smoothing.push_back({0, 0});
     data_.smoothing.push_back({static_cast<std::uint32_t>(group), triangles_so_far()});
@@ -342,15 +335,16 @@ class Parser {
   void finish() {
     ObjReport& report = data_.report;
     report.lines = lines_.lines_read();
+    if (data_.corners.empty() && report.not_finite_faces > 0)
+      throw Error::failed("all faces use a v that is not finite or too large for a 32-bit float",
+                          place(first_not_finite_),
+                          "export the model again without NaN and infinity, and smaller than 1e38");
     if (data_.corners.empty())
       throw Error::failed(
           fmt::format("no face with three corners in {} lines ({} positions, {} faces, {} lines "
                       "not understood)",
                       report.lines, data_.positions.size(), report.faces, report.unknown_lines),
           {data_.name}, "is this an OBJ file, and was it exported with its faces?");
-    check_unused(not_finite_positions_, &Corner::position);
-    check_unused(not_finite_texcoords_, &Corner::texcoord);
-    report.not_finite_unused = not_finite_positions_.size() + not_finite_texcoords_.size();
     if (!data_.colors.empty()) data_.colors.resize(data_.positions.size(), glm::vec3(1.0f));
     for (const Corner& corner : data_.corners) {
       if (corner.texcoord == no_index) ++report.missing_texcoords;
@@ -371,13 +365,18 @@ class Parser {
     warn(report.ignored_weights, "weights (the fourth number of v) ignored");
     warn(report.missing_texcoords, "corners without vt, drawn with texture coordinate 0 0");
     warn(report.lost_normals, "corners whose vn is not above them in the file, with generated normals");
-    warn(report.not_finite_normals, "vn with NaN or infinity, replaced by generated normals");
-    warn(report.not_finite_unused, "lines of v and vt with NaN or infinity that no face uses");
+    warn(
+        report.not_finite_lines,
+        fmt::format("lines of v, vt and vn with NaN, infinity or more than a 32-bit float can hold, taken as "
+                    "missing; the first is line {}",
+                    first_not_finite_));
+    warn(report.not_finite_faces, "faces that use such a v, ignored");
     warn(report.great_texcoords,
          fmt::format("vt beyond {}, where a 32-bit float has no fraction, clamped", greatest_texcoord));
-    warn(report.numbers_with_rest,
-         "numbers with other characters after them, which are ignored; the first is " + first_rest_);
+    warn(report.repaired_numbers, "numbers in an unusual spelling; the first is " + first_repaired_);
     warn(report.missing_normals, "corners without vn, with generated normals");
+    warn(report.unknown_smoothing,
+         "smoothing groups (s) that are no number, taken as off; the first is " + first_smoothing_);
     warn(report.unknown_lines, "lines with an unknown keyword, ignored; the first is " + first_unknown_);
   }
 
@@ -385,47 +384,103 @@ class Parser {
   const ObjOptions& options_;
   LineReader lines_;
   ObjData data_;
-  std::string first_unknown_, first_rest_;
-  bool not_finite_ = false;  // of the last line's numbers, some
-  std::vector<NotFinite> not_finite_positions_, not_finite_texcoords_;
+  std::string first_unknown_, first_repaired_, first_smoothing_;
+  std::size_t finite_ = 0;  // how many of the last line's numbers are finite before the first that is not
+  std::uint64_t first_not_finite_ = 0;                                      // its line
+  std::vector<std::uint32_t> not_finite_positions_, not_finite_texcoords_;  // indices, in ascending order
   std::array<float, 7> numbers_{};
   std::vector<Corner> face_;  // this and the next two are here to be allocated once
   std::vector<glm::vec3> outline_;
   std::vector<Triangle> triangles_;
 };
 
-/// Reads one library, warns when it cannot.
-bool read_library(const std::filesystem::path& path, ObjData& data, bool must_exist) {
-  std::error_code ignored;
-  if (!must_exist && !std::filesystem::is_regular_file(path, ignored)) return false;
-  try {
-    std::vector<Material> materials = parse_mtl(MappedFile(path).bytes(), path.string());
-    std::move(materials.begin(), materials.end(), std::back_inserter(data.materials));
-  } catch (const Error& error) {
-    data.report.warnings.push_back(fmt::format("material library not used: {}", error.what()));
-  }
-  return true;
+using Path = std::filesystem::path;
+
+/// The file that the rest of a line names, in the first of the folders that has it; "" if none does. The
+/// folders in the name may be those of the machine that wrote it: then the file itself lies in one of ours.
+Path find_file(std::string_view written, std::initializer_list<Path> folders) {
+  std::string name(written);
+  std::replace(name.begin(), name.end(), '\\', '/');
+  Path found;
+  longest_known(name, [&](std::string_view cut) {
+    for (const Path& file : {Path(cut), Path(cut).filename()})
+      for (const Path& folder : folders) {
+        std::error_code ignored;
+        found = folder / file;
+        if (std::filesystem::is_regular_file(found, ignored)) return true;
+      }
+    found.clear();
+    return false;
+  });
+  return found;
 }
 
-void read_libraries(const std::filesystem::path& folder, ObjData& data) {
-  for (const std::string& names : data.libraries) {
-    // A line may hold several names, or one name with blanks in it.
-    std::string slashed = names;
-    std::replace(slashed.begin(), slashed.end(), '\\', '/');
-    if (read_library(folder / slashed, data, false)) continue;
-    std::string_view rest = slashed;
-    for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest))
-      read_library(folder / word, data, true);
+/// Reads one library and finds its pictures, beside it or beside the model; warns when it cannot.
+void read_library(const Path& path, const Path& folder, ObjData& data) {
+  std::vector<std::string>& warnings = data.report.warnings;
+  try {
+    for (Material& material : parse_mtl(MappedFile(path).bytes(), path.string(), warnings)) {
+      if (!material.color_map.empty()) {
+        const Path beside = path.parent_path(), picture = find_file(material.color_map, {beside, folder});
+        if (picture.empty())
+          warnings.push_back(fmt::format("material '{}' names a picture that does not exist: {}",
+                                         material.name,
+                                         std::filesystem::absolute(beside / material.color_map).string()));
+        material.color_map = picture.empty() ? "" : std::filesystem::absolute(picture).string();
+      }
+      data.materials.push_back(std::move(material));
+    }
+  } catch (const Error& error) {
+    warnings.push_back(fmt::format("material library not used: {}", error.what()));
   }
-  if (data.materials.empty()) return;
-  std::unordered_set<std::string_view> known;
-  for (const Material& material : data.materials) known.insert(material.name);
-  std::set<std::string_view> unknown;
+}
+
+/// Cuts comments off the names of materials: where `usemtl` and `newmtl` agree without them only.
+void match_names(ObjData& data) {
+  std::unordered_set<std::string> used, defined;
   for (const NamedRun& run : data.material_runs)
-    if (!known.contains(run.name)) unknown.insert(run.name);
+    longest_known(run.name, [&](std::string_view cut) { return used.emplace(cut), false; });
+  for (const Material& material : data.materials) defined.insert(material.name);
+  for (Material& material : data.materials)
+    material.name = std::string(longest_known(material.name, [&](std::string_view cut) {
+      const std::string name(cut);
+      return used.contains(name) && (name == material.name || !defined.contains(name));
+    }));
+  defined.clear();
+  for (const Material& material : data.materials) defined.insert(material.name);
+  std::set<std::string_view> unknown;
+  for (NamedRun& run : data.material_runs) {
+    run.name = std::string(
+        longest_known(run.name, [&](std::string_view cut) { return defined.contains(std::string(cut)); }));
+    if (!defined.contains(run.name)) unknown.insert(run.name);
+  }
   if (!unknown.empty())
     data.report.warnings.push_back(fmt::format("{} materials are in no library; the first by name is {}",
                                                unknown.size(), for_message(*unknown.begin())));
+}
+
+void read_libraries(const Path& folder, ObjData& data) {
+  std::set<Path> read;
+  for (const std::string& names : data.libraries) {
+    // A line may hold several names, or one with blanks in it.
+    std::vector<Path> files;
+    std::size_t missing = 0;
+    std::string_view rest = names;
+    for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
+      files.push_back(find_file(word, {folder}));
+      if (!files.back().empty()) continue;
+      files.back() = folder / word;
+      ++missing;
+    }
+    const Path whole = missing > 0 ? find_file(names, {folder}) : Path();
+    if (!whole.empty())
+      files = {whole};
+    else if (missing == files.size())
+      files = {folder / names};
+    for (const Path& file : files)
+      if (read.insert(file).second) read_library(file, folder, data);
+  }
+  if (!data.materials.empty()) match_names(data);
 }
 
 }  // namespace

@@ -167,8 +167,9 @@ void store_averages(Mesh& mesh, const std::vector<TriangleFrame>& sums, TangentR
 void store_orthonormal(Mesh& mesh, const std::vector<TriangleFrame>& sums, TangentReport& report) {
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     const glm::vec3& normal = mesh.normals[v];
-    glm::vec4 tangent = orthonormalize(normal, unit_or_zero(sums[v].tangent), sums[v].bitangent);
-    if (is_zero(glm::vec3(tangent))) {
+    const glm::vec3 sum = unit_or_zero(sums[v].tangent);
+    glm::vec4 tangent = orthonormalize(normal, sum, sums[v].bitangent);
+    if (is_zero(glm::vec3(tangent)) || is_along(sum, normal)) {
       ++report.fallback_vertices;
       tangent = {any_orthogonal(normal), tangent.w};
     }
@@ -177,6 +178,13 @@ void store_orthonormal(Mesh& mesh, const std::vector<TriangleFrame>& sums, Tange
 }
 
 }  // namespace
+
+std::size_t without_texture_area(const Mesh& mesh) {
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
+    if (texture_area(gather(mesh.texcoords, corners_of(mesh, t))) == 0.0) ++count;
+  return count;
+}
 
 TangentReport compute_tangents(Mesh& mesh, TangentMethod method, unsigned threads) {
   if (mesh.texcoords.size() != mesh.vertex_count())

@@ -42,10 +42,10 @@ class CornerNumbers {
   std::vector<Corner> distinct_;
 };
 
-/// The part of a linear colour that the sRGB-encoded value means (IEC 61966-2-1).
+/// The part of a linear colour that the sRGB-encoded value means (IEC 61966-2-1). Finite for 1e30 too.
 float linear_from_srgb(float encoded) {
-  const double c = encoded;
-  return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+  const double c = encoded, linear = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  return static_cast<float>(std::min<double>(linear, std::numeric_limits<float>::max()));
 }
 
 struct Run {

@@ -24,25 +24,11 @@ namespace texel {
 struct Imported {
   std::shared_ptr<const mesh::Mesh> mesh;     ///< centred, its farthest vertex at distance 1
   std::vector<mesh::Group> parts;             ///< at least one
-  std::vector<mesh::Material> materials;      ///< color_map: a path, or "" where there is no such file
+  std::vector<mesh::Material> materials;
   std::vector<std::size_t> material_of_part;  ///< the first of that name; beyond the list: none
   bool names_pictures = false;                ///< whether some material has a color_map
   app::Notes notes;
 };
-
-/// The file's materials with their pictures' paths, relative to the file. A picture that is
-/// missing is a note, not an error.
-inline void resolve_pictures(Imported& imported, const std::filesystem::path& file) {
-  for (mesh::Material& material : imported.materials) {
-    if (material.color_map.empty()) continue;
-    const std::filesystem::path picture = std::filesystem::absolute(file.parent_path() / material.color_map);
-    const bool exists = std::filesystem::exists(picture);
-    if (!exists)
-      imported.notes.warnings.push_back(fmt::format("material '{}' names a picture that does not exist: {}",
-                                                    material.name, picture.string()));
-    material.color_map = exists ? picture.string() : "";
-  }
-}
 
 /// Finds each part's material by its name. A file may have as many of both as it has triangles.
 inline void find_materials(Imported& imported) {
@@ -79,7 +65,6 @@ inline Imported import_obj(const std::filesystem::path& file, Projection project
   Imported imported;
   imported.notes.warnings = data.report.warnings;
   imported.materials = data.materials;
-  resolve_pictures(imported, file);
   if (tint == Tint::groups) data.material_runs = data.group_runs;  // parts by g and o
 
   if (normals != Normals::from_file) mesh::remove_normals(data);

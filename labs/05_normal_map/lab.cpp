@@ -2,6 +2,8 @@
 // Lab 5: a normal map. Each texel holds a normal in the frame of the surface: tangent T where s grows,
 // bitangent B where t grows, normal N. Lighting happens in world space, so each pixel needs that frame. The
 // methods differ in how they make it.
+#include <fmt/format.h>
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
@@ -54,6 +56,12 @@ struct NormalMap : app::Lab<NormalMapParameters> {
         return gl::make_texture_2d(assets_.normal_map(normal_map_name(p)), image::Encoding::linear, sampling);
       }));
       program.set("normal_map", 1);
+      if (const std::size_t grey = grey_texels(normal_map_name(p));
+          p.decode == Decode::exact_flat && grey > 0)
+        frame.warn(fmt::format(
+            "{} texels of the normal map, 128 128 128, have no direction: the surface's own normal "
+            "is taken",
+            grey));
     }
     buffers.draw(program);
   }
@@ -113,6 +121,18 @@ struct NormalMap : app::Lab<NormalMapParameters> {
     return normals;
   }
 
+  /// How many texels of a normal map are the null vector in `exact-flat`.
+  std::size_t grey_texels(const std::string& normal_map) {
+    return grey_texels_.get(normal_map, [&] {
+      const image::Image8 map = assets_.normal_map(normal_map);
+      std::size_t count = 0;
+      for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x)
+          if (map.at(x, y, 0) == 128 && map.at(x, y, 1) == 128 && map.at(x, y, 2) == 128) ++count;
+      return count;
+    });
+  }
+
   /// "matching" is the map that was made with the texture.
   static std::string normal_map_name(const Parameters& p) {
     if (p.normal_map != "matching") return p.normal_map;
@@ -132,6 +152,7 @@ struct NormalMap : app::Lab<NormalMapParameters> {
   const app::Assets& assets_;
   app::Cache<MeshKey, Drawn> meshes_;
   app::Cache<std::pair<std::string, Filter>, gl::Texture> textures_;
+  app::Cache<std::string, std::size_t> grey_texels_;
 };
 
 int main(int argc, char** argv) {

@@ -2,6 +2,8 @@
 // The model of lab 5 before its tangents are made. Nothing to do for you here: the tangents' steps are in
 // common/mesh/tangents.cpp.
 #pragma once
+#include <fmt/format.h>
+
 #include <optional>
 
 #include "app/models.hpp"
@@ -21,6 +23,12 @@ inline app::Model textured_model(const app::Assets& assets, const NormalMapParam
       model.notes.facts.emplace_back("this model has no formula for its tangents: mikktspace instead");
   }
   mesh::lay_texture(model.mesh, p.layout);
+  const std::size_t flat = mesh::without_texture_area(model.mesh);
+  if (flat > 0)
+    model.notes.facts.push_back(
+        fmt::format("{} of {} triangles have no area in the texture, and so no tangent: "
+                    "any direction in the surface is taken",
+                    flat, model.mesh.triangle_count()));
   return model;
 }
 

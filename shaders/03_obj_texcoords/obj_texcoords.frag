@@ -17,10 +17,12 @@ uniform float specular;
 #include "lib/level_of_detail.glsl"
 #include "lib/light.glsl"
 #include "lib/picture.glsl"
+#include "lib/with_length.glsl"
 
 void main() {
+  vec3 normal = normalize(with_length(world_normal, vec3(0.0, 0.0, 1.0)));
 #if VIEW == VIEW_NORMAL
-  picture = vec4(normalize(world_normal), 1.0);
+  picture = vec4(normal, 1.0);
 #elif VIEW == VIEW_TEXCOORD
   picture = vec4(surface_texcoord(), 0.0, 1.0);
 #elif VIEW == VIEW_LOD
@@ -34,6 +36,6 @@ void main() {
 #if TINT == TINT_VERTICES
   color = mix(color, vertex_tint, 0.8);
 #endif
-  show(vec4(lit(color, normalize(world_normal), normalize(eye - world_position)), 1.0));
+  show(vec4(lit(color, normal, normalize(eye - world_position)), 1.0));
 #endif
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The picture's colour at this pixel, and the coordinate at which it is read.
 #include "lib/bounded_texcoord.glsl"
+#include "lib/with_length.glsl"
 
 #if METHOD == METHOD_PER_VERTEX
 in vec3 vertex_color;
@@ -31,7 +32,7 @@ vec2 along_z() {
 
 // The weight of each axis: large if the surface faces it. The power limits the blend to nearly equal weights.
 vec3 axis_weights() {
-  vec3 weights = pow(abs(normalize(object_normal)), vec3(6.0));
+  vec3 weights = pow(abs(normalize(with_length(object_normal, vec3(0.0, 0.0, 1.0)))), vec3(6.0));
   return weights / (weights.x + weights.y + weights.z);
 }
 

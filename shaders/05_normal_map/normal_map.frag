@@ -19,18 +19,43 @@ uniform float specular;
 #include "lib/bounded_texcoord.glsl"
 #include "lib/light.glsl"
 #include "lib/picture.glsl"
+#include "lib/with_length.glsl"
+
+// The surface's own unit normal at this pixel; +z where the interpolated one has no length.
+vec3 own_normal() { return normalize(with_length(world_normal, vec3(0.0, 0.0, 1.0))); }
+
+// Any right-handed frame around the unit vector n.
+mat3 any_frame(vec3 n) {
+  vec3 T = normalize(cross(abs(n.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0), n));
+  return mat3(T, cross(n, T), n);
+}
+
+// The frame at this pixel; any one where the model's normal and tangent there make none.
+mat3 frame_at_pixel() {
+  mat3 frame = tangent_frame();
+  vec3 across = world_normal;
+#if STORED_TANGENT
+  across = cross(world_normal, world_tangent.xyz);
+#elif STORED_BITANGENT
+  across *= length(world_tangent.xyz) * length(world_bitangent);
+#elif NORMAL_MAPPING && METHOD == METHOD_SCREEN_AXES
+  if (cross(dFdx(world_position), dFdy(world_position)) == vec3(0.0)) across = vec3(0.0);
+#endif
+  return with_length(across, vec3(0.0)) == vec3(0.0) ? any_frame(own_normal()) : frame;
+}
 
 // The unit normal of this pixel in world space.
 vec3 shading_normal() {
 #if !NORMAL_MAPPING || METHOD == METHOD_PER_VERTEX
-  return normalize(world_normal);  // per vertex: the map's normals are already in the buffer
+  return own_normal();  // per vertex: the map's normals are already in the buffer
 #else
   vec3 n = decode_normal(texture(normal_map, bounded_texcoord(fragment_texcoord)).rgb);
   n.xy *= bump_strength;
+  n = with_length(n, vec3(0.0, 0.0, 1.0));  // grey is no direction
 #if METHOD == METHOD_RAW
   return normalize(n);
 #else
-  return normalize(tangent_frame() * n);
+  return normalize(with_length(frame_at_pixel() * n, own_normal()));
 #endif
 #endif
 }
@@ -39,7 +64,8 @@ void main() {
 #if VIEW == VIEW_NORMAL
   picture = vec4(shading_normal(), 1.0);
 #elif VIEW == VIEW_TANGENT
-  picture = vec4(normalize(tangent_frame()[0]), 1.0);
+  mat3 frame = frame_at_pixel();
+  picture = vec4(normalize(with_length(frame[0], any_frame(own_normal())[0])), 1.0);
 #elif VIEW == VIEW_TEXCOORD
   picture = vec4(fragment_texcoord, 0.0, 1.0);
 #else

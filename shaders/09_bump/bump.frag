@@ -7,6 +7,7 @@
 #include "reflect_ray.glsl"
 #include "roughness.glsl"
 #include "lib/picture.glsl"
+#include "lib/with_length.glsl"
 
 in vec3 object_normal;
 in vec3 world_position;
@@ -19,7 +20,7 @@ void main() {
   vec3 bent = n;
 #if NORMAL_MAPPING
   vec3 color = read_map(n);
-  bent = bent_normal(n, map_normal(color));
+  bent = bent_normal(n, with_length(map_normal(color), vec3(0.0, 0.0, 1.0)));
 #endif
   vec3 normal = mat3(world_from_object) * bent;  // a rotation
   vec3 direction = reflected_ray(world_position, normal);

@@ -61,6 +61,10 @@ class Mutator {
                                          "1e-400",
                                          "f 1 2\\\n",
                                          "3.1+e2",
+                                         "1,5",
+                                         "1.#QNAN",
+                                         "s null\n",
+                                         "\\ \n",
                                          "1e30",
                                          "v inf 0 0\n",
                                          "vn nan 0 0\n",
@@ -139,15 +143,13 @@ TEST(Fuzz, obj_gives_a_usable_mesh_or_one_error) {
   EXPECT_GT(refused, 1000);
 }
 
-TEST(Fuzz, mtl_gives_materials_or_one_error) {
+TEST(Fuzz, mtl_gives_materials_whatever_its_lines_are) {
   for (std::uint64_t seed = 0; seed < 6000; ++seed) {
     Mutator mutator(seed);
-    try {
-      for (const Material& material : parse_mtl(mutator.mutate(mtl), "fuzz.mtl"))
-        for (int k = 0; k < 3; ++k) EXPECT_TRUE(std::isfinite(material.diffuse[k]));
-    } catch (const Error& error) {
-      EXPECT_EQ(error.exit_code(), Exit::failed);
-    }
+    std::vector<std::string> warnings;
+    for (const Material& material : parse_mtl(mutator.mutate(mtl), "fuzz.mtl", warnings))
+      for (int k = 0; k < 3; ++k) EXPECT_TRUE(std::isfinite(material.diffuse[k]));
+    EXPECT_LE(warnings.size(), 2U);
   }
 }
 

@@ -235,13 +235,24 @@ class Plain {
       }
       vertex = copy->second;
     }
+    // Without an area in the texture, (1, 0, 0) is turned into the plane of the normal.
+    std::vector<bool> is_flat(mesh_.vertex_count());
+    for (CornerNumber corner = 0; corner < point_.size(); ++corner) {
+      const auto st = [&](std::size_t k) { return mesh_.texcoords[mesh_.indices[corner / 3 * 3 + k]]; };
+      const vec2 a = st(1) - st(0), b = st(2) - st(0);
+      if (triangles_[corner / 3].takes_part && !counts(a.x * b.y - a.y * b.x))
+        is_flat[mesh_.indices[corner]] = true;
+    }
     mesh_.bitangents.clear();
     mesh_.tangents.clear();
     for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
       const auto [group, x, y, z, w] = of_vertex[v].value_or(nothing);
-      const bool has_none = x == 0.0f && y == 0.0f && z == 0.0f;
+      const bool has_none = is_along(vec3(x, y, z), mesh_.normals[v]);
       if (has_none || group == group_turns_.size()) ++report_.fallback_vertices;
-      mesh_.tangents.emplace_back(has_none ? any_orthogonal(mesh_.normals[v]) : vec3(x, y, z), w);
+      vec3 tangent(x, y, z);
+      if (group == group_turns_.size() && is_flat[v])
+        tangent = unit_or_zero(orthogonal_part(tangent, mesh_.normals[v]));
+      mesh_.tangents.emplace_back(has_none ? any_orthogonal(mesh_.normals[v]) : tangent, w);
     }
   }
 

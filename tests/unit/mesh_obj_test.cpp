@@ -135,17 +135,18 @@ TEST(Obj, joins_lines_that_end_in_a_backslash) {
   EXPECT_EQ(data.corners.size(), 3u);
   EXPECT_EQ(data.report.lines, 8u);
   EXPECT_EQ(parse(obj_triangle + "f 1 2 3\\").corners.size(), 3u) << "a continuation at the end of the file";
+  EXPECT_EQ(parse(obj_triangle + "f 1 \\ \n2 \\\t\r\n3\\ ").corners.size(), 3u) << "blanks behind it";
 }
 
 TEST(Obj, keeps_runs_of_materials_groups_and_smoothing) {
   const ObjData data =
       parse(obj_triangle +
-            "mtllib a.mtl b.mtl\nmtllib c d.mtl\nusemtl unused\nusemtl red paint # note\ng body\n"
+            "mtllib a.mtl b.mtl\nmtllib c d.mtl\nusemtl unused\nusemtl red paint #1 \ng body\n"
             "f 1 2 3\nusemtl blue\no tail\ns 1\nf 1 2 3\nusemtl blue\nf 1 2 3\ns off\nf 1 2 3\n");
   ASSERT_EQ(data.libraries.size(), 2u);
   EXPECT_EQ(data.libraries[1], "c d.mtl");
   ASSERT_EQ(data.material_runs.size(), 2u);
-  EXPECT_EQ(data.material_runs[0].name, "red paint");
+  EXPECT_EQ(data.material_runs[0].name, "red paint #1");
   EXPECT_EQ(data.material_runs[1].first_triangle, 1u);
   ASSERT_EQ(data.group_runs.size(), 2u);
   EXPECT_EQ(data.group_runs[1].name, "tail");
@@ -184,7 +185,7 @@ TEST(Obj, takes_an_index_of_a_vn_that_is_not_there_as_none) {
   EXPECT_TRUE(without.normals.empty());
   ASSERT_EQ(without.report.warnings.size(), 1u);
   EXPECT_NE(without.report.warnings[0].find("3 corners whose vn is not"), std::string::npos);
-  const ObjData shorter = parse(obj_triangle + "vn 0 0 1\nf 1//1 2//2 3//-2\n");
+  const ObjData shorter = parse(obj_triangle + "vn 0 0 1\nf 1//1 2//0 3//-2\n");
   EXPECT_EQ(shorter.report.lost_normals, 2u);
   EXPECT_EQ(shorter.report.missing_normals, 2u);
   EXPECT_EQ(shorter.corners[0].normal, 0u);
@@ -192,26 +193,86 @@ TEST(Obj, takes_an_index_of_a_vn_that_is_not_there_as_none) {
   for (const glm::vec3& normal : mesh.normals) EXPECT_EQ(normal, glm::vec3(0.0f, 0.0f, 1.0f));
 }
 
-TEST(Obj, takes_nan_and_infinity_where_no_face_uses_them) {
-  const ObjData data = parse("v nan 9 9\n" + obj_triangle + "vt inf 0\nvt 0 0\nvn 0 0 -nan\nvn 0 1 0\n" +
-                             "f 2/2/1 3/2/2 4/2/2\n");
-  EXPECT_EQ(data.report.not_finite_unused, 2u);
-  EXPECT_EQ(data.report.not_finite_normals, 1u);
-  EXPECT_EQ(data.report.warnings.size(), 2u);
-  EXPECT_EQ(data.positions[0], glm::vec3(0.0f, 9.0f, 9.0f));
-  const Mesh mesh = weld(data);
-  EXPECT_EQ(mesh.normals[0], glm::vec3(0.0f, 0.0f, 1.0f)) << "generated";
-  EXPECT_EQ(mesh.normals[1], glm::vec3(0.0f, 1.0f, 0.0f));
-  EXPECT_EQ(parse(obj_triangle + "v 0 nan 0\nf 1 2 3\nf 1 4 4\n").report.not_finite_unused, 1u)
-      << "a face that is dropped uses nothing";
+TEST(Obj, takes_index_0_of_vt_as_none) {
+  EXPECT_TRUE(parse(obj_triangle + "vt 0 0\nf 1/0/0 2/0/0 3/0/0\n").texcoords.empty());
+  EXPECT_EQ(parse(obj_triangle + "vt 0 0\nf 1/0 2/1 3/1\n").report.missing_texcoords, 1u);
 }
 
-TEST(Obj, reads_a_number_whose_exponent_is_wrong_as_others_do) {
-  const ObjData data = parse("v 3.1+e2 -1.5-E3 +2+e\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  EXPECT_EQ(data.positions[0], glm::vec3(3.1f, -1.5f, 2.0f));
-  EXPECT_EQ(data.report.numbers_with_rest, 3u);
-  ASSERT_EQ(data.report.warnings.size(), 1u);
-  EXPECT_NE(data.report.warnings[0].find("'3.1+e2'"), std::string::npos);
+TEST(Obj, takes_any_smoothing_group) {
+  struct Row {
+    const char* line;
+    bool smooth, warned;
+  };
+  const Row rows[] = {{"s on", true, false},
+                      {"s ON", true, false},
+                      {"s 1 # a comment", true, false},
+                      {"s -1", true, false},
+                      {"s 2147483648", true, false},
+                      {"s 4294967296", true, false},
+                      {"s 18446744073709551615", true, false},
+                      {"s off", false, false},
+                      {"s Off", false, false},
+                      {"s OFF", false, false},
+                      {"s 0", false, false},
+                      {"s", false, true},
+                      {"s null", false, true},
+                      {"s # off", false, true}};
+  for (const Row& row : rows) {
+    // After a group, so that off is seen.
+    const ObjData data = parse(obj_triangle + "s 7\nf 1 2 3\n" + row.line + "\nf 1 2 3\n");
+    ASSERT_EQ(data.smoothing.size(), 2u) << row.line;
+    EXPECT_EQ(data.smoothing[1].group != 0, row.smooth) << row.line;
+    EXPECT_NE(data.smoothing[1].group, 7u) << row.line;
+    EXPECT_EQ(data.report.warnings.size(), row.warned ? 1u : 0u) << row.line;
+  }
+}
+
+TEST(Obj, takes_what_is_not_finite_as_missing_in_every_spelling) {
+  for (const char* text : {"nan",          "NaN",     "-nan",    "nan(ind)",      "-nan(ind)",  "nan(snan)",
+                           "NaNQ",         "1.#QNAN", "-1.#IND", "1.#QNAN0",      "1.#INF",     "-1.#INF00",
+                           "1.#J",         "inf",     "-inf",    "+Inf",          "Infinity",   "-Infinity",
+                           "\xE2\x88\x9E", "1e39",    "-1e308",  "1.797693e+308", "1e999999999"}) {
+    SCOPED_TRACE(text);
+    const std::string bad = text;
+    // A line each of v, vt and vn. First, no face uses them.
+    const std::string lines =
+        obj_triangle + "v 0 " + bad + " 0\nvt 0 0\nvt 1 " + bad + "\nvn 0 0 1\nvn " + bad + " 0 0\n";
+    const ObjData unused = parse(lines + "f 1/1/1 2/1/1 3/1/1\nf 1 4 4\n");
+    EXPECT_EQ(unused.report.not_finite_lines, 3u);
+    EXPECT_EQ(unused.report.not_finite_faces, 0u);
+    // Now one face uses the v, another the vt and the vn.
+    const ObjData used = parse(lines + "f 1/1/1 2/1/1 4/1/1\nf 1/1/1 2/1/1 3/2/2\n");
+    EXPECT_EQ(used.report.not_finite_lines, 3u);
+    EXPECT_EQ(used.report.not_finite_faces, 1u);
+    ASSERT_EQ(used.triangle_count(), 1u);
+    EXPECT_EQ(used.corners[2].texcoord, no_index);
+    EXPECT_NE(used.report.warnings.at(1).find("3 lines of v, vt and vn"), std::string::npos);
+    EXPECT_NE(used.report.warnings.at(1).find("line 4"), std::string::npos);
+    for (const glm::vec3& normal : weld(used).normals) EXPECT_EQ(normal, glm::vec3(0.0f, 0.0f, 1.0f));
+  }
+  // What is not used of a line does not matter.
+  const ObjData rest = parse("v 0 0 0 nan 0 0\nv 1 0 0 1\nv 0 1 0\nvt 0.5 0.5 nan\nf 1/1 2/1 3/1\n");
+  EXPECT_EQ(rest.triangle_count(), 1u);
+  EXPECT_EQ(rest.colors[0], glm::vec3(1.0f));
+  EXPECT_EQ(rest.texcoords[rest.corners[0].texcoord], glm::vec2(0.5f));
+}
+
+TEST(Obj, reads_numbers_in_an_unusual_spelling) {
+  struct Row {
+    const char* text;
+    glm::vec3 position;
+  };
+  const Row rows[] = {{"3.1+e2 -1.5-E3 +2+e", {3.1f, -1.5f, 2.0f}},  // the part that other programs read
+                      {"1,5 -0,25 1,5e-2", {1.5f, -0.25f, 0.015f}},  // of a country with a decimal comma
+                      {"1, 2, 3,", {1.0f, 2.0f, 3.0f}},
+                      {"1.5D+02 0.1d0 -2D-1", {150.0f, 0.1f, -0.2f}}};  // Fortran
+  for (const Row& row : rows) {
+    const ObjData data = parse("v " + std::string(row.text) + "\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_EQ(data.positions[0], row.position) << row.text;
+    EXPECT_EQ(data.report.repaired_numbers, 3u) << row.text;
+    ASSERT_EQ(data.report.warnings.size(), 1u);
+    EXPECT_NE(data.report.warnings[0].find("'" + std::string(row.text, 2)), std::string::npos);
+  }
 }
 
 TEST(Obj, reads_a_number_of_many_zeros_as_what_it_is) {
@@ -265,9 +326,7 @@ TEST(Obj, refuses_bad_input_with_the_line_and_a_remedy) {
       {obj_triangle + "f 1 2 4\n", 4, "index 4 of v is out of range: 3 so far"},
       {obj_triangle + "f 1 2 -4\n", 4, "index -4 of v is out of range"},
       {obj_triangle + "f 1/1 2/1 3/1\n", 4, "index 1 of vt is out of range: 0 so far"},
-      {obj_triangle + "f 1//0 2//0 3//0\n", 4, "index 0 of vn"},
       {obj_triangle + "f 1 2 18446744073709551617\n", 4, "'18446744073709551617' is not an index of v"},
-      {obj_triangle + "f 1/0 2/0 3/0\n", 4, "index 0 of vt"},
       {obj_triangle + "f 1 2 4\nv 1 1 1\n", 4, "so far"},  // a face uses a line below it
       {obj_triangle + "f 1 2 99999999999999999999\n", 4, "not an index"},
       {obj_triangle + "f 1 2 999999999999999999\n", 4, "out of range"},
@@ -279,14 +338,13 @@ TEST(Obj, refuses_bad_input_with_the_line_and_a_remedy) {
       {obj_triangle + "vt 0\nvn 0 0 1\nf 1/1/1/1 2 3\n", 6, "more than three"},
       {obj_triangle + "f 1 2 3.5\n", 4, "stray"},
       {obj_triangle + "f 1 2 -\n", 4, "not an index"},
-      {obj_triangle + "v 0 nan 0\nf 1 2 3\nf 1 2 4\n", 4, "a number that is not finite"},
-      {obj_triangle + "v 0 0 -inf\nf 1 2 -1\n", 4, "a number that is not finite"},
-      {obj_triangle + "vt 0 0\nvt nan 0\nf 1/1 2/1 3/2\n", 5, "a number that is not finite"},
-      {"v 0 0 0\n\nv 1e308 0 0\n", 3, "too large"},
-      {"v 1e39 0 0\n", 1, "too large"},
-      {"v 1e999999999 0 0\n", 1, "too large"},
-      {"v 0 0 1.#QNAN\n", 1, "not a number"},
-      {"v 0 0 1,5\n", 1, "not a number"},
+      {obj_triangle + "v 0 0 -inf\nf 1 2 -1\n", 4, "all faces use a v that is not finite"},
+      {obj_triangle + "v 0 0 1e39\nf 1 2 -1\n", 4, "or too large"},
+      {"v 1,2,3 0 0\n", 1, "'1,2,3' is not a number"},
+      {"v 1.000,5 0 0\n", 1, "not a number"},
+      {"vt 0,5\n", 1, "not a number"},  // or u and v?
+      {"v 0 0 info\n", 1, "not a number"},
+      {"v 0 0 1e\n", 1, "not a number"},
       {"v 0 0 +-1\n", 1, "not a number"},
       {"v 0 0 +\n", 1, "not a number"},
       {"v 0 0 0x10\n", 1, "not a number"},
@@ -299,10 +357,8 @@ TEST(Obj, refuses_bad_input_with_the_line_and_a_remedy) {
       {"vn 0 0\n", 1, "needs 3"},
       {"v 0 0 3.1e+\n", 1, "not a number"},
       {"v 0 0 3.1+2\n", 1, "not a number"},
-      {"v 0 0 " + std::string(6000, '1') + "\n", 1, "too large"},
-      {"v 0 0 0." + std::string(40, '0') + "1e99\n", 1, "too large"},
-      {"s x\n", 1, "smoothing"},
-      {"s -1\n", 1, "smoothing"},
+      {obj_triangle + "v 0 0 " + std::string(6000, '1') + "\nf 1 2 4\n", 4, "too large"},
+      {obj_triangle + "v 0 0 0." + std::string(40, '0') + "1e99\nf 1 2 4\n", 4, "too large"},
       {"v 0 0 0\nv 1 \\\n 0 \\\n x\n", 2, "not a number"},  // the first of the joined lines
       {"v 0 0 0\r\nv 1 0 x\r\n", 2, "not a number"},
       {std::string("\x7f"
@@ -351,25 +407,104 @@ TEST(Obj, shows_progress_that_grows_on_a_long_file) {
 
 TEST(Obj, reads_material_libraries_beside_the_file) {
   const Folder folder("obj_materials");
-  write_file(folder / "my paints.mtl", "newmtl red\nKd 1 0 0\nmap_Kd -s 2 2 -clamp on red brick.png\n");
+  write_file(folder / "my paints.mtl", "newmtl red\nKd 1 0 0\nmap_Kd -s 1 1 -clamp off red brick.png\n");
   write_file(folder / "b.mtl", "newmtl blue\nnorm n.png\nmap_Bump -bm 0.5 h.png\n");
   write_file(folder / "model.obj", obj_triangle +
                                        "mtllib my paints.mtl\nmtllib missing.mtl b.mtl\nusemtl red\nf 1 2 3\n"
                                        "usemtl green\nf 1 2 3\n");
   const ObjData data = load_obj(folder / "model.obj");
   ASSERT_EQ(data.materials.size(), 2u);
-  EXPECT_EQ(find_material(data, "red")->color_map, "red brick.png");
+  EXPECT_EQ(find_material(data, "red")->color_map, "");
   EXPECT_EQ(find_material(data, "blue")->normal_map, "n.png");
   EXPECT_EQ(find_material(data, "green"), nullptr);
-  ASSERT_EQ(data.report.warnings.size(), 2u);
-  EXPECT_NE(data.report.warnings[0].find("missing.mtl"), std::string::npos);
-  EXPECT_NE(data.report.warnings[1].find("'green'"), std::string::npos);
+  ASSERT_EQ(data.report.warnings.size(), 3u);
+  EXPECT_NE(data.report.warnings[0].find("red brick.png"), std::string::npos) << "the picture is missing";
+  EXPECT_NE(data.report.warnings[1].find("missing.mtl"), std::string::npos);
+  EXPECT_NE(data.report.warnings[2].find("'green'"), std::string::npos);
+}
+
+TEST(Obj, finds_pictures_beside_the_library_then_beside_the_model) {
+  const Folder folder("obj_pictures");
+  std::filesystem::create_directories(folder / "lib/maps");
+  for (const char* picture :
+       {"both.png", "lib/both.png", "model only.png", "lib/maps/sub.png", "lib/wall #2.png", "lib/wall"})
+    write_file(folder / picture, "");
+  struct Row {
+    const char* written;
+    const char* found;
+  };
+  const Row rows[] = {{"both.png", "lib/both.png"},
+                      {"-s 1 1 1 model only.png", "model only.png"},
+                      {"maps\\sub.png", "lib/maps/sub.png"},
+                      {"C:\\Users\\me\\model only.png", "model only.png"},  // of another machine
+                      {"/home/me/both.png", "lib/both.png"},
+                      {"wall #2.png", "lib/wall #2.png"},
+                      {"wall #2.png # the wall", "lib/wall #2.png"},
+                      {"wall # the wall", "lib/wall"},
+                      {"maps", nullptr},  // a folder
+                      {"none.png", nullptr}};
+  for (const Row& row : rows) {
+    write_file(folder / "lib/my #1.mtl", "newmtl m\nmap_Kd " + std::string(row.written) + "\n");
+    write_file(folder / "model.obj", obj_triangle + "mtllib lib/my #1.mtl # a note\nusemtl m\nf 1 2 3\n");
+    const ObjData data = load_obj(folder / "model.obj");
+    ASSERT_EQ(data.materials.size(), 1u) << row.written;
+    EXPECT_EQ(data.materials[0].color_map, row.found ? (folder / row.found).string() : "") << row.written;
+    EXPECT_EQ(data.report.warnings.size(), row.found ? 0u : 1u) << row.written;
+  }
+}
+
+TEST(Obj, names_run_to_the_end_of_their_line) {
+  struct Row {
+    const char *first_material, *second_material;
+    const char* uses[2];
+    const char* found[2];  // materials, or nullptr
+  };
+  const Row rows[] = {
+      {"Grey #1", "Grey #2", {"Grey #1", "Grey #2"}, {"Grey #1", "Grey #2"}},
+      {"Grey", "Grey #2", {"Grey #1", "Grey #2"}, {"Grey", "Grey #2"}},
+      {"Grey #1", "Grey", {"Grey #1 # note", "Grey"}, {"Grey #1", "Grey"}},
+      {"red", "blue", {"red # the roof", "blue"}, {"red", "blue"}},
+      {"red", "blue", {"red#2", "blue"}, {nullptr, "blue"}},
+      {"red # the roof", "blue", {"red", "blue"}, {"red", "blue"}},
+      {"red # the roof", "blue", {"red # of tiles", "blue # sky"}, {"red", "blue"}},
+      {"red", "green", {"red", "blue # sky"}, {"red", nullptr}},
+  };
+  const Folder folder("obj_names");
+  for (const Row& row : rows) {
+    SCOPED_TRACE(std::string(row.uses[0]) + ", " + row.uses[1]);
+    write_file(folder / "a.mtl",
+               std::string("newmtl ") + row.first_material + "\nnewmtl " + row.second_material + "\n");
+    std::string text = obj_triangle + "mtllib a.mtl # note\n";
+    for (const char* use : row.uses) text += std::string("usemtl ") + use + "\nf 1 2 3\n";
+    write_file(folder / "model.obj", text);
+    const ObjData data = load_obj(folder / "model.obj");
+    ASSERT_EQ(data.material_runs.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Material* material = find_material(data, data.material_runs[i].name);
+      ASSERT_EQ(material != nullptr, row.found[i] != nullptr) << i;
+      if (material != nullptr) {
+        EXPECT_EQ(material->name, row.found[i]);
+      }
+    }
+  }
+  const ObjData groups = parse(obj_triangle + "g Part #1\nf 1 2 3\ng Part #2\nf 1 2 3\no Body #3\nf 1 2 3\n");
+  ASSERT_EQ(groups.group_runs.size(), 3u);
+  EXPECT_EQ(groups.group_runs[1].name, "Part #2");
+  EXPECT_EQ(groups.group_runs[2].name, "Body #3");
 }
 
 TEST(Obj, says_when_a_file_cannot_be_read) {
   const Folder folder("obj_unreadable");
   EXPECT_THROW(load_obj(folder / "none.obj"), Error);
   EXPECT_THROW(load_obj(folder / ""), Error);
+}
+
+/// The materials of a text, and what is warned of: nothing, where that is not asked for.
+std::vector<Material> parse_lines(const std::string& text, std::vector<std::string>* warnings = nullptr) {
+  std::vector<std::string> none;
+  std::vector<Material> materials = parse_mtl(text, "a.mtl", warnings != nullptr ? *warnings : none);
+  EXPECT_TRUE(none.empty()) << text;
+  return materials;
 }
 
 TEST(Mtl, reads_maps_with_their_options_and_leaves_the_rest) {
@@ -380,8 +515,8 @@ TEST(Mtl, reads_maps_with_their_options_and_leaves_the_rest) {
   };
   const Row rows[] = {
       {"map_Kd a.png", "a.png", ""},
-      {"map_kd -s 1 2 3 -o 0.5 a.png", "a.png", ""},
-      {"map_Kd -blendu off -mm 0 1 -texres 512 my file.png # c", "my file.png", ""},
+      {"map_kd -s 1 1 1 -o 0 a.png", "a.png", ""},
+      {"map_Kd -blendu off -mm 0 1 -texres 512 my file.png", "my file.png", ""},
       {"map_Kd sub\\dir\\a.png", "sub/dir/a.png", ""},
       {"map_Kd -s 1 1 1", "", ""},
       {"bump -bm 1.5 b.png", "", "b.png"},
@@ -390,26 +525,42 @@ TEST(Mtl, reads_maps_with_their_options_and_leaves_the_rest) {
       {"\tNs 96\nillum 2\nd 1\nmap_Ks s.png\nnonsense 1 2", "", ""},
   };
   for (const Row& row : rows) {
-    const auto materials = parse_mtl("# c\nnewmtl m\n" + std::string(row.line) + "\n", "a.mtl");
+    const auto materials = parse_lines("# c\nnewmtl m\n" + std::string(row.line) + "\n");
     ASSERT_EQ(materials.size(), 1u);
     EXPECT_EQ(materials[0].color_map, row.color_map) << row.line;
     EXPECT_EQ(materials[0].normal_map, row.normal_map) << row.line;
   }
-  EXPECT_EQ(parse_mtl("newmtl m\nKd 0.25 0.5 1\n", "a.mtl")[0].diffuse, glm::vec3(0.25f, 0.5f, 1.0f));
-  EXPECT_EQ(parse_mtl("newmtl m\nKd 0.5\n", "a.mtl")[0].diffuse, glm::vec3(0.5f));
-  EXPECT_EQ(parse_mtl("newmtl m\nKd spectral a.rfl\n", "a.mtl")[0].diffuse, glm::vec3(1.0f));
-  EXPECT_TRUE(parse_mtl("", "a.mtl").empty());
+  EXPECT_EQ(parse_lines("newmtl m\nKd 0.25 0.5 1\n")[0].diffuse, glm::vec3(0.25f, 0.5f, 1.0f));
+  EXPECT_EQ(parse_lines("newmtl m\nKd 0.5\n")[0].diffuse, glm::vec3(0.5f));
+  EXPECT_EQ(parse_lines("newmtl m\nKd spectral a.rfl\n")[0].diffuse, glm::vec3(1.0f));
+  EXPECT_TRUE(parse_lines("").empty());
 }
 
-TEST(Mtl, refuses_a_bad_colour_and_a_property_without_material) {
-  for (const char* text : {"newmtl m\nKd 0.5 x 1\n", "newmtl m\nKd 0.5 0.5\n", "newmtl m\nKd nan\n",
-                           "newmtl m\nKd\n", "# c\nmap_Kd a.png\n"}) {
-    try {
-      parse_mtl(text, "a.mtl");
-      ADD_FAILURE() << text;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.place().line, 2);
-    }
+TEST(Mtl, loses_a_bad_line_and_keeps_the_rest) {
+  for (const char* text : {"newmtl m\nKd 0.5 x 1\n", "newmtl m\nKd 0.5 0.5\n", "newmtl m\nKd 1.#QNAN 0 0\n",
+                           "newmtl m\nKd\n", "# c\nmap_Kd a.png\nnewmtl m\n"}) {
+    std::vector<std::string> warnings;
+    const auto materials = parse_lines(std::string(text) + "map_Kd b.png\nnewmtl n\nKd 0,5 0 1\n", &warnings);
+    ASSERT_EQ(materials.size(), 2u) << text;
+    EXPECT_EQ(materials[0].diffuse, glm::vec3(1.0f)) << text;
+    EXPECT_EQ(materials[0].color_map, "b.png") << text;
+    EXPECT_EQ(materials[1].diffuse, glm::vec3(0.5f, 0.0f, 1.0f)) << text;
+    ASSERT_EQ(warnings.size(), 1u) << text;
+    EXPECT_NE(warnings[0].find("a.mtl: 1 lines ignored; the first is line 2"), std::string::npos)
+        << warnings[0];
+  }
+}
+
+TEST(Mtl, says_which_options_of_a_picture_are_not_followed) {
+  for (const char* options : {"-s 1 1 1 -o 0 0 0", "-s 1", "-clamp off -mm 0 1", "-t 0 0 0 -blendu on", ""})
+    EXPECT_EQ(parse_lines("newmtl m\nmap_Kd " + std::string(options) + " a.png\n")[0].color_map, "a.png");
+  for (const char* options :
+       {"-s 2 2 1", "-s 1 0.5", "-o 0.25", "-clamp on", "-mm 0 2", "-s 1 1 1 -t 0 1 0"}) {
+    std::vector<std::string> warnings;
+    parse_lines("newmtl m\nmap_Kd " + std::string(options) + " a.png\nbump -s 2 2 2 b.png\n", &warnings);
+    ASSERT_EQ(warnings.size(), 1u) << options;
+    EXPECT_NE(warnings[0].find("not followed"), std::string::npos) << warnings[0];
+    EXPECT_NE(warnings[0].find("of material 'm'"), std::string::npos) << warnings[0];
   }
 }
 

@@ -223,13 +223,39 @@ TEST(Tangents, ignore_degenerate_triangles_and_fall_back_where_there_is_nothing_
     for (std::size_t v = 0; v < 3; ++v) EXPECT_EQ(mesh.tangents[v], glm::vec4(1, 0, 0, 1));
     // MikkTSpace alone hands a neighbour's frame over the shared edge's ends, not to the far corner.
     EXPECT_EQ(report.fallback_vertices, 4u);
-    for (std::size_t v = 3; v < 7; ++v) {
-      if (method == TangentMethod::mikktspace)
-        EXPECT_EQ(mesh.tangents[v], mikktspace_nothing);
-      else
-        EXPECT_NEAR(glm::dot(glm::vec3(mesh.tangents[v]), mesh.normals[v]), 0, 1e-6);
+    for (std::size_t v = 3; v < 7; ++v)
+      EXPECT_NEAR(glm::dot(glm::vec3(mesh.tangents[v]), mesh.normals[v]), 0, 1e-6);
+    if (method == TangentMethod::mikktspace) {
+      EXPECT_EQ(mesh.tangents[3], mikktspace_nothing);
     }
   }
+}
+
+TEST(Tangents, make_a_frame_where_there_are_none_or_they_lie_along_the_normal) {
+  // A face with one texture coordinate, as in models with a palette; and T along the normal, up to rounding.
+  for (const bool has_texture : {false, true})
+    for (const TangentMethod method : all_methods) {
+      const bool leans = method == TangentMethod::averaged && has_texture;  // as T was given
+      const bool mikktspace = method == TangentMethod::mikktspace;
+      for (const glm::vec3& n : {glm::vec3(1, 0, 0), {-1, 0, 0}, {0, 1, 0}, {0.8f, 0, 0.6f}, {1, 0.01f, 0}}) {
+        Mesh mesh;
+        const glm::vec3 normal = glm::normalize(n), up = any_orthogonal(normal);
+        mesh.positions = {{0, 0, 0}, has_texture ? 3.0f * n : glm::cross(up, normal), up};
+        mesh.texcoords = {{0, 0}, {has_texture, 0}, {0, has_texture}};
+        mesh.normals.assign(3, normal);
+        mesh.indices = {0, 1, 2};
+        const TangentReport report = compute_tangents(mesh, method);
+        EXPECT_TRUE(report.fallback_vertices == 3 || leans || (mikktspace && has_texture));
+        for (const glm::vec4& tangent : mesh.tangents) {
+          EXPECT_NEAR(glm::length(glm::vec3(tangent)), 1, 1e-6);
+          const double sine = glm::length(glm::cross(glm::dvec3(tangent), glm::dvec3(normal)));
+          EXPECT_GT(sine, leans                       ? -1
+                          : mikktspace && has_texture ? 1e-6
+                                                      : 1 - 1e-6)
+              << static_cast<int>(method);
+        }
+      }
+    }
 }
 
 TEST(Tangents, are_usable_on_a_heap_of_random_triangles) {

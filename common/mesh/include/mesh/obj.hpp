@@ -21,11 +21,12 @@ struct Corner {
   friend bool operator==(const Corner&, const Corner&) = default;
 };
 
-/// The part of a `newmtl` that we use. Paths are as written, with '/' for '\', relative to the MTL file.
+/// The part of a `newmtl` that we use. Names run to the end of their line, so may have a comment after them,
+/// and paths have '/' for '\'. load_obj cuts off the comments, and finds the color map.
 struct Material {
   std::string name;
   glm::vec3 diffuse{1.0f};  ///< Kd, as written
-  std::string color_map;    ///< map_Kd, or ""
+  std::string color_map;    ///< map_Kd, or ""; after load_obj an absolute path, or "" where there is no file
   std::string normal_map;   ///< norm, else map_Bump or bump, or ""
 };
 
@@ -53,14 +54,16 @@ struct ObjReport {
   std::uint64_t points_and_lines = 0;      ///< `p` and `l`, ignored
   std::uint64_t unknown_lines = 0;         ///< other keywords, ignored
   std::uint64_t ignored_weights = 0;       ///< a fourth number of `v` other than 1: of curves, ignored
-  std::uint64_t missing_texcoords = 0;     ///< corners without vt in a file that has vt: drawn at (0, 0)
-  std::uint64_t missing_normals = 0;       ///< corners without a (usable) vn in a file that has vn: generated
-  std::uint64_t lost_normals = 0;          ///< repair: corners whose vn is out of range, taken as without
-  std::uint64_t not_finite_normals = 0;    ///< repair: `vn` with NaN or infinity, taken as zero
-  std::uint64_t not_finite_unused = 0;     ///< repair: `v` and `vt` with NaN or infinity that no face uses
-  std::uint64_t great_texcoords = 0;       ///< repair: `vt` beyond 2^24, where float32 has no fractions
-  std::uint64_t numbers_with_rest = 0;     ///< repair: numbers such as 3.1+e2, read as 3.1
-  std::vector<std::string> warnings;       ///< one readable line for each kind of trouble
+  std::uint64_t unknown_smoothing = 0;     ///< repair: `s` without a number, on or off, taken as off
+  std::uint64_t missing_texcoords =
+      0;                               ///< corners without (usable) vt in a file that has vt: drawn at (0, 0)
+  std::uint64_t missing_normals = 0;   ///< corners without a (usable) vn in a file that has vn: generated
+  std::uint64_t lost_normals = 0;      ///< repair: corners whose vn is 0 or out of range, taken as without
+  std::uint64_t not_finite_lines = 0;  ///< repair: v, vt, vn with NaN, infinity or 1e39, taken as missing
+  std::uint64_t not_finite_faces = 0;  ///< repair: faces that use such a `v`, ignored
+  std::uint64_t great_texcoords = 0;   ///< repair: `vt` beyond 2^24, where float32 has no fractions
+  std::uint64_t repaired_numbers = 0;  ///< repair: 3.1+e2 read as 3.1, 1,5 as 1.5, 1.5D+2 as 150
+  std::vector<std::string> warnings;   ///< one readable line for each kind of trouble
 };
 
 /// An OBJ file as parsed: separate lists as in the file, and three corners a triangle. Texture coordinates
@@ -93,21 +96,25 @@ struct ObjOptions {
 /// Parses an OBJ text in one pass. Knows v (xyz, xyzw, xyz rgb, xyzw rgb), vt (1 to 3 numbers), vn, f (and
 /// fo) with v, v/vt, v//vn, v/vt/vn and negative indices, p, l, g, o, s, usemtl, mtllib, comments, lines
 /// continued by '\', LF, CRLF and CR, tabs, a byte order mark. Numbers are rounded correctly to float32. A
-/// face may only use lines above it. Faces are cut into triangles in their own plane (polygon.hpp). Throws
-/// Error (exit 3) with `name` and the line: index 0 or (of v and vt) out of range, a number that is malformed
-/// or too large for float32, a NaN or infinity that a face uses in a v or vt, a face of more than
-/// max_face_corners, binary data, an empty text, a text without a face of three corners. Linear time.
-/// Repairs are counted in ObjData::report and told in its warnings.
+/// face may only use lines above it. A line of v, vt or vn with NaN, infinity or a number too large for
+/// float32 counts as missing: a face that uses the v is left out, a vt is none, a vn is generated. Faces are
+/// cut into triangles in their own plane (polygon.hpp). Throws Error (exit 3) with `name` and the line: an
+/// index of v that is 0 or out of range, one of vt that is out of range (0 is none), a number that is
+/// malformed, a face of more than max_face_corners, binary data, an empty text, a text without a face of
+/// three corners. Linear time. Repairs are counted in ObjData::report and told in its warnings.
 ObjData parse_obj(std::string_view text, const std::string& name, const ObjOptions& options = {});
 
-/// Maps a file into memory and parses it, then reads its material libraries from beside it; a library that is
-/// missing or wrong is a warning. Throws Error (exit 3) as parse_obj and when the file cannot be read.
+/// Maps a file into memory and parses it, then reads its material libraries from beside it, and finds their
+/// color maps beside the library or else beside the file, there also without the folders in their names. What
+/// is missing or wrong is a warning. Throws Error (exit 3) as parse_obj and when the file cannot be read.
 ObjData load_obj(const std::filesystem::path& path, const ObjOptions& options = {});
 
-/// Parses an MTL text: newmtl, Kd, map_Kd, norm, map_Bump and bump (any case), whose options (-s, -o, -clamp
-/// and so on) are skipped; the rest is ignored. Throws Error (exit 3) with name and line for a Kd that is no
-/// number and for a property before the first newmtl.
-std::vector<Material> parse_mtl(std::string_view text, const std::string& name);
+/// Parses an MTL text: newmtl, Kd, map_Kd, norm, map_Bump and bump (any case); the rest is ignored. Adds a
+/// warning, with `name`, for lines that are lost (a Kd that is no number, a property before the first
+/// newmtl), and one for options of map_Kd (-s, -o, -t, -mm, -clamp) that ask for more than the picture as it
+/// is.
+std::vector<Material> parse_mtl(std::string_view text, const std::string& name,
+                                std::vector<std::string>& warnings);
 
 /// The material of this name, or nullptr.
 const Material* find_material(const ObjData& data, std::string_view name);

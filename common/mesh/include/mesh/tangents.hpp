@@ -26,13 +26,16 @@ enum class TangentMethod {
   /// triangles whose T or B are exactly opposite there do not count in each other's sum (angular threshold
   /// 180 degrees; up to 4096 triangles around a vertex); each tangent has a vertex of its own; triangles
   /// without a texture area join any group and add nothing; what no group reaches is (1, 0, 0) with sign -1.
+  /// Unlike there, that is turned into the normal's plane where there is no texture area, and a tangent along
+  /// the
+  /// normal, which makes no frame, is replaced by one in the plane.
   mikktspace,
 };
 
 /// What compute_tangents found.
 struct TangentReport {
   std::uint32_t degenerate_triangles = 0;  ///< no area in texture or space: they add nothing
-  /// Had no triangle with a direction: any unit vector orthogonal to n, with mikktspace mostly (1, 0, 0).
+  /// Had no triangle with a direction in the plane: any unit vector orthogonal to n.
   std::uint32_t fallback_vertices = 0;
   std::uint32_t split_vertices = 0;  ///< added where the texture is mirrored or groups meet
 };
@@ -55,6 +58,9 @@ glm::vec4 orthonormalize(const glm::vec3& normal, const glm::vec3& tangent, cons
 /// Twice the signed area in texture space: positive when the texture is not mirrored, and exactly 0 when the
 /// three texture coordinates lie on a line up to rounding (area below 1e-7 of the product of two edges).
 double texture_area(const std::array<glm::vec2, 3>& texcoords);
+
+/// How many of the mesh's triangles have none. It needs texture coordinates.
+std::size_t without_texture_area(const Mesh& mesh);
 
 /// Fills tangents (and bitangents for `averaged`, else empties them) from positions, normals and texcoords.
 /// Where mirrored and other triangles share a vertex, all methods except `averaged` append a vertex for the

@@ -40,4 +40,15 @@ inline glm::vec3 any_orthogonal(const glm::vec3& n) {
   return is_zero(t) ? axis : t;
 }
 
+/// `v` without its part along `n`.
+inline glm::dvec3 orthogonal_part(const glm::dvec3& v, const glm::dvec3& n) {
+  return v - n * (glm::dot(v, n) / glm::dot(n, n));
+}
+
+/// Whether a unit vector or zero lies along the unit normal `n`: nothing but rounding is left of it in the
+/// plane.
+inline bool is_along(const glm::dvec3& v, const glm::dvec3& n) {
+  return !(glm::length(orthogonal_part(v, n)) > 1e-6);
+}
+
 }  // namespace texel::mesh
