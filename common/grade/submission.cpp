@@ -145,6 +145,8 @@ std::string reason(const Item& item, const Root& root, const Found& found, const
       return fmt::format("is not used: '{}' is used for {}", used->second->path, own->second);
     if (root.files.contains(own->second))
       return fmt::format("should be called {}: upper and lower case matter where there are two", own->second);
+    if (found.anywhere.at(own->second).size() == 1)
+      return fmt::format("is outside {}, which is graded", named(root.folder));
     return fmt::format("is one of {} files for {}, and none of them is in {}, which is graded",
                        found.anywhere.at(own->second).size(), own->second, named(root.folder));
   }
@@ -217,9 +219,12 @@ Submission unpack(const Entry& entry, const std::vector<std::string>& allowed, c
   std::map<std::string, const Item*> taken;
   for (const auto& [file, items] : root.files)
     if (items.size() == 1) taken[file] = items[0];
-  // Where there is no other it is clear what is meant.
+  // Where there is no other it is clear what is meant, but not by a file's name alone: the course has others
+  // of the same names.
   for (const auto& [file, items] : found.anywhere)
-    if (items.size() == 1) taken[file] = items[0];
+    if (items.size() == 1 &&
+        items[0]->path.find('/', found.folder_of.at(items[0]).size()) != std::string::npos)
+      taken[file] = items[0];
   std::map<std::size_t, std::string> file_at;
   std::set<std::size_t> wanted;
   for (const auto& [file, item] : taken) file_at[item->position] = file, wanted.insert(item->position);

@@ -221,6 +221,8 @@ TEST(Unpack, finds_the_root_wherever_it_lies) {
       {{frame, "shaders/05_normal_map/Decode_normal.glsl", "shaders/05_normal_map/DECODE_NORMAL.glsl"},
        "",
        {{frame, frame}}},
+      // A name alone says too little outside the root.
+      {{lab, "x/tangent_frame.glsl"}, "", {{lab, lab}}},
       {{"lab.cpp"}, "", {}},
       {{"readme.txt"}, "", {}},
   };
