@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 
 #include "core/plain_text.hpp"
@@ -15,7 +14,7 @@ namespace {
 constexpr int kLeastNumber = 100000;  // of our lines: file * 100000 + line
 constexpr std::string_view kBlanks = " \t\r\v\f";
 
-/// A line of code, and the last one before it. Without comments, and without what follows the code.
+/// A line without its comments.
 struct CodeLine {
   int number = 0;
   std::string text;
@@ -26,6 +25,7 @@ struct CodeLine {
     return first == all.npos ? "" : all.substr(first, last - first + 1);
   }
 };
+/// A line, and the last one with code before it.
 struct Found {
   CodeLine line, before;
 };

@@ -233,8 +233,12 @@ class Engine {
     const bool draws = size_.x > 0 && size_.y > 0;  // not before the page has said how large
     if (draws) {
       const gl::Glance glance(now.view == View::color);
-      now.canvas.draw(now.view, size_, samples_, now.split, gl::Glance::kind());
       if (!display_) display_.emplace(assets_.shader_root());
+      if (now.view == View::error && !now.lab.truth(size_)) {  // draw() will say so: over no colours
+        now.canvas.draw_nothing(size_);
+        display_->show(now.canvas.picture());
+      }
+      now.canvas.draw(now.view, size_, samples_, now.split, gl::Glance::kind());
       display_->show(now.canvas.picture());
       wait(now.canvas.picture());
     }
