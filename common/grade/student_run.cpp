@@ -57,14 +57,9 @@ StudentRun::StudentRun(const Preparation& preparation, const GradeOptions& optio
     : preparation_(preparation),
       options_(options),
       folder_(std::move(folder)),
-      submission_(
-          unpack(entry, preparation.allowed, {}, [&](const std::string& path, const std::string& text) {
-            std::set<std::string> steps = begun(preparation, path, text);
-            // One without a marker may be another file of that name.
-            const std::map<std::string, std::string> own = course::step_texts(text);
-            std::erase_if(steps, [&](const std::string& step) { return !own.contains(step); });
-            return steps;
-          })) {
+      submission_(unpack(entry, preparation.allowed, {}, begun_since([&](const std::string& file) {
+                           return read_file(preparation.starter.source / file);
+                         }))) {
   for (const auto& [path, text] : submission_.files) begun_.merge(begun(preparation, path, text));
   std::map<std::string, std::string> shaders;
   for (const auto& [path, text] : submission_.files) {

@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
+#include "course/markers.hpp"
 #include "submission_source.hpp"
 
 namespace texel::grade {
@@ -202,6 +203,18 @@ void make_folder(const fs::path& folder) {
 }
 
 }  // namespace
+
+BegunSteps begun_since(const std::function<std::string(const std::string&)>& first_text) {
+  return [first_text](const std::string& file, const std::string& text) {
+    const std::string first = first_text(file);
+    const std::set<std::string> untouched = course::untouched_steps(text, first);
+    const std::map<std::string, std::string> given = course::step_texts(first);
+    std::set<std::string> steps;
+    for (const auto& [step, own] : course::step_texts(text))
+      if (given.contains(step) && !untouched.contains(step)) steps.insert(step);
+    return steps;
+  };
+}
 
 Submission unpack(const Entry& entry, const std::vector<std::string>& allowed, const UnpackLimits& limits,
                   const BegunSteps& begun) {

@@ -45,32 +45,32 @@ Exit print_steps(const GradeCommand& command) {
   Json solution = Json::object(), submissions = Json::array();
   std::map<std::string, Steps> given;  // by file: the steps that are asked for, as the starter has them
   for (const std::string& file : allowed)
-    for (const auto& [step, text] : course::step_texts(course::first_text(root, file), file))
+    for (const auto& [step, text] : course::step_texts(course::first_text(root, file)))
       if (asked.contains(step)) {
         given[file][step] = without_blanks(text);
         const std::string solved =
             course::with_steps(read_file(root / file), file, [](const std::string&) { return true; });
-        solution[step] = solution.value(step, "") + course::step_texts(solved, file).at(step);
+        solution[step] = solution.value(step, "") + course::step_texts(solved).at(step);
       }
 
   for (const grade::Entry& entry : grade::read_class(command.class_folder)) {
-    const grade::Submission taken = grade::unpack(entry, allowed);
+    const grade::Submission taken = grade::unpack(
+        entry, allowed, {},
+        grade::begun_since([&](const std::string& file) { return course::first_text(root, file); }));
     Json steps = Json::object(), damaged = Json::object(), ignored = Json::object();
     for (const auto& [file, text] : taken.files) {
       const auto of_file = given.find(file);
       if (of_file == given.end()) continue;
       const std::string first = course::first_text(root, file);
-      try {
-        course::require_markers(text, first, file);
-        const Steps written = course::step_texts(text, file);
-        for (const auto& [step, part] : written)
-          if (const auto starter = of_file->second.find(step);
-              starter != of_file->second.end() && without_blanks(part) != starter->second)
-            steps[step] = steps.value(step, "") + part;
-      } catch (const Error& error) {
-        damaged[file] = plain_text(error.what());
+      if (const auto faults = course::marker_faults(text, first, file); !faults.empty()) {
+        damaged[file] = plain_text(faults.begin()->second);
         steps[file] = new_lines(text, first);
+        continue;
       }
+      for (const auto& [step, part] : course::step_texts(text))
+        if (const auto starter = of_file->second.find(step);
+            starter != of_file->second.end() && without_blanks(part) != starter->second)
+          steps[step] = steps.value(step, "") + part;
     }
     for (const grade::Ignored& file : taken.ignored) ignored[file.path] = file.reason;
     submissions.push_back(

@@ -56,6 +56,10 @@ struct UnpackLimits {
 /// The steps that a student began in the text of an allowed file.
 using BegunSteps = std::function<std::set<std::string>(const std::string& file, const std::string& text)>;
 
+/// Those whose markers the text has and whose code is not that of `first_text(file)`: one without a marker
+/// may be another file of that name.
+BegunSteps begun_since(const std::function<std::string(const std::string& file)>& first_text);
+
 struct Submission {
   std::map<std::string, std::string> files;    ///< by path in the tree: what was taken
   std::vector<Ignored> ignored;                ///< in the submission's order
