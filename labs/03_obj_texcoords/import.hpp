@@ -22,8 +22,8 @@
 namespace texel {
 
 struct Imported {
-  std::shared_ptr<const mesh::Mesh> mesh;     ///< centred, its farthest vertex at distance 1
-  std::vector<mesh::Group> parts;             ///< at least one
+  std::shared_ptr<const mesh::Mesh> mesh;  ///< centred, its farthest vertex at distance 1
+  std::vector<mesh::Group> parts;          ///< at least one
   std::vector<mesh::Material> materials;
   std::vector<std::size_t> material_of_part;  ///< the first of that name; beyond the list: none
   bool names_pictures = false;                ///< whether some material has a color_map
