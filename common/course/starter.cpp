@@ -91,9 +91,12 @@ std::vector<StarterFile> starter_files(const fs::path& root,
 void write_files(const std::vector<StarterFile>& files, const fs::path& to) {
   if (fs::exists(to) && !(fs::is_directory(to) && fs::is_empty(to)))
     throw Error::usage(fmt::format("'{}' is not empty", to.string()), "name a new folder");
+  // Beside it first: a disk that becomes full leaves no half of a tree.
+  const fs::path whole = to.has_filename() ? to : to.parent_path(), part = whole.string() + ".part";
   try {
+    fs::remove_all(part);
     for (const StarterFile& file : files) {
-      const fs::path place = to / file.path;
+      const fs::path place = part / file.path;
       fs::create_directories(place.parent_path());
       if (!file.text) {
         fs::copy_file(file.source, place);
@@ -102,8 +105,13 @@ void write_files(const std::vector<StarterFile>& files, const fs::path& to) {
       write_file(place, *file.text);
       fs::permissions(place, fs::status(file.source).permissions());
     }
-  } catch (const fs::filesystem_error& error) {
-    throw Error::failed(fmt::format("cannot write: {}", error.code().message()), {error.path1().string()},
+    fs::rename(part, whole);
+  } catch (const std::exception& error) {
+    std::error_code ignored;
+    fs::remove_all(part, ignored);
+    const auto* system = dynamic_cast<const fs::filesystem_error*>(&error);
+    if (system == nullptr) throw;
+    throw Error::failed(fmt::format("cannot write: {}", system->code().message()), {system->path1().string()},
                         "check that the folder is writable and the disk has free space");
   }
 }

@@ -46,6 +46,8 @@ try "$texel" course gradebook class.csv --roster roster.csv --out book.csv
 try "$texel" course gradescope --labs 1 --seed-file seed.txt --out autograder.zip
 try "$texel" course classroom --labs 1 starter
 try "$bin/make_assets" --help
+try "$course/run" help
+try "$course/run" packages
 # The same of a file.
 code=0
 "$texel" course gradebook class.csv --roster roster.csv --out /dev/full >/dev/null 2>said || code=$?

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # A starter that changes in mid-term, and a student's tree that keeps its steps: update.sh BIN FOLDER
 set -euo pipefail
-export course
+export course bin
 course=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
 bin=$1 work=$2/update
 rm -rf "$work" && mkdir -p "$work" && cd "$work"
@@ -249,8 +249,20 @@ little_room() {
     ((status))
   done
   for file in autograder.zip .github/workflows/check.yml; do echo before | cmp - "disk/$file"; done
+  # There is a whole starter or none.
+  rm -f disk/filler
+  status=0
+  "$bin/texel" starter --out disk/half >said 2>&1 || status=$?
+  [[ $status == 3 && -z $(find disk -name 'half*') ]]
   [[ -z $(find disk -name '*.part') ]]
 }
+# A workflow that a teacher edited stays beside the new one, and is kept once.
+mkdir -p taught/.github/workflows
+touch taught/run
+echo mine >taught/.github/workflows/check.yml
+for _ in 1 2; do "$course/tools/course/box/classroom" --labs 1 taught >/dev/null; done
+[[ $(cat taught/.github/workflows/check.yml.before) == mine && $(ls taught/.github/workflows) == $'check.yml\ncheck.yml.before' ]]
+
 if ((EUID != 0)) || ! unshare -m true 2>/dev/null; then
   echo 'passed, but for a full disk: only root may mount one'
   exit

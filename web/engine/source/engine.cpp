@@ -58,7 +58,8 @@ class Engine {
       labs_.push_back(app::registered);
     }
     for (const fs::directory_entry& entry : fs::directory_iterator(kTree / "labs"))
-      if (const int number = number_of(entry.path().filename()); number > 0)
+      if (const int number = number_of(entry.path().filename());
+          number > 0 && course::copied_from(entry.path()).empty())
         folders_[number] = entry.path().filename();
   }
 
