@@ -38,7 +38,7 @@ for pair in 'first  fourth' 'first  second.zip' 'first  third.tgz' 'second.zip  
   sed -n 2,7p said | grep -q "100 %.*$pair" # before the solutions, which are alike too
 done
 grep -q '11 submissions' said
-grep -q 'link.zip: not compared: is not a folder' errors
+grep -q 'link.zip: not compared: is a symbolic link' errors
 grep -q 'broken.zip: not compared: is a broken archive' errors
 grep -q "fourth: $file: its new lines are compared" errors
 ! grep -q starter said
