@@ -38,7 +38,9 @@ after(async () => {
   rmSync(folder, { recursive: true, force: true });
 });
 beforeEach(async () => {
-  await page?.browserContext().close();
+  const before = page;
+  page = undefined;  // else a close that fails would fail in each later test too
+  await before?.browserContext().close();
   page = await (await browser.createBrowserContext()).newPage();
   complaints = [];
   page.on("pageerror", (error) => complaints.push(String(error)));
