@@ -149,8 +149,4 @@ Mesh parse_ply(std::string_view bytes, const std::string& name) {
   return mesh;
 }
 
-Mesh read_ply(const std::filesystem::path& path) {
-  return parse_ply(MappedFile(path).bytes(), path.string());
-}
-
 }  // namespace texel::mesh

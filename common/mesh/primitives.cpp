@@ -67,20 +67,6 @@ void add_plane(Mesh& mesh, const glm::dvec3& center, const glm::dvec3& right, co
   add_grid_squares(mesh, first, cells, cells);
 }
 
-/// The vertex between two, on the unit sphere.
-std::uint32_t midpoint(std::vector<glm::dvec3>& points, DistinctTable& table,
-                       std::vector<std::array<std::uint32_t, 2>>& edges, std::uint32_t a, std::uint32_t b) {
-  const std::array<std::uint32_t, 2> edge{std::min(a, b), std::max(a, b)};
-  const std::uint32_t known = table.number(mix(std::uint64_t{edge[0]} << 32 | edge[1]),
-                                           [&](std::uint32_t n) { return edges[n] == edge; });
-  const auto first = static_cast<std::uint32_t>(points.size() - edges.size());
-  if (known == edges.size()) {
-    edges.push_back(edge);
-    points.push_back(glm::normalize(points[a] + points[b]));
-  }
-  return first + known;
-}
-
 }  // namespace
 
 Mesh quad(float half_size) {
@@ -164,36 +150,6 @@ Mesh torus(float major, float minor, int segments, int sides, Jitter jitter) {
   return mesh;
 }
 
-Mesh icosphere(int subdivisions, float radius) {
-  constexpr double g = std::numbers::phi;  // the golden ratio: (0, +-1, +-g) and its cyclic turns
-  std::vector<glm::dvec3> points{{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
-                                 {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
-  for (glm::dvec3& point : points) point = glm::normalize(point);
-  Mesh mesh;
-  mesh.indices = {0, 11, 5,  0, 5,  1, 0, 1, 7, 0, 7,  10, 0, 10, 11, 1, 5, 9, 5, 11,
-                  4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3,  9,  4, 3,  4,  2, 3, 2, 6, 3,
-                  6, 8,  3,  8, 9,  4, 9, 5, 2, 4, 11, 6,  2, 10, 8,  6, 7, 9, 8, 1};
-  for (int level = 0; level < std::clamp(subdivisions, 0, 8); ++level) {
-    DistinctTable table(mesh.indices.size() / 2);
-    std::vector<std::array<std::uint32_t, 2>> edges;
-    std::vector<std::uint32_t> finer;
-    finer.reserve(4 * mesh.indices.size());
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-      const std::uint32_t a = mesh.indices[i], b = mesh.indices[i + 1], c = mesh.indices[i + 2];
-      const std::uint32_t ab = midpoint(points, table, edges, a, b);
-      const std::uint32_t bc = midpoint(points, table, edges, b, c);
-      const std::uint32_t ca = midpoint(points, table, edges, c, a);
-      finer.insert(finer.end(), {a, ab, ca, b, bc, ab, c, ca, bc, ab, bc, ca});
-    }
-    mesh.indices = std::move(finer);
-  }
-  for (const glm::dvec3& point : points) {
-    mesh.positions.emplace_back(double{radius} * point);
-    mesh.normals.emplace_back(point);
-  }
-  return mesh;
-}
-
 void revolution_tangents(Mesh& mesh) {
   mesh.bitangents.clear();
   mesh.tangents.clear();
@@ -202,11 +158,6 @@ void revolution_tangents(Mesh& mesh) {
     const double a = two_pi * double{texcoord.s};
     mesh.tangents.emplace_back(glm::dvec4(std::cos(a), 0.0, -std::sin(a), 1.0));
   }
-}
-
-void plane_tangents(Mesh& mesh) {
-  mesh.bitangents.clear();
-  mesh.tangents.assign(mesh.vertex_count(), {1.0f, 0.0f, 0.0f, 1.0f});
 }
 
 }  // namespace texel::mesh

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "../support/meshes.hpp"
 #include "../support/tolerance.hpp"
 #include "core/files.hpp"
 #include "image/load.hpp"
@@ -122,7 +123,7 @@ TEST_F(Frames, of_lab_5_bend_a_coarse_model_s_normals_as_each_method_interpolate
     draw("lab05_normal_map", {{"normal.pfm", look, "normal"}}, folder_);
     const std::string file = (folder_ / "drawn.ply").string();
     ASSERT_EQ(run_lab("lab05_normal_map", "--mesh " + file + flags(look)).exit_code, 0);
-    const mesh::Mesh drawn = mesh::read_ply(file);
+    const mesh::Mesh drawn = test::read_ply(file);
     const ImageF normal = image::load_pfm(folder_ / "normal.pfm");
     const double half = std::tan(glm::radians(45.0) / 2);
     int seen = 0;
@@ -163,7 +164,7 @@ TEST_F(Frames, of_lab_4_wrap_a_model_by_its_own_coordinates_before_and_by_longit
     const Result result =
         run_lab("lab04_cube_wrap", fmt::format("--model quad --method {} --mesh {}", method, file));
     EXPECT_EQ(result.exit_code, 0) << result.errors;
-    return mesh::read_ply(file);
+    return test::read_ply(file);
   };
   const mesh::Mesh before = drawn("before"), stretched = drawn("stretched");
   ASSERT_EQ(before.vertex_count(), 4U);

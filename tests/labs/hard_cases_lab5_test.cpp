@@ -9,6 +9,7 @@
 #include <map>
 #include <sstream>
 
+#include "../support/meshes.hpp"
 #include "../support/oracles.hpp"
 #include "../support/tolerance.hpp"
 #include "core/files.hpp"
@@ -292,7 +293,7 @@ mesh::Mesh drawn_mesh(const std::string& obj, const std::string& method) {
   write_file(in, obj);
   const Result result = run_lab(kLab5, fmt::format("--model {} --method {} --mesh {}", in, method, out));
   EXPECT_EQ(result.exit_code, 0) << result.errors;
-  return mesh::read_ply(out);
+  return test::read_ply(out);
 }
 
 TEST(HardCaseOfLab5, every_vertex_of_a_hard_model_has_a_unit_tangent_in_the_plane_of_its_normal) {

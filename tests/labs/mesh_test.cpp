@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../support/meshes.hpp"
 #include "core/files.hpp"
 #include "labs.hpp"
 #include "mesh/ply.hpp"
@@ -22,7 +23,7 @@ class Models : public EveryLab {
     const Result result = run_lab(lab(), fmt::format("--mesh {} {}", shell_word(file), arguments));
     EXPECT_EQ(result.exit_code, 0) << result.errors;
     EXPECT_EQ(result.output + result.errors, "");
-    return mesh::read_ply(file);  // which refuses wrong indices, values that are not finite and cut files
+    return test::read_ply(file);  // which refuses wrong indices, values that are not finite and cut files
   }
 };
 INSTANTIATE_TEST_SUITE_P(Labs, Models, testing::ValuesIn(kModelLabs), lab_name);
@@ -53,7 +54,7 @@ TEST_P(Models, come_from_a_file_that_is_named_alone) {
   const Result result =
       run_lab(lab(), "house.obj --mesh house.ply --size 64x64 --snapshot house.png", before);
   EXPECT_EQ(result.exit_code, 0) << result.errors;
-  EXPECT_EQ(mesh::read_ply(folder_ / "house.ply").triangle_count(), 3U);
+  EXPECT_EQ(test::read_ply(folder_ / "house.ply").triangle_count(), 3U);
   const Stats stats = stats_of(lab(), shell_word((folder_ / "house.obj").string()));
   EXPECT_EQ(stats.triangles, 3);
   ASSERT_GE(stats.notes.size(), 2U);
@@ -80,7 +81,7 @@ TEST(Tangents, are_written_by_the_methods_of_lab_5_that_store_them) {
     const Result result =
         run_lab("lab05_normal_map", fmt::format("--model sphere --method {} --mesh {}", method, file));
     EXPECT_EQ(result.exit_code, 0) << result.errors;
-    const mesh::Mesh mesh = mesh::read_ply(file);
+    const mesh::Mesh mesh = test::read_ply(file);
     EXPECT_EQ(mesh.tangents.size(), is_stored ? mesh.vertex_count() : 0) << method;
   }
 }

@@ -7,12 +7,15 @@
 #include <cmath>
 #include <string>
 
+#include "../support/meshes.hpp"
 #include "mesh/primitives.hpp"
 #include "mesh/vectors.hpp"
 #include "mesh/weld.hpp"
 
 namespace texel::mesh {
 namespace {
+
+using test::icosphere;
 
 /// The largest angle between two lists of directions.
 double worst_degrees(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) {

@@ -5,11 +5,14 @@
 
 #include <filesystem>
 
+#include "../support/meshes.hpp"
 #include "core/error.hpp"
 #include "mesh/primitives.hpp"
 
 namespace texel::mesh {
 namespace {
+
+using test::read_ply;
 
 Mesh full() {
   Mesh mesh = sphere(4, 6);

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 
+#include "../support/meshes.hpp"
 #include "mesh/bounds.hpp"
 #include "mesh/normals.hpp"
 #include "mesh/tangents.hpp"
@@ -16,6 +17,9 @@
 
 namespace texel::mesh {
 namespace {
+
+using test::icosphere;
+using test::plane_tangents;
 
 /// Every triangle runs counter-clockwise seen from the side of its normals, and its texture is not mirrored.
 void expect_outward(const Mesh& mesh, bool with_texcoords = true) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "../support/meshes.hpp"
 #include "core/error.hpp"
 #include "mesh/cube.hpp"
 #include "mesh/normals.hpp"
@@ -13,6 +14,8 @@
 
 namespace texel::mesh {
 namespace {
+
+using test::icosphere;
 
 // Figures of a few exact float coordinates, computed in double: what is left is the last digit of a root.
 constexpr double rounding = 1e-12;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../support/meshes.hpp"
 #include "core/error.hpp"
 #include "mesh/distinct.hpp"
 #include "mesh/normals.hpp"
@@ -15,6 +16,9 @@
 
 namespace texel::mesh {
 namespace {
+
+using test::icosphere;
+using test::plane_tangents;
 
 constexpr TangentMethod all_methods[] = {TangentMethod::averaged, TangentMethod::gram_schmidt,
                                          TangentMethod::angle_weighted, TangentMethod::mikktspace};

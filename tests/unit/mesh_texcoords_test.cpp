@@ -6,12 +6,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../support/meshes.hpp"
 #include "mesh/primitives.hpp"
 #include "mesh/tangents.hpp"
 #include "mesh/weld.hpp"
 
 namespace texel::mesh {
 namespace {
+
+using test::icosphere;
+using test::plane_tangents;
 
 /// Positions and triangles alone, vertices at one place joined.
 Mesh bare(const Mesh& mesh) {

@@ -18,6 +18,5 @@ void write_ply(const std::filesystem::path& path, const Mesh& mesh);
 /// `name` for anything else, for indices out of range, for a file that is cut off or too long, and for
 /// non-finite values.
 Mesh parse_ply(std::string_view bytes, const std::string& name);
-Mesh read_ply(const std::filesystem::path& path);
 
 }  // namespace texel::mesh

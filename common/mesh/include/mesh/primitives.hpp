@@ -42,15 +42,8 @@ Mesh sphere(int rings, int segments, float radius = 1.0f, Jitter jitter = {});
 /// in t (at least 3); seams doubled.
 Mesh torus(float major, float minor, int segments, int sides, Jitter jitter = {});
 
-/// A sphere of nearly equal triangles: an icosahedron split `subdivisions` times (0 to 8), 20 * 4^n
-/// triangles, 10 * 4^n + 2 vertices; normals, and no texture coordinates.
-Mesh icosphere(int subdivisions, float radius = 1.0f);
-
 /// Fills the exact tangents of a surface of revolution about y with s as its longitude (sphere, torus):
 /// T = (cos 2 pi s, 0, -sin 2 pi s), w = +1.
 void revolution_tangents(Mesh& mesh);
-
-/// Fills the exact tangents of quad and grid: T = +x, w = +1.
-void plane_tangents(Mesh& mesh);
 
 }  // namespace texel::mesh
