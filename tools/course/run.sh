@@ -2,7 +2,7 @@
 # shellcheck shell=bash
 # The part of ./run that a student's tree does not have: grading, tests, measurements, and what is generated.
 
-packages+=(libarchive-dev libsodium-dev libsqlitecpp-dev bubblewrap)
+packages+=(libarchive-dev libsodium-dev libsqlitecpp-dev bubblewrap tzdata)
 # Debian 13 does not have it.
 optional_packages+=(similarity-tester)
 format_packages=(clang-format)
