@@ -258,6 +258,16 @@ TEST(LabFile, refuses_what_is_missing_or_broken) {
   EXPECT_NE(refusal(std::string("\0\xff", 2)), "it was read");
 }
 
+// What a student and the grader read beside each figure.
+TEST(View, is_judged_in_the_unit_of_what_it_shows) {
+  const std::pair<const char*, const char*> units[] = {
+      {"color", "8-bit steps"},       {"normal", "degrees"}, {"tangent", "degrees"},
+      {"direction", "degrees"},       {"mesh", "degrees"},   {"lod", "levels"},
+      {"texcoord", "texture widths"}, {"depth", "units"}};
+  for (const auto& [view, unit] : units)
+    EXPECT_STREQ(name_of(unit_of(find_view(view).value())), unit) << view;
+}
+
 TEST(Labs, are_found_below_their_folder) {
   const LabFile file(kHead);
   ASSERT_EQ(read_labs(file.labs()).size(), 1U);
