@@ -2,11 +2,11 @@
 # shellcheck shell=bash
 # The part of ./run that a student's tree does not have: grading, tests, measurements, and what is generated.
 
-packages+=(libarchive-dev libsodium-dev libsqlitecpp-dev bubblewrap tzdata)
+packages+=(libarchive-dev libsodium-dev libsqlitecpp-dev bubblewrap python3 tzdata)
 # Debian 13 does not have it.
 optional_packages+=(similarity-tester)
 format_packages=(clang-format)
-test_packages=(libgtest-dev libtinyobjloader-dev xvfb xauth xdotool x11-utils imagemagick chromium webp python3)
+test_packages=(libgtest-dev libtinyobjloader-dev xvfb xauth xdotool x11-utils imagemagick chromium webp)
 bench_packages=(libbenchmark-dev libosmesa6-dev libtinyobjloader-dev xvfb xauth chromium)
 all_packages=(clang clang-tidy parallel mmdebstrap debian-archive-keyring slurmctld slurmd slurm-client munge)
 
