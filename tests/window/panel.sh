@@ -19,8 +19,13 @@ drag() { # from x y by dx
 # is_back FILE [GEOMETRY]: as returned_to. The mouse leaves for the title when the click was seen: its help hides a part.
 is_back_now() { shows "$@" || { sleep 1 && xdotool mousemove --window "$window" 300 10 && false; }; }
 is_back() { eventually is_back_now "$@"; }
-# opens X Y: a click there opens a list, or what stands in the middle of the panel changes otherwise.
-opens() { xdotool mousemove --window "$window" 300 10 && sleep 0.5 && look "$work/closed" 300x300+8+210 && click_at "$@" && changed_from "$work/closed" 300x300+8+210; }
+# opens X Y: a click there opens a list, or what stands in the middle of the panel changes otherwise. It rests before the
+# next click: a list takes some frames to come, and a click in these closes it.
+middle=300x300+8+210
+opens() {
+  xdotool mousemove --window "$window" 300 10 && settle "$work/closed" $middle && click_at "$@" &&
+    changed_from "$work/closed" $middle && settle "$work/open" $middle && ! cmp -s "$work/open" "$work/closed"
+}
 
 check 'the window opens' open_lab lab01_texture_quad
 check 'the picture comes to rest' settle "$work/first"
