@@ -9,12 +9,6 @@ find_package(fmt REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json REQUIRED)
-#@teacher begin
-find_package(LibArchive REQUIRED)
-find_package(SQLiteCpp REQUIRED)
-pkg_check_modules(sodium REQUIRED IMPORTED_TARGET libsodium)
-#@starter
-#@end
 pkg_check_modules(spng REQUIRED IMPORTED_TARGET spng)
 pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
 find_path(STB_INCLUDE_DIR stb/stb_image.h REQUIRED)

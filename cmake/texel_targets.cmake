@@ -36,11 +36,8 @@ target_compile_options(texel_flags INTERFACE
   # GCC 12's vectoriser of straight-line code turns double -> float -> double into nothing: then a result depends on what was
   # inlined and on -O.
   $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>
-  #@teacher begin
-  #@starter
-  # # What steps are to use is not used yet.
-  # -Wno-unused-parameter -Wno-unused-variable -Wno-unused-function
-  #@end
+  # What a student's steps are to use is not used yet.
+  $<$<NOT:$<BOOL:${TEXEL_TEACH}>>:-Wno-unused-parameter;-Wno-unused-variable;-Wno-unused-function>
   # A fused multiply-add would give other bytes on another machine.
   -ffp-contract=off
   $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> # what ccache needs of precompiled headers
@@ -129,12 +126,9 @@ function(texel_program name)
 endfunction()
 
 # texel_lab(05_normal_map): labs/05_normal_map/lab.cpp becomes the program lab05_normal_map.
-# A student's lab has no loop over pixels, and is compiled after each save. The course's has the truths.
+# It has no loop over pixels, and is compiled after each save.
 function(texel_lab folder)
-  if(NOT TARGET texel_truth)
-    set(kind LIGHT)
-  endif()
-  texel_program(lab${folder} ${kind} SOURCES ${folder}/lab.cpp DEPENDS texel_start)
+  texel_program(lab${folder} LIGHT SOURCES ${folder}/lab.cpp DEPENDS texel_start)
   target_include_directories(lab${folder} PRIVATE ${folder})
 endfunction()
 

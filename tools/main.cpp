@@ -10,10 +10,6 @@
 #include "command_line.hpp"
 #include "commands.hpp"
 #include "core/terminal.hpp"
-//@teacher begin
-#include "course/course_commands.hpp"
-//@starter
-//@end
 
 namespace texel::tools {
 namespace {
@@ -125,10 +121,8 @@ Exit run(int argc, char** argv) {
   add_gallery(app, gallery_options, list_only);
   add_compare(app, compare_options);
   add_student(app, student);
-  //@teacher begin
-  const CourseCommands course(app);
-  //@starter
-  //@end
+  const std::unique_ptr<MoreCommands> more =
+      MoreCommands::make != nullptr ? MoreCommands::make(app) : nullptr;
   reject_unknown_command(app, argc, argv);
   try {
     app.parse(argc, argv);
@@ -146,10 +140,8 @@ Exit run(int argc, char** argv) {
   if (app.got_subcommand("hint")) return hint(student.hint);
   if (app.got_subcommand("reset")) return reset(student.reset);
   if (app.got_subcommand("progress")) return progress(student.progress_context);
-  //@teacher begin
-  if (const std::optional<Exit> done = course.run()) return *done;
-  //@starter
-  //@end
+  if (more)
+    if (const std::optional<Exit> done = more->run()) return *done;
   return list_only ? list_sources() : gallery(gallery_options);
 }
 

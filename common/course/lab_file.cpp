@@ -9,8 +9,8 @@
 
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
+#include "course/reader.hpp"
 #include "params/set.hpp"
-#include "reader.hpp"
 
 namespace texel::course {
 namespace {

@@ -21,7 +21,7 @@ enum class Kind { begin, starter, end };
 /// A line that is a marker.
 struct Line {
   Kind kind;
-  std::string step;  ///< of `begin`; "" for the teacher's
+  std::string step;  ///< of `begin`
 };
 
 bool is_step(std::string_view id) {
@@ -36,11 +36,10 @@ constexpr const char* kRemedy = "a step stands between the lines '//@step 5.1 be
 std::optional<Line> marker_of(std::string_view line) {
   const std::size_t first = std::min(line.find_first_not_of(" \t"), line.size());
   std::string_view word = line.substr(first, line.find_last_not_of(" \t\r\n") + 1 - first);
-  if (!word.starts_with("//@") && !word.starts_with("#@")) return {};
-  word.remove_prefix(word.find('@') + 1);
+  if (!word.starts_with("//@")) return {};
+  word.remove_prefix(3);
   if (word == "starter") return Line{Kind::starter, {}};
   if (word == "end") return Line{Kind::end, {}};
-  if (word == "teacher begin") return Line{Kind::begin, {}};
   if (word.starts_with("step ") && word.ends_with(" begin") && word.size() > 11) {
     const std::string_view id = word.substr(5, word.size() - 11);
     if (is_step(id)) return Line{Kind::begin, std::string(id)};
@@ -52,7 +51,7 @@ std::optional<Line> marker_of(std::string_view line) {
 std::optional<Line> strict_marker_of(std::string_view line, const Place& place) {
   std::optional<Line> marker = marker_of(line);
   const std::string_view rest = line.substr(std::min(line.find_first_not_of(" \t"), line.size()));
-  if (!marker && (rest.starts_with("//@") || rest.starts_with("#@")))
+  if (!marker && rest.starts_with("//@"))
     throw Error::failed(fmt::format("there is no marker '{}'", rest.substr(0, rest.find_first_of("\r\n"))),
                         place, kRemedy);
   return marker;
@@ -102,9 +101,8 @@ std::string uncommented(std::string_view line) {
   const std::size_t first = line.find_first_not_of(" \t");
   if (first == line.npos) return std::string(line);
   std::string_view rest = line.substr(first);
-  const std::size_t sign = rest.starts_with("//") ? 2 : rest.starts_with("#") ? 1 : 0;
-  rest.remove_prefix(sign);
-  if (sign > 0 && rest.starts_with(" ")) rest.remove_prefix(1);
+  const bool is_comment = rest.starts_with("//");
+  if (is_comment) rest.remove_prefix(rest.starts_with("// ") ? 3 : 2);
   const bool is_blank = rest.find_first_not_of("\r\n") == rest.npos;
   return is_blank ? std::string(rest) : std::string(line.substr(0, first)) + std::string(rest);
 }
@@ -162,7 +160,7 @@ std::vector<StepPart> parts_of(const std::string& text) {
   each_line(text, [&](std::string_view line, std::size_t at, int number) {
     const std::optional<Line> marker = marker_of(line);
     if (!marker) return;
-    if (marker->kind == Kind::begin && !marker->step.empty())
+    if (marker->kind == Kind::begin)
       parts.push_back({marker->step, number, at, at + line.size()});
     else if (marker->kind == Kind::end && !parts.empty() && !parts.back().is_whole())
       parts.back().text_end = at, parts.back().end = at + line.size();
@@ -211,19 +209,18 @@ std::set<std::string> untouched_steps(const std::string& text, const std::string
 std::string with_steps(const std::string& text, const std::string& file,
                        const std::function<bool(const std::string&)>& solved) {
   std::string result;
-  bool is_step = false, is_solved = false, has_starter = false;
+  bool is_solved = false, has_starter = false;
   walk(
       text, file,
       [&](std::string_view line, const Line& marker, int number) {
         if (marker.kind == Kind::begin) {
-          is_step = !marker.step.empty();
-          is_solved = is_step && solved(marker.step);
+          is_solved = solved(marker.step);
           has_starter = false;
         }
         has_starter = has_starter || marker.kind == Kind::starter;
         if (marker.kind == Kind::end && !has_starter)
           throw Error::failed("this step has no '//@starter' part", {file, number}, kRemedy);
-        if (is_step && marker.kind != Kind::starter) result += line;
+        if (marker.kind != Kind::starter) result += line;
       },
       [&](Kind part, std::string_view line) {
         if (part == Kind::end || (part == Kind::begin && is_solved)) result += line;
@@ -293,7 +290,7 @@ std::map<std::string, Place> first_places(const std::filesystem::path& tree) {
   std::map<std::string, Place> places;
   for (const std::string& file : step_files(tree))
     for (const Marker& marker : markers_of(first_text(tree, file), file))
-      if (!marker.step.empty()) places.emplace(marker.step, Place{file, marker.line});
+      places.emplace(marker.step, Place{file, marker.line});
   return places;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reader.hpp"
+#include "course/reader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

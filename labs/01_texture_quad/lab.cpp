@@ -9,9 +9,8 @@
 #include "app/lab.hpp"
 #include "image/mipmaps.hpp"
 #include "parameters.hpp"
-#include "truth.hpp"
 
-using namespace texel;
+namespace texel::texture_quad {
 
 namespace {
 
@@ -31,7 +30,7 @@ constexpr GLenum kMinifyModes[] = {0,
 
 struct TextureQuad : app::Lab<TextureQuadParameters> {
   static constexpr app::View kViews[] = {app::View::color, app::View::texcoord, app::View::lod,
-                                         app::View::depth, app::View::mask,     app::View::error};
+                                         app::View::depth, app::View::mask};
   static constexpr app::Info info{1, "texture_quad", "Texture quad",
                                   "Paste a picture on a square, and filter it.", kViews};
 
@@ -75,11 +74,6 @@ struct TextureQuad : app::Lab<TextureQuadParameters> {
     glBindVertexArray(vertex_array_.id());
     glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_INT, nullptr);
   }
-
-  static app::Measure measure(const Parameters&) {
-    return {app::View::color, app::Unit::steps, "the mean of the picture's function over the pixel"};
-  }
-  static app::Truth truth(const Parameters& p, glm::ivec2 size) { return texture_quad_truth(p, size); }
 
  private:
   /// One attribute in its own buffer, `components` floats per vertex.
@@ -155,6 +149,8 @@ struct TextureQuad : app::Lab<TextureQuadParameters> {
   gl::Buffer position_buffer_, texcoord_buffer_, index_buffer_;
 };
 
+}  // namespace texel::texture_quad
+
 int main(int argc, char** argv) {
-  return app::run<TextureQuad>(argc, argv);
+  return texel::app::run<texel::texture_quad::TextureQuad>(argc, argv);
 }

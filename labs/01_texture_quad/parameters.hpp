@@ -4,7 +4,7 @@
 #include "app/camera.hpp"
 #include "params/set.hpp"
 
-namespace texel {
+namespace texel::texture_quad {
 
 enum class Method { nearest, bilinear, trilinear, anisotropic, supersampled };
 inline constexpr params::Item kMethods[] = {
@@ -93,4 +93,4 @@ struct TextureQuadParameters {
   }
 };
 
-}  // namespace texel
+}  // namespace texel::texture_quad

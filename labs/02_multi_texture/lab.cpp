@@ -14,9 +14,8 @@
 #include "mesh/primitives.hpp"
 #include "parameters.hpp"
 #include "premultiply.hpp"
-#include "truth.hpp"
 
-using namespace texel;
+namespace texel::multi_texture {
 
 namespace {
 
@@ -33,7 +32,7 @@ constexpr GLenum kMagnifyModes[] = {GL_NEAREST, GL_LINEAR};
 
 struct MultiTexture : app::Lab<MultiTextureParameters> {
   static constexpr app::View kViews[] = {app::View::color, app::View::texcoord, app::View::lod,
-                                         app::View::depth, app::View::mask,     app::View::error};
+                                         app::View::depth, app::View::mask};
   static constexpr app::Info info{2, "multi_texture", "Multi-texture",
                                   "Combine two pictures on one square, each from its own texture unit.",
                                   kViews};
@@ -78,10 +77,6 @@ struct MultiTexture : app::Lab<MultiTextureParameters> {
     square_.draw(program);
   }
 
-  static app::Measure measure(const Parameters&) {
-    return {app::View::color, app::Unit::steps, "the mean of the combined light over the pixel"};
-  }
-  static app::Truth truth(const Parameters& p, glm::ivec2 size) { return multi_texture_truth(p, size); }
   std::optional<app::Preparation> preparation(const Parameters& p) override {
     const image::Image8 picture = gl::expand_grey(assets_.texture(p.texture0));
     return app::Preparation{
@@ -150,6 +145,8 @@ struct MultiTexture : app::Lab<MultiTextureParameters> {
   gl::MeshBuffers square_{mesh::quad(0.7F)};
 };
 
+}  // namespace texel::multi_texture
+
 int main(int argc, char** argv) {
-  return app::run<MultiTexture>(argc, argv);
+  return texel::app::run<texel::multi_texture::MultiTexture>(argc, argv);
 }

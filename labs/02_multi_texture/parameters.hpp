@@ -4,7 +4,7 @@
 #include "app/camera.hpp"
 #include "params/set.hpp"
 
-namespace texel {
+namespace texel::multi_texture {
 
 enum class Method { encoded, linear, premultiplied };
 inline constexpr params::Item kMethods[] = {
@@ -96,4 +96,4 @@ struct MultiTextureParameters {
   }
 };
 
-}  // namespace texel
+}  // namespace texel::multi_texture

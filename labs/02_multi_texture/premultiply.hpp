@@ -2,7 +2,7 @@
 #pragma once
 #include "image/colour.hpp"
 
-namespace texel {
+namespace texel::multi_texture {
 
 /// Colour times alpha, multiplied in linear light: a transparent texel then adds nothing to an average.
 inline image::Image8 premultiplied(image::Image8 picture) {
@@ -15,4 +15,4 @@ inline image::Image8 premultiplied(image::Image8 picture) {
   return picture;
 }
 
-}  // namespace texel
+}  // namespace texel::multi_texture

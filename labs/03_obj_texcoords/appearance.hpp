@@ -8,7 +8,7 @@
 #include "image/colour.hpp"
 #include "import.hpp"
 
-namespace texel {
+namespace texel::obj_texcoords {
 
 /// The material of part `i`; null for none.
 inline const mesh::Material* material_of(const Imported& imported, std::size_t i) {
@@ -50,4 +50,4 @@ inline glm::vec3 pixel_color(const image::Image8& picture, const glm::vec2& texc
   return color;
 }
 
-}  // namespace texel
+}  // namespace texel::obj_texcoords

@@ -19,7 +19,7 @@
 #include "mesh/weld.hpp"
 #include "parameters.hpp"
 
-namespace texel {
+namespace texel::obj_texcoords {
 
 struct Imported {
   std::shared_ptr<const mesh::Mesh> mesh;  ///< centred, its farthest vertex at distance 1
@@ -97,4 +97,4 @@ inline Imported import_obj(const std::filesystem::path& file, Projection project
   return imported;
 }
 
-}  // namespace texel
+}  // namespace texel::obj_texcoords

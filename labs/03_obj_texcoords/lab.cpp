@@ -11,14 +11,12 @@
 #include "image/colour.hpp"
 #include "import.hpp"
 #include "parameters.hpp"
-#include "truth.hpp"
 
-using namespace texel;
+namespace texel::obj_texcoords {
 
 struct ObjTexcoords : app::Lab<ObjTexcoordsParameters> {
   static constexpr app::View kViews[] = {app::View::color, app::View::normal, app::View::texcoord,
-                                         app::View::lod,   app::View::depth,  app::View::mask,
-                                         app::View::error};
+                                         app::View::lod,   app::View::depth,  app::View::mask};
   static constexpr app::Info info{3, "obj_texcoords", "OBJ with texture coordinates",
                                   "Read a model with its texture coordinates, or generate them.", kViews};
 
@@ -54,8 +52,6 @@ struct ObjTexcoords : app::Lab<ObjTexcoordsParameters> {
     Model& model = model_for(p);
     return p.method == Method::per_vertex ? &colored(p, model).mesh() : &model.buffers.mesh();
   }
-  static app::Measure measure(const Parameters& p) { return obj_texcoords_measure(p); }
-  static app::Truth truth(const Parameters& p, glm::ivec2 size) { return obj_texcoords_truth(p, size); }
 
  private:
   struct ModelKey {
@@ -144,6 +140,8 @@ struct ObjTexcoords : app::Lab<ObjTexcoordsParameters> {
   app::Cache<TextureKey, gl::Texture> textures_;
 };
 
+}  // namespace texel::obj_texcoords
+
 int main(int argc, char** argv) {
-  return app::run<ObjTexcoords>(argc, argv);
+  return texel::app::run<texel::obj_texcoords::ObjTexcoords>(argc, argv);
 }

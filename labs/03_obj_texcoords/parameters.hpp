@@ -3,10 +3,9 @@
 #pragma once
 #include "app/camera.hpp"
 #include "app/light.hpp"
-#include "app/truth_parameter.hpp"
 #include "params/set.hpp"
 
-namespace texel {
+namespace texel::obj_texcoords {
 
 enum class Method { per_vertex, per_fragment };
 inline constexpr params::Item kMethods[] = {
@@ -36,12 +35,6 @@ inline constexpr params::Item kTints[] = {
     {"groups", "A colour for each g and o"},
     {"vertices", "A colour for each vertex of the stream: it runs on where triangles share a vertex"}};
 
-enum class Quantity { color, texcoord, normal };
-inline constexpr params::Item kQuantities[] = {
-    {"color", "The lit picture, in 8-bit levels: the sum of all errors"},
-    {"texcoord", "The texture coordinate, in texels: errors between vertices and at seams"},
-    {"normal", "The normal, in degrees: errors of flat and smooth normals"}};
-
 inline constexpr params::Item kModels[] = {{"gator", "An alligator, six materials"},
                                            {"ship", "An ocean liner, eight materials"},
                                            {"cube", "The report's cube: eight v and eight vt"},
@@ -68,7 +61,6 @@ struct ObjTexcoordsParameters {
   Tint tint{};
   bool flip_v{}, linear_light{};
   float texture_scale{};
-  Quantity truth{};
   app::Light light;
   float turn{};
   app::OrbitCamera camera;
@@ -88,9 +80,6 @@ struct ObjTexcoordsParameters {
     set.add(tint, {"tint", Tint::none, kTints, "Colour the parts of the file, or the vertices"});
     set.add(linear_light, {"linear_light", true,
                            "Light and filter in linear light; off: with encoded values, as the report does"});
-    app::declare_truth(
-        set, truth,
-        {"truth", Quantity::color, kQuantities, "What the view error compares with the exact answer"});
     light.declare<app::Lighting{.ambient = 0.35F, .specular = 0.05F}>(set);
     set.section("Turn");
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});
@@ -98,4 +87,4 @@ struct ObjTexcoordsParameters {
   }
 };
 
-}  // namespace texel
+}  // namespace texel::obj_texcoords

@@ -13,9 +13,8 @@
 #include "mesh/texcoords.hpp"
 #include "mesh/weld.hpp"
 #include "parameters.hpp"
-#include "truth.hpp"
 
-using namespace texel;
+namespace texel::cube_wrap {
 
 namespace {
 
@@ -69,7 +68,7 @@ mesh::Mesh wrapped_cube(Method method) {
   return split_cube();
 }
 
-/// The cost of the wrapping, and its two errors that the report names.
+/// The cost of the wrapping, and the two faults that the report names.
 std::vector<std::string> figures(const mesh::Mesh& mesh) {
   const std::size_t bytes_a_vertex = 2 * sizeof(glm::vec3) + sizeof(glm::vec2);
   std::vector<std::string> lines = mesh::describe_stretch(mesh);
@@ -82,8 +81,7 @@ std::vector<std::string> figures(const mesh::Mesh& mesh) {
 
 struct CubeWrap : app::Lab<CubeWrapParameters> {
   static constexpr app::View kViews[] = {app::View::color, app::View::normal, app::View::texcoord,
-                                         app::View::lod,   app::View::depth,  app::View::mask,
-                                         app::View::error};
+                                         app::View::lod,   app::View::depth,  app::View::mask};
   static constexpr app::Info info{4, "cube_wrap", "Cube wrap",
                                   "Give every face of a cube its own copy of a picture.", kViews};
 
@@ -109,8 +107,6 @@ struct CubeWrap : app::Lab<CubeWrapParameters> {
   std::optional<app::Preparation> preparation(const Parameters& p) override {
     return app::Preparation{"triangle", mesh(p)->triangle_count(), [this, p] { static_cast<void>(wrap(p)); }};
   }
-  static app::Measure measure(const Parameters& p) { return cube_wrap_measure(p); }
-  static app::Truth truth(const Parameters& p, glm::ivec2 size) { return cube_wrap_truth(p, size); }
 
  private:
   struct Key {
@@ -151,6 +147,8 @@ struct CubeWrap : app::Lab<CubeWrapParameters> {
   app::Cache<std::string, gl::Texture> textures_;
 };
 
+}  // namespace texel::cube_wrap
+
 int main(int argc, char** argv) {
-  return app::run<CubeWrap>(argc, argv);
+  return texel::app::run<texel::cube_wrap::CubeWrap>(argc, argv);
 }

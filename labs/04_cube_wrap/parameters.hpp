@@ -4,10 +4,9 @@
 #include "app/camera.hpp"
 #include "app/light.hpp"
 #include "app/models.hpp"
-#include "app/truth_parameter.hpp"
 #include "params/set.hpp"
 
-namespace texel {
+namespace texel::cube_wrap {
 
 enum class Method { before, stretched, split, weld };
 inline constexpr params::Item kMethods[] = {
@@ -23,11 +22,6 @@ inline constexpr params::Item kNormals[] = {
     {"shared", "One normal for all faces that meet at a point: smooth, and wrong at a cube's edge"},
     {"face", "Each triangle's own: triangles that face different ways cannot share vertices"}};
 
-enum class Quantity { texcoord, normal };
-inline constexpr params::Item kQuantities[] = {
-    {"texcoord", "The texture coordinate, in texels; right means a copy of the picture on each face"},
-    {"normal", "The normal, in degrees from the face's normal"}};
-
 inline constexpr params::Item kTextures[] = {{"label_grid", "Cells with letters: shows every flip and swap"},
                                              {"brick", "A brick wall (the report)"},
                                              {"wood", "Wooden planks"},
@@ -40,7 +34,6 @@ struct CubeWrapParameters {
   Method method{};
   Normals normals{};
   float texture_scale{};
-  Quantity truth{};
   app::Light light;
   float turn{};
   app::OrbitCamera camera;
@@ -54,9 +47,6 @@ struct CubeWrapParameters {
     set.add(texture, {"texture", "label_grid", kTextures, "The picture on it (keys K and L)"});
     set.add(texture_scale,
             {"texture_scale", 1, 0.1, 20, "", "How often the picture repeats", params::Scale::logarithmic});
-    app::declare_truth(
-        set, truth,
-        {"truth", Quantity::texcoord, kQuantities, "What the view error compares with the exact answer"});
     light.declare<app::Lighting{}>(set);
     set.section("Turn");
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the model about the vertical axis"});
@@ -64,4 +54,4 @@ struct CubeWrapParameters {
   }
 };
 
-}  // namespace texel
+}  // namespace texel::cube_wrap

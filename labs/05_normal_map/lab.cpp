@@ -12,14 +12,12 @@
 #include "gl/upload.hpp"
 #include "model.hpp"
 #include "parameters.hpp"
-#include "truth.hpp"
 
-using namespace texel;
+namespace texel::normal_map {
 
 struct NormalMap : app::Lab<NormalMapParameters> {
   static constexpr app::View kViews[] = {app::View::color,    app::View::normal, app::View::tangent,
-                                         app::View::texcoord, app::View::depth,  app::View::mask,
-                                         app::View::error};
+                                         app::View::texcoord, app::View::depth,  app::View::mask};
   static constexpr app::Info info{5, "normal_map", "Normal map",
                                   "Light a flat surface as if it were a relief.", kViews};
 
@@ -68,12 +66,6 @@ struct NormalMap : app::Lab<NormalMapParameters> {
 
   /// The vertex stream as drawn.
   const mesh::Mesh* mesh(const Parameters& p) override { return &drawn(p).buffers.mesh(); }
-  static app::Measure measure(const Parameters& p) {
-    return {app::View::normal, app::Unit::degrees, app::name_of(p.truth)};
-  }
-  static app::Truth truth(const Parameters& p, glm::ivec2 size) {
-    return normal_map_truth(p, normal_map_name(p), size);
-  }
   /// The tangents that are computed for the vertices.
   std::optional<app::Preparation> preparation(const Parameters& p) override {
     const auto method = kept_tangents(p.method);
@@ -133,13 +125,6 @@ struct NormalMap : app::Lab<NormalMapParameters> {
     });
   }
 
-  /// "matching" is the map that was made with the texture.
-  static std::string normal_map_name(const Parameters& p) {
-    if (p.normal_map != "matching") return p.normal_map;
-    const bool has_relief = p.texture == "brick" || p.texture == "wood" || p.texture == "scales";
-    return has_relief ? p.texture : "flat";
-  }
-
   struct MeshKey {
     std::string model;
     Method method;
@@ -155,6 +140,8 @@ struct NormalMap : app::Lab<NormalMapParameters> {
   app::Cache<std::string, std::size_t> grey_texels_;
 };
 
+}  // namespace texel::normal_map
+
 int main(int argc, char** argv) {
-  return app::run<NormalMap>(argc, argv);
+  return texel::app::run<texel::normal_map::NormalMap>(argc, argv);
 }

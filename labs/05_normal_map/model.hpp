@@ -11,7 +11,7 @@
 #include "mesh/tangents.hpp"
 #include "parameters.hpp"
 
-namespace texel {
+namespace texel::normal_map {
 
 /// The model with its texture coordinates, and with exact tangents if they have a formula and are wanted.
 inline app::Model textured_model(const app::Assets& assets, const NormalMapParameters& p) {
@@ -32,6 +32,13 @@ inline app::Model textured_model(const app::Assets& assets, const NormalMapParam
   return model;
 }
 
+/// The normal map: "matching" is the one that was made with the texture.
+inline std::string normal_map_name(const NormalMapParameters& p) {
+  if (p.normal_map != "matching") return p.normal_map;
+  const bool has_relief = p.texture == "brick" || p.texture == "wood" || p.texture == "scales";
+  return has_relief ? p.texture : "flat";
+}
+
 /// How tangents are made for the vertices; nothing if the shader makes them or needs none.
 inline std::optional<mesh::TangentMethod> kept_tangents(Method method) {
   switch (method) {
@@ -49,4 +56,4 @@ inline std::optional<mesh::TangentMethod> kept_tangents(Method method) {
   }
 }
 
-}  // namespace texel
+}  // namespace texel::normal_map

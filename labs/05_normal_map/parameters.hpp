@@ -4,12 +4,10 @@
 #include "app/camera.hpp"
 #include "app/light.hpp"
 #include "app/models.hpp"
-#include "app/relief_truth.hpp"
-#include "app/truth_parameter.hpp"
 #include "mesh/texcoords.hpp"
 #include "params/set.hpp"
 
-namespace texel {
+namespace texel::normal_map {
 
 enum class Method {
   per_vertex,
@@ -66,7 +64,6 @@ struct NormalMapParameters {
   Filter filter{};
   float bump_strength{}, texture_scale{};
   mesh::TextureLayout layout;
-  app::ReliefTruth truth{};
   app::Tessellation tessellation;
   app::Light light;
   float turn{}, stretch{};
@@ -81,9 +78,6 @@ struct NormalMapParameters {
     set.add(decode, {"decode", Decode::standard, kDecodes, "How a colour becomes a normal"});
     set.add(bump_strength,
             {"bump_strength", 1, 0, 4, "", "Steepness of the relief: multiplies the normal's x and y"});
-    app::declare_truth(
-        set, truth,
-        {"truth", app::ReliefTruth::baked_map, app::kReliefTruths, "What the view error compares with"});
     set.section("Textures");
     set.add(texture, {"texture", "brick", kTextures, "Colour of the surface (keys K and L)"});
     set.add(normal_map, {"normal_map", "matching", kNormalMaps, "Relief of the surface"});
@@ -110,4 +104,4 @@ struct NormalMapParameters {
   }
 };
 
-}  // namespace texel
+}  // namespace texel::normal_map

@@ -9,14 +9,13 @@
 #include "image/mipmaps.hpp"
 #include "mesh/primitives.hpp"
 #include "parameters.hpp"
-#include "truth.hpp"
 
-using namespace texel;
+namespace texel::cube_map {
 
 struct CubeMap : app::Lab<CubeMapParameters> {
   static constexpr app::View kViews[] = {app::View::color,    app::View::normal, app::View::direction,
                                          app::View::texcoord, app::View::lod,    app::View::depth,
-                                         app::View::mask,     app::View::error};
+                                         app::View::mask};
   static constexpr app::Info info{6, "cube_map", "Cube map",
                                   "Cover a sphere with six pictures, without seams or poles.", kViews};
 
@@ -43,9 +42,6 @@ struct CubeMap : app::Lab<CubeMapParameters> {
     }
     sphere.draw_closed(program, glm::length(p.camera.eye()) > 1);
   }
-
-  static app::Measure measure(const Parameters& p) { return cube_map_measure(p); }
-  static app::Truth truth(const Parameters& p, glm::ivec2 size) { return cube_map_truth(p, size); }
 
  private:
   const gl::Texture& cube_map(const Parameters& p) {
@@ -111,6 +107,8 @@ struct CubeMap : app::Lab<CubeMapParameters> {
   app::Cache<std::string, gl::Texture> pictures_;
 };
 
+}  // namespace texel::cube_map
+
 int main(int argc, char** argv) {
-  return app::run<CubeMap>(argc, argv);
+  return texel::app::run<texel::cube_map::CubeMap>(argc, argv);
 }

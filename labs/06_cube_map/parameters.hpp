@@ -3,10 +3,9 @@
 #pragma once
 #include "app/camera.hpp"
 #include "app/environment.hpp"
-#include "app/truth_parameter.hpp"
 #include "params/set.hpp"
 
-namespace texel {
+namespace texel::cube_map {
 
 enum class Mapping { sphere_2d, cube };
 inline constexpr params::Item kMappings[] = {
@@ -35,12 +34,6 @@ inline constexpr params::Item kSeamMethods[] = {
     {"wrapped", "Takes the difference of u the short way round"},
     {"analytic", "Derivative of the formula instead of differences"}};
 
-enum class TruthOf { color, level };
-inline constexpr params::Item kTruths[] = {
-    {"color", "The mean of the pictures' function over the pixel, in 8-bit levels"},
-    {"level",
-     "The level of detail by the exact derivative, in levels; not at the rim, where it is infinite"}};
-
 inline constexpr params::Item kPictures[] = {
     {"label_grid", "Cells with letters: shows every flip and swap"},
     {"brick", "A brick wall"},
@@ -54,7 +47,6 @@ struct CubeMapParameters {
   Faces faces{};
   SeamMethod seam_method{};
   std::string cube_map, picture;
-  TruthOf truth{};
   int rings{}, segments{};
   float tilt{}, turn{};
   app::OrbitCamera camera;
@@ -70,7 +62,6 @@ struct CubeMapParameters {
     set.add(picture, {"picture", "label_grid", kPictures, "The picture for mapping sphere-2d"});
     set.add(seam_method, {"seam_method", SeamMethod::analytic, kSeamMethods,
                           "How the level of detail is found where u jumps (for mapping sphere-2d)"});
-    app::declare_truth(set, truth, {"truth", TruthOf::color, kTruths, "What the view error compares with"});
     set.section("Sphere");
     set.add(tilt, {"tilt", 0, -180, 180, "degrees", "Leans the sphere forward: 90 shows its north pole"});
     set.add(turn, {"turn", 0, -360, 360, "degrees", "Turns the sphere about its poles: 180 shows the seam"});
@@ -80,4 +71,4 @@ struct CubeMapParameters {
   }
 };
 
-}  // namespace texel
+}  // namespace texel::cube_map

@@ -9,13 +9,12 @@
 #include "mesh/primitives.hpp"
 #include "parameters.hpp"
 #include "scene.hpp"
-#include "truth.hpp"
 
-using namespace texel;
+namespace texel::environment {
 
 struct EnvironmentLab : app::Lab<EnvironmentParameters> {
   static constexpr app::View kViews[] = {app::View::color, app::View::direction, app::View::depth,
-                                         app::View::mask, app::View::error};
+                                         app::View::mask};
   static constexpr app::Info info{7, "environment", "Environment",
                                   "Surround the scene with a cube map behind everything.", kViews};
 
@@ -40,11 +39,6 @@ struct EnvironmentLab : app::Lab<EnvironmentParameters> {
     // draw_background(p, frame);
     //@end
   }
-
-  static app::Measure measure(const Parameters&) {
-    return {app::View::direction, app::Unit::degrees, "the ray of the pixel, beside the spheres"};
-  }
-  static app::Truth truth(const Parameters& p, glm::ivec2 size) { return environment_truth(p, size); }
 
  private:
   /// The corners of the picture in clip space; the shader adds z and w.
@@ -111,6 +105,8 @@ struct EnvironmentLab : app::Lab<EnvironmentParameters> {
   app::Cache<std::pair<int, int>, gl::MeshBuffers> spheres_;
 };
 
+}  // namespace texel::environment
+
 int main(int argc, char** argv) {
-  return app::run<EnvironmentLab>(argc, argv);
+  return texel::app::run<texel::environment::EnvironmentLab>(argc, argv);
 }

@@ -5,7 +5,7 @@
 #include "app/environment.hpp"
 #include "params/set.hpp"
 
-namespace texel {
+namespace texel::environment {
 
 enum class Method { inverse_by_factors, inverse_of_product, unproject, analytic_ray };
 inline constexpr params::Item kMethods[] = {
@@ -63,4 +63,4 @@ struct EnvironmentParameters {
   }
 };
 
-}  // namespace texel
+}  // namespace texel::environment

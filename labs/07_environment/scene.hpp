@@ -3,7 +3,7 @@
 #pragma once
 #include <glm/vec4.hpp>
 
-namespace texel {
+namespace texel::environment {
 
 /// Centre and radius of the spheres in world space: one in front, the others farther and farther away.
 inline constexpr glm::vec4 kSpheres[] = {{0, 0, 0, 1},
@@ -12,4 +12,4 @@ inline constexpr glm::vec4 kSpheres[] = {{0, 0, 0, 1},
                                          {6.5F, 1.8F, -8, 1.2F},
                                          {-7, 8, -16, 2}};
 
-}  // namespace texel
+}  // namespace texel::environment

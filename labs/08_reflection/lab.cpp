@@ -8,13 +8,12 @@
 #include "gl/upload.hpp"
 #include "mesh/primitives.hpp"
 #include "parameters.hpp"
-#include "truth.hpp"
 
-using namespace texel;
+namespace texel::reflection {
 
 struct Reflection : app::Lab<ReflectionParameters> {
   static constexpr app::View kViews[] = {app::View::color, app::View::normal, app::View::direction,
-                                         app::View::depth, app::View::mask,   app::View::error};
+                                         app::View::depth, app::View::mask};
   static constexpr app::Info info{8, "reflection", "Reflection",
                                   "Make the sphere a mirror, then glass, by following one ray.", kViews};
 
@@ -28,18 +27,10 @@ struct Reflection : app::Lab<ReflectionParameters> {
     const glm::mat4 world_from_object = glm::scale(turned, glm::vec3(1, p.stretch, 1));
     const glm::mat4 object_from_world = glm::inverse(world_from_object);
     const glm::vec3 eye_in_object = object_from_world * glm::vec4(p.camera.eye(), 1);
-    //@teacher begin
-    // The inverse transpose of a rotation is the rotation itself; of a scale it is the reciprocal. So the
-    // normals of a stretched ball turn away from the axis while its edges turn towards it.
-    const glm::mat3 rotation_and_scale(world_from_object);
-    const glm::mat3 normal_from_object = p.normal_matrix == NormalMatrix::inverse_transpose
-                                             ? glm::transpose(glm::inverse(rotation_and_scale))
-                                             : rotation_and_scale;
-    //@starter
-    // // Normals do not move like points when the ball is stretched (lab 5).
-    // const float along_y = p.normal_matrix == NormalMatrix::inverse_transpose ? 1 / p.stretch : p.stretch;
-    // const glm::mat3 normal_from_object(glm::scale(turned, glm::vec3(1, along_y, 1)));
-    //@end
+    // Normals do not move like points when the ball is stretched (lab 5): they turn away from the axis while
+    // its edges turn towards it.
+    const float along_y = p.normal_matrix == NormalMatrix::inverse_transpose ? 1 / p.stretch : p.stretch;
+    const glm::mat3 normal_from_object(glm::scale(turned, glm::vec3(1, along_y, 1)));
 
     environment_.bind(0, p.cube_map);
     gl::Program& program = frame.program("08_reflection/reflection");
@@ -58,11 +49,6 @@ struct Reflection : app::Lab<ReflectionParameters> {
     environment_.draw_background(frame, p.camera, 0);
   }
 
-  static app::Measure measure(const Parameters&) {
-    return {app::View::direction, app::Unit::degrees, "the ray of the exact ball"};
-  }
-  static app::Truth truth(const Parameters& p, glm::ivec2 size) { return reflection_truth(p, size); }
-
  private:
   /// The cube map's six pictures as one picture, by two angles or as a mirror ball shows them.
   gl::Texture picture(const Parameters& p) const {
@@ -80,6 +66,8 @@ struct Reflection : app::Lab<ReflectionParameters> {
   app::Cache<std::pair<Lookup, std::string>, gl::Texture> pictures_;
 };
 
+}  // namespace texel::reflection
+
 int main(int argc, char** argv) {
-  return app::run<Reflection>(argc, argv);
+  return texel::app::run<texel::reflection::Reflection>(argc, argv);
 }

@@ -5,7 +5,7 @@
 #include "app/environment.hpp"
 #include "params/set.hpp"
 
-namespace texel {
+namespace texel::reflection {
 
 enum class Method { constant_eye, per_fragment };
 inline constexpr params::Item kMethods[] = {
@@ -78,4 +78,4 @@ struct ReflectionParameters {
   }
 };
 
-}  // namespace texel
+}  // namespace texel::reflection

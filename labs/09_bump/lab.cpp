@@ -5,18 +5,16 @@
 
 #include "app/environment.hpp"
 #include "app/lab.hpp"
-#include "cost.hpp"
 #include "gl/upload.hpp"
 #include "mesh/primitives.hpp"
 #include "parameters.hpp"
-#include "truth.hpp"
 
-using namespace texel;
+namespace texel::bump {
 
 struct Bump : app::Lab<BumpParameters> {
   static constexpr app::View kViews[] = {app::View::color,     app::View::normal,   app::View::tangent,
                                          app::View::direction, app::View::texcoord, app::View::depth,
-                                         app::View::mask,      app::View::error};
+                                         app::View::mask};
   static constexpr app::Info info{9, "bump", "Bump mapping",
                                   "Bend the mirror ball's normals with a normal map.", kViews};
 
@@ -47,12 +45,6 @@ struct Bump : app::Lab<BumpParameters> {
     environment_.draw_background(frame, p.camera, 0);
   }
 
-  static app::Measure measure(const Parameters& p) {
-    return {app::View::direction, app::Unit::degrees, app::name_of(p.truth)};
-  }
-  static app::Truth truth(const Parameters& p, glm::ivec2 size) { return bump_truth(p, size); }
-  std::optional<app::Preparation> preparation(const Parameters& p) override { return bases_around(p.method); }
-
  private:
   const app::Assets& assets_;
   app::Environment environment_;
@@ -60,6 +52,8 @@ struct Bump : app::Lab<BumpParameters> {
   app::Cache<std::pair<std::string, bool>, gl::Texture> normal_maps_;
 };
 
+}  // namespace texel::bump
+
 int main(int argc, char** argv) {
-  return app::run<Bump>(argc, argv);
+  return texel::app::run<texel::bump::Bump>(argc, argv);
 }

@@ -3,11 +3,9 @@
 #pragma once
 #include "app/camera.hpp"
 #include "app/environment.hpp"
-#include "app/relief_truth.hpp"
-#include "app/truth_parameter.hpp"
 #include "params/set.hpp"
 
-namespace texel {
+namespace texel::bump {
 
 enum class Method { rotate_to_normal, sign_corrected, duff, hughes_moller, cross_up, uv_aligned, blinn };
 inline constexpr params::Item kMethods[] = {
@@ -45,7 +43,6 @@ struct BumpParameters {
   int repeats{};
   MipFilter mip_filter{};
   Incident incident{};
-  app::ReliefTruth truth{};
   int rings{}, segments{};
   float tilt{}, turn{};
   app::OrbitCamera camera;
@@ -66,9 +63,6 @@ struct BumpParameters {
     set.add(cube_map, {"cube_map", "scene", app::kCubeMaps, "What is reflected (keys K and L)"});
     set.add(incident,
             {"incident", Incident::per_fragment, kIncidents, "The ray that arrives at the surface (lab 8)"});
-    app::declare_truth(
-        set, truth,
-        {"truth", app::ReliefTruth::baked_map, app::kReliefTruths, "What the view error compares with"});
     set.section("Ball");
     set.add(rings, {"rings", 64, 2, 256, "", "Bands from pole to pole"});
     set.add(segments, {"segments", 128, 3, 512, "", "Quads around each band"});
@@ -78,4 +72,4 @@ struct BumpParameters {
   }
 };
 
-}  // namespace texel
+}  // namespace texel::bump

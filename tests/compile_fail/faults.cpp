@@ -16,9 +16,9 @@
 // lab_with_misspelt_draw | DRAW=drawn | override
 // lab_with_misspelt_mesh | MESH=meshes | override
 // lab_with_misspelt_preparation | PREPARATION=preparations | override
-// lab_with_misspelt_measure | MEASURE=measures | a lab has 'static app::Measure measure(const Parameters&)' if it has the view error
-// lab_with_misspelt_truth | TRUTH=truths | a lab has 'static app::Truth truth(const Parameters&, glm::ivec2)' if it has the view error
-// lab_with_truth_without_the_view_error | VIEW=color | a lab has 'static app::Truth truth(const Parameters&, glm::ivec2)' if it has the view error
+// answer_with_misspelt_declare | DECLARE=declares | override
+// answer_with_misspelt_measure | MEASURE=measures | override
+// answer_with_misspelt_truth | TRUTH=truths | override
 //
 // clang-format on
 #include "app/lab.hpp"
@@ -72,8 +72,8 @@
 #ifndef TRUTH
 #define TRUTH truth
 #endif
-#ifndef VIEW
-#define VIEW error
+#ifndef DECLARE
+#define DECLARE declare
 #endif
 
 namespace texel {
@@ -96,15 +96,22 @@ struct SmallParameters {
 };
 
 struct SmallLab : app::Lab<SmallParameters> {
-  static constexpr app::View kViews[] = {app::View::color, app::View::VIEW};
+  static constexpr app::View kViews[] = {app::View::color};
   static constexpr app::Info info{10, "small", "Small", "As small as a lab can be.", kViews};
   explicit SmallLab(const app::Assets&) {}
   void DRAW(const Parameters&, app::Frame&) override {}
   const mesh::Mesh* MESH(const Parameters&) override { return nullptr; }
   std::optional<app::Preparation> PREPARATION(const Parameters&) override { return {}; }
-  static app::Measure MEASURE(const Parameters&) { return {app::View::color, app::Unit::steps, "a truth"}; }
-  static app::Truth TRUTH(const Parameters&, glm::ivec2) { return {}; }
 };
 template class app::LabOf<SmallLab>;
+
+struct SmallAnswer final : app::Answer<SmallParameters> {
+  void DECLARE(params::Set&) override {}
+  app::Measure MEASURE(const SmallParameters&) const override {
+    return {app::View::color, app::Unit::steps, "a truth"};
+  }
+  app::Truth TRUTH(const SmallParameters&, glm::ivec2) const override { return {}; }
+};
+const bool known = app::know<SmallParameters, SmallAnswer>();
 
 }  // namespace texel

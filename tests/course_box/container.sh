@@ -37,7 +37,7 @@ rm -rf --one-file-system "$root"
 mmdebstrap --quiet --variant=apt --include=ca-certificates bookworm "$root"
 mount -t proc proc "$root/proc"
 mkdir -p "$root/opt/texel" "$root/tree"
-# COPY run tools/course*/run.sh /opt/texel/
+# COPY run teach/commands*/run.sh /opt/texel/
 copied=$(sed -n 's/^COPY \(.*\) \/opt\/texel\/$/\1/p' "$course/.devcontainer/Dockerfile")
 (cd "$course" && cp $copied "$root/opt/texel")
 python3 - "$course/.devcontainer/Dockerfile" >"$root/typed" <<'P'

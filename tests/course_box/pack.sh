@@ -10,8 +10,8 @@ printf '%s\n' course/ course/CMakeLists.txt course/labs/ course/labs/05_normal_m
   labs.txt run_autograder seed.txt setup.sh | LC_ALL=C sort >expected
 
 make_course() { # folder
-  mkdir -p "$1"/{labs/05_normal_map,tools/course} "$1"/{class,out,build}
-  cp -r "$course/tools/course/box" "$1/tools/course/box"
+  mkdir -p "$1"/{labs/05_normal_map,teach/commands} "$1"/{class,out,build}
+  cp -r "$course/teach/commands/box" "$1/teach/commands/box"
   touch "$1"/{run,CMakeLists.txt,labs/05_normal_map/lab.cpp}
 }
 spoil() { # folder: what teachers leave there
@@ -19,7 +19,7 @@ spoil() { # folder: what teachers leave there
   touch "$1/labs/marks.csv" "$1/labs/seed.txt"
 }
 pack() { # folder
-  "$1/tools/course/box/gradescope" --labs 5 --seed-file seed.txt --out "$1.zip" >"$1.said" 2>&1
+  "$1/teach/commands/box/gradescope" --labs 5 --seed-file seed.txt --out "$1.zip" >"$1.said" 2>&1
   cmake -E tar tf "$1.zip" | grep -v '^course/tools/' | LC_ALL=C sort -u
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Functions of the shaders of labs 6, 8 and 9 by themselves, at the inputs at which such functions fail: run
-// over tables, and compared with common/truth in double precision and with their twins in common/math.
+// over tables, and compared with teach/truth in double precision and with their twins in teach/answers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 #include "../support/oracles.hpp"
 #include "../support/probe.hpp"
 #include "../support/tolerance.hpp"
+#include "answers/basis.hpp"
 #include "gl/context.hpp"
-#include "math/basis.hpp"
 #include "procedural/cube.hpp"
 #include "truth/cube_map.hpp"
 #include "truth/optics.hpp"
@@ -79,7 +79,7 @@ class HardCaseOfFrames : public HardCase {
  protected:
   static std::vector<Define> method(const std::string& name) {
     std::vector<std::string> names;
-    math::for_each_basis([&](const std::string& basis, auto) { names.push_back(constant(basis)); });
+    answers::for_each_basis([&](const std::string& basis, auto) { names.push_back(constant(basis)); });
     names.push_back("BLINN");
     return choice("METHOD", names, constant(name));
   }
@@ -98,7 +98,7 @@ class HardCaseOfFrames : public HardCase {
 
 TEST_F(HardCaseOfFrames, are_their_twins_in_common_math) {
   const std::vector<vec3> directions = test::hard_directions();
-  math::for_each_basis([&](const std::string& name, auto twin) {
+  answers::for_each_basis([&](const std::string& name, auto twin) {
     const std::vector<glm::mat3> shader = frames(name, directions);
     for (std::size_t i = 0; i < directions.size(); ++i) {
       const vec3 n = directions[i];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The labs at the inputs at which their techniques fail: what the default method survives, and where the
-// others are known to fail, and by how much. Whole pictures, compared with common/truth pixel by pixel.
+// others are known to fail, and by how much. Whole pictures, compared with teach/truth pixel by pixel.
 #include <fmt/format.h>
 
 #include <algorithm>

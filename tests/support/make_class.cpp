@@ -36,9 +36,9 @@
 #include "core/json.hpp"
 #include "course/lab_file.hpp"
 #include "course/markers.hpp"
-#include "course/mutant_file.hpp"
 #include "grade/submission.hpp"
 #include "judge/results.hpp"
+#include "material/mutant_file.hpp"
 
 namespace texel::test {
 namespace {
@@ -225,25 +225,25 @@ class ClassMaker {
   }
 
   /// Those that a student can make who is graded in these labs.
-  [[nodiscard]] std::vector<course::Mutant> fitting(const char* catalogue) const {
-    std::vector<course::Mutant> fit;
-    for (const course::Mutant& mutant : course::read_catalogue(options_.root / catalogue))
+  [[nodiscard]] std::vector<material::Mutant> fitting(const char* catalogue) const {
+    std::vector<material::Mutant> fit;
+    for (const material::Mutant& mutant : material::read_catalogue(options_.root / catalogue))
       if (sources_.count(mutant.file) > 0 && !mutant.step.empty() && is_asked(lab_of(mutant.step)))
         fit.push_back(mutant);
     return fit;
   }
 
   /// The first mutant of each step, and mistakes on which many other steps build.
-  [[nodiscard]] std::vector<course::Mutant> one_for_each_step() const {
-    std::vector<course::Mutant> chosen;
-    for (const course::Mutant& mutant : fitting("tests/mutants"))
+  [[nodiscard]] std::vector<material::Mutant> one_for_each_step() const {
+    std::vector<material::Mutant> chosen;
+    for (const material::Mutant& mutant : fitting("tests/mutants"))
       if (std::none_of(chosen.begin(), chosen.end(),
-                       [&](const course::Mutant& one) { return one.step == mutant.step; }))
+                       [&](const material::Mutant& one) { return one.step == mutant.step; }))
         chosen.push_back(mutant);
     const auto add = [&](const char* name, const char* step, const char* file, const char* what,
                          const char* by) {
       if (!is_asked(lab_of(step))) return;
-      course::Mutant mutant;
+      material::Mutant mutant;
       mutant.name = name, mutant.step = step, mutant.file = file, mutant.what = what, mutant.by = by;
       chosen.push_back(mutant);
     };
@@ -256,9 +256,9 @@ class ClassMaker {
     return chosen;
   }
 
-  void changes(const std::vector<course::Mutant>& chosen, const std::string& kind) {
-    for (const course::Mutant& mutant : chosen) {
-      const Files files = solution({{mutant.file, course::mutated(mutant, sources_.at(mutant.file))}});
+  void changes(const std::vector<material::Mutant>& chosen, const std::string& kind) {
+    for (const material::Mutant& mutant : chosen) {
+      const Files files = solution({{mutant.file, material::mutated(mutant, sources_.at(mutant.file))}});
       Json outcome = {{"passes", all_steps()}};
       if (!mutant.is_right)
         outcome = {{"passes", steps([&](const std::string& step) { return step != mutant.step; })},
@@ -283,7 +283,7 @@ class ClassMaker {
 
   void threats(const std::string& kind) {
     const std::string asked = read_file(options_.root / "tests/threats/asked.hpp");
-    for (course::Mutant threat : course::read_threats(options_.root / "tests/threats")) {
+    for (material::Mutant threat : material::read_threats(options_.root / "tests/threats")) {
       const bool is_slow = fs::path(threat.place.file).stem() == "slow";
       if (is_slow != (kind == "slow")) continue;
       const int lab = threat.step.empty() ? lab_of_file(threat.file) : lab_of(threat.step);
@@ -291,7 +291,7 @@ class ClassMaker {
       replace_all(threat.by, "@ASKED@", asked);
       replace_all(threat.by, "@ROOT@", options_.root.string());
       replace_all(threat.by, "@CLASS@", options_.out.string());
-      const Files files = solution({{threat.file, course::mutated(threat, sources_.at(threat.file))}});
+      const Files files = solution({{threat.file, material::mutated(threat, sources_.at(threat.file))}});
       Json outcome = {{"zero", {threat.step}}};
       // Steps of other files are judged among the solution's.
       const auto texts = course::step_texts(files.at(threat.file));

@@ -9,10 +9,10 @@
 #include <regex>
 
 #include "../labs/labs.hpp"
+#include "bench/plot.hpp"
+#include "bench/report.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
-#include "course/bench/plot.hpp"
-#include "course/bench/report.hpp"
 
 namespace texel::tools {
 namespace {

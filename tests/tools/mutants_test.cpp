@@ -46,7 +46,7 @@ class MutantEngine : public testing::Test {
   }
 
   [[nodiscard]] Result mutants(const std::string& arguments = {}) const {
-    return test::shell(fmt::format("{}/tools/course/mutants.py --root '{}' --work '{}' {}", test::kSource,
+    return test::shell(fmt::format("{}/teach/commands/mutants.py --root '{}' --work '{}' {}", test::kSource,
                                    (folder_ / "tree").string(), (folder_ / "work").string(), arguments));
   }
 

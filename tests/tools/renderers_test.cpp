@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `texel renderers`: each limit is three times what docs/renderers.json says, and that is whole.
-#include "course/renderers/table.hpp"
+#include "renderers/table.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

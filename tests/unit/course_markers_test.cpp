@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "course/markers.hpp"
-#include "course/starter.hpp"
+#include "material/starter.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -172,11 +172,6 @@ TEST(Markers, tell_that_nobody_began_the_same_code) {
   EXPECT_FALSE(untouched_steps(changed(first, "2.0", "2.5"), first).contains("1.2"));
 }
 
-TEST(Markers, of_the_teacher_go_with_what_is_between_them) {
-  const std::string text = "a\n#@teacher begin\nsecret\n#@starter\n# given\n#@end\nb\n";
-  EXPECT_EQ(with_steps(text, "CMakeLists.txt", [](const std::string&) { return true; }), "a\ngiven\nb\n");
-}
-
 TEST(Markers, are_found_with_their_lines_in_solution_and_starter) {
   for (const std::string& text : {kText, with_steps(kText, "f.cpp", nothing)}) {
     const std::vector<Marker> markers = markers_of(text, "f.cpp");
@@ -232,23 +227,20 @@ TEST(Starter, has_no_solution_no_tests_and_no_right_answers) {
   const Folder folder;
   put(folder / "tree/labs/05_x/lab.cpp", kText);
   put(folder / "tree/labs/05_x/lab.toml", "lab = \"05_x\"\n");
-  put(folder / "tree/common/truth/ray.cpp", "the answer\n");
-  put(folder / "tree/common/app/include/app/truth_scene.hpp", "the answer\n");
+  put(folder / "tree/common/core/core.cpp", "for all\n");
+  put(folder / "tree/teach/truth/ray.cpp", "the answer\n");
   put(folder / "tree/tests/unit/a_test.cpp", "a test\n");
-  put(folder / "tree/CMakeLists.txt", "a\n#@teacher begin\nadd_subdirectory(tests)\n#@starter\n#@end\n");
   put(folder / "tree/run", "#!/bin/sh\n");
   for (const char* copy : {"labs/05_x/lab.cpp.orig", "labs/05_x/lab (1).cpp", "labs/05_old/lab.cpp"})
     put(folder / "tree" / copy, kText);
   put(folder / "tree/labs/05_old/lab.toml", "lab = \"05_x\"\n");
   for (const char* file : {"run", "labs/05_x/lab.cpp"})
     fs::permissions(folder / "tree" / file, fs::perms::owner_exec, fs::perm_options::add);
-  const std::vector<StarterFile> files = starter_files(folder / "tree");
-  write_files(files, folder / "out");
+  const std::vector<material::StarterFile> files = material::starter_files(folder / "tree");
+  material::write_files(files, folder / "out");
   EXPECT_EQ(read_file(folder / "out/labs/05_x/lab.cpp"), with_steps(kText, "", nothing));
   EXPECT_EQ(read_file(folder / "out/labs/05_x/lab.toml"), "lab = \"05_x\"\n");
-  EXPECT_EQ(read_file(folder / "out/CMakeLists.txt"), "a\n");
-  EXPECT_FALSE(fs::exists(folder / "out/common/truth"));
-  EXPECT_FALSE(fs::exists(folder / "out/common/app/include/app/truth_scene.hpp"));
+  EXPECT_FALSE(fs::exists(folder / "out/teach"));
   EXPECT_FALSE(fs::exists(folder / "out/tests"));
   for (const char* copy : {"labs/05_x/lab.cpp.orig", "labs/05_x/lab (1).cpp", "labs/05_old"})
     EXPECT_FALSE(fs::exists(folder / "out" / copy)) << copy;
@@ -256,8 +248,8 @@ TEST(Starter, has_no_solution_no_tests_and_no_right_answers) {
   for (const char* file : {"run", "labs/05_x/lab.cpp"})
     EXPECT_NE(fs::status(folder / "out" / file).permissions() & fs::perms::owner_exec, fs::perms::none)
         << file;
-  EXPECT_THROW(write_files(files, folder / "out"), Error) << "over what is there";
-  EXPECT_THROW(starter_files(folder / "nowhere"), Error);
+  EXPECT_THROW(material::write_files(files, folder / "out"), Error) << "over what is there";
+  EXPECT_THROW(material::starter_files(folder / "nowhere"), Error);
 }
 
 TEST(StepPlaces, are_those_of_the_file_as_it_is_now) {

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <filesystem>
 
-#include "../../common/grade/kept.hpp"
+#include "../../teach/grade/kept.hpp"
 #include "core/files.hpp"
 #include "core/scratch_folder.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Programs of a tiny tree with changed files: two labs and a library, of which each lab needs one file.
-#include "../../common/grade/workshop.hpp"
+#include "../../teach/grade/workshop.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tangents by each method against the exact ones of common/truth, in degrees: how wrong they are on regular
+// Tangents by each method against the exact ones of teach/truth, in degrees: how wrong they are on regular
 // and on irregular triangles, how the error goes with the triangles' size, and where a method is known to
 // fail.
 #include <gtest/gtest.h>

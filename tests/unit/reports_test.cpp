@@ -13,8 +13,8 @@
 #include <random>
 #include <set>
 
-#include "../../common/reports/pictures.hpp"
-#include "../../common/reports/wording.hpp"
+#include "../../teach/reports/pictures.hpp"
+#include "../../teach/reports/wording.hpp"
 #include "../support/demo_class.hpp"
 #include "../support/picture_files.hpp"
 #include "../support/said.hpp"

@@ -96,7 +96,7 @@ function pages() {
     write(`pictures/${lab.folder}.webp`, smallPicture(file, size.width, size.height, 82));
     return [lab.folder, { src: `pictures/${lab.folder}.webp`, ...size }];
   }));
-  const kind = existsSync(join(tree, "tools/course")) ? "course" : "starter";
+  const kind = existsSync(join(tree, "teach/commands")) ? "course" : "starter";
   write("index.html", indexPage({ labs, heroes, kind }));
   for (const picture of copies) {
     const bytes = readFileSync(docs(`pictures/${picture}`));

@@ -13,9 +13,9 @@
 #include "core/stopwatch.hpp"
 #include "course/batch.hpp"
 #include "course/markers.hpp"
-#include "course/mutant_file.hpp"
 #include "grade/hidden_cases.hpp"
 #include "judge/plan.hpp"
+#include "material/mutant_file.hpp"
 #include "measures.hpp"
 
 namespace texel::bench {
@@ -106,9 +106,9 @@ void add_grading(const Options& options, Report& report, const std::string& what
 }
 
 /// The first of the catalogue in a step.
-const course::Mutant& mutant_of(const std::vector<course::Mutant>& mutants, const std::string& step) {
+const material::Mutant& mutant_of(const std::vector<material::Mutant>& mutants, const std::string& step) {
   const auto found = std::find_if(mutants.begin(), mutants.end(),
-                                  [&](const course::Mutant& one) { return one.step == step; });
+                                  [&](const material::Mutant& one) { return one.step == step; });
   if (found == mutants.end()) throw Error::failed("there is no mutant of step " + step);
   return *found;
 }
@@ -118,7 +118,7 @@ const course::Mutant& mutant_of(const std::vector<course::Mutant>& mutants, cons
 class TenthOfStepsWrong {
  public:
   TenthOfStepsWrong(const Options& options, std::vector<int> labs, std::size_t students)
-      : options_(options), students_(students), mistakes_(course::read_mistakes(options.root)) {
+      : options_(options), students_(students), mistakes_(material::read_mistakes(options.root)) {
     for (const course::Lab& lab : course::read_labs(options.root / "labs"))
       if (std::find(labs.begin(), labs.end(), lab.number) != labs.end())
         for (const course::Step& step : lab.steps) steps_.push_back(step.id);
@@ -151,9 +151,9 @@ class TenthOfStepsWrong {
     const Change mistaken = [&](std::size_t student, const std::string& file, std::string text) {
       for (std::size_t i = 0; i < steps_.size(); ++i) {
         if ((student * steps_.size() + i) % kOneOf != 0) continue;
-        const course::Mutant& mistake = mutant_of(mistakes_, steps_[i]);
+        const material::Mutant& mistake = mutant_of(mistakes_, steps_[i]);
         if (mistake.file != file) continue;
-        text = course::mutated(mistake, text);
+        text = material::mutated(mistake, text);
         ++made_;
       }
       return text;
@@ -168,7 +168,7 @@ class TenthOfStepsWrong {
   const Options& options_;
   std::size_t students_, made_ = 0;
   int run_ = 0;
-  std::vector<course::Mutant> mistakes_;
+  std::vector<material::Mutant> mistakes_;
   std::vector<std::string> steps_;
   grade::GradeOptions grading_;
 };
@@ -219,13 +219,13 @@ void measure_grading(const Options& options, Report& report) {
     if (!file.ends_with("texture_quad.vert")) return text;
     return text.replace(text.find(right), right.size(), "fragment_texcoord = 1.3 * texcoord.ts *");
   };
-  std::vector<course::Mutant> of_lab5;
-  for (const course::Mutant& mutant : course::read_catalogue(options.root / "tests/mutants"))
+  std::vector<material::Mutant> of_lab5;
+  for (const material::Mutant& mutant : material::read_catalogue(options.root / "tests/mutants"))
     if (mutant.step.starts_with("5.") && mutant.file.ends_with(".glsl") && mutant.same.empty())
       of_lab5.push_back(mutant);
   const Change one_each = [&](std::size_t student, const std::string& file, std::string text) {
-    const course::Mutant& mutant = of_lab5[student % of_lab5.size()];
-    return mutant.file == file ? course::mutated(mutant, text) : text;
+    const material::Mutant& mutant = of_lab5[student % of_lab5.size()];
+    return mutant.file == file ? material::mutated(mutant, text) : text;
   };
   add_grading(options, report, "lab 1, 8 students, all right", 1, 1.3, 8);
   add_grading(options, report, "lab 9, 8 students, all right", 9, 1.3, 8);

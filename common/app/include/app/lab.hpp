@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/answer.hpp"
 #include "app/assets.hpp"
 #include "app/camera.hpp"
 #include "app/measure.hpp"
@@ -34,21 +35,17 @@
 ///     };
 ///     int main(int argc, char** argv) { return app::run<TextureQuad>(argc, argv); }
 ///
-/// A lab that knows the right answer has the view `error`, and also:
-///
-///       static app::Measure measure(const Parameters& parameters);
-///       static app::Truth truth(const Parameters& parameters, glm::ivec2 size);
-///
-/// A misspelt one of these does not compile.
+/// A misspelt one of these does not compile. Where the tree knows the lab's right answer (app/answer.hpp), it
+/// has the view `error` too.
 namespace texel::app {
 
 /// A lab's name, title and lesson.
 struct Info {
   int number;
-  const char* name;    ///< "normal_map", as in the program's name and the shaders' folder
-  const char* title;   ///< "Normal map"
-  const char* lesson;  ///< one line for --help and the panel
-  std::span<const View> views;
+  const char* name;             ///< "normal_map", as in the program's name and the shaders' folder
+  const char* title;            ///< "Normal map"
+  const char* lesson;           ///< one line for --help and the panel
+  std::span<const View> views;  ///< without `error`
 
   [[nodiscard]] std::string folder() const;   ///< "05_normal_map"
   [[nodiscard]] std::string program() const;  ///< "lab05_normal_map"
@@ -95,13 +92,6 @@ class Frame {
   Notes notes_;
 };
 
-/// What the current look needs once, before its first frame, for this many elements. The benchmark times it.
-struct Preparation {
-  const char* element;  ///< "triangle"
-  std::size_t elements;
-  std::function<void()> work;  ///< does it all again
-};
-
 /// The base of a lab. Write `override` behind its functions: then the compiler refuses a misspelt one.
 /// `AllParameters` has `void declare(params::Set& set)`.
 template <class AllParameters>
@@ -126,7 +116,7 @@ class AnyLab {
  public:
   virtual ~AnyLab() = default;
   [[nodiscard]] virtual const Info& info() const = 0;
-  /// The pictures that it draws in this tree: without `error` in a student's, which has no right answers.
+  /// The pictures that it draws in this tree: with `error` where it has the right answer.
   [[nodiscard]] virtual std::span<const View> views() const = 0;
   [[nodiscard]] virtual params::Set& parameters() = 0;
   /// Makes the lab again at the next draw, which reads its files again.
@@ -145,57 +135,32 @@ class AnyLab {
 template <class TheLab>
 class LabOf final : public AnyLab {
   using Parameters = typename TheLab::Parameters;
-  static constexpr bool kKnowsTruth =
-      std::count(TheLab::info.views.begin(), TheLab::info.views.end(), View::error) == 1;
-  static constexpr bool kMeasures = requires(const Parameters& p) {
-    { TheLab::measure(p) } -> std::same_as<Measure>;
-  };
-  static constexpr bool kHasTruth = requires(const Parameters& p, glm::ivec2 size) {
-    { TheLab::truth(p, size) } -> std::same_as<Truth>;
-  };
-  static_assert(kMeasures == kKnowsTruth,
-                "a lab has 'static app::Measure measure(const Parameters&)' if it has the view error");
-  static_assert(
-      kHasTruth == kKnowsTruth,
-      "a lab has 'static app::Truth truth(const Parameters&, glm::ivec2)' if it has the view error");
 
  public:
-  LabOf() { parameters_.declare(set_); }
+  LabOf() {
+    parameters_.declare(set_);
+    if (Answer<Parameters>::make == nullptr) return;
+    answer_ = Answer<Parameters>::make();
+    answer_->declare(set_);
+    views_.push_back(View::error);
+  }
   [[nodiscard]] const Info& info() const override { return TheLab::info; }
-  [[nodiscard]] std::span<const View> views() const override {
-#ifdef TEXEL_KNOWS_TRUTH  // where texel_truth is linked
-    return TheLab::info.views;
-#else
-    static const std::vector<View> views = [] {
-      std::vector<View> all(TheLab::info.views.begin(), TheLab::info.views.end());
-      std::erase(all, View::error);
-      return all;
-    }();
-    return views;
-#endif
-  }
-  [[nodiscard]] params::Set& parameters() override {
-    return set_;
-  }
-  void forget() override {
-    lab_.reset();
-  }
-  void draw(Frame& frame) override {
-    lab(frame.assets()).draw(parameters_, frame);
-  }
-  const mesh::Mesh* mesh(const Assets& assets) override {
-    return lab(assets).mesh(parameters_);
-  }
+  [[nodiscard]] std::span<const View> views() const override { return views_; }
+  [[nodiscard]] params::Set& parameters() override { return set_; }
+  void forget() override { lab_.reset(); }
+  void draw(Frame& frame) override { lab(frame.assets()).draw(parameters_, frame); }
+  const mesh::Mesh* mesh(const Assets& assets) override { return lab(assets).mesh(parameters_); }
   [[nodiscard]] std::optional<Measure> measure() const override {
-    if constexpr (kKnowsTruth) return TheLab::measure(parameters_);
+    if (answer_) return answer_->measure(parameters_);
     return {};
   }
   [[nodiscard]] Truth truth(glm::ivec2 size) const override {
-    if constexpr (kKnowsTruth) return TheLab::truth(parameters_, size);
+    if (answer_) return answer_->truth(parameters_, size);
     return {};
   }
   std::optional<Preparation> preparation(const Assets& assets) override {
-    return lab(assets).preparation(parameters_);
+    std::optional<Preparation> own = lab(assets).preparation(parameters_);
+    return own || !answer_ ? own : answer_->preparation(parameters_);
   }
 
  private:
@@ -205,6 +170,8 @@ class LabOf final : public AnyLab {
   }
   Parameters parameters_;
   params::Set set_;
+  std::vector<View> views_{TheLab::info.views.begin(), TheLab::info.views.end()};
+  std::unique_ptr<Answer<Parameters>> answer_;
   std::optional<TheLab> lab_;
 };
 

@@ -18,15 +18,13 @@
 ///     // return color;
 ///     //@end
 ///
-/// Each marker is alone in its line. Between the first two is the solution; between
-/// the last two, in comments, is the starter's code. A part that is not a step and that
-/// students do not get, such as the right answer in double precision, begins with `//@teacher begin`. In
-/// CMake files and scripts the markers begin with `#@`.
+/// Each marker is alone in its line. Between the first two is the solution; between the last two, in
+/// comments, is the starter's code.
 namespace texel::course {
 
 /// A step's place in a file.
 struct Marker {
-  std::string step;  ///< "5.1"; "" for a teacher's part
+  std::string step;  ///< "5.1"
   int line = 0;      ///< of its first marker, from 1
 };
 
@@ -61,8 +59,7 @@ std::map<std::string, std::string> marker_faults(const std::string& text, const 
 std::map<std::string, std::string> step_texts(const std::string& text);
 
 /// The text with one of the two parts of each step: the solution where `solved(step)`, else the starter's.
-/// The markers around it stay: they show where to write. The markers of the teacher's parts, which become
-/// the starter's, are removed. Errors as markers_of.
+/// The markers around it stay: they show where to write. Errors as markers_of.
 std::string with_steps(const std::string& text, const std::string& file,
                        const std::function<bool(const std::string&)>& solved);
 

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+
+#include "answers/camera.hpp"
+#include "image/colour.hpp"
+#include "procedural/textures.hpp"
+
+namespace texel::answers {
+
+/// The function of one of the bundled pictures; nothing for other files.
+inline std::optional<procedural::Texture> texture_of(const std::string& name) {
+  if (name == "brick_32") return procedural::Texture::brick;
+  if (name == "label_npot") return procedural::Texture::label_grid;
+  for (const procedural::Texture texture : procedural::textures)
+    if (procedural::name(texture) == name) return texture;
+  return std::nullopt;
+}
+
+/// The colour at a place of the picture: linear-light RGB and alpha 1, or zero beside the object.
+using ColourAt = std::function<glm::dvec4(glm::dvec2 window)>;
+
+/// The colour that a pixel should have: the mean of the object's light over the pixel (a box filter), in
+/// levels of the 8-bit picture, sRGB-encoded and not rounded; light above 1 is clipped after the mean.
+/// Nothing where the pixel's middle misses the object.
+///
+/// A few samples are enough where the picture is smooth, and a hundred are slow everywhere. So 16 are taken,
+/// and 128 where the means of the earlier and of the later half differ by two levels or more, or two samples
+/// by so much that the halves may agree by chance. For black and white fields much smaller than a pixel
+/// 128 samples leave an error of 6 to 10 levels on average.
+inline std::optional<glm::dvec3> mean_in_steps(const ColourAt& colour, glm::dvec2 middle) {
+  constexpr double agree = 2, chance = 64;  // levels
+  const glm::dvec4 in_the_middle = colour(middle);
+  if (in_the_middle.a == 0) return std::nullopt;
+  const auto steps = [](glm::dvec3 light) {
+    const glm::dvec3 clipped = glm::min(light, 1.0);
+    return 255.0 * glm::dvec3(image::srgb_from_linear(clipped.r), image::srgb_from_linear(clipped.g),
+                              image::srgb_from_linear(clipped.b));
+  };
+  const auto apart = [&](glm::dvec3 a, glm::dvec3 b) {
+    const glm::dvec3 difference = glm::abs(steps(a) - steps(b));
+    return std::max({difference.r, difference.g, difference.b});
+  };
+  const auto mean = [](glm::dvec4 sum) { return glm::dvec3(sum) / sum.a; };  // of what met the object
+  for (std::uint32_t count = 16;; count *= 8) {
+    glm::dvec4 earlier(0), later(0);
+    glm::dvec3 least(in_the_middle), greatest(in_the_middle);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const glm::dvec4 sample = colour(middle + place_in_pixel(i, count));
+      (i < count / 2 ? earlier : later) += sample;
+      if (sample.a == 0) continue;
+      least = glm::min(least, glm::dvec3(sample));
+      greatest = glm::max(greatest, glm::dvec3(sample));
+    }
+    const bool settled = earlier.a > 0 && later.a > 0 && apart(mean(earlier), mean(later)) < agree &&
+                         apart(least, greatest) < chance;
+    if (!settled && count == 16) continue;
+    const glm::dvec4 all = earlier + later;
+    return steps(mean(all.a > 0 ? all : in_the_middle));  // a corner's tip may lie between samples
+  }
+}
+
+/// The truth of a picture of such colours.
+inline app::Truth mean_in_steps(ColourAt colour) {
+  return [colour = std::move(colour)](glm::dvec2 middle) { return mean_in_steps(colour, middle); };
+}
+
+}  // namespace texel::answers

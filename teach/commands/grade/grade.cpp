@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "grade/grader.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "commands.hpp"
+#include "course_commands.hpp"
+#include "reports/reports.hpp"
+#include "store/store.hpp"
+
+namespace texel::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "3/8".
+void read_shard(const std::string& text, grade::GradeOptions& options) {
+  const int read = std::sscanf(text.c_str(), "%u/%u", &options.shard, &options.shards);
+  if (read != 2 || fmt::format("{}/{}", options.shard, options.shards) != text)
+    throw Error::usage(fmt::format("'{}' is not a shard", text), "write it as 1/4");
+}
+
+/// On a terminal each line replaces the one before; in a log it follows it. Uses standard error, because the
+/// results go to standard output.
+void say(const std::string& line) {
+  static const bool is_terminal = ::isatty(STDERR_FILENO) != 0;
+  std::fprintf(stderr, is_terminal ? "\r\033[K%s" : "%s\n", line.c_str());
+  std::fflush(stderr);
+}
+
+void print_class(const grade::ClassResult& results) {
+  std::size_t width = 0;
+  for (const grade::StudentResult& student : results.students) width = std::max(width, student.id.size());
+  for (const grade::StudentResult& student : results.students) {
+    const std::string unmarked = student.unmarked();
+    fmt::print("{:<{}}  {:>6} of {:g}{}\n", student.id, width,
+               unmarked.empty() ? fmt::format("{:.2f}", student.points()) : "-", student.max_points(),
+               !unmarked.empty()       ? "  NOT GRADED IN FULL, grade again with --resume: " + unmarked
+               : student.fault.empty() ? ""
+                                       : "  " + student.fault);
+  }
+}
+
+/// Every report of the results in a folder. Returns how many students are not graded in full.
+std::size_t write_reports(const fs::path& out, const std::vector<std::string>& formats) {
+  const grade::ClassResult results = grade::read_results(out, course_root());
+  grade::write_html(results, out);
+  for (const std::string& format : formats) grade::write_format(format, results, out);
+  print_class(results);
+  fmt::print("look at the page   file://{}\n",
+             fs::absolute(out / "report/index.html").lexically_normal().string());
+  return static_cast<std::size_t>(
+      std::count_if(results.students.begin(), results.students.end(),
+                    [](const grade::StudentResult& student) { return !student.unmarked().empty(); }));
+}
+
+/// The same for results that may be of a run that was cut off: then they are no marks to hand out.
+Exit write_earlier(const fs::path& out, const std::vector<std::string>& formats, bool unfinished) {
+  const std::size_t open = write_reports(out, formats);
+  if (open > 0 && !unfinished)
+    throw Error::failed(fmt::format("the run is not finished: {} students have no mark", open),
+                        {out.string()},
+                        "run texel grade again with --resume, or accept this with --unfinished");
+  return Exit::holds;
+}
+
+}  // namespace
+
+Exit grade_class(const GradeCommand& command) {
+  grade::GradeOptions options;
+  options.class_folder = command.class_folder;
+  options.out = command.out;
+  options.course = course_root();
+  options.build = course_build();
+  options.cache = command.cache.empty() ? options.course / "build/grade" : command.cache;
+  options.labs = command.labs;
+  options.jobs = command.jobs;
+  options.resume = command.resume;
+  options.run = command.unsafe            ? run_plainly
+                : command.walls == "user" ? grade::run_as_another_user
+                                          : grade::run_locked_in;
+  options.context = command.context;
+  options.seed_file = command.seed_file;
+  read_shard(command.shard, options);
+  const grade::GradeSummary summary = grade::grade_class(options, say);
+  if (::isatty(STDERR_FILENO) != 0) std::fprintf(stderr, "\n");
+  write_reports(options.out, command.formats);
+  fmt::print("graded {} students: {} cases in {:.1f} s, {:.1f} cases a second\n", summary.students,
+             summary.cases, summary.seconds,
+             static_cast<double>(summary.cases) / std::max(summary.seconds, 1e-3));
+  if (summary.incidents > 0)
+    throw Error::failed(
+        fmt::format("{} students could not be graded in full", summary.incidents), {},
+        "it is not the students' fault: read the messages above, then run the same command with --resume");
+  return Exit::holds;
+}
+
+Exit grade_merge(const GradeMergeCommand& command) {
+  std::error_code error;
+  fs::create_directories(command.out, error);
+  grade::Store store(grade::store_file(command.out));
+  for (const fs::path& part : command.parts) {
+    if (!fs::exists(grade::store_file(part)))
+      throw Error::failed("contains no results", {part.string()}, "name folders that 'texel grade' wrote");
+    store.merge(grade::Store(grade::store_file(part)));
+    for (const char* folder : {"pictures", "references"})
+      if (fs::exists(part / folder))
+        fs::copy(part / folder, command.out / folder,
+                 fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+  }
+  return write_earlier(command.out, command.formats, command.unfinished);
+}
+
+Exit grade_override(const GradeOverrideCommand& command) {
+  if (!fs::exists(grade::store_file(command.out)))
+    throw Error::failed("contains no results", {command.out.string()},
+                        "name a folder that 'texel grade' wrote");
+  const grade::ClassResult results = grade::read_results(command.out, course_root());
+  std::vector<std::string> students, steps;
+  for (const grade::StudentResult& student : results.students) {
+    students.push_back(student.id);
+    for (const grade::LabResult& lab : student.labs)
+      for (const grade::StepResult& step : lab.steps) steps.push_back(step.id);
+  }
+  const auto check = [](const std::string& word, const std::vector<std::string>& known, const char* what) {
+    if (std::find(known.begin(), known.end(), word) != known.end()) return;
+    const std::string near = nearest(word, known);
+    throw Error::usage(fmt::format("there is no {} '{}'", what, word),
+                       near.empty() ? "" : fmt::format("did you mean '{}'?", near));
+  };
+  check(command.student, students, "student");
+  check(command.step, steps, "step");
+  grade::Store store(grade::store_file(command.out));
+  if (command.drop)
+    store.drop_override(command.student, command.step);
+  else
+    store.put_override({command.student, command.step, command.score, command.reason});
+  return write_earlier(command.out, command.formats, command.unfinished);
+}
+
+Exit grade_report(const GradeReportCommand& command) {
+  return write_earlier(command.out, command.formats, command.unfinished);
+}
+
+}  // namespace texel::tools

@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: MIT
+# shellcheck shell=bash
+# The part of ./run that a student's tree does not have: grading, tests, measurements, and what is generated.
+
+packages+=(libarchive-dev libsodium-dev libsqlitecpp-dev bubblewrap python3 tzdata)
+# Debian 13 does not have it.
+optional_packages+=(similarity-tester)
+format_packages=(clang-format)
+test_packages=(libgtest-dev libtinyobjloader-dev xvfb xauth xdotool x11-utils imagemagick chromium webp)
+bench_packages=(libbenchmark-dev libosmesa6-dev libtinyobjloader-dev xvfb xauth chromium)
+all_packages=(clang clang-tidy parallel mmdebstrap debian-archive-keyring slurmctld slurmd slurm-client munge)
+
+course_help() {
+  cat <<'TEXT'
+
+For teachers and makers of the course:
+./run starter DIR      write the tree that students start with; see docs/student.md
+./run web --starter    the same pages with the starter's steps, without solutions, into out/web_starter
+./run grade CLASS [..] grade a class: a folder with one folder or archive per student; see docs/instructor.md
+./run course NAME [..] autograder for Gradescope, GitHub workflow, gradebook, similarity; see docs/course.md
+./run test             check the formatting, build, run all tests, and run the parsers' tests with sanitizers
+./run test N           build, and run the tests of lab N
+./run test --all       run all tests, a build by Clang, clang-tidy for the libraries below common/app, a class with
+                       all wrong and all hostile solutions, a Gradescope container, a Slurm cluster, and the last
+                       commit on bare machines of three releases (hours)
+./run bench [N] [args] measure the cost and the error of each method of each lab, into out/bench/index.html
+./run accuracy         the same, into docs/accuracy.md, its plots and docs/accuracy.json, beside a graphics card's figures:
+                       TEXEL_CONTEXT=egl ./run bench --json docs/accuracy_gpu.json measures these
+./run performance      compare the programs with hand-written floor programs, and kernels with plain versions and other
+                       libraries; writes docs/performance.md (about an hour).
+                       --first-run-before TREE and --saves-before TREE also compare what people wait for with earlier
+                       commits' trees, in which ./run build was typed
+./run renderers [args] draw all cases with every renderer of this machine into out/renderers. Each limit must be three
+                       times the spread. Without args it writes docs/renderers.json and the end of docs/accuracy.md.
+                       To include machines with another Mesa, copy their folders into out/renderers first
+./run mutants [args]   make small wrong changes in a copy of the tree, and check that the tests notice. Without args it
+                       writes docs/mutants.md, and goes on where it was cut off (an hour)
+./run marks [N ..]     check that each mistake of the catalogue loses marks, and no right answer does. Without args it
+                       writes docs/marks.md (half an hour)
+./run format           format the C++ files
+./run assets           draw the textures, normal maps and cube maps again that are functions
+./run expected [N ..]  draw the expected pictures of check again, with the solutions
+./run docs             write docs/pictures.md and the pictures of README and handouts again
+TEXT
+}
+
+# Grades the course's own solutions like a student's work. They need no sandbox.
+grade_solutions() {
+  say "Grading the solutions"
+  rm -rf "$root/out/solutions" "$root/out/grades"
+  mkdir -p "$root/out/solutions/solution"
+  cp -r "$root"/{common,labs,shaders} "$root/out/solutions/solution"
+  texel grade "$root/out/solutions" --out "$root/out/grades" --unsafe
+}
+
+sources() { find "$root"/{cmake,common,labs,tools,tests,assets} -name '*.?pp' -print0; }
+
+# Each version of clang-format breaks some lines differently.
+check_format() {
+  local wanted=14 version
+  version=$(clang-format --version | sed -E 's/.*version ([0-9]+).*/\1/')
+  if [[ $version != "$wanted" ]]; then
+    say "The formatting is not checked: this needs clang-format $wanted, and here is $version"
+    return
+  fi
+  say "Checking the formatting"
+  sources | xargs -0 -n 16 -P "$(nproc)" clang-format --dry-run -Werror || fail 1 "some files are not formatted; ./run format fixes that"
+}
+
+run_tests() { # preset, arguments of ctest
+  say "Testing (preset $1)"
+  (cd "$root" && ctest --preset "$1" --parallel "$(nproc)" "${@:2}") || fail 1 "tests of the preset $1 failed"
+}
+
+build_tests() {
+  # The driver's cache of compiled shaders starts empty, as on a new machine. Then all tests share it.
+  rm -rf "$root/build/shaders"
+  export MESA_SHADER_CACHE_DISABLE=false MESA_SHADER_CACHE_DIR=$root/build/shaders
+  configure release -D TEXEL_TESTS=ON
+  build release all
+}
+
+# The tests that name this lab: Labs/Drawing…/lab05, HardCaseOfLab5…, accuracy.of_lab_5…, MarksOfLab…/5.
+test_lab() { # number
+  need "${packages[@]}" "${test_packages[@]}"
+  build_tests
+  run_tests release --no-tests=error --tests-regex "[Ll]abs?_?0?$1([^0-9]|\$)|MarksOfLab.*/$1\$"
+  say "The tests of lab $1 passed after $SECONDS s"
+}
+
+run_all_tests() {
+  local all=${1:-}
+  [[ $# == 0 || $# == 1 && $all == --all ]] || fail 2 "./run test takes a lab's number or --all"
+  need "${packages[@]}" "${format_packages[@]}" "${test_packages[@]}"
+  check_format
+  if [[ $all == --all ]]; then
+    need "${all_packages[@]}"
+    configure tidy
+    # clang-tidy 14 does not understand the labs' consteval parameters that come from a template's.
+    build tidy texel_{core,params,course,image,mesh,judge,check,sandbox,store,reports,grade,procedural,gl}
+    configure clang -D TEXEL_TESTS=ON
+    build clang all
+    export TEXEL_TEST_ALL=1
+    "$root/run" web && "$root/run" web --starter
+  fi
+  build_tests
+  run_tests release
+  configure asan-ubsan -D TEXEL_TESTS=ON
+  build asan-ubsan tests/all
+  run_tests asan-ubsan
+  if [[ $all == --all ]]; then
+    local try=$root/tests/machines/try
+    { "$try" bookworm --user && "$try" trixie && "$try" sid; } || fail 1 "a bare machine failed"
+  fi
+  say "All tests passed after $SECONDS s"
+}
+
+run_bench() { # arguments of texel bench
+  build_programs
+  say "Measuring"
+  texel bench --out "$root/out/bench" "$@"
+}
+
+run_performance() { # arguments of performance
+  need "${packages[@]}" "${bench_packages[@]}"
+  configure release -D TEXEL_BENCH=ON
+  build release labs/all tests/bench/all
+  if [[ " $* " != *" --only "* || " $* " == *" --only peers "* ]]; then
+    "$root/run" web
+    (cd "$root/tests/bench/peers" && npm ci --no-audit --no-fund --loglevel=error) || fail 3 "three.js cannot be installed"
+  fi
+  say "Measuring"
+  # Without -noreset the display restarts after its last window, and the next window must wait.
+  xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' "$root/build/release/bin/performance" "$@"
+}
+
+run_mutants() { # arguments of mutants.py
+  need "${packages[@]}" "${test_packages[@]}"
+  "$root/teach/commands/mutants.py" "$@"
+}
+
+make_assets() {
+  build_release assets/all
+  say "Making the assets"
+  "$root/build/release/bin/make_assets" --out "$root/assets" "$@"
+}
+
+renew_docs() {
+  build_programs
+  draw_gallery --heroes "$root/docs/pictures"
+  say "Drawing each step before and after"
+  texel starter --pictures "$root/docs/pictures/steps"
+  texel gallery --list >"$root/docs/pictures.md.part"
+  mv "$root/docs/pictures.md.part" "$root/docs/pictures.md"
+}
+
+# Runs one of these commands and ends; returns if there is none of that name.
+course_command() { # command, arguments
+  local command=$1
+  shift
+  case $command in
+    test)
+      if [[ $# == 1 && $1 =~ ^[1-9][0-9]*$ ]]; then test_lab "$1"; else run_all_tests "$@"; fi
+      ;;
+    bench) run_bench "$@" ;;
+    course | expected | grade | marks)
+      build_programs >&2
+      [[ $command != marks ]] || (($#)) || set -- --markdown "$root/docs/marks.md"
+      texel "$command" "$@"
+      ;;
+    starter)
+      [[ $# -ge 1 && $1 != -* ]] || fail 2 "where to? Type ./run starter DIR with a new folder"
+      build_programs
+      texel starter --out "$@"
+      ;;
+    accuracy)
+      run_bench --json "$root/docs/accuracy.json" --gpu "$root/docs/accuracy_gpu.json" \
+        --markdown "$root/docs/accuracy.md"
+      ;;
+    performance)
+      # A part, or with few rounds, is not the report.
+      [[ " $* " == *' --only '* || " $* " == *' --rounds '* ]] || set -- --markdown "$root/docs/performance.md" "$@"
+      run_performance "$@"
+      ;;
+    renderers)
+      (($#)) || set -- --json "$root/docs/renderers.json" --markdown "$root/docs/accuracy.md"
+      need "${packages[@]}" "${test_packages[@]}"
+      configure release -D TEXEL_TESTS=ON
+      build release all rsqrt
+      texel renderers --out "$root/out/renderers" "$@"
+      ;;
+    mutants)
+      if (($#)); then run_mutants "$@"; else run_mutants --resume --report "$root/docs/mutants.md"; fi
+      ;;
+    format)
+      need "${format_packages[@]}"
+      sources | xargs -0 clang-format -i
+      ;;
+    assets) make_assets "$@" ;;
+    docs) renew_docs ;;
+    *) return 0 ;;
+  esac
+  exit 0
+}

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "course_side.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+
+#include "check/check.hpp"
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "course/batch.hpp"
+#include "course/markers.hpp"
+#include "fingerprint.hpp"
+#include "grade/submission.hpp"
+#include "kept.hpp"
+
+namespace texel::grade {
+namespace {
+
+namespace fs = std::filesystem;
+using course::Case;
+
+/// The instructions that the processor has: the driver compiles its shaders for them.
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("flags") || line.starts_with("Features")) return line;
+  return {};
+}
+
+/// The ending of a file that stands in place of a picture: what the program said instead of drawing it.
+constexpr const char* kRefused = ".refused";
+
+std::string refused_instead_of(const fs::path& picture) {
+  const fs::path file = picture.string() + kRefused;
+  return fs::exists(file) ? read_file(file) : "";
+}
+
+}  // namespace
+
+CourseSide::CourseSide(BuiltTree solution, BuiltTree starter, fs::path cache, std::string context)
+    : solution_(std::move(solution)),
+      starter_(std::move(starter)),
+      cache_(std::move(cache)),
+      context_(std::move(context)),
+      workshop_(solution_, cache_ / "solutions", run_plainly),
+      mutants_(material::read_mistakes(solution_.source)),
+      places_(course::step_places(starter_.source)) {
+  const std::vector<course::Lab> labs = course::read_labs(solution_.source / "labs");
+  renderer_ = renderer_of(studio(solution_, {labs.front(), {}}));
+  std::string variables;
+  for (const auto& [name, value] : driver_variables()) variables += name + "=" + value + "\n";
+  surroundings_ = fingerprint({fingerprint_of_folder(solution_.source / "shaders"),
+                               fingerprint_of_folder(solution_.source / "assets"), starter_.fingerprint,
+                               renderer_, variables, processor(), context_});
+}
+
+Studio CourseSide::studio(const BuiltTree& tree, const LabPlan& plan) const {
+  return {tree.build / "bin" / plan.lab.program(), tree.source, context_};
+}
+
+void CourseSide::prepare(const LabPlan& plan) {
+  const fs::path program = solution_.build / "bin" / plan.lab.program();
+  const std::string key =
+      fingerprint({surroundings_, plan.lab.folder, read_file(program), course::to_batch(plan.cases)});
+  const fs::path folder = cache_ / "references" / key.substr(0, 32);
+  if (!is_kept(folder)) {
+    const fs::path fresh = cache_ / fmt::format("references-{}-{}", ::getpid(), plan.lab.number);
+    fs::remove_all(fresh);
+    fs::create_directories(fresh);
+    draw_all(studio(solution_, plan), plan.cases, fresh / "solution");
+    if (const std::vector<Case> masks = plan.masks(); !masks.empty())
+      draw_all(studio(solution_, plan), masks, fresh / "mask");
+    draw(studio(starter_, plan), plan.cases, fresh / "starter");
+    fs::create_directories(folder.parent_path());
+    std::error_code exists;
+    fs::rename(fresh, folder, exists);
+    fs::remove_all(fresh);
+  }
+  const std::scoped_lock lock(mutex_);
+  folders_[plan.lab.folder] = folder;
+}
+
+fs::path CourseSide::folder_of(const LabPlan& plan) const {
+  return folders_.at(plan.lab.folder);
+}
+
+ExpectedFiles CourseSide::expected(const LabPlan& plan, const Case& of) const {
+  const fs::path folder = folder_of(plan);
+  return {folder / "solution" / of.file, of.is_mesh() ? fs::path() : folder / "mask" / (of.name + ".png")};
+}
+
+fs::path CourseSide::draw_changed(const LabPlan& plan, const std::string& name, const std::string& step,
+                                  const std::string& file, const std::string& text) {
+  std::mutex* own = nullptr;
+  {
+    const std::scoped_lock lock(mutex_);
+    auto& slot = drawing_[name + "/" + plan.lab.folder];
+    if (!slot) slot = std::make_unique<std::mutex>();
+    own = slot.get();
+  }
+  const std::scoped_lock lock(*own);
+  const fs::path folder =
+      folder_of(plan) / "mutants" / fingerprint({name, file, text, kRefused}).substr(0, 32);
+  if (fs::exists(folder)) return folder;
+  const fs::path fresh = cache_ / fmt::format("mutant-{}-{}-{}", ::getpid(), plan.lab.number, name);
+  fs::remove_all(fresh);
+  fs::create_directories(fresh);
+  Studio studio = this->studio(solution_, plan);
+  if (file.starts_with("shaders/")) {
+    studio.root = fresh / "root";
+    overlay(solution_.source / "shaders", {{file.substr(8), text}}, studio.root / "shaders");
+    fs::create_directory_symlink(solution_.source / "assets", studio.root / "assets");
+  } else {
+    studio.program = workshop_.make(plan.lab.program(), {{file, text}}).file;
+  }
+  // Only the cases of its step: nobody asks for the others.
+  std::vector<Case> cases;
+  std::copy_if(plan.cases.begin(), plan.cases.end(), std::back_inserter(cases),
+               [&](const Case& one) { return one.step == step; });
+  const Drawn drawn = draw(studio, cases, fresh / "out");
+  fs::create_directories(fresh / "out");
+  for (const auto& [picture, refused] : drawn.refused)
+    write_file(fresh / "out" / (picture + kRefused), refused);
+  fs::create_directories(folder.parent_path());
+  std::error_code exists;
+  fs::rename(fresh / "out", folder, exists);
+  fs::remove_all(fresh);
+  return folder;
+}
+
+Failed CourseSide::failed_by(const LabPlan& plan, const material::Mutant& mutant, const Case& of) {
+  return drawn_in(drawn_by(plan, mutant), of);
+}
+
+Failed CourseSide::drawn_in(const fs::path& folder, const Case& of) {
+  return {picture_bytes(folder / of.file), refused_instead_of(folder / of.file)};
+}
+
+fs::path CourseSide::drawn_by(const LabPlan& plan, const material::Mutant& mutant) {
+  return draw_changed(plan, mutant.name, mutant.step, mutant.file,
+                      material::mutated(mutant, read_file(solution_.source / mutant.file)));
+}
+
+Mistake CourseSide::mistake_of(const LabPlan& plan, const material::Mutant& mutant) {
+  Mistake mistake{mutant.name, mutant.step, mutant.says, {}};
+  const fs::path drawn = drawn_by(plan, mutant);
+  for (const Case& of : plan.cases) {
+    if (of.step != mutant.step || judge(of, expected(plan, of), drawn / of.file).passed) continue;
+    Samples samples = sampled(of, read_file(expected(plan, of).reference), picture_bytes(drawn / of.file));
+    samples.refused = refused_instead_of(drawn / of.file);
+    if (!samples.samples.empty() || !samples.refused.empty()) mistake.cases[of.name] = std::move(samples);
+  }
+  return mistake;
+}
+
+const std::vector<Mistake>& CourseSide::known_mistakes(const LabPlan& plan) {
+  const std::scoped_lock lock(mutex_);
+  const auto found = known_mistakes_.find(plan.lab.folder);
+  if (found != known_mistakes_.end()) return found->second;
+  return known_mistakes_[plan.lab.folder] =
+             grade::known_mistakes(expected_folder(solution_.source, plan.lab));
+}
+
+const std::vector<Mistake>& CourseSide::unseen_mistakes(const LabPlan& plan, const std::string& step) {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (const auto found = unseen_mistakes_.find(step); found != unseen_mistakes_.end()) return found->second;
+  }
+  const std::vector<Mistake>& known = known_mistakes(plan);
+  std::vector<Mistake> unseen;
+  for (const material::Mutant& mutant : mutants_)
+    if (mutant.step == step && mutant.same.empty() &&
+        std::ranges::find(known, mutant.name, &Mistake::name) == known.end())
+      unseen.push_back(mistake_of(plan, mutant));
+  const std::scoped_lock lock(mutex_);
+  return unseen_mistakes_.emplace(step, std::move(unseen)).first->second;  // of the thread that was first
+}
+
+const Mistake* CourseSide::recognise(const LabPlan& plan, const std::string& step,
+                                     const std::map<std::string, Failed>& failed) {
+  std::map<std::string, Failed> seen = failed;  // by the student, as by `check`
+  for (const Case& one : plan.cases)
+    if (one.hidden) seen.erase(one.name);
+  return seen.empty() ? grade::recognise(unseen_mistakes(plan, step), plan, step, failed)
+                      : grade::recognise(known_mistakes(plan), plan, step, seen);
+}
+
+}  // namespace texel::grade

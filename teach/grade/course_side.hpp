@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The trusted side: what the course's own solution, starter and mutants draw for the cases.
+#pragma once
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "check/files.hpp"
+#include "check/studio.hpp"
+#include "judge/mistakes.hpp"
+#include "judge/plan.hpp"
+#include "material/mutant_file.hpp"
+#include "workshop.hpp"
+
+namespace texel::grade {
+
+/// Pictures of the course's own, drawn once and kept in `cache` under the fingerprint of what they depend on:
+/// program, shaders, assets, cases, renderer and processor. May be used by several threads.
+class CourseSide {
+ public:
+  CourseSide(BuiltTree solution, BuiltTree starter, std::filesystem::path cache, std::string context);
+
+  /// Draws what the lab's cases are judged by, unless it is there. Throws Error (exit 3).
+  void prepare(const LabPlan& plan);
+  /// The folder of what the starter draws.
+  [[nodiscard]] std::filesystem::path starter_folder(const LabPlan& plan) const {
+    return folder_of(plan) / "starter";
+  }
+  [[nodiscard]] ExpectedFiles expected(const LabPlan& plan, const course::Case& of) const;
+
+  /// What a mutant of a step draws in the cases of its step: a folder with the pictures that there are.
+  /// Throws Error (exit 3).
+  std::filesystem::path drawn_by(const LabPlan& plan, const material::Mutant& mutant);
+  /// The same for the solution with another text in one of its files; `name` is any.
+  std::filesystem::path draw_changed(const LabPlan& plan, const std::string& name, const std::string& step,
+                                     const std::string& file, const std::string& text);
+  /// Of one case. Throws Error (exit 3).
+  Failed failed_by(const LabPlan& plan, const material::Mutant& mutant, const course::Case& of);
+  /// One of the pictures in such a folder.
+  static Failed drawn_in(const std::filesystem::path& folder, const course::Case& of);
+  /// Those of the course's steps.
+  [[nodiscard]] const std::vector<material::Mutant>& mutants() const { return mutants_; }
+
+  /// What a mutant looks like in the cases of its step. Throws Error (exit 3).
+  Mistake mistake_of(const LabPlan& plan, const material::Mutant& mutant);
+
+  /// grade::known_mistakes, read once. Throws Error (exit 3).
+  const std::vector<Mistake>& known_mistakes(const LabPlan& plan);
+
+  /// grade::recognise for a student's failed cases of a step, or null. The public ones are compared with
+  /// known_mistakes, as `check` does: nothing is drawn. Where no public case failed, the hidden ones are
+  /// compared with what the other mutants draw. Throws Error (exit 3).
+  const Mistake* recognise(const LabPlan& plan, const std::string& step,
+                           const std::map<std::string, Failed>& failed);
+
+  /// "llvmpipe …": what draws.
+  [[nodiscard]] const std::string& renderer() const { return renderer_; }
+  /// Where a step is written.
+  [[nodiscard]] const std::map<std::string, Place>& places() const { return places_; }
+
+ private:
+  [[nodiscard]] std::filesystem::path folder_of(const LabPlan& plan) const;
+  [[nodiscard]] Studio studio(const BuiltTree& tree, const LabPlan& plan) const;
+  const std::vector<Mistake>& unseen_mistakes(const LabPlan& plan, const std::string& step);
+
+  BuiltTree solution_;
+  BuiltTree starter_;
+  std::filesystem::path cache_;
+  std::string context_;
+  Workshop workshop_;
+  std::vector<material::Mutant> mutants_;
+  std::string renderer_;
+  std::string surroundings_;  ///< fingerprint of all that pictures depend on besides program and cases
+  std::map<std::string, Place> places_;
+  std::mutex mutex_;
+  std::map<std::string, std::filesystem::path> folders_;
+  std::map<std::string, std::unique_ptr<std::mutex>> drawing_;   ///< by mutant and lab
+  std::map<std::string, std::vector<Mistake>> known_mistakes_;   ///< by the lab's folder
+  std::map<std::string, std::vector<Mistake>> unseen_mistakes_;  ///< by step
+};
+
+}  // namespace texel::grade

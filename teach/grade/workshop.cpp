@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: MIT
+#include "workshop.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <sstream>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "core/file_lock.hpp"
+#include "core/files.hpp"
+#include "core/plain_text.hpp"
+#include "fingerprint.hpp"
+#include "kept.hpp"
+#include "material/starter.hpp"
+
+namespace texel::grade {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+/// A command's words, as a shell takes them apart.
+Words split(const std::string& command) {
+  Words words;
+  std::string word;
+  bool any = false;
+  char quote = 0;
+  for (std::size_t i = 0; i < command.size(); ++i) {
+    const char c = command[i];
+    if (quote != 0) {
+      if (c == quote)
+        quote = 0;
+      else if (quote == '"' && c == '\\' && i + 1 < command.size())
+        word += command[++i];
+      else
+        word += c;
+    } else if (c == '\'' || c == '"') {
+      quote = c, any = true;
+    } else if (c == '\\' && i + 1 < command.size()) {
+      word += command[++i], any = true;
+    } else if (c == ' ') {
+      if (any) words.push_back(word);
+      word.clear(), any = false;
+    } else {
+      word += c, any = true;
+    }
+  }
+  if (any) words.push_back(word);
+  return words;
+}
+
+/// The last lines of a log, where the errors are.
+std::string end_of(const std::string& log) {
+  constexpr std::size_t most = 2000;
+  return plain_lines(log.size() > most ? log.substr(log.size() - most) : log);
+}
+
+/// Runs a trusted program in a folder and returns what it printed.
+std::string output_of(const Words& command, const fs::path& folder, double seconds) {
+  Confines plain;
+  plain.working_folder = folder;
+  plain.limits.wall_seconds = plain.limits.cpu_seconds = seconds;
+  plain.limits.memory = plain.limits.address_space = 64ULL << 30U;
+  plain.limits.disk = 4ULL << 30U;
+  plain.limits.processes = 4096;
+  plain.limits.kept_output = plain.limits.output = 64U << 20U;
+  for (const char* name : {"CCACHE_DIR", "HOME"})
+    if (const char* value = std::getenv(name)) plain.environment.emplace_back(name, value);
+  const Outcome outcome = run_plainly(plain, command);
+  if (!outcome.succeeded())
+    throw Error::failed(
+        fmt::format("'{}' fails with exit code {}", fmt::join(command, " "), outcome.exit_code),
+        {folder.string()}, "it says:\n" + end_of(outcome.output + outcome.errors));
+  return outcome.output;
+}
+
+/// Whether programs do not depend on a file of the starter.
+bool is_for_people(const std::string& path) {
+  return path.starts_with("docs/") || fs::path(path).filename() == "README.md" ||
+         path.find("/expected/") != path.npos;
+}
+
+/// The word after `option`; where there is none, "".
+std::string& after(Words& words, const std::string& option) {
+  const auto found = std::find(words.begin(), words.end(), option);
+  if (found == words.end() || found + 1 == words.end())
+    throw Error::failed(fmt::format("a build command has no '{}'", option));
+  return *(found + 1);
+}
+
+void drop(Words& words, const std::string& option, std::ptrdiff_t count) {
+  const auto found = std::find(words.begin(), words.end(), option);
+  if (found != words.end()) words.erase(found, found + count);
+}
+
+/// The library, relative to the build folder, in which CMake puts the object "common/mesh/CMakeFiles/
+/// texel_mesh.dir/weld.cpp.o"; "" for an object of another form.
+std::string library_of(const std::string& object) {
+  const std::size_t folder = object.find("/CMakeFiles/"), end = object.find(".dir/");
+  if (folder == object.npos || end == object.npos) return {};
+  const std::size_t name = folder + std::string_view("/CMakeFiles/").size();
+  return fmt::format("{}/lib{}.a", object.substr(0, folder), object.substr(name, end - name));
+}
+
+/// Copies libraries, puts objects into the copies, and becomes what follows: LIBRARY COPY OBJECT … --
+/// COMMAND. A program then links of the libraries what it needs, as it does with the starter's.
+constexpr const char* kExchange =
+    "while [ \"$1\" != -- ]; do [ -e \"$2\" ] || cp \"$1\" \"$2\"; ar rD \"$2\" \"$3\"; shift 3; done; "
+    "shift; exec \"$@\"";
+
+/// Measured: lab.cpp takes 4 s, 325 MB resident; a machine under load ten times as long.
+constexpr double kProcessorSeconds = 60, kWallSeconds = 240;
+
+/// Writes without end are cut, colours and paths of ours go.
+std::string readable_log(std::string text, const fs::path& sources, const fs::path& tree) {
+  for (const std::string& folder : {sources.string() + "/", tree.string() + "/"})
+    for (std::size_t at = 0; (at = text.find(folder, at)) != text.npos;) text.erase(at, folder.size());
+  constexpr std::size_t most = 8000;
+  if (text.size() > most) text = text.substr(0, most) + "\n… (cut here)";
+  return plain_lines(text);
+}
+
+}  // namespace
+
+Workshop::Workshop(BuiltTree tree, fs::path cache, Run how)
+    : tree_(std::move(tree)), cache_(std::move(cache)), run_(how) {
+  if (!fs::exists(tree_.build / "build.ninja"))
+    throw Error::failed("is not a Ninja build", {tree_.build.string()},
+                        "build the course first: ./run build");
+  fs::create_directories(cache_);
+}
+
+const Workshop::Recipe& Workshop::recipe(const std::string& program) {
+  const std::scoped_lock lock(mutex_);
+  if (const auto known = recipes_.find(program); known != recipes_.end()) return known->second;
+  Recipe recipe;
+  std::istringstream lines(output_of({"ninja", "-t", "commands", "bin/" + program}, tree_.build, 60));
+  for (std::string line; std::getline(lines, line);) {
+    Words words = split(line);
+    if (words.empty()) continue;
+    // ": && c++ … -o PROGRAM.new … && mv PROGRAM.new PROGRAM && :" is how CMake has a linker run.
+    if (words.front() == ":" && words.size() > 1) {
+      words.erase(words.begin(), words.begin() + 2);
+      words.erase(std::find(words.begin(), words.end(), "&&"), words.end());
+    }
+    if (const auto launcher = std::find_if(words.begin(), words.end(),
+                                           [](const std::string& w) { return w.ends_with("/ccache"); });
+        launcher != words.end())
+      words.erase(words.begin(), launcher + 1);
+    if (const auto c = std::find(words.begin(), words.end(), "-c");
+        c != words.end() && c + 1 != words.end()) {
+      const std::string path = fs::path(*(c + 1)).lexically_relative(tree_.source).generic_string();
+      // A student's warnings are no errors, and nobody reads the lists of what was read.
+      drop(words, "-Werror", 1), drop(words, "-MD", 1), drop(words, "-MT", 2), drop(words, "-MF", 2);
+      recipe.compile[path] = words;
+    } else if (const auto o = std::find(words.begin(), words.end(), "-o");
+               o != words.end() && o + 1 != words.end() && *(o + 1) == "bin/" + program + ".new") {
+      std::erase_if(words, [](const std::string& w) { return w.starts_with("-Wl,--dependency-file"); });
+      recipe.link = words;
+    }
+  }
+  if (recipe.link.empty() || recipe.compile.empty())
+    throw Error::failed(fmt::format("does not know how to build '{}'", program), {tree_.build.string()},
+                        "build the course again: ./run build");
+  return recipes_[program] = recipe;
+}
+
+fs::path Workshop::new_folder(const char* what) {
+  const std::scoped_lock lock(mutex_);
+  const fs::path folder = cache_ / fmt::format("{}-{}-{}", what, ::getpid(), count_++);
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder;
+}
+
+Outcome Workshop::run(const Words& command, const std::vector<fs::path>& readable, const fs::path& out,
+                      double wall_seconds) const {
+  Confines confines;
+  confines.read_only = readable;
+  confines.read_only.push_back(tree_.source);
+  if (tree_.build.lexically_relative(tree_.source).generic_string().starts_with(".."))
+    confines.read_only.push_back(tree_.build);
+  confines.writable = {out};
+  confines.working_folder = tree_.build;
+  confines.limits.cpu_seconds = kProcessorSeconds, confines.limits.wall_seconds = wall_seconds;
+  return run_(confines, command);
+}
+
+Workshop::Object Workshop::compile(const Recipe& recipe, const std::string& path, const std::string& text,
+                                   TimeBudget* budget) {
+  Words command = recipe.compile.at(path);
+  const std::string name = fs::path(after(command, "-o")).filename().string();
+  Object object;
+  object.key =
+      fingerprint({tree_.fingerprint, fmt::format("{}", fmt::join(command, "\n")), path, text, name});
+  std::mutex* own = nullptr;
+  {
+    const std::scoped_lock lock(mutex_);
+    auto& slot = compiling_[object.key];
+    if (!slot) slot = std::make_unique<std::mutex>();
+    own = slot.get();
+  }
+  // The labs of one student, side by side, all want the file: the first compiles it.
+  const std::scoped_lock compiling(*own);
+  const fs::path kept = cache_ / "objects" / object.key;
+  if (is_kept(kept)) {
+    if (fs::exists(kept / name))
+      object.file = kept / name;
+    else
+      object.log = read_file(kept / "log");
+    return object;
+  }
+  {
+    const std::scoped_lock lock(mutex_);
+    if (const auto known = stopped_.find(object.key); known != stopped_.end()) {
+      object.log = known->second;
+      return object;
+    }
+  }
+  const double seconds = budget == nullptr ? kWallSeconds : std::min(kWallSeconds, budget->left());
+  if (seconds <= 0) {
+    object.log = "not compiled: the submission used up its time\n";
+    return object;
+  }
+  const fs::path work = new_folder("compile"), sources = work / "source", out = work / "out";
+  fs::create_directories((sources / path).parent_path());
+  fs::create_directories(out);
+  write_file(sources / path, text);
+  after(command, "-c") = (sources / path).string();
+  after(command, "-o") = (out / name).string();
+  // Headers beside the file, as the compiler would look for them there.
+  command.push_back("-iquote");
+  command.push_back((tree_.source / path).parent_path().string());
+  command.push_back("-fdiagnostics-color=never");
+  const Outcome outcome = run(command, {sources}, out, seconds);
+  if (budget != nullptr) budget->spend(outcome.wall_seconds);
+  const bool done = outcome.succeeded() && fs::is_regular_file(out / name);
+  if (!done) {
+    object.log = readable_log(outcome.errors, sources, tree_.source);
+    if (outcome.limit != Limit::none)
+      object.log += fmt::format("\nthe compiler was stopped: it used too much {}\n", name_of(outcome.limit));
+    fs::remove(out / name);
+    write_file(out / "log", object.log);
+  }
+  // What a limit ended may have been the machine's fault: another run of the grader tries it again.
+  if (outcome.limit == Limit::none) {
+    std::error_code exists;
+    fs::create_directories(kept.parent_path());
+    fs::rename(out, kept, exists);
+    if (done) object.file = kept / name;
+  } else if (seconds == kWallSeconds) {
+    const std::scoped_lock lock(mutex_);
+    stopped_[object.key] = object.log;
+  }
+  fs::remove_all(work);
+  return object;
+}
+
+std::string Workshop::link(const Recipe& recipe, const std::string& program,
+                           const std::map<std::string, Object>& objects, const fs::path& to) {
+  const fs::path out = new_folder("link");
+  Words command = recipe.link;
+  std::vector<fs::path> folders;
+  // Each library with changed objects, its copy, and an object: the copy gets the object in place of its own.
+  Words exchanged;
+  for (const auto& [path, object] : objects) {
+    Words compiled = recipe.compile.at(path);
+    const std::string own = after(compiled, "-o");
+    const std::string library = library_of(own);
+    if (const auto found = std::find(command.begin(), command.end(), own); found != command.end()) {
+      *found = object.file.string();
+    } else {
+      const std::string copy = (out / fs::path(library).filename()).string();
+      const bool is_new = std::find(exchanged.begin(), exchanged.end(), copy) == exchanged.end();
+      const auto place = std::find(command.begin(), command.end(), library);
+      if (is_new && place == command.end())
+        throw Error::failed(fmt::format("does not find '{}' among what '{}' links", library, program));
+      if (is_new) *place = copy;
+      exchanged.insert(exchanged.end(), {library, copy, object.file.string()});
+    }
+    folders.push_back(object.file.parent_path());
+  }
+  after(command, "-o") = (out / program).string();
+  if (!exchanged.empty()) {
+    exchanged.emplace_back("--");
+    command.insert(command.begin(), exchanged.begin(), exchanged.end());
+    command.insert(command.begin(), {"/bin/sh", "-ec", kExchange, "sh"});
+  }
+  const Outcome outcome = run(command, folders, out, kWallSeconds);
+  std::string log;
+  if (!outcome.succeeded() || !fs::is_regular_file(out / program)) {
+    log = readable_log(outcome.errors, cache_ / "objects", tree_.source);
+    if (log.empty()) log = "the linker made no program\n";
+  } else {
+    std::error_code exists;
+    const fs::path alone = out / "program";
+    fs::create_directories(alone);
+    fs::rename(out / program, alone / program);
+    fs::permissions(alone / program, fs::perms::owner_all | fs::perms::group_exec | fs::perms::group_read |
+                                         fs::perms::others_exec | fs::perms::others_read);
+    fs::create_directories(to.parent_path());
+    fs::rename(alone, to, exists);
+  }
+  fs::remove_all(out);
+  return log;
+}
+
+Program Workshop::make(const std::string& program, const std::map<std::string, std::string>& files,
+                       TimeBudget* budget) {
+  const Recipe& how = recipe(program);
+  Program made;
+  std::map<std::string, Object> objects;
+  std::string keys;
+  for (const auto& [path, text] : files) {
+    if (how.compile.count(path) == 0 || text == read_file(tree_.source / path)) continue;
+    Object object = compile(how, path, text, budget);
+    if (object.file.empty()) {
+      made.refused.push_back({path, object.log});
+      continue;
+    }
+    keys += object.key;
+    objects.emplace(path, std::move(object));
+  }
+  const fs::path kept =
+      cache_ / "programs" /
+      fingerprint({tree_.fingerprint, program, fmt::format("{}", fmt::join(how.link, "\n")), keys});
+  made.file = kept / program;
+  if (is_kept(kept)) return made;
+  const std::string log = link(how, program, objects, kept);
+  if (log.empty()) return made;
+  if (objects.empty())
+    throw Error::failed(fmt::format("the course's own '{}' does not link", program), {}, log);
+  // Those that link without the others stay.
+  std::map<std::string, std::string> sound;
+  std::vector<CompilerLog> refused;
+  for (const auto& [path, object] : objects) {
+    std::vector<CompilerLog> alone = {{path, log}};
+    if (objects.size() > 1) {
+      const std::map<std::string, std::string> one_file = {{path, files.at(path)}};
+      alone = make(program, one_file, budget).refused;
+    }
+    if (alone.empty())
+      sound[path] = files.at(path);
+    else
+      refused.push_back(alone.front());
+  }
+  if (refused.empty()) {
+    for (const auto& [path, text] : sound) refused.push_back({path, log});
+    sound.clear();
+  }
+  const Program rest = make(program, sound, budget);
+  made.file = rest.file;
+  made.refused.insert(made.refused.end(), refused.begin(), refused.end());
+  made.refused.insert(made.refused.end(), rest.refused.begin(), rest.refused.end());
+  return made;
+}
+
+BuiltTree starter_tree(const fs::path& course, const fs::path& cache) {
+  fs::create_directories(cache);
+  const FileLock lock(cache / "lock");
+  std::vector<material::StarterFile> files = material::starter_files(course);
+  std::erase_if(files, [](const material::StarterFile& file) { return is_for_people(file.path); });
+  std::string print = fingerprint({output_of({"c++", "--version"}, cache, 60), cache.string()});
+  for (const material::StarterFile& file : files)
+    print = fingerprint({print, file.path, file.text ? *file.text : read_file(file.source)});
+  BuiltTree tree{cache / ("starter-" + print.substr(0, 16)), {}, print};
+  tree.build = tree.source / "build/release";
+  if (is_kept(tree.source) && fs::exists(tree.build / "is-built")) return tree;
+  fs::remove_all(tree.source);
+  material::write_files(files, tree.source);
+  output_of({"cmake", "--preset", "release"}, tree.source, 300);
+  output_of({"ninja", "-C", "build/release", "labs/all"}, tree.source, 3600);
+  write_file(tree.build / "is-built", "");
+  return tree;
+}
+
+BuiltTree solution_tree(const fs::path& course, const fs::path& build, const BuiltTree& starter) {
+  const auto is_code = [](const fs::path& file) {
+    return file.extension() == ".cpp" || file.extension() == ".hpp" || file.extension() == ".txt";
+  };
+  return {course, build,
+          fingerprint({fingerprint_of_folder(course / "labs", is_code),
+                       fingerprint_of_folder(course / "common", is_code), starter.fingerprint})};
+}
+
+}  // namespace texel::grade
