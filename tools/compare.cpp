@@ -80,7 +80,7 @@ Comparison compare_floats(const CompareOptions& options, image::Comparing compar
   return {difference, name_of(comparing.unit), {}};
 }
 
-Comparison compare_colours(const CompareOptions& options, const image::Comparing& comparing) {
+Comparison compare_colors(const CompareOptions& options, const image::Comparing& comparing) {
   const image::Image8 reference = image::load8(options.reference), image = image::load8(options.image);
   const image::Difference difference = image::compare(reference, image, comparing);
   const image::ImageF errors = image::flip_errors(
@@ -171,7 +171,7 @@ Exit compare(const CompareOptions& options) {
   const image::Comparing comparing = {.mask = mask ? &*mask : nullptr,
                                       .edge_tolerance = options.edge_tolerance};
   const Comparison result =
-      is_float(options.reference) ? compare_floats(options, comparing) : compare_colours(options, comparing);
+      is_float(options.reference) ? compare_floats(options, comparing) : compare_colors(options, comparing);
   if (options.json)
     print_json(result);
   else

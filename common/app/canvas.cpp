@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
 #include "gl/upload.hpp"
-#include "image/colour.hpp"
+#include "image/color.hpp"
 
 namespace texel::app {
 namespace {
@@ -104,7 +104,7 @@ void Canvas::draw_into(const gl::Target& target, View view, const std::optional<
 }
 
 void Canvas::draw(View view, glm::ivec2 size, int samples, const std::optional<Split>& split,
-                  gl::Target::Kind colours) {
+                  gl::Target::Kind colors) {
   ++present_frame;
   error_.reset();
   figures_.reset();
@@ -112,7 +112,7 @@ void Canvas::draw(View view, glm::ivec2 size, int samples, const std::optional<S
     draw_error(size);
     return;
   }
-  draw_scene(view, size, samples, split, colours);
+  draw_scene(view, size, samples, split, colors);
   finish(view, size);
 }
 
@@ -122,7 +122,7 @@ gl::Record Canvas::record(View view, glm::ivec2 size, int samples) {
   {
     gl::Recorder recorder;  // of the lab's own draw calls
     const gl::Target& target =
-        draw_scene(view == View::error ? View::color : view, size, samples, {}, gl::Target::Kind::colour);
+        draw_scene(view == View::error ? View::color : view, size, samples, {}, gl::Target::Kind::color);
     record = recorder.take();
     if (record.draw_calls > 0 && target.shows_only(background_of(target)))
       record.warnings.emplace_back(
@@ -137,25 +137,25 @@ gl::Record Canvas::record(View view, glm::ivec2 size, int samples) {
 }
 
 const gl::Target& Canvas::draw_scene(View view, glm::ivec2 size, int samples,
-                                     const std::optional<Split>& split, gl::Target::Kind colours) {
+                                     const std::optional<Split>& split, gl::Target::Kind colors) {
   // Values are not averaged over a pixel: half a normal and half a background is neither.
-  const gl::Target& target = view == View::color ? fit(colour_, colours, size, samples)
-                                                 : fit(data_, gl::Target::Kind::data, size, 1);
+  const gl::Target& target =
+      view == View::color ? fit(color_, colors, size, samples) : fit(data_, gl::Target::Kind::data, size, 1);
   draw_into(target, view, split);
   return target;
 }
 
 void Canvas::finish(View view, glm::ivec2 size) {
   if (view != View::color) {
-    fit(colour_, gl::Target::Kind::colour, size, 1);
+    fit(color_, gl::Target::Kind::color, size, 1);
     present(view);
   }
-  std::swap(picture_, colour_);
+  std::swap(picture_, color_);
 }
 
 void Canvas::present(View view) {
   gl::Program& program = programs_.get("app/present.vert", "app/present.frag");
-  colour_->bind();
+  color_->bind();
   program.use();
   gl::bind(0, GL_TEXTURE_2D, data_->texture());
   program.set("values", 0);
@@ -176,9 +176,9 @@ image::ImageF Canvas::measured_picture(const Measure& measure, glm::ivec2 size) 
   // Colours are compared as they are seen: in levels of the encoded picture, inside the object's mask.
   draw_into(data, View::mask, {});
   image::ImageF picture = data.read_float();
-  const gl::Target& colour = fit(colour_, gl::Target::Kind::colour, size, 1);
-  draw_into(colour, measure.view, {});
-  const image::Image8 shown = colour.read8();
+  const gl::Target& color = fit(color_, gl::Target::Kind::color, size, 1);
+  draw_into(color, measure.view, {});
+  const image::Image8 shown = color.read8();
   for (std::size_t i = 0; i < shown.samples.size(); ++i)
     if (i % 4 != 3) picture.samples[i] = shown.samples[i];
   return picture;
@@ -215,18 +215,18 @@ void Canvas::draw_error(glm::ivec2 size) {
   error_ = error_picture(measured_picture(*measure, size), truth_, *measure);
   figures_ = figures_of(*error_);
   const double scale = error_scale_ > 0 ? error_scale_ : round_up(figures_->p99);
-  fit(colour_, gl::Target::Kind::colour, size, 1).write8(error_map(*error_, scale, measure->unit));
-  std::swap(picture_, colour_);
+  fit(color_, gl::Target::Kind::color, size, 1).write8(error_map(*error_, scale, measure->unit));
+  std::swap(picture_, color_);
 }
 
 void Canvas::draw_nothing(glm::ivec2 size) {
-  const gl::Target& target = fit(colour_, gl::Target::Kind::colour, size, 1);
+  const gl::Target& target = fit(color_, gl::Target::Kind::color, size, 1);
   target.bind();
   glDisable(GL_SCISSOR_TEST);
   glEnable(GL_FRAMEBUFFER_SRGB);
   glClearColor(kBackground.r, kBackground.g, kBackground.b, kBackground.a);
   glClear(GL_COLOR_BUFFER_BIT);
-  std::swap(picture_, colour_);
+  std::swap(picture_, color_);
 }
 
 void Canvas::copy_to_window(glm::ivec2 origin, glm::ivec2 size) const {

@@ -14,7 +14,7 @@
 #include "core/stages.hpp"
 #include "gl/make_cube_map.hpp"
 #include "gl/upload.hpp"
-#include "image/colour.hpp"
+#include "image/color.hpp"
 #include "image/mipmaps.hpp"
 #include "mesh/primitives.hpp"
 #include "procedural/cube.hpp"
@@ -85,8 +85,8 @@ image::Image8 resampled(const std::array<image::Image8, 6>& faces, int width, in
   in_parallel(processors(), static_cast<std::size_t>(height), [&](std::size_t row) {
     const int y = static_cast<int>(row);
     for (int x = 0; x < width; ++x) {
-      const glm::vec3 colour = look_up(faces, direction_of(x, y));
-      for (int c = 0; c < 3; ++c) result.at(x, y, c) = image::to_encoding8(colour[c]);
+      const glm::vec3 color = look_up(faces, direction_of(x, y));
+      for (int c = 0; c < 3; ++c) result.at(x, y, c) = image::to_encoding8(color[c]);
     }
     if (width > kLargestSide && ++done % 64 == 0)
       progress.say(fmt::format("{} of {} rows", done.load(), height));

@@ -10,7 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
-#include "image/colour.hpp"
+#include "image/color.hpp"
 #include "procedural/shapes.hpp"
 
 namespace texel::app {
@@ -20,18 +20,18 @@ glm::dvec3 value_at(const image::ImageF& picture, int x, int y) {
   return {picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2)};
 }
 
-using Colour = std::array<std::uint8_t, 3>;
-constexpr Colour kBackground = {52, 56, 64}, kNotFinite = {255, 0, 255}, kWriting = {255, 255, 255};
+using Color = std::array<std::uint8_t, 3>;
+constexpr Color kBackground = {52, 56, 64}, kNotFinite = {255, 0, 255}, kWriting = {255, 255, 255};
 
-Colour heat_colour(double t) {
+Color heat_color(double t) {
   const std::array<float, 3> heat = image::heat(static_cast<float>(t));
-  Colour colour;
-  for (std::size_t c = 0; c < 3; ++c) colour[c] = image::to_encoding8(heat[c], image::Encoding::linear);
-  return colour;
+  Color color;
+  for (std::size_t c = 0; c < 3; ++c) color[c] = image::to_encoding8(heat[c], image::Encoding::linear);
+  return color;
 }
 
-void put(image::Image8& picture, int x, int y, const Colour& colour) {
-  for (int c = 0; c < 3; ++c) picture.at(x, y, c) = colour[static_cast<std::size_t>(c)];
+void put(image::Image8& picture, int x, int y, const Color& color) {
+  for (int c = 0; c < 3; ++c) picture.at(x, y, c) = color[static_cast<std::size_t>(c)];
   picture.at(x, y, 3) = 255;
 }
 
@@ -148,7 +148,7 @@ image::Image8 error_map(const image::ImageF& error, double scale, Unit unit) {
       if (error.at(x, y, 3) == 0)
         put(map, x, y, kBackground);
       else
-        put(map, x, y, std::isfinite(value) ? heat_colour(value / scale) : kNotFinite);
+        put(map, x, y, std::isfinite(value) ? heat_color(value / scale) : kNotFinite);
     }
   // The bar lies at the lower edge; small pictures have no room for it.
   const int margin = error.width / 32, bar_height = error.height / 40, text_height = error.height / 36;
@@ -156,7 +156,7 @@ image::Image8 error_map(const image::ImageF& error, double scale, Unit unit) {
   const int left = margin, right = error.width - margin;
   for (int x = left; x < right; ++x)
     for (int y = margin; y < margin + bar_height; ++y)
-      put(map, x, y, heat_colour((x + 0.5 - left) / (right - left)));
+      put(map, x, y, heat_color((x + 0.5 - left) / (right - left)));
   const double line = margin + bar_height + margin / 3.0;
   std::string end = fmt::format("{:g} {}", scale, name_of(unit));  // the font has capitals
   std::transform(end.begin(), end.end(), end.begin(),

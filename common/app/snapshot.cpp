@@ -35,7 +35,7 @@ void Snapshot::write() const {
     image::save_pfm(file, values);
     return;
   }
-  image::save_png(file, image::without_alpha(colours), texts);  // alpha is no part of the picture
+  image::save_png(file, image::without_alpha(colors), texts);  // alpha is no part of the picture
 }
 
 }  // namespace texel::app

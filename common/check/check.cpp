@@ -13,11 +13,11 @@
 #include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "course/markers.hpp"
+#include "dependencies.hpp"
 #include "judge/mistakes.hpp"
 #include "judge/plan.hpp"
-#include "order.hpp"
 
-namespace texel::grade {
+namespace texel::check {
 namespace {
 
 namespace fs = std::filesystem;
@@ -51,7 +51,7 @@ std::map<std::string, std::string> texts_of_steps(const fs::path& source) {
 /// One lab's cases.
 class LabCheck {
  public:
-  LabCheck(const OwnTree& tree, const LabPlan& plan, const std::set<std::string>& untouched,
+  LabCheck(const OwnTree& tree, const judge::LabPlan& plan, const std::set<std::string>& untouched,
            const Draws& draws)
       : plan_(plan),
         untouched_(untouched),
@@ -64,25 +64,25 @@ class LabCheck {
   }
 
   /// By so many processes side by side: nearly all of the time goes into compiling shaders.
-  std::vector<CaseResult> run(unsigned processes) {
+  std::vector<judge::CaseResult> run(unsigned processes) {
     fs::create_directories(own_.parent_path());
     // A window and a watch may check the same lab.
     const FileLock lock(own_.string() + ".lock");
     draw_all(processes);
-    const std::vector<Mistake> mistakes = known_mistakes(expected_);
-    std::vector<CaseResult> results;
+    const std::vector<judge::Mistake> mistakes = known_mistakes(expected_);
+    std::vector<judge::CaseResult> results;
     for (const course::Step& step : plan_.lab.steps) {
-      std::map<std::string, Failed> failed;
+      std::map<std::string, judge::Failed> failed;
       for (const Case& one : plan_.cases) {
         if (one.step != step.id) continue;
         results.push_back(judged(one));
         if (results.back().passed()) continue;
-        const Failed drawn{picture_bytes(own_ / one.file), refused_of(one)};
+        const judge::Failed drawn{picture_bytes(own_ / one.file), refused_of(one)};
         if (!drawn.picture.empty() || !drawn.refused.empty()) failed[one.name] = drawn;
       }
-      const Mistake* known =
-          untouched_.contains(step.id) ? nullptr : recognise(mistakes, plan_, step.id, failed);
-      for (CaseResult& result : results)
+      const judge::Mistake* known =
+          untouched_.contains(step.id) ? nullptr : judge::recognize(mistakes, plan_, step.id, failed);
+      for (judge::CaseResult& result : results)
         if (known != nullptr && result.step == step.id && failed.contains(result.name))
           result.mistake = known->name, result.mistake_says = known->says;
     }
@@ -132,20 +132,20 @@ class LabCheck {
     return refused == refused_.end() ? "" : refused->second;
   }
 
-  [[nodiscard]] CaseResult judged(const Case& one) const {
-    CaseResult result{one};
-    result.command = command(plan_.lab, one);
+  [[nodiscard]] judge::CaseResult judged(const Case& one) const {
+    judge::CaseResult result{one};
+    result.command = judge::command(plan_.lab, one);
     result.reference = (expected_ / one.file).string();
     if (fs::exists(own_ / one.file)) result.picture = (own_ / one.file).string();
     const fs::path mask = one.is_mesh() ? fs::path() : expected_ / fmt::format("{}.mask.png", one.name);
     const auto fault = faults_.find(one.file);
-    settle(result, judge(one, ExpectedFiles{result.reference, mask}, own_ / one.file),
-           fault == faults_.end() ? "" : fault->second, untouched_.contains(one.step));
+    judge::resolve(result, judge(one, ExpectedFiles{result.reference, mask}, own_ / one.file),
+                   fault == faults_.end() ? "" : fault->second, untouched_.contains(one.step));
     result.score = result.passed() ? 1 : 0;
     return result;
   }
 
-  const LabPlan& plan_;
+  const judge::LabPlan& plan_;
   const std::set<std::string>& untouched_;
   fs::path expected_, own_;
   const Draws& draws_;
@@ -162,11 +162,11 @@ std::string expected_by(const fs::path& source, const course::Lab& lab) {
 }
 
 /// Says in the lab's notes which of its steps have damaged markers.
-void note_markers(const fs::path& source, std::vector<LabResult>& labs) {
+void note_markers(const fs::path& source, std::vector<judge::LabResult>& labs) {
   for (const std::string& file : course::step_files(source)) {
     const std::string first = course::first_text(source, file);
     for (const auto& [step, fault] : course::marker_faults(read_file(source / file), first, file))
-      for (LabResult& lab : labs)
+      for (judge::LabResult& lab : labs)
         if (std::stoi(step) == lab.lab.number) lab.notes.push_back(fault);
   }
 }
@@ -178,12 +178,12 @@ bool is_text_of_programs(const fs::path& file) {
 
 }  // namespace
 
-std::vector<Mistake> known_mistakes(const fs::path& expected) {
+std::vector<judge::Mistake> known_mistakes(const fs::path& expected) {
   const fs::path file = expected / kMistakesFile;
   if (!fs::exists(file))
     throw Error::failed("is missing; it contains what known mistakes look like", {file.string()},
                         "copy the file from the course again; the course writes it with ./run expected");
-  return parse_mistakes(read_file(file), file.string());
+  return judge::parse_mistakes(read_file(file), file.string());
 }
 
 fs::path expected_folder(const fs::path& source, const course::Lab& lab) {
@@ -217,11 +217,13 @@ std::set<std::string> untouched_steps(const OwnTree& tree) {
   return steps;
 }
 
-std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>& labs, const Draws& draws) {
-  const std::vector<LabPlan> plans = public_plan(with_needed(labs, course::read_labs(tree.source / "labs")));
+std::vector<judge::LabResult> check(const OwnTree& tree, const std::vector<course::Lab>& labs,
+                                    const Draws& draws) {
+  const std::vector<judge::LabPlan> plans =
+      judge::public_plan(judge::with_needed(labs, course::read_labs(tree.source / "labs")));
   const std::set<std::string> as_at_first = untouched_steps(tree);
   const std::map<std::string, std::string> texts = texts_of_steps(tree.source);
-  std::vector<std::vector<CaseResult>> found(plans.size());
+  std::vector<std::vector<judge::CaseResult>> found(plans.size());
   const auto at_once = std::min<std::size_t>(processors(), plans.size());
   std::vector<std::string> renderers(plans.size());
   in_parallel(processors(), plans.size(), [&](std::size_t i) {
@@ -230,12 +232,12 @@ std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>
     renderers[i] = lab.renderer();
   });
   std::vector<course::Lab> all;
-  std::vector<CaseResult> cases;
+  std::vector<judge::CaseResult> cases;
   for (std::size_t i = 0; i < plans.size(); ++i) {
     all.push_back(plans[i].lab);
     cases.insert(cases.end(), found[i].begin(), found[i].end());
   }
-  std::vector<LabResult> results = lab_results(all, std::move(cases));
+  std::vector<judge::LabResult> results = judge::lab_results(all, std::move(cases));
   const std::map<std::string, Place> places = course::step_places(tree.source);
   const fs::path memory = checked_folder(tree) / "passed.json";
   fs::create_directories(memory.parent_path());
@@ -243,34 +245,34 @@ std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>
     const FileLock lock(memory.string() + ".lock");
     skip_those_that_wait(results, changed_since_it_passed(memory, texts, places, results));
   }
-  std::erase_if(results, [&](const LabResult& result) {
+  std::erase_if(results, [&](const judge::LabResult& result) {
     return std::none_of(labs.begin(), labs.end(),
                         [&](const course::Lab& lab) { return lab.number == result.lab.number; });
   });
   const auto drew =
       std::find_if(renderers.begin(), renderers.end(), [](const std::string& one) { return !one.empty(); });
   if (drew != renderers.end())
-    for (LabResult& lab : results)
+    for (judge::LabResult& lab : results)
       lab.notes.push_back(renderer_note(*drew, expected_by(tree.source, lab.lab)));
   note_markers(tree.source, results);
-  for (LabResult& lab : results)
+  for (judge::LabResult& lab : results)
     for (const std::string& copy : lab.lab.copies)
       lab.notes.push_back(
           fmt::format("labs/{} is a copy of this lab: what is written there does not count.", copy));
-  put_places(results, places);
+  judge::put_places(results, places);
   return results;
 }
 
-LabResult check_step(const OwnTree& tree, const course::Lab& lab, const std::string& step,
-                     const Draws& draws) {
-  LabPlan plan = public_plan({lab}).front();
+judge::LabResult check_step(const OwnTree& tree, const course::Lab& lab, const std::string& step,
+                            const Draws& draws) {
+  judge::LabPlan plan = judge::public_plan({lab}).front();
   std::erase_if(plan.cases, [&](const Case& one) { return one.step != step; });
   if (plan.cases.empty()) throw Error::usage(fmt::format("this lab has no step '{}'", step));
-  std::vector<LabResult> results =
-      lab_results({plan.lab}, LabCheck(tree, plan, untouched_steps(tree), draws).run(processors()));
-  std::erase_if(results.front().steps, [&](const StepResult& one) { return one.id != step; });
+  std::vector<judge::LabResult> results =
+      judge::lab_results({plan.lab}, LabCheck(tree, plan, untouched_steps(tree), draws).run(processors()));
+  std::erase_if(results.front().steps, [&](const judge::StepResult& one) { return one.id != step; });
   note_markers(tree.source, results);
-  put_places(results, course::step_places(tree.source));
+  judge::put_places(results, course::step_places(tree.source));
   return results.front();
 }
 
@@ -285,4 +287,4 @@ std::vector<fs::path> edited_files(const fs::path& source, const course::Lab& la
   return {files.begin(), files.end()};
 }
 
-}  // namespace texel::grade
+}  // namespace texel::check

@@ -9,7 +9,7 @@
 #include "core/plain_text.hpp"
 #include "core/process.hpp"
 
-namespace texel::grade {
+namespace texel::check {
 namespace {
 
 Studio studio_of(const OwnTree& tree, const course::Lab& lab, const std::string& context) {
@@ -72,4 +72,4 @@ std::string build_program(const OwnTree& tree, const course::Lab& lab, const std
   return messages;
 }
 
-}  // namespace texel::grade
+}  // namespace texel::check

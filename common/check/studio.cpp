@@ -15,7 +15,7 @@
 
 extern char** environ;
 
-namespace texel::grade {
+namespace texel::check {
 namespace {
 
 namespace fs = std::filesystem;
@@ -192,4 +192,4 @@ void draw_all(const Studio& studio, const std::vector<Case>& cases, const fs::pa
                         {studio.program.string()}, plain_lines(outcome.errors.substr(0, 2000)));
 }
 
-}  // namespace texel::grade
+}  // namespace texel::check

@@ -24,7 +24,7 @@ constexpr const char* kHead =
     "precision highp samplerCube;\n";
 
 // View 0 is `color`; the shader that shows data views in colours has no VIEW. {} is what is done there.
-constexpr const char* kOfColours = R"(#ifdef VIEW
+constexpr const char* kOfColors = R"(#ifdef VIEW
 #if VIEW == 0
 #define TEXEL_DRAWS_COLOUR
 #endif
@@ -230,7 +230,7 @@ std::string es_source(const std::string& text, bool is_fragment, int subpixel_bi
   }
   if (decodes) {
     declared += fmt::format("uniform bool {};\n", kKeepsBytes);
-    after += fmt::format(kOfColours, encodes ? kEncoding : kDecoding);
+    after += fmt::format(kOfColors, encodes ? kEncoding : kDecoding);
   }
   if (loops) {
     declared += fmt::format(kRounds, kMostRounds);

@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "core/stages.hpp"
 #include "gl/upload.hpp"
-#include "image/colour.hpp"
+#include "image/color.hpp"
 
 namespace texel::gl {
 
@@ -47,10 +47,10 @@ Target::Target(Kind kind, int width, int height, int samples, const Target* othe
     if (samples_ > 1) {
       scratch_->multisampled = std::make_unique<Multisampled>();
       glBindFramebuffer(GL_FRAMEBUFFER, scratch_->multisampled->framebuffer.id());
-      glBindRenderbuffer(GL_RENDERBUFFER, scratch_->multisampled->colour.id());
+      glBindRenderbuffer(GL_RENDERBUFFER, scratch_->multisampled->color.id());
       glRenderbufferStorageMultisample(GL_RENDERBUFFER, stored, format, width, height);
       glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                                scratch_->multisampled->colour.id());
+                                scratch_->multisampled->color.id());
     }
   }
   bind();
@@ -88,19 +88,19 @@ image::Image8 Target::read8(int first_row, int rows) const {
   return image;
 }
 
-bool Target::shows_only(const glm::vec4& colour) const {
+bool Target::shows_only(const glm::vec4& color) const {
   int steps[4];
   for (int c = 0; c < 4; ++c) {
     const bool is_encoded = kind_ != Kind::data && c < 3;
     steps[c] = static_cast<int>(std::lround(
-        255 * (is_encoded ? image::srgb_from_linear(colour[c]) : std::clamp(colour[c], 0.0F, 1.0F))));
+        255 * (is_encoded ? image::srgb_from_linear(color[c]) : std::clamp(color[c], 0.0F, 1.0F))));
   }
-  const auto is_colour = [&](const image::Image8& part) {
+  const auto is_color = [&](const image::Image8& part) {
     for (std::size_t i = 0; i < part.samples.size(); ++i)
       if (std::abs(part.samples[i] - steps[i % 4]) > 1) return false;
     return true;
   };
-  return is_colour(read8(height_ / 2, 1)) && is_colour(read8());
+  return is_color(read8(height_ / 2, 1)) && is_color(read8());
 }
 
 image::ImageF Target::read_float() const {

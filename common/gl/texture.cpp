@@ -21,13 +21,13 @@ Format format_of(int channels, image::Encoding encoding) {
 
 image::Image8 expand_grey(const image::Image8& image) {
   if (image.channels > 2) return image;
-  image::Image8 colour(image.width, image.height, image.channels + 2);
+  image::Image8 color(image.width, image.height, image.channels + 2);
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
-      for (int c = 0; c < 3; ++c) colour.at(x, y, c) = image.at(x, y);
-      if (image.channels == 2) colour.at(x, y, 3) = image.at(x, y, 1);
+      for (int c = 0; c < 3; ++c) color.at(x, y, c) = image.at(x, y);
+      if (image.channels == 2) color.at(x, y, 3) = image.at(x, y, 1);
     }
-  return colour;
+  return color;
 }
 
 void set_sampling(GLenum target, const Sampling& sampling) {

@@ -11,7 +11,7 @@
 #include "gl/es_source.hpp"
 #include "gl/texture.hpp"
 #include "gl/web_context.hpp"
-#include "image/colour.hpp"
+#include "image/color.hpp"
 
 namespace texel::gl {
 namespace {
@@ -81,14 +81,14 @@ int subpixel_bits() {
   return bits;
 }
 
-Glance::Glance(bool wanted) {
+Preview::Preview(bool wanted) {
   glance = wanted && subpixel_bits() < kEnoughSubpixelBits;
 }
-Glance::~Glance() {
+Preview::~Preview() {
   glance = false;
 }
-Target::Kind Glance::kind() {
-  return glance ? Target::Kind::encoded : Target::Kind::colour;
+Target::Kind Preview::kind() {
+  return glance ? Target::Kind::encoded : Target::Kind::color;
 }
 bool is_glance() {
   return glance;

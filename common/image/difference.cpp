@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "comparison.hpp"
-#include "image/colour.hpp"
+#include "image/color.hpp"
 
 namespace texel::image {
 namespace {

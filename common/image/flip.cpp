@@ -12,7 +12,7 @@
 
 #include "comparison.hpp"
 #include "filter.hpp"
-#include "image/colour.hpp"
+#include "image/color.hpp"
 
 namespace texel::image {
 namespace {
@@ -107,7 +107,7 @@ float hyab(const Triple& a, const Triple& b) {
 /// A HyAB distance as an error of 0 to 1 ("Colour metric"): raised to q_c, which compresses large distances;
 /// then those up to p_c of the largest that sRGB has, from green to blue, share 0 to p_t evenly, and the few
 /// beyond the rest.
-float colour_error(float distance) {
+float color_error(float distance) {
   constexpr float q_c = 0.7F, p_c = 0.4F, p_t = 0.95F;
   static const float largest = std::pow(hyab(hunt_lab({0, 1, 0}), hunt_lab({0, 0, 1})), q_c);
   const float compressed = std::pow(distance, q_c), knee = p_c * largest;
@@ -133,11 +133,11 @@ struct Filters {
     constexpr double b_luminance = 0.0047, b_red_green = 0.0053;
     constexpr double a_wide = 34.1, b_wide = 0.04, a_narrow = 13.5, b_narrow = 0.025;
     const auto sigma = [&](double b) { return std::sqrt(b / 2) / std::numbers::pi * pixels_per_degree; };
-    const int colour_radius = static_cast<int>(std::ceil(3 * sigma(b_wide)));
-    luminance = even_kernel<float>(gaussian(sigma(b_luminance), colour_radius));
-    red_green = even_kernel<float>(gaussian(sigma(b_red_green), colour_radius));
-    const std::vector<double> wide = gaussian(sigma(b_wide), colour_radius);
-    const std::vector<double> narrow = gaussian(sigma(b_narrow), colour_radius);
+    const int color_radius = static_cast<int>(std::ceil(3 * sigma(b_wide)));
+    luminance = even_kernel<float>(gaussian(sigma(b_luminance), color_radius));
+    red_green = even_kernel<float>(gaussian(sigma(b_red_green), color_radius));
+    const std::vector<double> wide = gaussian(sigma(b_wide), color_radius);
+    const std::vector<double> narrow = gaussian(sigma(b_narrow), color_radius);
     // What each of the two adds to the sum of all weights of the square filter.
     const auto volume = [](double a, double b, const std::vector<double>& weights) {
       return a * std::sqrt(std::numbers::pi / b) * sum_of(weights) * sum_of(weights);
@@ -155,7 +155,7 @@ struct Filters {
     const std::vector<double> bell = gaussian(feature_sigma, feature_radius);
     smooth = even_kernel<float>(bell);
     make_derivatives(feature_sigma, bell);
-    radius = std::max(colour_radius, feature_radius);
+    radius = std::max(color_radius, feature_radius);
   }
 
  private:
@@ -272,7 +272,7 @@ void combine(const FilteredRow& a, const FilteredRow& b, std::vector<float>& dis
     exponents[x] = 1 - feature_error(a, b, x);
   }
   for (std::size_t x = 0; x < distances.size(); ++x)  // the power of 0, without its cost
-    errors[x] = distances[x] == 0 ? 0 : std::pow(colour_error(distances[x]), exponents[x]);
+    errors[x] = distances[x] == 0 ? 0 : std::pow(color_error(distances[x]), exponents[x]);
 }
 
 // ---- Pooling ----

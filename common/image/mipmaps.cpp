@@ -7,7 +7,7 @@
 
 #include "core/parallel.hpp"
 #include "core/stages.hpp"
-#include "image/colour.hpp"
+#include "image/color.hpp"
 
 namespace texel::image {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "judge/results.hpp"
 
-namespace texel::grade {
+namespace texel::judge {
 namespace {
 
 using glm::dvec3;
@@ -182,4 +182,4 @@ Verdict compare_streams(double limit, mesh::Mesh reference_mesh, mesh::Mesh own_
               : what_is_wrong(found, limit)};
 }
 
-}  // namespace texel::grade
+}  // namespace texel::judge

@@ -3,7 +3,7 @@
 #include "judge/judge.hpp"
 #include "mesh/mesh.hpp"
 
-namespace texel::grade {
+namespace texel::judge {
 
 /// Judges a vertex stream. Vertices are matched by position and texture coordinate, so that their order does
 /// not matter; what is compared are their normals and tangents, direction and length, and the sum of the
@@ -11,4 +11,4 @@ namespace texel::grade {
 /// polygon was cut. `limit` is in degrees. A number of vertices other than the reference's fails.
 Verdict compare_streams(double limit, mesh::Mesh reference, mesh::Mesh own);
 
-}  // namespace texel::grade
+}  // namespace texel::judge

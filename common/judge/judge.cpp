@@ -14,7 +14,7 @@
 #include "image/load.hpp"
 #include "mesh/ply.hpp"
 
-namespace texel::grade {
+namespace texel::judge {
 namespace {
 
 using course::Case;
@@ -185,4 +185,4 @@ double score(double times_limit) {
   return kMostOfWrong * (kNothingLeft - times_limit) / (kNothingLeft - 1);
 }
 
-}  // namespace texel::grade
+}  // namespace texel::judge

@@ -10,7 +10,7 @@
 #include "image/load.hpp"
 #include "mesh/ply.hpp"
 
-namespace texel::grade {
+namespace texel::judge {
 namespace {
 
 using course::Case;
@@ -137,7 +137,7 @@ Samples sampled(const Case& of, std::string_view reference_file, std::string_vie
   return samples;
 }
 
-const Mistake* recognise(const std::vector<Mistake>& mistakes, const LabPlan& plan, const std::string& step,
+const Mistake* recognize(const std::vector<Mistake>& mistakes, const LabPlan& plan, const std::string& step,
                          const std::map<std::string, Failed>& failed) {
   std::vector<Read> read;
   for (const Case& of : plan.cases)
@@ -164,4 +164,4 @@ const Mistake* recognise(const std::vector<Mistake>& mistakes, const LabPlan& pl
   return best;
 }
 
-}  // namespace texel::grade
+}  // namespace texel::judge

@@ -7,7 +7,7 @@
 #include "core/json.hpp"
 #include "judge/mistakes.hpp"
 
-namespace texel::grade {
+namespace texel::judge {
 namespace {
 
 /// A number; JSON has none that are not finite.
@@ -63,4 +63,4 @@ std::vector<Mistake> parse_mistakes(const std::string& text, const std::string& 
   return mistakes;
 }
 
-}  // namespace texel::grade
+}  // namespace texel::judge

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-namespace texel::grade {
+namespace texel::judge {
 
 using course::Case;
 using course::View;
@@ -72,4 +72,4 @@ std::string command(const course::Lab& lab, const Case& of) {
   return text + fmt::format(" --size {} --snapshot {}", as_text(of.size), of.file);
 }
 
-}  // namespace texel::grade
+}  // namespace texel::judge

@@ -13,7 +13,7 @@
 
 #include "core/error.hpp"
 
-namespace texel::grade {
+namespace texel::judge {
 namespace {
 
 constexpr std::array kStatusNames = {"passed", "failed", "skipped"};
@@ -57,8 +57,8 @@ void sort_cases(const course::Lab& lab, std::vector<CaseResult>& cases) {
 
 /// The steps whose mistakes can have spoilt the pictures of one that was judged alone: what did not pass in
 /// its lab, but was begun, and what it needs.
-std::vector<std::string> spoilers_of(const StepResult& step, const std::vector<StepResult>& of_lab,
-                                     const std::vector<LabResult>& results, const Needs& needs) {
+std::vector<std::string> causes_of(const StepResult& step, const std::vector<StepResult>& of_lab,
+                                   const std::vector<LabResult>& results, const Needs& needs) {
   const std::vector<std::string> needed = needs.of(step.id);
   std::vector<std::string> spoilers;
   for (const LabResult& lab : results)
@@ -153,7 +153,7 @@ double LabResult::max_points() const {
   return sum;
 }
 
-void settle(CaseResult& result, const Verdict& verdict, const std::string& fault, bool is_untouched) {
+void resolve(CaseResult& result, const Verdict& verdict, const std::string& fault, bool is_untouched) {
   result.status = verdict.passed ? CaseStatus::passed
                   : is_untouched ? CaseStatus::untouched
                                  : CaseStatus::failed;
@@ -171,7 +171,7 @@ void put_places(std::vector<LabResult>& labs, const std::map<std::string, Place>
         step.file = place->second.file, step.line = place->second.line;
 }
 
-const CaseResult* telling_case(const StepResult& step) {
+const CaseResult* clearest_case(const StepResult& step) {
   const auto share = [](const CaseResult& one) {
     return std::isnan(one.error) ? HUGE_VAL : one.error / std::max(one.limit, 1e-12);
   };
@@ -226,8 +226,8 @@ std::vector<LabResult> lab_results(const std::vector<course::Lab>& labs, std::ve
   const Needs needs(labs);
   for (LabResult& lab : results)
     for (StepResult& step : lab.steps)
-      if (step.any(Judged::alone)) step.spoilt_by = spoilers_of(step, lab.steps, results, needs);
+      if (step.any(Judged::alone)) step.spoilt_by = causes_of(step, lab.steps, results, needs);
   return results;
 }
 
-}  // namespace texel::grade
+}  // namespace texel::judge

@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "core/json.hpp"
 
-namespace texel::grade {
+namespace texel::judge {
 namespace {
 
 Json json_of(const CaseResult& result) {
@@ -28,7 +28,7 @@ Json json_of(const CaseResult& result) {
 }
 
 Json json_of(const StepResult& step) {
-  const CaseResult* telling = telling_case(step);
+  const CaseResult* telling = clearest_case(step);
   Json one{{"id", step.id},
            {"status", name_of(step.status)},
            {"error", telling != nullptr ? Json(telling->error) : Json()},
@@ -102,4 +102,4 @@ std::vector<StepResult> parse_steps(const std::string& json) {
   return steps;
 }
 
-}  // namespace texel::grade
+}  // namespace texel::judge

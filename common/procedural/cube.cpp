@@ -38,7 +38,7 @@ glm::dmat3 axes(Face face) {
 struct Label {
   const char* name;
   const char* word;
-  dvec3 colour;  // linear light
+  dvec3 color;  // linear light
   dvec3 up;
 };
 
@@ -73,7 +73,7 @@ FaceCoordinate face_coordinate(glm::dvec3 d) {
   return {face, 0.5 * (coordinate.x / coordinate.z + 1), 0.5 * (coordinate.y / coordinate.z + 1)};
 }
 
-glm::dvec3 smooth_colour(glm::dvec3 d) {
+glm::dvec3 smooth_color(glm::dvec3 d) {
   d = glm::normalize(d);
   // Harmonics of degree 1 to 3 whose weights keep each sum within 0..1; squared, the colours are deeper.
   const dvec3 sum(0.5 + 0.42 * d.x + 0.55 * d.y * d.z, 0.5 + 0.42 * d.y + 0.55 * d.z * d.x,
@@ -81,7 +81,7 @@ glm::dvec3 smooth_colour(glm::dvec3 d) {
   return sum * sum;
 }
 
-glm::dvec3 labelled_colour(glm::dvec3 d) {
+glm::dvec3 labelled_color(glm::dvec3 d) {
   const Face face = face_coordinate(d).face;
   const Label& text = label(face);
   const glm::dmat3 axis = axes(face);
@@ -93,7 +93,7 @@ glm::dvec3 labelled_colour(glm::dvec3 d) {
   const dvec3 white(0.95);
   const double rim = std::max(std::abs(x), std::abs(y));
   if (rim > 0.97) return white;
-  if (rim > 0.90) return text.colour * 0.45;
+  if (rim > 0.90) return text.color * 0.45;
 
   const auto on_text = [&](const char* line, double middle_x, double bottom, double size, double weight) {
     return in_text(line, (x - middle_x) / size + 0.5 * text_width(line), (y - bottom) / size, weight);
@@ -109,7 +109,7 @@ glm::dvec3 labelled_colour(glm::dvec3 d) {
   if (on_text("+v", -0.20 * ux, foot + 0.20 * vy - 0.08, 0.026, 0.70)) return white;
 
   const bool line = std::abs(std::remainder(x, 0.225)) < 0.004 || std::abs(std::remainder(y, 0.225)) < 0.004;
-  return line ? text.colour * 0.78 : text.colour;
+  return line ? text.color * 0.78 : text.color;
 }
 
 }  // namespace texel::procedural

@@ -235,7 +235,7 @@ const char* name(Texture texture) {
   return "light_map";
 }
 
-glm::dvec4 colour(Texture texture, double u, double v) {
+glm::dvec4 color(Texture texture, double u, double v) {
   const auto opaque = [](dvec3 rgb) { return dvec4(glm::clamp(rgb, 0.0, 1.0), 1.0); };
   switch (texture) {
     case Texture::brick:

@@ -10,7 +10,7 @@
 #include "app/settings.hpp"
 #include "core/error.hpp"
 
-namespace texel::app {
+namespace texel::start {
 namespace {
 
 /// "number from 0 to 4 units, default 1" — what stands behind a flag in --help.
@@ -47,20 +47,20 @@ glm::ivec2 parse_size(const std::string& text) {
   if (!size)
     throw Error::usage(fmt::format("--size takes WIDTHxHEIGHT in pixels, each from 1 to {}, not '{}'",
                                    course::Size::kMostPixels, text));
-  return pixels(*size);
+  return app::pixels(*size);
 }
 
-std::optional<CommandLine> read_command_line(AnyLab& lab, int argc, char** argv) {
+std::optional<CommandLine> read_command_line(app::AnyLab& lab, int argc, char** argv) {
   CommandLine line;
   std::string size, config, model;
   std::map<std::string, std::string> values;
-  const Info& info = lab.info();
+  const app::Info& info = lab.info();
 
   CLI::App app(fmt::format("Lab {}: {}. {}", info.number, info.title, info.lesson), info.program());
   app.allow_extras();
   app.get_formatter()->column_width(34);
   app.set_version_flag("--version", TEXEL_VERSION, "Print the version and exit");
-  if (model_parameter(lab.parameters()) != nullptr)
+  if (app::model_parameter(lab.parameters()) != nullptr)
     app.add_option("MODEL.obj", model, "An OBJ file instead of the built-in models");
   app.add_option("--size", size,
                  "Size of the window or picture, WxH in pixels [960x720, a snapshot 512x512]");
@@ -117,22 +117,22 @@ std::optional<CommandLine> read_command_line(AnyLab& lab, int argc, char** argv)
     throw Error::usage(error.what(), "see --help");
   }
   reject_unknown(app);
-  if (!config.empty()) load_config(config, info, lab.parameters());
+  if (!config.empty()) app::load_config(config, info, lab.parameters());
   for (params::Parameter& p : lab.parameters())
     if (app.count("--" + p.flag()) > 0) p.set(values[std::string(p.name)]);
   if (!model.empty()) {
     // A model on the command line is a path, also without a folder and ending.
     const bool bare = model.find_first_of("./") == std::string::npos;
-    model_parameter(lab.parameters())->set(bare ? "./" + model : model);
+    app::model_parameter(lab.parameters())->set(bare ? "./" + model : model);
   }
   line.turn_given = lab.parameters().find("turn") != nullptr && app.count("--turn") > 0;
   line.look_given = !config.empty() || !model.empty() || app.count("--view") > 0 || !line.see.empty();
   for (const params::Parameter& p : lab.parameters())
     line.look_given = line.look_given || (p.name != "turn" && app.count("--" + p.flag()) > 0);
   if (app.count("--size") > 0) line.size = parse_size(size);
-  find_view(lab, line.view);
+  app::find_view(lab, line.view);
   if (!line.batch.empty() && line.out.empty()) throw Error::usage("--batch needs --out DIR");
   return line;
 }
 
-}  // namespace texel::app
+}  // namespace texel::start

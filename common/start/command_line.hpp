@@ -6,10 +6,10 @@
 
 #include "window/window.hpp"
 
-namespace texel::app {
+namespace texel::start {
 
 /// What the command line asks for, of a window or without one; the parameters' values are already in the lab.
-struct CommandLine : WindowOptions {
+struct CommandLine : window::WindowOptions {
   std::filesystem::path snapshot, batch, out, stats, measure, bench, report = "-", mesh, save_config, assets;
   std::string context = "auto";
   double error_scale = 0;
@@ -18,9 +18,9 @@ struct CommandLine : WindowOptions {
 
 /// Reads the arguments and sets the lab's parameters (--config first, then the flags). Throws Error (usage)
 /// for what is unknown, with the nearest name. Nothing is returned when the help was asked for and printed.
-std::optional<CommandLine> read_command_line(AnyLab& lab, int argc, char** argv);
+std::optional<CommandLine> read_command_line(app::AnyLab& lab, int argc, char** argv);
 
 /// "640x480" in pixels. Throws Error (usage).
 glm::ivec2 parse_size(const std::string& text);
 
-}  // namespace texel::app
+}  // namespace texel::start

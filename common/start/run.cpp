@@ -20,7 +20,7 @@
 #include "core/terminal.hpp"
 #include "window/window.hpp"
 
-namespace texel::app {
+namespace texel::start {
 namespace {
 
 constexpr glm::ivec2 kSnapshotSize(512, 512);
@@ -49,7 +49,7 @@ std::unique_ptr<gl::Context> headless_context(const CommandLine& line, gl::Shade
 }
 
 /// Draws frame after frame and prints how long they took: the driver has finished each when it is counted.
-void time_frames(Canvas& canvas, View view, glm::ivec2 size, int samples, int count) {
+void time_frames(app::Canvas& canvas, app::View view, glm::ivec2 size, int samples, int count) {
   std::vector<double> times;
   canvas.draw(view, size, samples);  // compiles and loads
   glFinish();
@@ -59,11 +59,11 @@ void time_frames(Canvas& canvas, View view, glm::ivec2 size, int samples, int co
     glFinish();
     times.push_back(stopwatch.milliseconds());
   }
-  print(frame_times_as_text(std::move(times), size));
+  print(app::frame_times_as_text(std::move(times), size));
 }
 
 /// Draws, and returns when the driver has.
-void draw_and_finish(Canvas& canvas, View view, glm::ivec2 size, int samples) {
+void draw_and_finish(app::Canvas& canvas, app::View view, glm::ivec2 size, int samples) {
   canvas.draw(view, size, samples);
   glFinish();
 }
@@ -80,31 +80,31 @@ std::vector<std::pair<std::string, double>> stages_so_far(double start) {
 }
 
 /// Everything that needs a context but no window.
-void run_headless(AnyLab& lab, const Assets& assets, const CommandLine& line) {
+void run_headless(app::AnyLab& lab, const app::Assets& assets, const CommandLine& line) {
   const double start = milliseconds_since_start();
-  const View view = find_view(lab, line.view);
+  const app::View view = app::find_view(lab, line.view);
   const glm::ivec2 size = line.size.value_or(kSnapshotSize);
-  if (!line.snapshot.empty()) check_ending(line.snapshot, view);
-  const Batch batch = line.batch.empty() ? Batch() : read_batch(lab, line.batch);
-  const course::BenchList bench = line.bench.empty() ? course::BenchList() : read_bench(lab, line.bench);
+  if (!line.snapshot.empty()) app::check_ending(line.snapshot, view);
+  const app::Batch batch = line.batch.empty() ? app::Batch() : app::read_batch(lab, line.batch);
+  const course::BenchList bench = line.bench.empty() ? course::BenchList() : app::read_bench(lab, line.bench);
   const bool timed = line.frames > 0 || (!bench.cases.empty() && bench.seconds > 0);
   const double pixels =
-      batch.empty() ? static_cast<double>(size.x) * size.y : pixels_per_program(batch, lab.parameters());
+      batch.empty() ? static_cast<double>(size.x) * size.y : app::pixels_per_program(batch, lab.parameters());
   const std::unique_ptr<gl::Context> context =
       headless_context(line, timed || pixels > kPixelsWorthOptimising ? gl::Shaders::quick_to_draw
                                                                       : gl::Shaders::quick_to_compile);
-  Canvas canvas(*context, assets, lab);
+  app::Canvas canvas(*context, assets, lab);
   canvas.set_error_scale(line.error_scale);
-  if (!line.mesh.empty()) write_mesh(lab, assets, line.mesh);
-  if (!line.batch.empty()) draw_batch(canvas, lab, assets, batch, line.out, line.samples);
+  if (!line.mesh.empty()) app::write_mesh(lab, assets, line.mesh);
+  if (!line.batch.empty()) app::draw_batch(canvas, lab, assets, batch, line.out, line.samples);
   if (!line.measure.empty()) {
-    canvas.draw(View::error, size, 1);
+    canvas.draw(app::View::error, size, 1);
     write_report(line.measure, to_json(lab, *canvas.error_figures()));
   }
-  if (!line.bench.empty()) write_report(line.report, run_bench(canvas, lab, bench));
+  if (!line.bench.empty()) write_report(line.report, app::run_bench(canvas, lab, bench));
   if (line.print_shader) {
     canvas.draw(view, size, line.samples);
-    print(shaders_as_text(canvas.programs(), lab.parameters(), view));
+    print(app::shaders_as_text(canvas.programs(), lab.parameters(), view));
   }
   if (line.frames > 0) time_frames(canvas, view, size, line.samples, line.frames);
   if (line.snapshot.empty() && line.stats.empty()) return;
@@ -113,11 +113,12 @@ void run_headless(AnyLab& lab, const Assets& assets, const CommandLine& line) {
     const Stage stage("first_draw");
     draw_and_finish(canvas, view, size, line.samples);
   }
-  if (!line.snapshot.empty()) take_snapshot(canvas, lab, view, size, line.snapshot).write();
+  if (!line.snapshot.empty()) app::take_snapshot(canvas, lab, view, size, line.snapshot).write();
   if (line.stats.empty()) return;
-  Statistics statistics{lab.info().folder(),  context->renderer(),  context->version(),
-                        context->name(),      canvas.notes(),       {},
-                        stages_so_far(start), peak_resident_bytes()};
+  app::Statistics statistics{lab.info().folder(),  context->renderer(),
+                             context->version(),   context->name(),
+                             canvas.notes(),       {},
+                             stages_so_far(start), app::peak_resident_bytes()};
   const Stopwatch again;
   draw_and_finish(canvas, view, size, line.samples);
   statistics.milliseconds.emplace_back("draw", again.milliseconds());  // all is loaded and compiled now
@@ -125,17 +126,17 @@ void run_headless(AnyLab& lab, const Assets& assets, const CommandLine& line) {
   write_report(line.stats, to_json(statistics));
 }
 
-void run_as_asked(AnyLab& lab, const CommandLine& line) {
+void run_as_asked(app::AnyLab& lab, const CommandLine& line) {
   if (line.list_parameters) {
-    print(line.json ? parameters_as_json(lab.parameters()) : parameters_as_text(lab.parameters()));
+    print(line.json ? app::parameters_as_json(lab.parameters()) : app::parameters_as_text(lab.parameters()));
     return;
   }
   if (line.list_views) {
-    for (const View view : lab.views()) print(fmt::format("{}\n", name_of(view)));
+    for (const app::View view : lab.views()) print(fmt::format("{}\n", name_of(view)));
     return;
   }
-  if (!line.save_config.empty()) save_config(line.save_config, lab.info(), lab.parameters());
-  const Assets assets(line.assets);
+  if (!line.save_config.empty()) app::save_config(line.save_config, lab.info(), lab.parameters());
+  const app::Assets assets(line.assets);
   const bool headless = !line.snapshot.empty() || !line.batch.empty() || !line.stats.empty() ||
                         !line.mesh.empty() || !line.measure.empty() || !line.bench.empty() ||
                         line.print_shader || (line.frames > 0 && line.context != "window");
@@ -144,16 +145,16 @@ void run_as_asked(AnyLab& lab, const CommandLine& line) {
   else if (line.context == "osmesa" || line.context == "egl")
     throw Error::usage(fmt::format("--context {} cannot open a window", line.context), "add --snapshot FILE");
   else if (line.save_config.empty())
-    run_window(lab, assets, line);
+    window::run_window(lab, assets, line);
 }
 
 }  // namespace
+}  // namespace texel::start
 
-int run(AnyLab& lab, int argc, char** argv) {
+int texel::app::run(AnyLab& lab, int argc, char** argv) {
   return run_main(lab.info().program(), [&] {
-    if (const std::optional<CommandLine> line = read_command_line(lab, argc, argv)) run_as_asked(lab, *line);
+    if (const std::optional<start::CommandLine> line = start::read_command_line(lab, argc, argv))
+      start::run_as_asked(lab, *line);
     return Exit::holds;
   });
 }
-
-}  // namespace texel::app

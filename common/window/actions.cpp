@@ -4,7 +4,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 constexpr Key kKeys[] = {
@@ -49,4 +49,4 @@ std::span<const Gesture> gestures() {
   return kGestures;
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

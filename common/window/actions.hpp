@@ -2,7 +2,7 @@
 #pragma once
 #include <span>
 
-namespace texel::app {
+namespace texel::window {
 
 /// What a key or a button asks the window for.
 enum class Action {
@@ -55,4 +55,4 @@ struct Gesture {
 };
 std::span<const Gesture> gestures();
 
-}  // namespace texel::app
+}  // namespace texel::window

@@ -12,7 +12,7 @@
 #include "core/error.hpp"
 #include "core/process.hpp"
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 namespace fs = std::filesystem;
@@ -75,4 +75,4 @@ void copy_png(const fs::path& png) {
   run_beside({"sh", "-c", command, "sh", png.string()});
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

@@ -7,7 +7,7 @@
 
 #include "params/set.hpp"
 
-namespace texel::app {
+namespace texel::window {
 
 /// While it lives, a picture that is narrower than `aspect` times its height shows as much from left to right
 /// as one that is so wide: the vertical opening angle is larger. So a narrow window does not cut the model
@@ -35,4 +35,4 @@ class FittedView {
   double before_ = 0;
 };
 
-}  // namespace texel::app
+}  // namespace texel::window

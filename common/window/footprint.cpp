@@ -9,7 +9,7 @@
 
 #include "procedural/cube.hpp"
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 /// (s, t) of the pixel with this column and row of the 3x3; nothing where it is not known.
@@ -76,4 +76,4 @@ double wrapped(double coordinate, unsigned mode) {
   return std::clamp(coordinate, 0.0, 1.0);
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

@@ -5,7 +5,7 @@
 
 #include "image/image.hpp"
 
-namespace texel::app {
+namespace texel::window {
 
 /// What a pixel covers of a texture: the parallelogram with the corners `place` ± dx/2 ± dy/2.
 struct Footprint {
@@ -32,4 +32,4 @@ std::optional<Footprint> footprint_of_directions(const image::ImageF& around);
 /// Where a wrap mode of OpenGL takes a coordinate: 0 to 1.
 double wrapped(double coordinate, unsigned mode);
 
-}  // namespace texel::app
+}  // namespace texel::window

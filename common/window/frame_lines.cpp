@@ -7,13 +7,13 @@
 #include "app/camera.hpp"
 #include "app/settings.hpp"
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 /// The camera that the parameters describe.
-OrbitCamera camera_of(params::Set& parameters) {
+app::OrbitCamera camera_of(params::Set& parameters) {
   const auto value = [&](const char* name) { return static_cast<float>(parameters.at(name).value()); };
-  OrbitCamera camera;
+  app::OrbitCamera camera;
   camera.yaw = value("yaw"), camera.pitch = value("pitch");
   camera.distance = value("distance"), camera.field_of_view = value("field_of_view");
   return camera;
@@ -52,23 +52,23 @@ struct Views {
 
 }  // namespace
 
-std::vector<FrameLine> frame_lines(Canvas& canvas, AnyLab& lab, glm::ivec2 size, int spacing) {
-  const auto has = [&](View view) { return std::ranges::count(lab.views(), view) > 0; };
-  if (!has(View::depth) || !has(View::normal)) return {};
-  const OrbitCamera camera = camera_of(lab.parameters());
+std::vector<FrameLine> frame_lines(app::Canvas& canvas, app::AnyLab& lab, glm::ivec2 size, int spacing) {
+  const auto has = [&](app::View view) { return std::ranges::count(lab.views(), view) > 0; };
+  if (!has(app::View::depth) || !has(app::View::normal)) return {};
+  const app::OrbitCamera camera = camera_of(lab.parameters());
   const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
   Views views;
   views.size = size, views.aspect = aspect;
   views.world_from_view = glm::inverse(camera.view_from_world());
   views.clip_from_world = camera.clip_from_world(aspect);
   views.tangent_of_half_angle = std::tan(glm::radians(camera.field_of_view) / 2);
-  views.depth = canvas.values_of(View::depth, size);
-  if (has(View::texcoord)) views.texcoord = canvas.values_of(View::texcoord, size);
-  if (has(View::tangent)) views.tangent = canvas.values_of(View::tangent, size);
+  views.depth = canvas.values_of(app::View::depth, size);
+  if (has(app::View::texcoord)) views.texcoord = canvas.values_of(app::View::texcoord, size);
+  if (has(app::View::tangent)) views.tangent = canvas.values_of(app::View::tangent, size);
   {
-    const StartValues before(lab.parameters());
+    const app::StartValues before(lab.parameters());
     if (params::Parameter* mapping = lab.parameters().find("normal_mapping")) mapping->set_value(0);
-    views.normal = canvas.values_of(View::normal, size);
+    views.normal = canvas.values_of(app::View::normal, size);
     before.set({});
   }
 
@@ -96,4 +96,4 @@ std::vector<FrameLine> frame_lines(Canvas& canvas, AnyLab& lab, glm::ivec2 size,
   return lines;
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

@@ -8,7 +8,7 @@
 
 #include "theme.hpp"
 
-namespace texel::app {
+namespace texel::window {
 
 /// ImGui with its two backends, from here to the end of the scope.
 class Gui {
@@ -31,4 +31,4 @@ class Gui {
   Gui& operator=(const Gui&) = delete;
 };
 
-}  // namespace texel::app
+}  // namespace texel::window

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "history.hpp"
 
-namespace texel::app {
+namespace texel::window {
 
-SavedLook save_look(const params::Set& parameters, View view, std::optional<std::size_t> look) {
+SavedLook save_look(const params::Set& parameters, app::View view, std::optional<std::size_t> look) {
   SavedLook saved{{}, view, look};
   for (const params::Parameter& p : parameters) saved.values.push_back(p.name == "turn" ? "" : p.text());
   return saved;
@@ -33,4 +33,4 @@ const SavedLook* History::redo() {
   return present_ + 1 >= looks_.size() ? nullptr : &looks_[++present_];
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

@@ -6,17 +6,17 @@
 
 #include "app/lab.hpp"
 
-namespace texel::app {
+namespace texel::window {
 
 /// Every parameter, the view and the gallery's look they began with, to go back to. How far the model has
 /// turned is left out: it turns by itself.
 struct SavedLook {
   std::vector<std::string> values;  ///< in declaration order
-  View view = View::color;
+  app::View view = app::View::color;
   std::optional<std::size_t> look;  ///< its number in the gallery
   bool operator==(const SavedLook&) const = default;
 };
-SavedLook save_look(const params::Set& parameters, View view, std::optional<std::size_t> look);
+SavedLook save_look(const params::Set& parameters, app::View view, std::optional<std::size_t> look);
 /// Sets the parameters; the model stays turned as it is.
 void restore(const SavedLook& look, params::Set& parameters);
 
@@ -36,4 +36,4 @@ class History {
   std::size_t present_ = 0;  ///< which of them the window shows
 };
 
-}  // namespace texel::app
+}  // namespace texel::window

@@ -8,9 +8,9 @@
 #include "core/error.hpp"
 #include "picture_texture.hpp"
 
-namespace texel::app {
+namespace texel::window {
 
-Looks::Looks(AnyLab& lab, const Assets& assets) {
+Looks::Looks(app::AnyLab& lab, const app::Assets& assets) {
   const std::filesystem::path file =
       assets.shader_root().parent_path() / "labs" / lab.info().folder() / "lab.toml";
   if (!std::filesystem::exists(file)) return;
@@ -32,8 +32,8 @@ void Looks::forget() {
   for (Entry& entry : entries_) entry.is_drawn = false;
 }
 
-void Looks::choose(const course::Case& look, AnyLab& lab, View& view) {
-  check_settings(lab.parameters(), look.settings);
+void Looks::choose(const course::Case& look, app::AnyLab& lab, app::View& view) {
+  app::check_settings(lab.parameters(), look.settings);
   lab.parameters().reset();
   for (const auto& [parameter, value] : look.settings) lab.parameters().at(parameter).set(value);
   view = look.view;
@@ -43,16 +43,16 @@ double Looks::aspect_of(const course::Look& look) {
   return std::max(1.0, static_cast<double>(look.size.width) / look.size.height);
 }
 
-bool Looks::draw_next(gl::Context& context, const Assets& assets, AnyLab& lab) {
+bool Looks::draw_next(gl::Context& context, const app::Assets& assets, app::AnyLab& lab) {
   const auto next = std::ranges::find(entries_, false, &Entry::is_drawn);
   if (next == entries_.end()) return false;
   next->is_drawn = true;
   next->fault.clear();
-  const StartValues before(lab.parameters());
+  const app::StartValues before(lab.parameters());
   try {
-    View view{};
+    app::View view{};
     choose(next->look, lab, view);
-    Canvas canvas(context, assets, lab);  // the window's own keeps its picture
+    app::Canvas canvas(context, assets, lab);  // the window's own keeps its picture
     canvas.draw(view, kSize, 4);
     next->picture = picture_texture(canvas.read8());
   } catch (const Error& error) {
@@ -62,4 +62,4 @@ bool Looks::draw_next(gl::Context& context, const Assets& assets, AnyLab& lab) {
   return true;
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

@@ -7,7 +7,7 @@
 #include "course/lab_file.hpp"
 #include "gl/objects.hpp"
 
-namespace texel::app {
+namespace texel::window {
 
 /// The gallery's looks of a lab (labs/NN_name/lab.toml), hero first, with small pictures of them.
 class Looks {
@@ -16,7 +16,7 @@ class Looks {
 
   /// No looks where the lab's file is missing; those with a view that this tree does not have are left out.
   /// A file that cannot be read is said so in fault().
-  Looks(AnyLab& lab, const Assets& assets);
+  Looks(app::AnyLab& lab, const app::Assets& assets);
 
   struct Entry {
     course::Look look;
@@ -30,12 +30,12 @@ class Looks {
   /// How many small pictures are done.
   [[nodiscard]] std::size_t drawn() const;
   /// Draws the next small picture that is missing; the lab keeps its parameters. False when none is missing.
-  bool draw_next(gl::Context& context, const Assets& assets, AnyLab& lab);
+  bool draw_next(gl::Context& context, const app::Assets& assets, app::AnyLab& lab);
   /// All are drawn again: a shader or picture was edited.
   void forget();
 
   /// Sets the parameters and the view. Throws Error (usage) when the lab does not have them.
-  static void choose(const course::Case& look, AnyLab& lab, View& view);
+  static void choose(const course::Case& look, app::AnyLab& lab, app::View& view);
   /// How many times as wide as high the look is meant to be seen, 1 or more.
   static double aspect_of(const course::Look& look);
 
@@ -44,4 +44,4 @@ class Looks {
   std::string fault_;
 };
 
-}  // namespace texel::app
+}  // namespace texel::window

@@ -9,7 +9,7 @@
 #include "panel.hpp"
 #include "theme.hpp"
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse |
@@ -45,7 +45,7 @@ bool look_button(const Looks::Entry& entry, ImVec2 size) {
 
 }  // namespace
 
-void draw_looks(AnyLab& lab, WindowState& state, glm::vec2 size, float scale) {
+void draw_looks(app::AnyLab& lab, WindowState& state, glm::vec2 size, float scale) {
   if (!state.looks_open || !state.looks) return;
   const float margin = 12 * scale;
   const ImVec2 largest(size.x - 2 * margin, size.y - 2 * margin);
@@ -96,4 +96,4 @@ void draw_keys(WindowState& state, glm::vec2 size) {
   ImGui::End();
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

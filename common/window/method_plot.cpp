@@ -10,7 +10,7 @@
 #include "app/settings.hpp"
 #include "core/error.hpp"
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 constexpr double kTruthMilliseconds = 40;  // a frame may work so long on the exact answer
@@ -25,11 +25,11 @@ std::string look_of(const params::Set& parameters, glm::ivec2 size) {
 
 }  // namespace
 
-bool MethodPlot::is_for(AnyLab& lab) {
-  return lab.parameters().find("method") != nullptr && std::ranges::count(lab.views(), View::error) > 0;
+bool MethodPlot::is_for(app::AnyLab& lab) {
+  return lab.parameters().find("method") != nullptr && std::ranges::count(lab.views(), app::View::error) > 0;
 }
 
-MethodPlot::MethodPlot(gl::Context& context, const Assets& assets, AnyLab& lab)
+MethodPlot::MethodPlot(gl::Context& context, const app::Assets& assets, app::AnyLab& lab)
     : lab_(lab), canvas_(context, assets, lab), timer_(context.renderer()) {
   for (const params::Item& item : lab.parameters().at("method").items)
     points_.emplace_back().method = item.name;
@@ -56,7 +56,7 @@ void MethodPlot::measure_next(glm::ivec2 picture_size) {
   const std::size_t round = done_ / points_.size(), turn = done_ % points_.size();
   // Each round begins with another method: none is always the first.
   Point& point = points_[round == 0 ? turn : (turn + round) % points_.size()];
-  const StartValues before(lab_.parameters());
+  const app::StartValues before(lab_.parameters());
   try {
     lab_.parameters().at("method").set(point.method);
     if (round == 0)
@@ -71,8 +71,8 @@ void MethodPlot::measure_next(glm::ivec2 picture_size) {
 
 void MethodPlot::measure_error(Point& point) {
   if (canvas_.work_on_truth(size_, kTruthMilliseconds) < 1) return;
-  canvas_.draw(View::error, size_, 1);
-  const Measure measure = *lab_.measure();
+  canvas_.draw(app::View::error, size_, 1);
+  const app::Measure measure = *lab_.measure();
   if (measure_ && measure_->unit != measure.unit)  // what is known of the last look has another unit
     for (Point& other : points_) other.milliseconds = 0;
   measure_ = measure;
@@ -83,7 +83,7 @@ void MethodPlot::measure_error(Point& point) {
 
 void MethodPlot::time_frame(Point& point) {
   std::vector<double>& times = point.frame_ns;
-  times.push_back(timed_frame(canvas_, timer_, size_));
+  times.push_back(app::timed_frame(canvas_, timer_, size_));
   std::vector<double> sorted = times;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
@@ -91,4 +91,4 @@ void MethodPlot::time_frame(Point& point) {
   ++done_;
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

@@ -7,7 +7,7 @@
 #include "app/canvas.hpp"
 #include "gl/frame_timer.hpp"
 
-namespace texel::app {
+namespace texel::window {
 
 /// Error and cost of each of the lab's methods with the present parameters, measured a little at a time. For
 /// a lab with a parameter `method` and the view `error`.
@@ -18,15 +18,15 @@ class MethodPlot {
 
   struct Point {
     std::string method;
-    ErrorFigures error;
+    app::ErrorFigures error;
     double milliseconds = 0;       ///< a frame: median of the rounds so far
     bool has_error = false;        ///< with the present parameters
     std::vector<double> frame_ns;  ///< one a round
   };
 
-  [[nodiscard]] static bool is_for(AnyLab& lab);
+  [[nodiscard]] static bool is_for(app::AnyLab& lab);
 
-  MethodPlot(gl::Context& context, const Assets& assets, AnyLab& lab);
+  MethodPlot(gl::Context& context, const app::Assets& assets, app::AnyLab& lab);
 
   /// Goes on for about a frame's time, and begins again when a parameter (but not the method) or the
   /// picture's shape has changed. The parameters stay as they are.
@@ -38,7 +38,7 @@ class MethodPlot {
 
   /// All methods, in their order. While a new look is measured, what is known is still that of the last one.
   [[nodiscard]] const std::vector<Point>& points() const { return points_; }
-  [[nodiscard]] const std::optional<Measure>& measure() const { return measure_; }
+  [[nodiscard]] const std::optional<app::Measure>& measure() const { return measure_; }
   [[nodiscard]] glm::ivec2 size() const { return size_; }
   /// Why there is nothing to measure, or "".
   [[nodiscard]] const std::string& fault() const { return fault_; }
@@ -48,14 +48,14 @@ class MethodPlot {
   void measure_error(Point& point);
   void time_frame(Point& point);
 
-  AnyLab& lab_;
-  Canvas canvas_;  // the window's own keeps its picture
+  app::AnyLab& lab_;
+  app::Canvas canvas_;  // the window's own keeps its picture
   gl::FrameTimer timer_;
   std::vector<Point> points_;
-  std::optional<Measure> measure_;
+  std::optional<app::Measure> measure_;
   std::string look_, fault_;
   glm::ivec2 size_{0};
   std::size_t done_ = 0;  ///< errors, then frames
 };
 
-}  // namespace texel::app
+}  // namespace texel::window

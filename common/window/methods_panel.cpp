@@ -9,7 +9,7 @@
 #include "panel.hpp"
 #include "theme.hpp"
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 /// A logarithmic axis from one place on the screen to another.
@@ -120,12 +120,12 @@ void grid(const Axis& x, const Axis& y, const Rectangle& area) {
   }
 }
 
-double error_of(const MethodPlot::Point& point, const Measure& measure) {
-  return ranks_by_rms(name_of(measure.unit)) ? point.error.rms : point.error.mean;
+double error_of(const MethodPlot::Point& point, const app::Measure& measure) {
+  return app::ranks_by_rms(name_of(measure.unit)) ? point.error.rms : point.error.mean;
 }
 
 void describe(const MethodPlot::Point& point, const char* unit) {
-  const ErrorFigures& e = point.error;
+  const app::ErrorFigures& e = point.error;
   std::string text = fmt::format("{}\nerror: rms {:.3g}, mean {:.3g}, P99 {:.3g} {}\ncost: {:.3g} ms a frame",
                                  point.method, e.rms, e.mean, e.p99, unit, point.milliseconds);
   if (e.non_finite > 0) text.append(fmt::format("\n{} pixels are not finite", e.non_finite));
@@ -134,7 +134,7 @@ void describe(const MethodPlot::Point& point, const char* unit) {
 
 /// Draws it in the room that is left; returns the method that was clicked, or "".
 std::string plot(const MethodPlot& methods, const std::string& present, float scale) {
-  const Measure& measure = *methods.measure();
+  const app::Measure& measure = *methods.measure();
   const float em = ImGui::GetFontSize(), reach = 4 * scale;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 size(ImGui::GetContentRegionAvail().x, 14 * em);
@@ -167,11 +167,11 @@ std::string plot(const MethodPlot& methods, const std::string& present, float sc
   ImDrawList& list = *ImGui::GetWindowDrawList();
   std::string clicked;
   for (const Dot& dot : dots) {
-    const ImVec4& colour = !dot.point->has_error             ? theme().dim
-                           : dot.point->error.non_finite > 0 ? theme().wrong
-                           : dot.point->method == present    ? theme().next
-                                                             : theme().text;
-    const ImU32 ink = ImGui::GetColorU32(colour);
+    const ImVec4& color = !dot.point->has_error             ? theme().dim
+                          : dot.point->error.non_finite > 0 ? theme().wrong
+                          : dot.point->method == present    ? theme().next
+                                                            : theme().text;
+    const ImU32 ink = ImGui::GetColorU32(color);
     const ImVec2 end(dot.label.from.x > dot.at.x ? dot.label.from.x : dot.label.to.x,
                      (dot.label.from.y + dot.label.to.y) / 2);
     if (std::abs(end.y - dot.at.y) > 1) list.AddLine(dot.at, end, ImGui::GetColorU32(theme().dim), scale);
@@ -187,7 +187,7 @@ std::string plot(const MethodPlot& methods, const std::string& present, float sc
 
 }  // namespace
 
-void methods_section(AnyLab& lab, WindowState& state, float scale) {
+void methods_section(app::AnyLab& lab, WindowState& state, float scale) {
   state.methods_open = MethodPlot::is_for(lab) && ImGui::CollapsingHeader("Error and cost of the methods");
   if (!state.methods_open || !state.methods) return;
   const MethodPlot& methods = *state.methods;
@@ -202,7 +202,7 @@ void methods_section(AnyLab& lab, WindowState& state, float scale) {
     return;
   }
   const char* unit = name_of(methods.measure()->unit);
-  ImGui::TextColored(theme().dim, "%s error in %s", ranks_by_rms(unit) ? "rms" : "mean", unit);
+  ImGui::TextColored(theme().dim, "%s error in %s", app::ranks_by_rms(unit) ? "rms" : "mean", unit);
   params::Parameter& method = lab.parameters().at("method");
   const std::string clicked = plot(methods, method.text(), scale);
   if (!clicked.empty()) method.set(clicked);
@@ -212,4 +212,4 @@ void methods_section(AnyLab& lab, WindowState& state, float scale) {
   ImGui::TextColored(theme().dim, "%s", cost.c_str());
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

@@ -9,14 +9,14 @@
 #include "panel.hpp"
 #include "theme.hpp"
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 constexpr ImGuiWindowFlags kPlate = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                                     ImGuiWindowFlags_NoMove;
 
-ImU32 colour_of(FrameLine::Axis axis) {
+ImU32 color_of(FrameLine::Axis axis) {
   switch (axis) {
     case FrameLine::Axis::tangent:
       return IM_COL32(255, 80, 80, 255);
@@ -29,13 +29,13 @@ ImU32 colour_of(FrameLine::Axis axis) {
 }
 
 /// Text on a plate: it can be read over any picture.
-void plate(const char* id, ImVec2 at, const ImVec4& colour, const std::string& text, float wrap_width,
+void plate(const char* id, ImVec2 at, const ImVec4& color, const std::string& text, float wrap_width,
            ImVec2 pivot) {
   ImGui::SetNextWindowPos(at, ImGuiCond_Always, pivot);
   ImGui::SetNextWindowBgAlpha(0.86F);
   ImGui::Begin(id, nullptr, kPlate | ImGuiWindowFlags_NoInputs);
   ImGui::PushTextWrapPos(wrap_width);
-  ImGui::TextColored(colour, "%s", text.c_str());
+  ImGui::TextColored(color, "%s", text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::End();
 }
@@ -49,9 +49,9 @@ Action error_plate(WindowState& state, glm::vec2 size, float scale) {
   ImGui::SetNextWindowSizeConstraints({0, 0}, {size.x - 24 * scale, size.y - 24 * scale});
   ImGui::SetNextWindowBgAlpha(0.92F);
   ImGui::Begin("##error", nullptr, kPlate);
-  const auto lines = [&](const ImVec4& colour, const std::string& text) {
+  const auto lines = [&](const ImVec4& color, const std::string& text) {
     ImGui::PushTextWrapPos(size.x - 60 * scale);
-    ImGui::TextColored(colour, "%s", text.c_str());
+    ImGui::TextColored(color, "%s", text.c_str());
     ImGui::PopTextWrapPos();
   };
   lines(theme().wrong, error.first);
@@ -73,10 +73,11 @@ Action error_plate(WindowState& state, glm::vec2 size, float scale) {
 
 }  // namespace
 
-Action draw_overlay(AnyLab& lab, WindowState& state, glm::vec2 size, float pixels_per_unit, float scale) {
+Action draw_overlay(app::AnyLab& lab, WindowState& state, glm::vec2 size, float pixels_per_unit,
+                    float scale) {
   ImDrawList& canvas = *ImGui::GetBackgroundDrawList();
   const float origin = state.panel_width;
-  if (state.split && state.view != View::error) {  // the error is drawn whole
+  if (state.split && state.view != app::View::error) {  // the error is drawn whole
     const float x = std::round(origin + state.split->position * size.x);
     canvas.AddLine({x, 0}, {x, size.y}, IM_COL32(255, 255, 255, 220), 2 * scale);
     const std::string left = lab.parameters().at(state.split->parameter).text(), right = state.split->value;
@@ -91,15 +92,15 @@ Action draw_overlay(AnyLab& lab, WindowState& state, glm::vec2 size, float pixel
   }
   for (const FrameLine& line : state.frame_lines) {
     const auto at = [&](glm::vec2 place) { return ImVec2(origin + place.x * size.x, place.y * size.y); };
-    const ImU32 colour = colour_of(line.axis);
+    const ImU32 color = color_of(line.axis);
     canvas.AddLine(at(line.from), at(line.to), IM_COL32(0, 0, 0, 160), 3.5F * scale);
-    canvas.AddLine(at(line.from), at(line.to), colour, 2 * scale);
+    canvas.AddLine(at(line.from), at(line.to), color, 2 * scale);
   }
   for (const auto& [axis, name] : {std::pair(FrameLine::Axis::tangent, "T"),
                                    {FrameLine::Axis::bitangent, "B"},
                                    {FrameLine::Axis::normal, "N"}})
     if (std::ranges::find(state.frame_lines, axis, &FrameLine::axis) != state.frame_lines.end())
-      canvas.AddText({origin + (12 + 16 * static_cast<float>(axis)) * scale, 10 * scale}, colour_of(axis),
+      canvas.AddText({origin + (12 + 16 * static_cast<float>(axis)) * scale, 10 * scale}, color_of(axis),
                      name);
   if (state.inspected && state.error.first.empty()) {  // the last good picture may have another size
     const glm::vec2 pixel = glm::vec2(state.inspected->pixel) + 0.5F;
@@ -127,4 +128,4 @@ Action draw_overlay(AnyLab& lab, WindowState& state, glm::vec2 size, float pixel
   return action;
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

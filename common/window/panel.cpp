@@ -11,7 +11,7 @@
 
 #include "theme.hpp"
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 using Type = params::Parameter::Type;
@@ -122,16 +122,16 @@ void parameters_section(params::Set& parameters) {
   }
 }
 
-void view_section(AnyLab& lab, WindowState& state) {
+void view_section(app::AnyLab& lab, WindowState& state) {
   if (!ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen)) return;
-  for (const View view : lab.views()) {
+  for (const app::View view : lab.views()) {
     if (view != lab.views().front()) ImGui::SameLine();
     if (ImGui::GetContentRegionAvail().x < ImGui::GetFontSize() * 6) ImGui::NewLine();
     if (ImGui::RadioButton(name_of(view), state.view == view)) state.view = view;
   }
 
   if (state.figures) {
-    const ErrorFigures& f = *state.figures;
+    const app::ErrorFigures& f = *state.figures;
     ImGui::PushTextWrapPos(0);
     ImGui::Text("mean %.3g, P99 %.3g, most %.3g %s over %lld pixels", f.mean, f.p99, f.max,
                 name_of(lab.measure()->unit), f.pixels);
@@ -157,7 +157,7 @@ void view_section(AnyLab& lab, WindowState& state) {
       const std::string other = p.type == Type::toggle
                                     ? (p.value() != 0 ? "off" : "on")
                                     : p.items[p.text() == p.items[0].name ? p.items.size() - 1 : 0].name;
-      state.split = Canvas::Split{std::string(p.name), other, 0.5F};
+      state.split = app::Canvas::Split{std::string(p.name), other, 0.5F};
     }
     ImGui::EndCombo();
   }
@@ -194,9 +194,9 @@ void statistics_section(const WindowState& state) {
   for (const auto& use : record.textures)
     ImGui::TextColored(theme().dim, "  %s  %dx%d %s", use.name.c_str(), use.width, use.height,
                        use.format.c_str());
-  const auto lines = [](const std::vector<std::string>& texts, const ImVec4& colour) {
+  const auto lines = [](const std::vector<std::string>& texts, const ImVec4& color) {
     ImGui::PushTextWrapPos(0);
-    for (const std::string& text : texts) ImGui::TextColored(colour, "%s", text.c_str());
+    for (const std::string& text : texts) ImGui::TextColored(color, "%s", text.c_str());
     ImGui::PopTextWrapPos();
   };
   lines(state.notes.warnings, theme().next);
@@ -262,10 +262,10 @@ void status_bar(const WindowState& state) {
 
 }  // namespace
 
-std::string command_line(AnyLab& lab, View view) {
+std::string command_line(app::AnyLab& lab, app::View view) {
   std::string line = lab.info().program();
   if (const std::string flags = lab.parameters().flags(); !flags.empty()) line += " " + flags;
-  if (view != View::color) line += fmt::format(" --view {}", name_of(view));
+  if (view != app::View::color) line += fmt::format(" --view {}", name_of(view));
   return line;
 }
 
@@ -280,7 +280,7 @@ float default_panel_width(float window, float scale) {
   return std::min(340 * scale, window / 2);
 }
 
-Action draw_panel(AnyLab& lab, WindowState& state, float scale) {
+Action draw_panel(app::AnyLab& lab, WindowState& state, float scale) {
   state.panel_width = 0;
   if (!state.panel_visible) return Action::none;
   const glm::vec2 window(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y);
@@ -288,7 +288,7 @@ Action draw_panel(AnyLab& lab, WindowState& state, float scale) {
   ImGui::SetNextWindowSize({default_panel_width(window.x, scale), window.y}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowSizeConstraints({std::min(200 * scale, window.x / 2), window.y},
                                       {window.x * 0.7F, window.y});
-  const Info& info = lab.info();
+  const app::Info& info = lab.info();
   ImGui::Begin(fmt::format("Lab {}: {}###panel", info.number, info.title).c_str(), nullptr,
                ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
@@ -310,4 +310,4 @@ Action draw_panel(AnyLab& lab, WindowState& state, float scale) {
   return action;
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

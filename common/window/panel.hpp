@@ -15,12 +15,12 @@
 #include "steps.hpp"
 #include "texture_view.hpp"
 
-namespace texel::app {
+namespace texel::window {
 
 /// What the window shows beside the lab's parameters; the panel's widgets change it.
 struct WindowState {
-  View view = View::color;
-  std::optional<Canvas::Split> split;
+  app::View view = app::View::color;
+  std::optional<app::Canvas::Split> split;
   /// Which of the looks was chosen last, or none: the view goes back to its camera.
   std::optional<std::size_t> look;
   bool paused = false;
@@ -34,22 +34,22 @@ struct WindowState {
   }
 
   gl::Record record;  ///< of the last frame that was inspected
-  Notes notes;        ///< of the lab
+  app::Notes notes;   ///< of the lab
   double frame_milliseconds = 0;
-  std::optional<ErrorFigures> figures;  ///< while the view `error` is shown
-  ErrorMessage compile_error;           ///< of what was saved in C++, until it is mended
-  ErrorMessage error;                   ///< over the last good picture, until it is mended
-  bool all_messages = false;            ///< not only the error's first
-  std::string no_truth;                 ///< why the view `error` shows nothing, or ""
-  std::string message;                  ///< what the last action did
-  bool built_again = false;             ///< the program, since this process began
-  bool quit_asked = false;              ///< Esc was typed with nothing open: the next one quits
+  std::optional<app::ErrorFigures> figures;  ///< while the view `error` is shown
+  ErrorMessage compile_error;                ///< of what was saved in C++, until it is mended
+  ErrorMessage error;                        ///< over the last good picture, until it is mended
+  bool all_messages = false;                 ///< not only the error's first
+  std::string no_truth;                      ///< why the view `error` shows nothing, or ""
+  std::string message;                       ///< what the last action did
+  bool built_again = false;                  ///< the program, since this process began
+  bool quit_asked = false;                   ///< Esc was typed with nothing open: the next one quits
 
   /// The pixel that was clicked, from the bottom left, and the value of each data view there.
   struct Inspected {
     glm::ivec2 pixel;
-    std::vector<std::pair<View, glm::vec4>> values;
-    std::optional<Canvas::Comparison> comparison;  ///< of the method with the truth
+    std::vector<std::pair<app::View, glm::vec4>> values;
+    std::optional<app::Canvas::Comparison> comparison;  ///< of the method with the truth
     std::vector<TextureView> textures;
     gl::Texture around;  ///< the pixels around it, kAround in a row; bottom row first
     static constexpr int kAround = 15;
@@ -78,18 +78,19 @@ struct WindowState {
 void cover_picture(WindowState& state);
 
 /// The section "Steps": each with its figure; its cases, which set the look when they are picked; its hints.
-void steps_section(AnyLab& lab, WindowState& state);
+void steps_section(app::AnyLab& lab, WindowState& state);
 
 /// The section with error and cost of the methods as a plot, where the lab has both.
-void methods_section(AnyLab& lab, WindowState& state, float scale);
+void methods_section(app::AnyLab& lab, WindowState& state, float scale);
 
 /// Sets the case's look and shows its pictures. Nothing is seen of a vertex stream: there the look is that of
 /// `see_step`.
-void pick_case(AnyLab& lab, WindowState& state, const grade::StepResult& step, const grade::CaseResult& one);
+void pick_case(app::AnyLab& lab, WindowState& state, const judge::StepResult& step,
+               const judge::CaseResult& one);
 /// Sets the look in which the handout shows the step.
-void see_step(AnyLab& lab, WindowState& state, const std::string& step);
+void see_step(app::AnyLab& lab, WindowState& state, const std::string& step);
 /// Sets the look of the step's case that says most, and shows that case's pictures.
-void pick_step(AnyLab& lab, WindowState& state, const grade::StepResult& step);
+void pick_step(app::AnyLab& lab, WindowState& state, const judge::StepResult& step);
 
 /// Beside the picture: the step and the pictures of the case that was picked, in the room `state.dock`.
 Action draw_step(WindowState& state, glm::vec2 window, float scale);
@@ -98,7 +99,7 @@ Action draw_step(WindowState& state, glm::vec2 window, float scale);
 glm::vec2 dock_size(const WindowState& state, glm::vec2 size, float scale);
 
 /// Over the picture: the gallery's looks with small pictures; choosing one sets parameters and view.
-void draw_looks(AnyLab& lab, WindowState& state, glm::vec2 size, float scale);
+void draw_looks(app::AnyLab& lab, WindowState& state, glm::vec2 size, float scale);
 
 /// Beside the pixel that was clicked: it and its neighbours magnified, and the value of each view there.
 void draw_pixel(WindowState& state, glm::vec2 size, float pixels_per_unit, float scale);
@@ -114,13 +115,13 @@ void draw_keys(WindowState& state, glm::vec2 size);
 float default_panel_width(float window, float scale);
 
 /// Draws the panel for one frame with ImGui, at the left edge; changes parameters and state in place.
-Action draw_panel(AnyLab& lab, WindowState& state, float scale);
+Action draw_panel(app::AnyLab& lab, WindowState& state, float scale);
 
 /// The split line and its labels, the mark of the inspected pixel, and the error or warning over the picture.
 /// The picture lies right of the panel and is `size` window units large.
-Action draw_overlay(AnyLab& lab, WindowState& state, glm::vec2 size, float pixels_per_unit, float scale);
+Action draw_overlay(app::AnyLab& lab, WindowState& state, glm::vec2 size, float pixels_per_unit, float scale);
 
 /// "lab05_normal_map --method averaged --view normal": what draws the present look again.
-std::string command_line(AnyLab& lab, View view);
+std::string command_line(app::AnyLab& lab, app::View view);
 
-}  // namespace texel::app
+}  // namespace texel::window

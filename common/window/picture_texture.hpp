@@ -2,7 +2,7 @@
 #pragma once
 #include "gl/upload.hpp"
 
-namespace texel::app {
+namespace texel::window {
 
 /// A picture for ImGui: its bytes as they are, enlarged to squares.
 inline gl::Texture picture_texture(const image::Image8& picture, GLenum wrap_s = GL_CLAMP_TO_EDGE,
@@ -13,4 +13,4 @@ inline gl::Texture picture_texture(const image::Image8& picture, GLenum wrap_s =
   return gl::make_texture_2d(picture, image::Encoding::linear, sampling);
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

@@ -8,7 +8,7 @@
 #include "panel.hpp"
 #include "theme.hpp"
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 /// A name, and its value in a column.
@@ -28,21 +28,21 @@ void pixel_row(const char* name, const glm::dvec3& value, int components, const 
 }
 
 /// How a value of the view is written; 8-bit steps for colours.
-void pixel_row(const char* name, View view, const glm::dvec3& value) {
+void pixel_row(const char* name, app::View view, const glm::dvec3& value) {
   switch (view) {
-    case View::mesh:  // no picture
-    case View::lod:
-    case View::depth:
-    case View::mask:
-    case View::error:
+    case app::View::mesh:  // no picture
+    case app::View::lod:
+    case app::View::depth:
+    case app::View::mask:
+    case app::View::error:
       return pixel_row(name, value, 1, "%.5g");
-    case View::texcoord:
+    case app::View::texcoord:
       return pixel_row(name, value, 2, "%.5f");
-    case View::color:
+    case app::View::color:
       return pixel_row(name, value, 3, "%.1f");
-    case View::normal:
-    case View::tangent:
-    case View::direction:
+    case app::View::normal:
+    case app::View::tangent:
+    case app::View::direction:
       return pixel_row(name, value, 3, "%+.4f");
   }
 }
@@ -92,7 +92,7 @@ void draw_pixel(WindowState& state, glm::vec2 size, float pixels_per_unit, float
       pixel_row(name, view, glm::dvec3(value));
   }
   if (inspected.comparison) {
-    const Canvas::Comparison& c = *inspected.comparison;
+    const app::Canvas::Comparison& c = *inspected.comparison;
     ImGui::TextColored(theme().dim, "%s against the truth", name_of(c.measure.view));
     pixel_row("method", c.measure.view, c.value);
     pixel_row("truth", c.measure.view, c.truth);
@@ -105,4 +105,4 @@ void draw_pixel(WindowState& state, glm::vec2 size, float pixels_per_unit, float
   if (!is_open) state.inspected.reset();
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <fstream>
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 namespace fs = std::filesystem;
@@ -56,4 +56,4 @@ ErrorMessage read_message(const std::string& text, const fs::path& root) {
   return message;
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

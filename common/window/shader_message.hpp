@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace texel::app {
+namespace texel::window {
 
 /// A compiler's messages as one says them to a student: the first with its source line, the rest on request.
 struct ErrorMessage {
@@ -18,4 +18,4 @@ struct ErrorMessage {
 /// Of an error's text. A file is looked for below `root`, the tree's.
 ErrorMessage read_message(const std::string& text, const std::filesystem::path& root);
 
-}  // namespace texel::app
+}  // namespace texel::window

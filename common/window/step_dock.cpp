@@ -9,12 +9,12 @@
 #include <cmath>
 #include <utility>
 
-#include "image/colour.hpp"
+#include "image/color.hpp"
 #include "panel.hpp"
 #include "theme.hpp"
 #include "wrapped_text.hpp"
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 using Shown = CasePictures::Shown;
@@ -58,7 +58,7 @@ Action text_part(WindowState& state) {
 std::string caption(const CasePictures& p) {
   if (p.figures.non_finite > 0)
     return fmt::format("{} pixels are not finite (green in the heat map)", p.figures.non_finite);
-  const grade::CaseResult& one = p.result;
+  const judge::CaseResult& one = p.result;
   if (p.figures.max == 0) return fmt::format("equal to the expected picture; limit {:g}", one.limit);
   return fmt::format("{}: off by {:.3g} {} (limit {:g}){}", one.passed() ? "right" : "wrong", one.error,
                      name_of(one.unit()), one.limit, one.passed() ? "" : ", as in the ring");
@@ -184,4 +184,4 @@ Action draw_step(WindowState& state, glm::vec2 window, float scale) {
   return action;
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

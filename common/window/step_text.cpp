@@ -11,7 +11,7 @@
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 constexpr std::size_t kMostLines = 200;  // of a step whose last marker is gone
@@ -167,4 +167,4 @@ StepText read_step_text(const std::filesystem::path& root, const std::string& la
   return text;
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

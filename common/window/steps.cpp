@@ -17,7 +17,7 @@
 #include "judge/results_json.hpp"
 #include "picture_texture.hpp"
 
-namespace texel::app {
+namespace texel::window {
 
 namespace fs = std::filesystem;
 
@@ -38,21 +38,21 @@ fs::path build_folder_of(const fs::path& root) {
 
 struct StepsCheck::Shared {
   course::Lab lab;
-  grade::OwnTree tree;
+  check::OwnTree tree;
   std::mutex mutex;
   bool is_running = false, is_wanted = false, build_is_wanted = false, is_new = false;
   std::string building;  ///< what the panel says of a build that goes on
-  std::vector<grade::StepResult> steps;
+  std::vector<judge::StepResult> steps;
   std::string fault, compile_error;
 
   /// The steps as `texel check` finds them.
-  [[nodiscard]] std::vector<grade::StepResult> check() const {
+  [[nodiscard]] std::vector<judge::StepResult> check() const {
     const fs::path texel = fs::read_symlink("/proc/self/exe").parent_path() / "texel";
     const Ran ran = run_program({"env", "TEXEL_ROOT=" + tree.source.string(), texel.string(), "check",
                                  fmt::format("{}", lab.number), "--json"},
                                 true);
     if (ran.exit_code > 1) throw Error::failed(ran.output);
-    return grade::parse_steps(ran.output);
+    return judge::parse_steps(ran.output);
   }
 
   void run() {
@@ -67,11 +67,11 @@ struct StepsCheck::Shared {
         const std::scoped_lock lock(mutex);
         building = "waiting for another build: " + other;
       };
-      std::optional<std::vector<grade::StepResult>> found;
+      std::optional<std::vector<judge::StepResult>> found;
       std::string why, messages;
       try {
         if (next())
-          messages = grade::build_program(tree, lab, fmt::format("the window of lab {}", lab.number), waits);
+          messages = check::build_program(tree, lab, fmt::format("the window of lab {}", lab.number), waits);
         if (messages.empty()) {
           {
             const std::scoped_lock lock(mutex);
@@ -97,7 +97,7 @@ StepsCheck::StepsCheck(const std::string& lab_folder, fs::path root) : shared_(s
   shared_->lab = course::read_lab(root / "labs" / lab_folder / "lab.toml");
   const fs::path build = build_folder_of(root);
   if (!build.empty())
-    for (const fs::path& file : grade::edited_files(root, shared_->lab))
+    for (const fs::path& file : check::edited_files(root, shared_->lab))
       if (file.extension() == ".cpp" || file.extension() == ".hpp") program_texts_.push_back(file);
   shared_->tree = {std::move(root), build};
 }
@@ -136,14 +136,14 @@ const course::Case& StepsCheck::look_of(const std::string& step) const {
   return found->see;
 }
 
-CasePictures load_case(const fs::path& root, const std::string& lab, const grade::StepResult& step,
-                       const grade::CaseResult& one) {
+CasePictures load_case(const fs::path& root, const std::string& lab, const judge::StepResult& step,
+                       const judge::CaseResult& one) {
   CasePictures pictures;
   pictures.step = step.id, pictures.name = one.name, pictures.title = step.title;
   pictures.result = one;
   pictures.text = read_step_text(root, lab, step.id, step.file, step.line);
   try {
-    const image::Compared all = grade::compared(one);
+    const image::Compared all = check::compared(one);
     pictures.width = all.own.width, pictures.height = all.own.height;
     pictures.own = picture_texture(all.own), pictures.expected = picture_texture(all.expected);
     pictures.difference = picture_texture(all.difference);
@@ -155,4 +155,4 @@ CasePictures load_case(const fs::path& root, const std::string& lab, const grade
   return pictures;
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

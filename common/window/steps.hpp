@@ -13,7 +13,7 @@
 #include "judge/results.hpp"
 #include "step_text.hpp"
 
-namespace texel::app {
+namespace texel::window {
 
 /// Has the steps of a lab checked, one check after the other, in the background.
 class StepsCheck {
@@ -36,14 +36,14 @@ class StepsCheck {
   [[nodiscard]] const std::filesystem::path& root() const;
   /// The look in which one sees a step of this lab best, as its handout shows it.
   [[nodiscard]] const course::Case& look_of(const std::string& step) const;
-  [[nodiscard]] const std::vector<grade::StepResult>& steps() const { return steps_; }
+  [[nodiscard]] const std::vector<judge::StepResult>& steps() const { return steps_; }
   /// Why there are no steps, or "".
   [[nodiscard]] const std::string& fault() const { return fault_; }
 
  private:
   struct Shared;
   std::shared_ptr<Shared> shared_;
-  std::vector<grade::StepResult> steps_;
+  std::vector<judge::StepResult> steps_;
   std::string fault_, compile_error_;
   std::vector<std::filesystem::path> program_texts_;
 };
@@ -57,7 +57,7 @@ struct CasePictures {
   gl::Texture own, expected, difference, heat_map;  ///< bottom row first
   image::Difference figures;
   double full_scale = 0;  ///< the heat map's hottest colour
-  grade::CaseResult result;
+  judge::CaseResult result;
   std::string title;  ///< of the step
   StepText text;
 };
@@ -65,6 +65,6 @@ struct CasePictures {
 /// Loads a case's pictures, and the step's text from the tree `root` and its folder `lab`. Files that are
 /// missing or broken are said so in `fault`.
 CasePictures load_case(const std::filesystem::path& root, const std::string& lab,
-                       const grade::StepResult& step, const grade::CaseResult& one);
+                       const judge::StepResult& step, const judge::CaseResult& one);
 
-}  // namespace texel::app
+}  // namespace texel::window

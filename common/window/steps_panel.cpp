@@ -10,25 +10,25 @@
 #include "theme.hpp"
 #include "wrapped_text.hpp"
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
-using grade::Status;
+using judge::Status;
 
 /// A text that marks code with `, without these marks.
-void wrapped_plain(const ImVec4& colour, const std::string& text) {
-  wrapped_text(colour, without_markdown(text));
+void wrapped_plain(const ImVec4& color, const std::string& text) {
+  wrapped_text(color, without_markdown(text));
 }
 
 /// "off by 12.3 degrees (limit 0.05)".
-std::string figure(const grade::StepResult& step) {
-  const grade::CaseResult* telling = grade::telling_case(step);
+std::string figure(const judge::StepResult& step) {
+  const judge::CaseResult* telling = judge::clearest_case(step);
   if (telling == nullptr || std::isnan(telling->error)) return "nothing to compare";
   return fmt::format("off by {:.3g} {} (limit {:g})", telling->error, name_of(telling->unit()),
                      telling->limit);
 }
 
-void set_look(AnyLab& lab, WindowState& state, const course::Case& look) {
+void set_look(app::AnyLab& lab, WindowState& state, const course::Case& look) {
   try {
     Looks::choose(look, lab, state.view);
     state.split.reset();
@@ -40,9 +40,9 @@ void set_look(AnyLab& lab, WindowState& state, const course::Case& look) {
   }
 }
 
-void step_details(AnyLab& lab, WindowState& state, const grade::StepResult& step) {
+void step_details(app::AnyLab& lab, WindowState& state, const judge::StepResult& step) {
   wrapped_plain(theme().dim, fmt::format("{}:{}", step.file, step.line));
-  const auto picked = std::ranges::find_if(step.cases, [&](const grade::CaseResult& one) {
+  const auto picked = std::ranges::find_if(step.cases, [&](const judge::CaseResult& one) {
     return state.case_pictures && state.case_pictures->name == one.name;
   });
   const std::string& message = picked != step.cases.end() ? picked->message : step.message;
@@ -55,7 +55,7 @@ void step_details(AnyLab& lab, WindowState& state, const grade::StepResult& step
   if (shown < step.hints.size() && step.status != Status::passed &&
       ImGui::SmallButton(fmt::format("hint {} of {}", shown + 1, step.hints.size()).c_str()))
     ++shown;
-  for (const grade::CaseResult& one : step.cases) {
+  for (const judge::CaseResult& one : step.cases) {
     ImGui::PushStyleColor(ImGuiCol_Text, one.passed() ? theme().good : theme().next);
     if (ImGui::Selectable(fmt::format("{} {}", one.passed() ? "right" : "wrong", one.name).c_str(),
                           picked != step.cases.end() && &*picked == &one))
@@ -68,19 +68,19 @@ void step_details(AnyLab& lab, WindowState& state, const grade::StepResult& step
 
 }  // namespace
 
-void steps_section(AnyLab& lab, WindowState& state) {
+void steps_section(app::AnyLab& lab, WindowState& state) {
   if (!state.steps || !ImGui::CollapsingHeader("Steps", ImGuiTreeNodeFlags_DefaultOpen)) return;
-  const std::vector<grade::StepResult>& steps = state.steps->steps();
+  const std::vector<judge::StepResult>& steps = state.steps->steps();
   if (!state.steps->fault().empty()) wrapped_plain(theme().next, "Not checked: " + state.steps->fault());
   if (steps.empty() && state.steps->fault().empty()) ImGui::TextColored(theme().dim, "checking");
   bool has_next = false;
-  for (const grade::StepResult& step : steps) {
+  for (const judge::StepResult& step : steps) {
     const bool is_done = step.status == Status::passed, is_open = step.status == Status::failed;
     const bool is_next = is_open && !has_next;
     has_next = has_next || is_next;
     const std::string title = without_markdown(step.title);
-    const ImVec4& colour = is_done ? theme().good : is_next ? theme().next : theme().dim;
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    const ImVec4& color = is_done ? theme().good : is_next ? theme().next : theme().dim;
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
     if (state.step_to_open == step.id) {
       ImGui::SetNextItemOpen(true);
       state.step_to_open.clear();
@@ -90,7 +90,7 @@ void steps_section(AnyLab& lab, WindowState& state) {
     if (ImGui::IsItemToggledOpen() && shows) pick_step(lab, state, step);
     if (ImGui::IsItemHovered() && is_done) ImGui::SetTooltip("%s", figure(step).c_str());
     ImGui::SameLine();  // the title beside the triangle: a tree node's own text is not wrapped
-    wrapped_plain(colour, fmt::format("{} {} {}", grade::word_of(step, is_next), step.id, title));
+    wrapped_plain(color, fmt::format("{} {} {}", judge::word_of(step, is_next), step.id, title));
     if (is_open && !shows && !step.is_untouched()) {
       ImGui::Indent();
       wrapped_plain(theme().dim, figure(step));
@@ -102,20 +102,21 @@ void steps_section(AnyLab& lab, WindowState& state) {
   }
 }
 
-void pick_case(AnyLab& lab, WindowState& state, const grade::StepResult& step, const grade::CaseResult& one) {
+void pick_case(app::AnyLab& lab, WindowState& state, const judge::StepResult& step,
+               const judge::CaseResult& one) {
   if (!state.own_look) state.own_look = save_look(lab.parameters(), state.view, state.look);
   set_look(lab, state, one.is_mesh() ? state.steps->look_of(step.id) : one);
   state.case_pictures = load_case(state.steps->root(), lab.info().folder(), step, one);
   state.case_is_new = true;
 }
 
-void see_step(AnyLab& lab, WindowState& state, const std::string& step) {
+void see_step(app::AnyLab& lab, WindowState& state, const std::string& step) {
   if (!state.own_look) state.own_look = save_look(lab.parameters(), state.view, state.look);
   set_look(lab, state, state.steps->look_of(step));
 }
 
-void pick_step(AnyLab& lab, WindowState& state, const grade::StepResult& step) {
-  if (const grade::CaseResult* telling = grade::telling_case(step)) pick_case(lab, state, step, *telling);
+void pick_step(app::AnyLab& lab, WindowState& state, const judge::StepResult& step) {
+  if (const judge::CaseResult* telling = judge::clearest_case(step)) pick_case(lab, state, step, *telling);
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

@@ -9,7 +9,7 @@
 #include "panel.hpp"
 #include "theme.hpp"
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 constexpr const char* kFaceNames[] = {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
@@ -58,8 +58,8 @@ void mark(const Area& area, const Footprint& footprint, glm::dvec2 place, float 
   }
 }
 
-void frame(ImVec2 from, ImVec2 to, const ImVec4& colour, float width) {
-  ImGui::GetWindowDrawList()->AddRect(from, to, ImGui::GetColorU32(colour), 0, 0, width);
+void frame(ImVec2 from, ImVec2 to, const ImVec4& color, float width) {
+  ImGui::GetWindowDrawList()->AddRect(from, to, ImGui::GetColorU32(color), 0, 0, width);
 }
 
 /// The place as the wrap mode has it.
@@ -176,4 +176,4 @@ void texture_section(const std::vector<TextureView>& textures, float scale) {
   ImGui::EndTabBar();
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

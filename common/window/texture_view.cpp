@@ -6,7 +6,7 @@
 
 #include "picture_texture.hpp"
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 constexpr int kWhole = 256, kSmall = 64;  // texels a side that are enough for the pictures
@@ -65,15 +65,16 @@ glm::ivec2 TextureView::size_of(int of_level) const {
   return glm::max(glm::ivec2(size.x >> of_level, size.y >> of_level), glm::ivec2(1));
 }
 
-std::vector<TextureView> textures_at(Canvas& canvas, AnyLab& lab, glm::ivec2 size, glm::ivec2 pixel) {
-  const auto has = [&](View view) { return std::ranges::count(lab.views(), view) > 0; };
+std::vector<TextureView> textures_at(app::Canvas& canvas, app::AnyLab& lab, glm::ivec2 size,
+                                     glm::ivec2 pixel) {
+  const auto has = [&](app::View view) { return std::ranges::count(lab.views(), view) > 0; };
   std::vector<TextureView> views;
   const std::vector<gl::Record::TextureUse> textures = canvas.textures(size);
   for (const gl::Record::TextureUse& texture : textures) {
     if (std::ranges::count(textures, texture.name, &gl::Record::TextureUse::name) > 1) continue;
-    if (!has(texture.is_cube ? View::direction : View::texcoord)) continue;
+    if (!has(texture.is_cube ? app::View::direction : app::View::texcoord)) continue;
     const image::ImageF around =
-        canvas.values_around(texture.is_cube ? View::direction : View::texcoord, size, pixel);
+        canvas.values_around(texture.is_cube ? app::View::direction : app::View::texcoord, size, pixel);
     const GLenum target = texture.is_cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
     const gl::ScopedBinding binding(target, texture.id);
     TextureView view;
@@ -92,4 +93,4 @@ std::vector<TextureView> textures_at(Canvas& canvas, AnyLab& lab, glm::ivec2 siz
   return views;
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

@@ -6,7 +6,7 @@
 #include "app/canvas.hpp"
 #include "footprint.hpp"
 
-namespace texel::app {
+namespace texel::window {
 
 /// A texture that the lab reads, and what the clicked pixel covers of it.
 struct TextureView {
@@ -33,6 +33,7 @@ struct TextureView {
 /// left, of a picture of `size` pixels: 2D textures by the view `texcoord`, cube maps by the view
 /// `direction`. None where the lab has no such view, or the pixel shows the background, or several textures
 /// are read by one sampler, one after the other. Throws Error as Canvas::draw.
-std::vector<TextureView> textures_at(Canvas& canvas, AnyLab& lab, glm::ivec2 size, glm::ivec2 pixel);
+std::vector<TextureView> textures_at(app::Canvas& canvas, app::AnyLab& lab, glm::ivec2 size,
+                                     glm::ivec2 pixel);
 
-}  // namespace texel::app
+}  // namespace texel::window

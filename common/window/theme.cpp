@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 const Theme kDark{.good = {0.45F, 0.85F, 0.50F, 1},
@@ -60,4 +60,4 @@ void load_font(float scale) {
   fonts.AddFontDefault(&config);
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

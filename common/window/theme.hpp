@@ -2,7 +2,7 @@
 #pragma once
 #include <imgui.h>
 
-namespace texel::app {
+namespace texel::window {
 
 /// The colours of the panel's texts.
 struct Theme {
@@ -19,4 +19,4 @@ void set_theme(bool light, float scale);
 /// ImGui's font for this display: DejaVu Sans with the letters and signs of formulas where the system has it.
 void load_font(float scale);
 
-}  // namespace texel::app
+}  // namespace texel::window

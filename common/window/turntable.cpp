@@ -8,7 +8,7 @@
 #include "app/snapshot.hpp"
 #include "core/error.hpp"
 
-namespace texel::app {
+namespace texel::window {
 
 Turntable::Turntable(std::filesystem::path folder) : folder_(std::move(folder)) {
   std::error_code fault;
@@ -18,14 +18,15 @@ Turntable::Turntable(std::filesystem::path folder) : folder_(std::move(folder)) 
                         "start the program in a folder where you may write");
 }
 
-void Turntable::write_next(Canvas& canvas, AnyLab& lab, View view, glm::ivec2 size, int samples) {
+void Turntable::write_next(app::Canvas& canvas, app::AnyLab& lab, app::View view, glm::ivec2 size,
+                           int samples) {
   params::Parameter* turn = lab.parameters().find("turn");
   params::Parameter& angle = turn != nullptr ? *turn : lab.parameters().at("yaw");
   const double before = angle.value();
   angle.set_value(std::remainder(before + 360.0 * written_ / kPictures, 360));
   try {
     canvas.draw(view, size, samples);
-    take_snapshot(canvas, lab, view, size, folder_ / fmt::format("{:03}.png", written_)).write();
+    app::take_snapshot(canvas, lab, view, size, folder_ / fmt::format("{:03}.png", written_)).write();
   } catch (...) {
     angle.set_value(before);
     throw;
@@ -34,4 +35,4 @@ void Turntable::write_next(Canvas& canvas, AnyLab& lab, View view, glm::ivec2 si
   ++written_;
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

@@ -4,7 +4,7 @@
 
 #include "app/canvas.hpp"
 
-namespace texel::app {
+namespace texel::window {
 
 /// One turn of the model, or of the camera where the lab turns none, as pictures 000.png, 001.png, … in a
 /// folder, one a call.
@@ -16,7 +16,7 @@ class Turntable {
   explicit Turntable(std::filesystem::path folder);
   /// Draws and writes the next picture; the parameters stay as they are. Throws Error as Canvas::draw and
   /// Snapshot::write.
-  void write_next(Canvas& canvas, AnyLab& lab, View view, glm::ivec2 size, int samples);
+  void write_next(app::Canvas& canvas, app::AnyLab& lab, app::View view, glm::ivec2 size, int samples);
   [[nodiscard]] int written() const { return written_; }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
@@ -25,4 +25,4 @@ class Turntable {
   int written_ = 0;
 };
 
-}  // namespace texel::app
+}  // namespace texel::window

@@ -17,7 +17,7 @@
 #include "picture_texture.hpp"
 #include "window_class.hpp"
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 constexpr glm::ivec2 kWindowSize(960, 720);
@@ -46,14 +46,14 @@ image::Image8 around(const image::Image8& picture, glm::ivec2 pixel) {
 
 }  // namespace
 
-Window::Window(AnyLab& lab, const Assets& assets, const WindowOptions& options)
+Window::Window(app::AnyLab& lab, const app::Assets& assets, const WindowOptions& options)
     : lab_(lab),
       assets_(assets),
       samples_(options.samples),
       context_(options.size.value_or(kWindowSize).x, options.size.value_or(kWindowSize).y,
                fmt::format("Texel Labs {}: {}", lab.info().number, lab.info().title)),
       canvas_(context_, assets, lab) {
-  state_.view = find_view(lab, options.view);
+  state_.view = app::find_view(lab, options.view);
   state_.paused = options.turn_given;
   see_ = options.see;
   state_.config_file = lab.info().program() + ".toml";
@@ -121,7 +121,8 @@ void Window::time_frames(int count) {
   fmt::print(
       "the first after {:.0f} ms, the panel after {:.0f} ms\n{}"
       "panel, statistics and parameters: {:.3f} ms a frame, {:.2f} %\n",
-      first, panel, frame_times_as_text(std::move(times), picture_pixels()), plumbing / count, 100 * share);
+      first, panel, app::frame_times_as_text(std::move(times), picture_pixels()), plumbing / count,
+      100 * share);
 }
 
 void Window::wait_until_shown() const {
@@ -141,7 +142,7 @@ bool Window::turning() {
   // The exact answer takes longer than a frame: under the view `error`, and while the methods are measured,
   // the model stands still.
   return lab_.parameters().find("turn") != nullptr && !state_.paused && state_.error.first.empty() &&
-         state_.view != View::error && !state_.methods_open && !state_.looks_open && !turntable_;
+         state_.view != app::View::error && !state_.methods_open && !state_.looks_open && !turntable_;
 }
 
 bool Window::is_busy() const {
@@ -266,9 +267,9 @@ void Window::follow_steps() {
   if (inspected_once_ && !std::exchange(steps_begun_, true)) state_.steps->request();
   if (!state_.steps->poll()) return;
   state_.compile_error = read_message(state_.steps->compile_error(), state_.steps->root());
-  for (const grade::StepResult& step : state_.steps->steps()) {
+  for (const judge::StepResult& step : state_.steps->steps()) {
     const auto one = std::find_if(step.cases.begin(), step.cases.end(),
-                                  [&](const grade::CaseResult& other) { return other.name == see_; });
+                                  [&](const judge::CaseResult& other) { return other.name == see_; });
     if (step.id == see_)
       pick_step(lab_, state_, step);
     else if (one != step.cases.end())
@@ -283,8 +284,8 @@ void Window::follow_steps() {
     see_.clear();
   }
   if (!state_.case_pictures) return;
-  for (const grade::StepResult& step : state_.steps->steps())
-    for (const grade::CaseResult& one : step.cases)
+  for (const judge::StepResult& step : state_.steps->steps())
+    for (const judge::CaseResult& one : step.cases)
       if (one.name == state_.case_pictures->name) {
         CasePictures fresh = load_case(state_.steps->root(), lab_.info().folder(), step, one);
         fresh.shown = state_.case_pictures->shown, fresh.position = state_.case_pictures->position;
@@ -305,7 +306,7 @@ void Window::reload(bool assets) {
 void Window::advance() {
   const double seconds = frame_clock_.milliseconds() / 1000;
   frame_clock_ = Stopwatch();
-  if (turning()) turn(lab_.parameters(), kTurnPerSecond * std::min(seconds, 0.2));
+  if (turning()) app::turn(lab_.parameters(), kTurnPerSecond * std::min(seconds, 0.2));
 }
 
 void Window::draw_picture() {
@@ -318,12 +319,13 @@ void Window::draw_picture() {
   try {
     state_.progress.clear();
     state_.no_truth.clear();
-    if (state_.view == View::error) try {
+    if (state_.view == app::View::error) try {
         truth_share_ = canvas_.work_on_truth(size, kTruthMilliseconds);
       } catch (const Error& error) {
         state_.no_truth = error.what();
-        if (std::ranges::any_of(state_.looks->entries(),
-                                [](const Looks::Entry& entry) { return entry.look.view == View::error; }))
+        if (std::ranges::any_of(state_.looks->entries(), [](const Looks::Entry& entry) {
+              return entry.look.view == app::View::error;
+            }))
           state_.no_truth += "\nThe looks of the gallery (G) have one with a view of the error.";
       }
     if (truth_share_ < 1)
@@ -331,7 +333,7 @@ void Window::draw_picture() {
     // The colours stand in for the error until the exact answer is there. Where there is none, they are drawn
     // for the statistics only, and not shown: they would pass for an error.
     const bool is_unknown = !state_.no_truth.empty();
-    const View view = truth_share_ < 1 || is_unknown ? View::color : state_.view;
+    const app::View view = truth_share_ < 1 || is_unknown ? app::View::color : state_.view;
     Look look;
     {
       const Stage stage("parameters");
@@ -346,7 +348,7 @@ void Window::draw_picture() {
     drawn_ = look;
     const Stopwatch stopwatch;
     // The data views' second pass fills the picture with one triangle: it must not become three lines.
-    glPolygonMode(GL_FRONT_AND_BACK, state_.wireframe && view == View::color ? GL_LINE : GL_FILL);
+    glPolygonMode(GL_FRONT_AND_BACK, state_.wireframe && view == app::View::color ? GL_LINE : GL_FILL);
     // While the model turns only the picture changes: what it is made of is not read again.
     if ((turning() && inspected_once_) || state_.split)
       canvas_.draw(view, size, samples_, state_.split);
@@ -387,15 +389,15 @@ void Window::inspect() {
   state_.inspected->values.clear();
   state_.inspected->comparison.reset();
   if (pixel.x < 0 || pixel.y < 0 || pixel.x >= picture_pixels().x || pixel.y >= picture_pixels().y) return;
-  for (const View view : lab_.views())
-    if (view != View::color && view != View::mask && view != View::error)
+  for (const app::View view : lab_.views())
+    if (view != app::View::color && view != app::View::mask && view != app::View::error)
       state_.inspected->values.emplace_back(view, canvas_.value_at(view, picture_pixels(), pixel));
   state_.inspected->textures = textures_at(canvas_, lab_, picture_pixels(), pixel);
   state_.inspected->comparison = canvas_.compare_at(picture_pixels(), pixel);
   state_.inspected->around = picture_texture(around(canvas_.read8(), pixel));
 }
 
-void run_window(AnyLab& lab, const Assets& assets, const WindowOptions& options) {
+void run_window(app::AnyLab& lab, const app::Assets& assets, const WindowOptions& options) {
   Window window(lab, assets, options);
   if (options.frames > 0)
     window.time_frames(options.frames);
@@ -403,4 +405,4 @@ void run_window(AnyLab& lab, const Assets& assets, const WindowOptions& options)
     window.run();
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

@@ -14,12 +14,12 @@
 #include "turntable.hpp"
 #include "window/window.hpp"
 
-namespace texel::app {
+namespace texel::window {
 
 /// A lab's window. window.cpp has its frames, window_input.cpp what keys, mouse and buttons do.
 class Window {
  public:
-  Window(AnyLab& lab, const Assets& assets, const WindowOptions& options);
+  Window(app::AnyLab& lab, const app::Assets& assets, const WindowOptions& options);
 
   void run();
 
@@ -90,7 +90,7 @@ class Window {
   /// What the picture depends on; nothing is drawn again while it stays the same.
   struct Look {
     std::string key;
-    View view = View::color;
+    app::View view = app::View::color;
     glm::ivec2 size{0};
     std::string split;
     bool wireframe = false, axes = false;
@@ -135,11 +135,11 @@ class Window {
 
   enum class Drag { none, picture, split_line, light };
 
-  AnyLab& lab_;
-  const Assets& assets_;
+  app::AnyLab& lab_;
+  const app::Assets& assets_;
   int samples_;
   gl::WindowContext context_;
-  Canvas canvas_;
+  app::Canvas canvas_;
   std::optional<Gui> gui_;
   WindowState state_;
   Watcher watcher_;
@@ -163,4 +163,4 @@ class Window {
   glm::vec2 mouse_{0}, pressed_at_{0};
 };
 
-}  // namespace texel::app
+}  // namespace texel::window

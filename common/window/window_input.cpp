@@ -17,7 +17,7 @@
 #include "desktop.hpp"
 #include "window_class.hpp"
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 constexpr float kClickTolerance = 3;  // window units that a click may move
@@ -38,11 +38,11 @@ void Window::perform(Action action) {
         copy_picture();
         return;
       case Action::save_config:
-        save_config(state_.config_file, lab_.info(), lab_.parameters());
+        app::save_config(state_.config_file, lab_.info(), lab_.parameters());
         state_.message = "saved " + state_.config_file;
         return;
       case Action::load_config:
-        load_config(state_.config_file, lab_.info(), lab_.parameters());
+        app::load_config(state_.config_file, lab_.info(), lab_.parameters());
         state_.message = "loaded " + state_.config_file;
         return;
       case Action::snapshot: {
@@ -109,7 +109,7 @@ void Window::perform(Action action) {
         return;
       case Action::toggle_axes:
         state_.axes = !state_.axes;
-        if (std::ranges::count(lab_.views(), View::normal) == 0)
+        if (std::ranges::count(lab_.views(), app::View::normal) == 0)
           state_.message = "this lab has no normals to show";
         return;
       case Action::previous_texture:
@@ -123,7 +123,7 @@ void Window::perform(Action action) {
           if (params::Parameter* p = lab_.parameters().find(name)) {
             p->reset();
             for (const auto& [parameter, value] :
-                 chosen_look() != nullptr ? chosen_look()->settings : Settings())
+                 chosen_look() != nullptr ? chosen_look()->settings : app::Settings())
               if (parameter == name) p->set(value);
           }
         return;
@@ -189,7 +189,7 @@ void Window::write_picture(const std::filesystem::path& file) {
     throw Error::failed("the exact answer is not there yet", {},
                         "wait until the status line no longer says so");
   const FittedView fitted = fitted_view();
-  take_snapshot(canvas_, lab_, state_.view, picture_pixels(), file).write();
+  app::take_snapshot(canvas_, lab_, state_.view, picture_pixels(), file).write();
 }
 
 void Window::copy_picture() {
@@ -216,9 +216,9 @@ void Window::go_on_with_turntable() {
 
 void Window::open_place() {
   if (const ErrorMessage& error = state_.shown_error(); !error.file.empty())
-    app::open_in_editor(error.file, error.line, error.column);
+    open_in_editor(error.file, error.line, error.column);
   else if (state_.case_pictures)
-    app::open_in_editor(state_.case_pictures->text.file, state_.case_pictures->text.line);
+    open_in_editor(state_.case_pictures->text.file, state_.case_pictures->text.line);
   else
     state_.message = "pick a case of a step first";
 }
@@ -246,7 +246,7 @@ void Window::on_key(int key, int action, bool control) {
 
 void Window::on_drop(const std::filesystem::path& file) {
   const bool is_model = lower_case(file.extension().string()) == ".obj";
-  params::Parameter* parameter = is_model ? model_parameter(lab_.parameters()) : texture_parameter();
+  params::Parameter* parameter = is_model ? app::model_parameter(lab_.parameters()) : texture_parameter();
   if (parameter == nullptr || parameter->type != params::Parameter::Type::file) {
     state_.message = fmt::format("this lab takes no {}", is_model ? "model" : "picture");
     return;
@@ -272,7 +272,7 @@ bool Window::over_picture() const {
 }
 
 void Window::on_scroll(double dy) {
-  if (over_picture()) zoom(lab_.parameters(), dy);
+  if (over_picture()) app::zoom(lab_.parameters(), dy);
 }
 
 void Window::on_button(int button, int action) {
@@ -306,9 +306,9 @@ void Window::on_move(glm::vec2 mouse) {
   mouse_ = mouse;
   if (drag_ == Drag::split_line && state_.split)
     state_.split->position = std::clamp(in_picture(mouse).x / picture_units().x, 0.0F, 1.0F);
-  if (drag_ == Drag::light) move_light(lab_.parameters(), moved);
+  if (drag_ == Drag::light) app::move_light(lab_.parameters(), moved);
   if (drag_ == Drag::picture && glm::distance(pressed_at_, mouse) > kClickTolerance)
-    orbit(lab_.parameters(), moved);
+    app::orbit(lab_.parameters(), moved);
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 /// The text with its lines' ends instead of the blanks there. A word that is too long has a line of its own.
@@ -27,11 +27,11 @@ std::string broken(const std::string& text, float width) {
 
 }  // namespace
 
-void wrapped_text(const ImVec4& colour, const std::string& text) {
+void wrapped_text(const ImVec4& color, const std::string& text) {
   if (text.empty()) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, colour);
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
   ImGui::TextWrapped("%s", broken(text, ImGui::GetContentRegionAvail().x).c_str());
   ImGui::PopStyleColor();
 }
 
-}  // namespace texel::app
+}  // namespace texel::window

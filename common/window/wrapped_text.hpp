@@ -4,10 +4,10 @@
 
 #include <string>
 
-namespace texel::app {
+namespace texel::window {
 
 /// Shows a text, broken at its blanks where the window ends: ImGui also breaks at points, as in "0.5". An
 /// empty one takes no room.
-void wrapped_text(const ImVec4& colour, const std::string& text);
+void wrapped_text(const ImVec4& color, const std::string& text);
 
-}  // namespace texel::app
+}  // namespace texel::window

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "image/colour.hpp"
+#include "image/color.hpp"
 
 namespace texel::multi_texture {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "image/colour.hpp"
+#include "image/color.hpp"
 #include "import.hpp"
 
 namespace texel::obj_texcoords {

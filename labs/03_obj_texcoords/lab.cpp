@@ -8,7 +8,7 @@
 #include "app/lab.hpp"
 #include "appearance.hpp"
 #include "gl/upload.hpp"
-#include "image/colour.hpp"
+#include "image/color.hpp"
 #include "import.hpp"
 #include "parameters.hpp"
 

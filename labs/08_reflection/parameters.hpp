@@ -12,7 +12,7 @@ inline constexpr params::Item kMethods[] = {
     {"constant-eye", "-eye for every pixel, as if the ball were very far away (worksheet)"},
     {"per-fragment", "From the eye to the visible point"}};
 
-enum class NormalMethod { interpolated, renormalised, analytic };
+enum class NormalMethod { interpolated, renormalized, analytic };
 inline constexpr params::Item kNormalMethods[] = {
     {"interpolated", "As the rasteriser interpolates it: too short between the vertices"},
     {"renormalised", "Made a unit vector again in each pixel"},

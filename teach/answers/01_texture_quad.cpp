@@ -6,7 +6,7 @@
 
 #include "01_texture_quad/parameters.hpp"
 #include "answers/camera.hpp"
-#include "answers/colour.hpp"
+#include "answers/color.hpp"
 #include "app/answer.hpp"
 #include "truth/texture.hpp"
 
@@ -27,7 +27,7 @@ app::Truth texture_quad_truth(const TextureQuadParameters& p, glm::ivec2 size) {
   if (!texture) return {};
   const auto look_up = [texture, wrap = p.wrap, flip_v = p.flip_v](glm::dvec2 texcoord) {
     const double s = wrapped(texcoord.s, wrap), t = wrapped(texcoord.t, wrap);
-    return procedural::colour(*texture, s, flip_v ? 1 - t : t);
+    return procedural::color(*texture, s, flip_v ? 1 - t : t);
   };
   const truth::QuadPicture picture{
       .camera = answers::camera_of(p.camera, size),

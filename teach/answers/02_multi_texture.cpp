@@ -6,7 +6,7 @@
 // means.
 #include "02_multi_texture/parameters.hpp"
 #include "answers/camera.hpp"
-#include "answers/colour.hpp"
+#include "answers/color.hpp"
 #include "app/answer.hpp"
 #include "truth/texture.hpp"
 
@@ -18,8 +18,8 @@ std::optional<truth::TextureFunction> picture_function(const std::string& name) 
   const auto texture = answers::texture_of(name);
   if (!texture) return std::nullopt;
   return [texture = *texture](glm::dvec2 texcoord) {
-    const glm::dvec4 colour = procedural::colour(texture, texcoord.s, texcoord.t);
-    return colour.a > 0 ? colour : glm::dvec4(0);  // the decal's file is black where it is not seen
+    const glm::dvec4 color = procedural::color(texture, texcoord.s, texcoord.t);
+    return color.a > 0 ? color : glm::dvec4(0);  // the decal's file is black where it is not seen
   };
 }
 

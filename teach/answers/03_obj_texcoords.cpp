@@ -9,7 +9,7 @@
 
 #include "03_obj_texcoords/appearance.hpp"
 #include "03_obj_texcoords/parameters.hpp"
-#include "answers/colour.hpp"
+#include "answers/color.hpp"
 #include "answers/shape.hpp"
 #include "app/answer.hpp"
 
@@ -98,10 +98,10 @@ bool goes_around(const ObjTexcoordsParameters& p) {
 }
 
 /// The picture's colour at the point, linear light.
-glm::dvec3 exact_colour(const ExactModel& model, const ObjTexcoordsParameters& p, procedural::Texture texture,
-                        const ExactPoint& at) {
+glm::dvec3 exact_color(const ExactModel& model, const ObjTexcoordsParameters& p, procedural::Texture texture,
+                       const ExactPoint& at) {
   const auto look_up = [&](glm::dvec2 texcoord) {
-    return glm::dvec3(procedural::colour(texture, texcoord.s, p.flip_v ? 1 - texcoord.t : texcoord.t));
+    return glm::dvec3(procedural::color(texture, texcoord.s, p.flip_v ? 1 - texcoord.t : texcoord.t));
   };
   const double repeats = p.texture_scale;
   if (p.projection != Projection::triplanar)
@@ -176,7 +176,7 @@ app::Truth truth_of(Quantity quantity, const ObjTexcoordsParameters& p, glm::ive
     const truth::Ray ray = truth::pixel_ray(camera, window).ray;
     const auto at = meet_at(ray);
     if (!at) return glm::dvec4(0);
-    const glm::dvec3 albedo = tint * exact_colour(model, p, texture, *at);
+    const glm::dvec3 albedo = tint * exact_color(model, p, texture, *at);
     return glm::dvec4(exact_light(p.light, albedo, place.linear * at->normal, -ray.direction), 1);
   });
 }

@@ -42,7 +42,7 @@ app::Truth truth_of(answers::ReliefTruth relief_truth, const NormalMapParameters
     const auto hit = shape->hit(truth::object_ray(pixel.ray, place));
     if (!hit) return std::nullopt;
     const truth::Surface surface =
-        truth::placed(truth::reparameterised(shape->surface(hit->face), map), place);
+        truth::placed(truth::reparameterized(shape->surface(hit->face), map), place);
     const glm::dvec2 texcoord = map.texcoord(hit->texcoord);
     return relief.mean_normal(pixel, surface(texcoord), texcoord);
   };

@@ -6,7 +6,7 @@
 // derivative. See teach/truth/include/truth/cube_map.hpp.
 #include "06_cube_map/parameters.hpp"
 #include "answers/camera.hpp"
-#include "answers/colour.hpp"
+#include "answers/color.hpp"
 #include "app/answer.hpp"
 #include "truth/cube_map.hpp"
 #include "truth/surface.hpp"
@@ -23,18 +23,18 @@ constexpr params::Item kTruths[] = {
 
 /// The colour that the sphere has in a direction of its own space, linear light. Nothing for the landscape
 /// and for other files: their formulas are not known.
-using SphereColour = std::function<glm::dvec3(glm::dvec3 direction)>;
-std::optional<SphereColour> sphere_colour(const CubeMapParameters& p) {
+using SphereColor = std::function<glm::dvec3(glm::dvec3 direction)>;
+std::optional<SphereColor> sphere_color(const CubeMapParameters& p) {
   if (p.mapping == Mapping::cube) {
-    if (p.cube_map == "labelled") return procedural::labelled_colour;
-    if (p.cube_map == "smooth") return procedural::smooth_colour;
+    if (p.cube_map == "labelled") return procedural::labelled_color;
+    if (p.cube_map == "smooth") return procedural::smooth_color;
     return std::nullopt;
   }
   const auto texture = answers::texture_of(p.picture);
   if (!texture) return std::nullopt;
   return [texture = *texture](glm::dvec3 direction) {
     const glm::dvec2 texcoord = truth::worksheet_texcoord(direction);
-    return glm::dvec3(procedural::colour(texture, texcoord.s, texcoord.t));
+    return glm::dvec3(procedural::color(texture, texcoord.s, texcoord.t));
   };
 }
 
@@ -78,7 +78,7 @@ app::Truth level_truth(const CubeMapParameters& p, glm::ivec2 size) {
 
 /// Colours in 8-bit levels, as in the view `color` with one sample in each pixel.
 app::Truth color_truth(const CubeMapParameters& p, glm::ivec2 size) {
-  const auto wears = sphere_colour(p);
+  const auto wears = sphere_color(p);
   if (!wears) return {};
   const truth::Camera camera = answers::camera_of(p.camera, size);
   const truth::Placement place = sphere_placement(p);

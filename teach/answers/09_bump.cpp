@@ -27,7 +27,7 @@ app::Truth truth_of(answers::ReliefTruth relief_truth, const BumpParameters& p, 
   // over.
   const double repeats = p.repeats;
   const truth::TexcoordMap worksheet{.linear = glm::dmat2(-repeats), .offset = {0, repeats}};
-  const truth::Surface surface = truth::placed(truth::reparameterised(truth::sphere(), worksheet), ball);
+  const truth::Surface surface = truth::placed(truth::reparameterized(truth::sphere(), worksheet), ball);
   // The relief is as high as a map must be that fits the half meridian `repeats` times: no stretch along v.
   const answers::Relief relief{relief_truth, *gradient, p.bump_strength, glm::pi<double>() / repeats};
 

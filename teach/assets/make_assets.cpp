@@ -15,7 +15,7 @@
 #include "core/parallel.hpp"
 #include "core/scratch_folder.hpp"
 #include "core/terminal.hpp"
-#include "image/colour.hpp"
+#include "image/color.hpp"
 #include "image/difference.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
@@ -117,8 +117,8 @@ constexpr struct {
   const char* name;
   int size, samples;
   glm::dvec3 (*color)(glm::dvec3 direction);
-} kCubeMaps[] = {{"labelled", 256, 6, procedural::labelled_colour},
-                 {"smooth", 128, 4, procedural::smooth_colour}};
+} kCubeMaps[] = {{"labelled", 256, 6, procedural::labelled_color},
+                 {"smooth", 128, 4, procedural::smooth_color}};
 
 void make_all(const fs::path& folder) {
   const auto save = [&](const fs::path& file, const image::Image8& picture) {
@@ -131,7 +131,7 @@ void make_all(const fs::path& folder) {
   for (const auto& made : kTextures)
     save(fs::path("textures") / (std::string(made.file) + ".png"),
          render(made.width, made.height, made.channels, made.samples,
-                [&](double u, double v) { return procedural::colour(made.texture, u, v); }));
+                [&](double u, double v) { return procedural::color(made.texture, u, v); }));
   for (const auto& made : kNormalMaps)
     save(fs::path("normal_maps") / (std::string(made.file) + ".png"), bake(made.field, 512));
   image::Image8 flat(4, 4, 3);

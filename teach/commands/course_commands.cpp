@@ -5,7 +5,7 @@
 
 #include "command_line.hpp"
 
-namespace texel::tools {
+namespace texel::commands {
 namespace {
 
 /// What the four commands of grading take.
@@ -146,7 +146,7 @@ void add_grade(CLI::App& app, GradeCommands& all) {
   grade->add_option("--seed-file", g.seed_file,
                     "The course's secret seed for hidden cases [OUT/seed.txt, created if missing]");
   grade->add_option("--cache", g.cache, "Folder for starter, references and programs [build/grade]");
-  add_context(grade, g.context);
+  tools::add_context(grade, g.context);
   grade->add_flag("--unsafe", g.unsafe,
                   "Run the students' programs without a sandbox; only for code that you trust");
   grade
@@ -193,7 +193,7 @@ Exit run_grade(const CLI::App& app, const GradeCommands& all) {
 }
 
 /// All of them.
-class CourseCommands final : public MoreCommands {
+class CourseCommands final : public tools::MoreCommands {
  public:
   explicit CourseCommands(CLI::App& app) : app_(app) {
     add_bench(app, bench_);
@@ -229,11 +229,11 @@ class CourseCommands final : public MoreCommands {
 };
 
 const bool known = [] {
-  MoreCommands::make = [](CLI::App& app) -> std::unique_ptr<MoreCommands> {
+  tools::MoreCommands::make = [](CLI::App& app) -> std::unique_ptr<tools::MoreCommands> {
     return std::make_unique<CourseCommands>(app);
   };
   return true;
 }();
 
 }  // namespace
-}  // namespace texel::tools
+}  // namespace texel::commands

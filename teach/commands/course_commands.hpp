@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 
 /// The commands of `texel` for who makes or teaches the course. A student's tree does not have them.
-namespace texel::tools {
+namespace texel::commands {
 
 struct BenchOptions {
   std::vector<int> labs;                    ///< numbers; none for all
@@ -123,8 +123,8 @@ struct GradeReportCommand {
 /// `texel grade report`: writes the reports again.
 Exit grade_report(const GradeReportCommand& command);
 
-/// `texel course NAME …`: a script of teach/commands/box, in place of this process. Returns only by an Error:
-/// exit 2 for a name that there is not, 3 when the script cannot be started.
+/// `texel course NAME …`: a script of teach/commands/scripts, in place of this process. Returns only by an
+/// Error: exit 2 for a name that there is not, 3 when the script cannot be started.
 Exit run_script(const std::vector<std::string>& words);
 
-}  // namespace texel::tools
+}  // namespace texel::commands

@@ -16,7 +16,7 @@
 #include "image/save.hpp"
 #include "processes.hpp"
 
-namespace texel::tools {
+namespace texel::commands {
 namespace {
 
 namespace fs = std::filesystem;
@@ -72,18 +72,18 @@ image::Image8 step_picture(const fs::path& before, const fs::path& after) {
 void draw_steps(const grade::CourseTree& tree, const course::Lab& lab, const fs::path& folder) {
   const ScratchFolder work;
   const fs::path drawn = work.path() / "drawn";
-  make_folder(drawn);
+  tools::make_folder(drawn);
   const std::map<grade::Solved, Looks> looks = looks_by_stage(tree, lab);
   std::vector<grade::Solved> stages;
   for (const auto& [solved, at_stage] : looks) stages.push_back(solved);
-  std::vector<Command> commands;
+  std::vector<tools::Command> commands;
   for (const auto& [solved, stage] : grade::make_stages(tree, lab, stages, work.path())) {
     const fs::path list = stage.root / "batch.json";
     write_file(list, course::to_batch(looks.at(solved)));
     commands.push_back({stage.program, "--assets", stage.root, "--batch", list, "--out", drawn});
   }
   // What is missing afterwards was not drawn.
-  run_all(commands, static_cast<int>(processors()), [](std::size_t, int) {});
+  tools::run_all(commands, static_cast<int>(processors()), [](std::size_t, int) {});
   for (const course::Step& step : lab.steps) {
     const fs::path before = drawn / file_of(step, "before"), after = drawn / file_of(step, "after");
     image::save_png(folder / (step.id + ".png"), step_picture(before, after), {}, 9);
@@ -93,11 +93,12 @@ void draw_steps(const grade::CourseTree& tree, const course::Lab& lab, const fs:
 }  // namespace
 
 Exit step_pictures(const StarterOptions& options) {
-  const fs::path root = course_root();
-  const grade::CourseTree tree{root, course_build(),
-                               options.cache.empty() ? root / "build/grade" : options.cache, course_labs()};
-  make_folder(options.pictures);
-  for (const course::Lab& lab : chosen_labs(options.labs)) {
+  const fs::path root = tools::course_root();
+  const grade::CourseTree tree{root, tools::course_build(),
+                               options.cache.empty() ? root / "build/grade" : options.cache,
+                               tools::course_labs()};
+  tools::make_folder(options.pictures);
+  for (const course::Lab& lab : tools::chosen_labs(options.labs)) {
     draw_steps(tree, lab, options.pictures);
     fmt::print("  lab {}: {} steps, before and after\n", lab.number, lab.steps.size());
     flush_output();  // a log shows each as it ends
@@ -105,4 +106,4 @@ Exit step_pictures(const StarterOptions& options) {
   return Exit::holds;
 }
 
-}  // namespace texel::tools
+}  // namespace texel::commands

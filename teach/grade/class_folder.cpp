@@ -130,14 +130,14 @@ Entry read_entry(const fs::path& path) {
 }  // namespace
 
 std::vector<Entry> read_class(const fs::path& folder) {
-  const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const sandbox::Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!opened.is_open())
     throw Error::failed("is not a readable folder", {folder.string()},
                         "name the folder that contains the students' folders and archives");
   std::vector<Entry> entries;
   std::vector<std::string> file_names;
   std::map<std::string, int> wanted;
-  for (const std::string& name : names_in(opened, std::numeric_limits<std::size_t>::max())) {
+  for (const std::string& name : sandbox::names_in(opened, std::numeric_limits<std::size_t>::max())) {
     if (name.starts_with(".")) continue;
     entries.push_back(read_entry(folder / name));
     file_names.push_back(name);

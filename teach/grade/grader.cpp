@@ -8,14 +8,14 @@
 #include <memory>
 #include <mutex>
 
-#include "closed.hpp"
+#include "access.hpp"
+#include "cache.hpp"
+#include "class_setup.hpp"
 #include "core/error.hpp"
 #include "core/file_lock.hpp"
 #include "core/parallel.hpp"
 #include "core/stopwatch.hpp"
 #include "course/markers.hpp"
-#include "kept.hpp"
-#include "preparation.hpp"
 #include "record.hpp"
 #include "sandbox/sandbox.hpp"
 #include "student_run.hpp"
@@ -54,11 +54,11 @@ std::string incident_of(const std::exception& exception) {
 /// A student whose labs are being graded. Opened by the first thread that comes, gone with the last.
 class Student {
  public:
-  Student(const Preparation& preparation, const GradeOptions& options, Record& record, Entry entry)
-      : preparation_(preparation), options_(options), record_(record), entry_(std::move(entry)) {}
+  Student(const ClassSetup& setup, const GradeOptions& options, Record& record, Entry entry)
+      : setup_(setup), options_(options), record_(record), entry_(std::move(entry)) {}
 
   /// Whatever happens in one lab is an incident of that lab, and never the end of the class's run.
-  void grade(const LabPlan& plan) {
+  void grade(const judge::LabPlan& plan) {
     std::call_once(once_, [&] { open(); });
     std::vector<course::Case> cases;
     for (const course::Case& one : plan.cases)
@@ -78,7 +78,7 @@ class Student {
  private:
   void open() {
     try {
-      run_ = std::make_unique<StudentRun>(preparation_, options_, entry_, options_.out / "work" / entry_.id);
+      run_ = std::make_unique<StudentRun>(setup_, options_, entry_, options_.out / "work" / entry_.id);
       done_ = record_.begin(entry_, run_.get());
     } catch (const std::exception& exception) {
       incident_ = incident_of(exception);
@@ -87,7 +87,7 @@ class Student {
     }
   }
 
-  const Preparation& preparation_;
+  const ClassSetup& setup_;
   const GradeOptions& options_;
   Record& record_;
   Entry entry_;
@@ -99,9 +99,9 @@ class Student {
 
 /// The students one after the other, each one's labs side by side: all processors are busy to the end, and
 /// only few submissions are open at a time.
-void grade_students(const GradeOptions& options, const Preparation& preparation, Record& record,
+void grade_students(const GradeOptions& options, const ClassSetup& setup, Record& record,
                     const std::vector<Entry>& entries, unsigned jobs) {
-  const std::size_t labs = preparation.plans.size();
+  const std::size_t labs = setup.plans.size();
   struct Open {
     std::unique_ptr<Student> student;
     std::size_t left;
@@ -114,11 +114,10 @@ void grade_students(const GradeOptions& options, const Preparation& preparation,
     {
       const std::scoped_lock lock(mutex);
       Open& slot = open[index];
-      if (!slot.student)
-        slot = {std::make_unique<Student>(preparation, options, record, entries[index]), labs};
+      if (!slot.student) slot = {std::make_unique<Student>(setup, options, record, entries[index]), labs};
       student = slot.student.get();
     }
-    student->grade(preparation.plans[i % labs]);
+    student->grade(setup.plans[i % labs]);
     std::unique_ptr<Student> done;  // its files are removed outside the lock
     const std::scoped_lock lock(mutex);
     if (--open[index].left > 0) return;
@@ -144,11 +143,11 @@ GradeSummary grade_class(const GradeOptions& given, const std::function<void(con
   if (options.shard < 1 || options.shard > options.shards)
     throw Error::usage(fmt::format("there is no shard {} of {}", options.shard, options.shards),
                        "shards are 1/4, 2/4, …");
-  if (options.run == run_locked_in && !sandbox_fault().empty())
-    throw Error::failed("the sandbox for the students' programs does not work: " + sandbox_fault());
-  const bool as_another_user = options.run == run_as_another_user;
-  if (as_another_user && !another_user_fault().empty())
-    throw Error::failed("a program cannot be run as another user: " + another_user_fault());
+  if (options.run == sandbox::run_locked_in && !sandbox::sandbox_fault().empty())
+    throw Error::failed("the sandbox for the students' programs does not work: " + sandbox::sandbox_fault());
+  const bool as_another_user = options.run == sandbox::run_as_another_user;
+  if (as_another_user && !sandbox::another_user_fault().empty())
+    throw Error::failed("a program cannot be run as another user: " + sandbox::another_user_fault());
   const std::vector<Entry> entries = chosen_entries(options);
   if (as_another_user && entries.size() > 1)
     throw Error::usage(fmt::format("these walls hold for one student, and here are {}", entries.size()),
@@ -157,21 +156,21 @@ GradeSummary grade_class(const GradeOptions& given, const std::function<void(con
   const FileLock lock(options.out / "lock", true);
   // Two programs at a time could read each other's files.
   const unsigned jobs = as_another_user ? 1 : options.jobs > 0 ? options.jobs : processors();
-  if (as_another_user) close_to_others(options);
+  if (as_another_user) restrict_access(options);
 
   const Stopwatch stopwatch;
-  if (options.run == run_locked_in && !memory_group_fault().empty())
-    say("the kernel does not count the sandboxes' memory: " + memory_group_fault());
+  if (options.run == sandbox::run_locked_in && !sandbox::memory_group_fault().empty())
+    say("the kernel does not count the sandboxes' memory: " + sandbox::memory_group_fault());
   say("preparing: starter, solution and references");
-  const Preparation preparation = prepare(options, jobs);
+  const ClassSetup setup = prepare(options, jobs);
   say(fmt::format("ready after {}", duration_text(stopwatch.milliseconds() / 1000)));
   std::size_t cases = 0;
-  for (const LabPlan& plan : preparation.plans) cases += plan.cases.size() * entries.size();
-  Record record(options, preparation, cases, say);
+  for (const judge::LabPlan& plan : setup.plans) cases += plan.cases.size() * entries.size();
+  Record record(options, setup, cases, say);
   record.expect(entries);
   fs::remove_all(options.out / "work");
-  if (as_another_user) check_that_all_is_closed(options);
-  grade_students(options, preparation, record, entries, jobs);
+  if (as_another_user) check_access(options);
+  grade_students(options, setup, record, entries, jobs);
   fs::remove_all(options.out / "work");
   remove_unused(options.cache);
   return {entries.size(), record.judged(), record.incidents(), record.seconds()};
@@ -180,9 +179,9 @@ GradeSummary grade_class(const GradeOptions& given, const std::function<void(con
 namespace {
 
 /// Counts a student's cases, and takes the marks from steps whose cases are not all judged.
-void count_cases(StudentResult& student) {
-  for (LabResult& lab : student.labs)
-    for (StepResult& step : lab.steps) {
+void count_cases(store::StudentResult& student) {
+  for (judge::LabResult& lab : student.labs)
+    for (judge::StepResult& step : lab.steps) {
       const auto planned = static_cast<std::size_t>(
           std::count_if(lab.lab.cases.begin(), lab.lab.cases.end(),
                         [&](const course::GradedCase& one) { return one.step == step.id; }));
@@ -190,27 +189,27 @@ void count_cases(StudentResult& student) {
       student.judged += std::min(step.cases.size(), planned);
       if (step.cases.size() >= planned || !step.overridden.empty()) continue;
       step.cases.clear();
-      step.status = Status::failed, step.score = 0;
+      step.status = judge::Status::failed, step.score = 0;
       step.message = "This step is not judged yet.", step.mistake = step.mistake_says = "";
     }
 }
 
 }  // namespace
 
-ClassResult read_results(const fs::path& folder, const fs::path& course) {
+store::ClassResult read_results(const fs::path& folder, const fs::path& course) {
   if (!fs::exists(store_file(folder)))
     throw Error::failed("contains no results", {folder.string()}, "name the folder that was given to --out");
-  const Store store(store_file(folder));
-  ClassResult results = store.read(course::read_labs(course / "labs"));
+  const store::Store store(store_file(folder));
+  store::ClassResult results = store.read(course::read_labs(course / "labs"));
   const std::string chosen = " " + results.facts["labs"] + " ";
   const std::map<std::string, Place> places = course::first_places(course);
-  for (StudentResult& student : results.students) {
+  for (store::StudentResult& student : results.students) {
     // Others were graded only for what theirs need.
-    std::erase_if(student.labs, [&](const LabResult& lab) {
+    std::erase_if(student.labs, [&](const judge::LabResult& lab) {
       return chosen.find(fmt::format(" {} ", lab.lab.number)) == std::string::npos;
     });
     count_cases(student);
-    put_places(student.labs, places);
+    judge::put_places(student.labs, places);
   }
   return results;
 }

@@ -57,11 +57,11 @@ Case settled(const course::Lab& lab, const course::GradedCase& graded, const std
 
 }  // namespace
 
-std::vector<LabPlan> full_plan(const std::vector<course::Lab>& labs, const std::string& seed,
-                               const fs::path& models) {
-  std::vector<LabPlan> plans;
+std::vector<judge::LabPlan> full_plan(const std::vector<course::Lab>& labs, const std::string& seed,
+                                      const fs::path& models) {
+  std::vector<judge::LabPlan> plans;
   for (const course::Lab& lab : labs) {
-    LabPlan plan{lab, {}};
+    judge::LabPlan plan{lab, {}};
     for (const course::GradedCase& graded : lab.cases)
       plan.cases.push_back(settled(lab, graded, seed, models));
     plans.push_back(std::move(plan));

@@ -31,16 +31,16 @@ bool is_of_another_lab(const std::string& path, const course::Lab& lab) {
 
 /// All files with steps: the solution's, but the student's step in its own; none where that cannot be put
 /// together. Those of other labs are the starter's: a step may not borrow their solutions.
-std::optional<Files> step_among_solutions(const Preparation& preparation, const Files& files,
-                                          const course::Lab& lab, const std::string& step) {
-  Files spliced = preparation.solution;
+std::optional<Files> step_among_solutions(const ClassSetup& setup, const Files& files, const course::Lab& lab,
+                                          const std::string& step) {
+  Files spliced = setup.solution;
   std::erase_if(spliced, [&](const auto& file) { return is_of_another_lab(file.first, lab); });
   for (auto& [path, text] : spliced) {
-    if (!preparation.files_of_step.at(step).contains(path)) continue;
+    if (!setup.files_of_step.at(step).contains(path)) continue;
     const auto own = files.find(path);
     try {
       text = course::with_step_alone(
-          own == files.end() ? read_file(preparation.starter.source / path) : own->second, path, step, text);
+          own == files.end() ? read_file(setup.starter.source / path) : own->second, path, step, text);
     } catch (const Error&) {  // the markers are the student's
       return {};
     }
@@ -49,54 +49,54 @@ std::optional<Files> step_among_solutions(const Preparation& preparation, const 
 }
 
 /// Whether the student wrote the step as the solution has it.
-bool is_solution(const Preparation& preparation, const Files& spliced) {
+bool is_solution(const ClassSetup& setup, const Files& spliced) {
   return std::all_of(spliced.begin(), spliced.end(), [&](const auto& file) {
-    return course::is_same_code(file.second, preparation.solution.at(file.first));
+    return course::is_same_code(file.second, setup.solution.at(file.first));
   });
 }
 
 /// What the solution drew for the same cases.
-Files copy_expected(const Preparation& preparation, const LabPlan& plan,
+Files copy_expected(const ClassSetup& setup, const judge::LabPlan& plan,
                     const std::vector<course::Case>& cases, const fs::path& out) {
   fs::create_directories(out);
   for (const course::Case& one : cases)
-    fs::copy_file(preparation.course->expected(plan, one).reference, out / one.file);
+    fs::copy_file(setup.course->expected(plan, one).reference, out / one.file);
   return {};
 }
 
-Drawn draw_spliced(const Preparation& preparation, const GradeOptions& options, const Files& spliced,
-                   const LabPlan& plan, const std::vector<course::Case>& cases, const fs::path& work,
-                   const fs::path& out, TimeBudget* budget) {
+check::Drawn draw_spliced(const ClassSetup& setup, const GradeOptions& options, const Files& spliced,
+                          const judge::LabPlan& plan, const std::vector<course::Case>& cases,
+                          const fs::path& work, const fs::path& out, TimeBudget* budget) {
   Files sources, shaders;
   for (const auto& [path, text] : spliced) {
     if (path.ends_with(".cpp")) sources[path] = text;
     if (path.starts_with(kShaders)) shaders[path.substr(kShaders.size())] = text;
   }
-  const Program program = preparation.workshop->make(plan.lab.program(), sources, budget);
+  const Program program = setup.workshop->make(plan.lab.program(), sources, budget);
   // With the starter in place of what was refused, the pictures would be another program's.
   if (!program.refused.empty()) return {};
-  overlay(preparation.starter.source / "shaders", shaders, work / "shaders");
-  fs::create_directory_symlink(preparation.starter.source / "assets", work / "assets");
-  Studio studio{program.file, work, options.context, options.run, {preparation.starter.source / "assets"}};
+  overlay(setup.starter.source / "shaders", shaders, work / "shaders");
+  fs::create_directory_symlink(setup.starter.source / "assets", work / "assets");
+  check::Studio studio{program.file, work, options.context, options.run, {setup.starter.source / "assets"}};
   studio.budget = budget;
-  if (fs::exists(preparation.models)) studio.readable.push_back(preparation.models);
+  if (fs::exists(setup.models)) studio.readable.push_back(setup.models);
   return draw(studio, cases, out);
 }
 
 }  // namespace
 
-std::optional<Files> draw_alone(const Preparation& preparation, const GradeOptions& options,
-                                const Files& files, const LabPlan& plan, const std::string& step,
+std::optional<Files> draw_alone(const ClassSetup& setup, const GradeOptions& options, const Files& files,
+                                const judge::LabPlan& plan, const std::string& step,
                                 const std::vector<course::Case>& cases, const fs::path& work,
                                 const fs::path& out, TimeBudget* budget) {
-  const std::optional<Files> spliced = step_among_solutions(preparation, files, plan.lab, step);
+  const std::optional<Files> spliced = step_among_solutions(setup, files, plan.lab, step);
   if (!spliced) return {};
   std::string fault;
   try {
     fs::remove_all(work);
     fs::remove_all(out);
-    if (is_solution(preparation, *spliced)) return copy_expected(preparation, plan, cases, out);
-    return draw_spliced(preparation, options, *spliced, plan, cases, work, out, budget).refused;
+    if (is_solution(setup, *spliced)) return copy_expected(setup, plan, cases, out);
+    return draw_spliced(setup, options, *spliced, plan, cases, work, out, budget).refused;
   } catch (const std::system_error& error) {
     fault = ": " + error.code().message();
   } catch (const std::exception&) {  // it may name files that the program wrote

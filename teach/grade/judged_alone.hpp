@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "class_setup.hpp"
 #include "grade/grader.hpp"
 #include "judge/plan.hpp"
-#include "preparation.hpp"
 
 namespace texel::grade {
 
@@ -25,10 +25,9 @@ namespace texel::grade {
 /// (exit 3), which says nothing of the files either, for faults of the machine. All of it counts to the
 /// student's time.
 std::optional<std::map<std::string, std::string>> draw_alone(
-    const Preparation& preparation, const GradeOptions& options,
-    const std::map<std::string, std::string>& files, const LabPlan& plan, const std::string& step,
-    const std::vector<course::Case>& cases, const std::filesystem::path& work,
-    const std::filesystem::path& out, TimeBudget* budget);
+    const ClassSetup& setup, const GradeOptions& options, const std::map<std::string, std::string>& files,
+    const judge::LabPlan& plan, const std::string& step, const std::vector<course::Case>& cases,
+    const std::filesystem::path& work, const std::filesystem::path& out, TimeBudget* budget);
 
 /// A mark, or an error in the case's unit, of such pictures, in steps of a hundredth of it at least: exact
 /// numbers could carry text out. The mark is rounded down.

@@ -10,8 +10,8 @@
 #include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "course/markers.hpp"
-#include "course_side.hpp"
 #include "grade/hidden_cases.hpp"
+#include "references.hpp"
 
 namespace texel::grade {
 namespace {
@@ -28,9 +28,9 @@ struct Solution {
 
 /// What a solution got with all seeds: its step's cases, the public ones first.
 struct BySeed {
-  std::vector<CaseResult> shown;
-  std::vector<std::vector<CaseResult>> hidden;  ///< by seed
-  std::string called;                           ///< by the first seed
+  std::vector<judge::CaseResult> shown;
+  std::vector<std::vector<judge::CaseResult>> hidden;  ///< by seed
+  std::string called;                                  ///< by the first seed
 };
 
 /// The solution with each place of a step, one after the other, as the starter has it.
@@ -59,15 +59,15 @@ void add_catalogue(const fs::path& course, const std::vector<material::Mutant>& 
 }
 
 /// Infinite where nothing can be compared, or single pixels are not finite.
-double times_limit(const CaseResult& one) {
+double times_limit(const judge::CaseResult& one) {
   const double times = one.error / one.limit;
   return one.passed() || times > 1 ? times : std::numeric_limits<double>::infinity();
 }
 
 /// The case that is furthest off.
-Far furthest(const std::string& by, const std::vector<CaseResult>& cases) {
+Far furthest(const std::string& by, const std::vector<judge::CaseResult>& cases) {
   Far far{by, -1, 0, 0, "", "", 1};
-  for (const CaseResult& one : cases)
+  for (const judge::CaseResult& one : cases)
     if (const double times = times_limit(one); times > far.times_limit)
       far = {by, times, one.error, one.limit, name_of(one.unit()), one.name, 1};
   return far;
@@ -78,12 +78,12 @@ Far judged_by_seeds(const course::Step& step, const Solution& of, const BySeed& 
                     std::vector<std::string>& faults) {
   Far kept;
   for (std::size_t seed = 0; seed < judged.hidden.size(); ++seed) {
-    std::vector<CaseResult> cases = judged.shown;
+    std::vector<judge::CaseResult> cases = judged.shown;
     cases.insert(cases.end(), judged.hidden[seed].begin(), judged.hidden[seed].end());
     Far far = furthest(of.name, cases);
-    const StepResult result = step_result(step, std::move(cases));
+    const judge::StepResult result = judge::step_result(step, std::move(cases));
     far.mark = result.score;
-    if ((result.status == Status::passed) != of.is_right)
+    if ((result.status == judge::Status::passed) != of.is_right)
       faults.push_back(fmt::format("{}: '{}' {} with seed {}: {} {} off in {}, {:.3g} times the limit",
                                    step.id, of.name, of.is_right ? "fails" : "passes", seed + 1, far.error,
                                    far.unit, far.at, far.times_limit));
@@ -109,7 +109,7 @@ std::vector<StepMarks> marks_of(const CourseTree& tree, int seeds, bool only_pla
                                 std::vector<std::string>& faults,
                                 const std::function<void(const std::string&)>& say) {
   const BuiltTree starter = starter_tree(tree.course, tree.cache);
-  CourseSide course(solution_tree(tree.course, tree.build, starter), starter, tree.cache, "auto");
+  References course(solution_tree(tree.course, tree.build, starter), starter, tree.cache, "auto");
   std::vector<Solution> all;
   if (!only_places) add_catalogue(tree.course, course.mutants(), all);
   if (!only_places)
@@ -123,7 +123,7 @@ std::vector<StepMarks> marks_of(const CourseTree& tree, int seeds, bool only_pla
       if (std::stoi(one.step) == lab.number) own.push_back(&one);
     std::vector<BySeed> judged(own.size());
     for (int seed = 0; seed < seeds; ++seed) {
-      LabPlan plan = full_plan({lab}, fmt::format("seed {}", seed + 1), tree.cache / "models").front();
+      judge::LabPlan plan = full_plan({lab}, fmt::format("seed {}", seed + 1), tree.cache / "models").front();
       // The public cases are the same for all seeds.
       if (seed > 0) std::erase_if(plan.cases, [](const Case& of) { return !of.hidden; });
       course.prepare(plan);
@@ -131,16 +131,17 @@ std::vector<StepMarks> marks_of(const CourseTree& tree, int seeds, bool only_pla
         const Solution& of = *own[i];
         const fs::path drawn = course.draw_changed(plan, of.name, of.step, of.file, of.text);
         judged[i].hidden.emplace_back();
-        std::map<std::string, Failed> failed;
+        std::map<std::string, judge::Failed> failed;
         for (const Case& one : plan.cases) {
           if (one.step != of.step) continue;
-          CaseResult result{one};
-          settle(result, judge(one, course.expected(plan, one), drawn / one.file), "", false);
+          judge::CaseResult result{one};
+          judge::resolve(result, check::judge(one, course.expected(plan, one), drawn / one.file), "", false);
           if (!result.passed() && seed == 0) failed[one.name] = course.drawn_in(drawn, one);
           (one.hidden ? judged[i].hidden.back() : judged[i].shown).push_back(std::move(result));
         }
         if (seed == 0 && of.mutant != nullptr && !failed.empty())
-          if (const Mistake* known = course.recognise(plan, of.step, failed)) judged[i].called = known->name;
+          if (const judge::Mistake* known = course.recognize(plan, of.step, failed))
+            judged[i].called = known->name;
       });
       say(fmt::format("lab {}, seed {} of {}: {} solutions", lab.number, seed + 1, seeds, own.size()));
     }

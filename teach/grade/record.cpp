@@ -25,28 +25,27 @@ void make_writable_folder(const fs::path& folder) {
 }
 
 /// What results depend on: two runs may only be joined where all of it is the same.
-std::map<std::string, std::string> facts_of(const GradeOptions& options, const Preparation& preparation) {
+std::map<std::string, std::string> facts_of(const GradeOptions& options, const ClassSetup& setup) {
   std::string labs, lists;
-  for (const course::Lab& lab : preparation.labs)
-    labs += fmt::format("{}{}", labs.empty() ? "" : " ", lab.number);
-  for (const LabPlan& plan : preparation.plans) lists += course::to_batch(plan.cases);
+  for (const course::Lab& lab : setup.labs) labs += fmt::format("{}{}", labs.empty() ? "" : " ", lab.number);
+  for (const judge::LabPlan& plan : setup.plans) lists += course::to_batch(plan.cases);
   return {{"labs", labs},
-          {"seed", fingerprint({"seed", preparation.seed}).substr(0, 12)},
-          {"renderer", preparation.course->renderer()},
+          {"seed", fingerprint({"seed", setup.seed}).substr(0, 12)},
+          {"renderer", setup.course->renderer()},
           {"context", options.context},
-          {"course", fingerprint({preparation.starter.fingerprint, lists}).substr(0, 12)}};
+          {"course", fingerprint({setup.starter.fingerprint, lists}).substr(0, 12)}};
 }
 
 }  // namespace
 
-Record::Record(const GradeOptions& options, const Preparation& preparation, std::size_t cases,
+Record::Record(const GradeOptions& options, const ClassSetup& setup, std::size_t cases,
                std::function<void(const std::string&)> say)
     : options_(options),
-      preparation_(preparation),
+      setup_(setup),
       cases_(cases),
       say_(std::move(say)),
-      store_(std::make_unique<Store>(store_file(options.out))) {
-  const std::map<std::string, std::string> facts = facts_of(options, preparation), before = store_->facts();
+      store_(std::make_unique<store::Store>(store_file(options.out))) {
+  const std::map<std::string, std::string> facts = facts_of(options, setup), before = store_->facts();
   if (options.resume && !before.empty()) {
     for (const auto& [name, value] : facts)
       if (const auto known = before.find(name); known == before.end() || known->second != value)
@@ -54,7 +53,7 @@ Record::Record(const GradeOptions& options, const Preparation& preparation, std:
             fmt::format("the results in '{}' were graded with another {}", options.out.string(), name),
             "leave out --resume to grade again from the start");
   } else if (!before.empty()) {
-    store_->begin_anew(preparation.labs);
+    store_->begin_anew(setup.labs);
     fs::remove_all(options.out / "pictures");
   }
   store_->put_facts(facts);
@@ -62,25 +61,24 @@ Record::Record(const GradeOptions& options, const Preparation& preparation, std:
 }
 
 void Record::keep_references() const {
-  for (const LabPlan& plan : preparation_.plans) {
+  for (const judge::LabPlan& plan : setup_.plans) {
     const fs::path folder = options_.out / "references" / plan.lab.folder;
     make_writable_folder(folder);
     for (const course::Case& one : plan.cases)
-      if (!one.hidden)
-        write_file(folder / one.file, read_file(preparation_.course->expected(plan, one).reference));
+      if (!one.hidden) write_file(folder / one.file, read_file(setup_.course->expected(plan, one).reference));
   }
 }
 
 void Record::expect(const std::vector<Entry>& entries) {
   for (const Entry& entry : entries) {
-    StudentResult student;
+    store::StudentResult student;
     student.id = entry.id, student.name = entry.name, student.number = entry.number;
     store_->expect_student(student);
   }
 }
 
 std::set<std::string> Record::begin(const Entry& entry, const StudentRun* run) {
-  StudentResult student;
+  store::StudentResult student;
   student.id = entry.id, student.name = entry.name, student.number = entry.number;
   if (run == nullptr) {
     // Known all the same, and with what was judged before.
@@ -89,7 +87,7 @@ std::set<std::string> Record::begin(const Entry& entry, const StudentRun* run) {
   }
   student.fault = run->submission().fault;
   student.ignored = run->worth_telling();
-  for (const Ignored& copy : run->submission().copies) {
+  for (const store::Ignored& copy : run->submission().copies) {
     const std::scoped_lock lock(mutex_);
     say_(fmt::format("{}: {} {}", entry.id, copy.path, copy.reason));
   }
@@ -100,7 +98,7 @@ std::set<std::string> Record::begin(const Entry& entry, const StudentRun* run) {
 void Record::keep(const Entry& entry, const JudgedCase& judged) {
   // What is larger than any sound picture of the cases is a stranger's joke.
   constexpr std::uintmax_t most = 8U << 20U;
-  CaseResult result = judged.result;
+  judge::CaseResult result = judged.result;
   if (!judged.picture.empty() && fs::file_size(judged.picture) <= most) {
     const fs::path place = fs::path("pictures") / entry.id / result.lab / result.file;
     fs::create_directories((options_.out / place).parent_path());
@@ -111,9 +109,9 @@ void Record::keep(const Entry& entry, const JudgedCase& judged) {
   ++judged_, ++finished_;
 }
 
-void Record::end_lab(const Entry& entry, const LabPlan& plan, const JudgedLab& judged,
+void Record::end_lab(const Entry& entry, const judge::LabPlan& plan, const JudgedLab& judged,
                      std::size_t judged_before, const std::string& incident) {
-  for (const CompilerLog& log : judged.logs) store_->put_log(entry.id, log);
+  for (const store::CompilerLog& log : judged.logs) store_->put_log(entry.id, log);
   if (incident.empty() && judged_before < plan.cases.size())
     store_->put_notes(entry.id, plan.lab.folder, judged.notes);
   store_->put_incident(entry.id, plan.lab.folder, incident);
@@ -122,9 +120,10 @@ void Record::end_lab(const Entry& entry, const LabPlan& plan, const JudgedLab& j
 }
 
 std::size_t Record::incidents() const {
-  const std::vector<StudentResult> students = store_->read(preparation_.labs).students;
-  return static_cast<std::size_t>(std::count_if(
-      students.begin(), students.end(), [](const StudentResult& one) { return !one.incident.empty(); }));
+  const std::vector<store::StudentResult> students = store_->read(setup_.labs).students;
+  return static_cast<std::size_t>(
+      std::count_if(students.begin(), students.end(),
+                    [](const store::StudentResult& one) { return !one.incident.empty(); }));
 }
 
 void Record::progress() {

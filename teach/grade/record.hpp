@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "class_setup.hpp"
 #include "core/stopwatch.hpp"
-#include "preparation.hpp"
 #include "store/store.hpp"
 #include "student_run.hpp"
 
@@ -24,7 +24,7 @@ class Record {
   /// with, unless they are resumed. Keeps the expected pictures of public cases, for the reports. `say` gets
   /// progress over so many cases. Throws Error: exit 2 when what is resumed was graded otherwise; exit 3 when
   /// nothing can be written.
-  Record(const GradeOptions& options, const Preparation& preparation, std::size_t cases,
+  Record(const GradeOptions& options, const ClassSetup& setup, std::size_t cases,
          std::function<void(const std::string&)> say);
 
   /// The students who are to be graded.
@@ -35,8 +35,8 @@ class Record {
   void keep(const Entry& entry, const JudgedCase& judged);
   /// After a lab: of its cases, so many were judged before. `incident` is what kept it from being judged, or
   /// "".
-  void end_lab(const Entry& entry, const LabPlan& plan, const JudgedLab& judged, std::size_t judged_before,
-               const std::string& incident);
+  void end_lab(const Entry& entry, const judge::LabPlan& plan, const JudgedLab& judged,
+               std::size_t judged_before, const std::string& incident);
 
   /// Cases judged by this run, and students whom the machine kept from being graded in full.
   [[nodiscard]] std::size_t judged() const { return judged_; }
@@ -49,10 +49,10 @@ class Record {
   void keep_references() const;
 
   const GradeOptions& options_;
-  const Preparation& preparation_;
+  const ClassSetup& setup_;
   std::size_t cases_;
   std::function<void(const std::string&)> say_;
-  std::unique_ptr<Store> store_;
+  std::unique_ptr<store::Store> store_;
   Stopwatch stopwatch_;
   std::atomic<std::size_t> judged_ = 0, finished_ = 0;
   std::mutex mutex_;

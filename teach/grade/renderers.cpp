@@ -13,8 +13,8 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
-#include "course_side.hpp"
 #include "grade/hidden_cases.hpp"
+#include "references.hpp"
 
 namespace texel::grade {
 namespace {
@@ -42,7 +42,7 @@ class Surroundings {
   const Renderer& renderer_;
 };
 
-Studio studio(const CourseTree& tree, const course::Lab& lab, const std::string& context) {
+check::Studio studio(const CourseTree& tree, const course::Lab& lab, const std::string& context) {
   return {tree.build / "bin" / lab.program(), tree.course, context};
 }
 
@@ -51,7 +51,7 @@ std::string found(const Renderer& renderer, const CourseTree& tree) {
   for (const auto& [name, value] : renderer.environment)
     if (name == "LD_PRELOAD" && !fs::exists(value)) return {};
   try {
-    std::string says = renderer_of(studio(tree, tree.labs.front(), renderer.context));
+    std::string says = check::renderer_of(studio(tree, tree.labs.front(), renderer.context));
     return says.starts_with(renderer.says) ? says : "";
   } catch (const Error&) {
     return {};
@@ -59,16 +59,18 @@ std::string found(const Renderer& renderer, const CourseTree& tree) {
 }
 
 /// The cases of a seed; of others than the first the hidden ones alone, as the public ones are the same.
-std::vector<LabPlan> plans_of(const CourseTree& tree, const std::string& seed, const fs::path& models) {
-  std::vector<LabPlan> plans = full_plan(tree.labs, seed, models);
+std::vector<judge::LabPlan> plans_of(const CourseTree& tree, const std::string& seed,
+                                     const fs::path& models) {
+  std::vector<judge::LabPlan> plans = full_plan(tree.labs, seed, models);
   if (seed != kSeeds.front())
-    for (LabPlan& one : plans) std::erase_if(one.cases, [](const course::Case& of) { return !of.hidden; });
+    for (judge::LabPlan& one : plans)
+      std::erase_if(one.cases, [](const course::Case& of) { return !of.hidden; });
   return plans;
 }
 
 /// What check compares a public case with.
-ExpectedFiles kept(const CourseTree& tree, const LabPlan& lab, const course::Case& of) {
-  const fs::path folder = expected_folder(tree.course, lab.lab);
+check::ExpectedFiles kept(const CourseTree& tree, const judge::LabPlan& lab, const course::Case& of) {
+  const fs::path folder = check::expected_folder(tree.course, lab.lab);
   return {folder / of.file, of.is_mesh() ? fs::path() : folder / (of.name + ".mask.png")};
 }
 
@@ -86,8 +88,8 @@ std::string version_of(const std::string& says) {
 }
 
 /// 0 where both are the same bytes; NaN where nothing can be compared.
-double distance(const course::Case& of, const ExpectedFiles& expected, const fs::path& picture) {
-  return judge(of, expected, picture).error;
+double distance(const course::Case& of, const check::ExpectedFiles& expected, const fs::path& picture) {
+  return check::judge(of, expected, picture).error;
 }
 
 }  // namespace
@@ -127,22 +129,22 @@ void with(const Renderer& renderer, const std::function<void()>& action) {
 std::string draw_by(const Renderer& renderer, const CourseTree& tree, const fs::path& out) {
   const Surroundings surroundings(renderer);
   const std::string says = found(renderer, tree);
-  if (says.empty() || (renderer.says.empty() && is_software(says))) return {};
+  if (says.empty() || (renderer.says.empty() && check::is_software(says))) return {};
   const std::string name = version_of(says) + "_" + renderer.name;
   const fs::path folder = out / name;
   fs::remove_all(folder);
   for (const char* seed : kSeeds) {
-    const std::vector<LabPlan> plans = plans_of(tree, seed, out / "models");
+    const std::vector<judge::LabPlan> plans = plans_of(tree, seed, out / "models");
     in_parallel(processors(), plans.size(), [&](std::size_t i) {
-      const Studio own = studio(tree, plans[i].lab, renderer.context);
+      const check::Studio own = studio(tree, plans[i].lab, renderer.context);
       const fs::path to = folder / seed / plans[i].lab.folder;
       fs::create_directories(to);
       if (plans[i].cases.empty()) return;
-      draw_all(own, plans[i].cases, to);
-      draw_all(own, plans[i].masks(), to / "mask");
+      check::draw_all(own, plans[i].cases, to);
+      check::draw_all(own, plans[i].masks(), to / "mask");
     });
   }
-  write_file(folder / kRendererFile, says + "\n");
+  write_file(folder / check::kRendererFile, says + "\n");
   return name;
 }
 
@@ -155,16 +157,16 @@ std::vector<std::string> passed_by(const Renderer& renderer, const CourseTree& t
     return faults;
   }
   const BuiltTree starter = starter_tree(tree.course, tree.cache);
-  CourseSide course(solution_tree(tree.course, tree.build, starter), starter, tree.cache, renderer.context);
+  References course(solution_tree(tree.course, tree.build, starter), starter, tree.cache, renderer.context);
   // By what this renderer draws, as grade has it, or by what is kept, as check has it: one of them is enough.
-  const auto is_passed = [&](const LabPlan& lab, const std::string& step, const fs::path& folder) {
+  const auto is_passed = [&](const judge::LabPlan& lab, const std::string& step, const fs::path& folder) {
     return std::all_of(lab.cases.begin(), lab.cases.end(), [&](const course::Case& of) {
       const fs::path picture = folder / of.file;
-      return of.step != step || judge(of, course.expected(lab, of), picture).passed ||
-             (!of.hidden && judge(of, kept(tree, lab, of), picture).passed);
+      return of.step != step || check::judge(of, course.expected(lab, of), picture).passed ||
+             (!of.hidden && check::judge(of, kept(tree, lab, of), picture).passed);
     });
   };
-  for (const LabPlan& lab : full_plan(tree.labs, kSeeds.front(), tree.cache / "models")) {
+  for (const judge::LabPlan& lab : full_plan(tree.labs, kSeeds.front(), tree.cache / "models")) {
     course.prepare(lab);
     for (const course::Step& step : lab.lab.steps)
       if (is_passed(lab, step.id, course.starter_folder(lab)))
@@ -195,7 +197,8 @@ double Spread::most() const {
 std::vector<Spread> spreads(const CourseTree& tree, const fs::path& drawn, const std::string& reference) {
   std::vector<std::string> renderers;
   for (const fs::directory_entry& entry : fs::directory_iterator(drawn))
-    if (fs::exists(entry.path() / kRendererFile)) renderers.push_back(entry.path().filename().string());
+    if (fs::exists(entry.path() / check::kRendererFile))
+      renderers.push_back(entry.path().filename().string());
   std::sort(renderers.begin(), renderers.end());
   std::map<std::pair<std::string, std::string>, Spread> known;
   std::vector<Spread> all;
@@ -203,11 +206,11 @@ std::vector<Spread> spreads(const CourseTree& tree, const fs::path& drawn, const
     for (const course::GradedCase& one : lab.cases)
       all.push_back({lab.number, one.name, name_of(unit_of(one.view)), one.limit, {}});
   for (const char* seed : kSeeds)
-    for (const LabPlan& lab : plans_of(tree, seed, drawn / "models"))
+    for (const judge::LabPlan& lab : plans_of(tree, seed, drawn / "models"))
       in_parallel(processors(), lab.cases.size(), [&](std::size_t i) {
         const course::Case& of = lab.cases[i];
         const fs::path folder = fs::path(seed) / lab.lab.folder;
-        ExpectedFiles expected = kept(tree, lab, of);
+        check::ExpectedFiles expected = kept(tree, lab, of);
         if (of.hidden) {
           expected.reference = drawn / reference / folder / of.file;
           if (!of.is_mesh()) expected.mask = drawn / reference / folder / "mask" / (of.name + ".png");

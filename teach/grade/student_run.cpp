@@ -28,9 +28,8 @@ std::string first_error(const std::string& log) {
 }
 
 /// The steps that a student began in a file.
-std::set<std::string> begun(const Preparation& preparation, const std::string& path,
-                            const std::string& text) {
-  const std::string first = read_file(preparation.starter.source / path);
+std::set<std::string> begun(const ClassSetup& setup, const std::string& path, const std::string& text) {
+  const std::string first = read_file(setup.starter.source / path);
   const std::set<std::string> untouched = course::untouched_steps(text, first);
   std::set<std::string> steps;
   for (const auto& [step, given] : course::step_texts(first))
@@ -38,9 +37,10 @@ std::set<std::string> begun(const Preparation& preparation, const std::string& p
   return steps;
 }
 
-Failed failed_by(const std::map<std::string, std::string>& refused, const Case& of, const fs::path& out) {
+judge::Failed failed_by(const std::map<std::string, std::string>& refused, const Case& of,
+                        const fs::path& out) {
   const auto found = refused.find(of.file);
-  return {picture_bytes(out / of.file), found == refused.end() ? "" : found->second};
+  return {check::picture_bytes(out / of.file), found == refused.end() ? "" : found->second};
 }
 
 /// What macOS and Windows put beside files.
@@ -52,15 +52,15 @@ bool is_of_system(const std::string& path) {
 
 }  // namespace
 
-StudentRun::StudentRun(const Preparation& preparation, const GradeOptions& options, const Entry& entry,
+StudentRun::StudentRun(const ClassSetup& setup, const GradeOptions& options, const Entry& entry,
                        fs::path folder)
-    : preparation_(preparation),
+    : setup_(setup),
       options_(options),
       folder_(std::move(folder)),
-      submission_(unpack(entry, preparation.allowed, {}, begun_since([&](const std::string& file) {
-                           return read_file(preparation.starter.source / file);
+      submission_(unpack(entry, setup.allowed, {}, begun_since([&](const std::string& file) {
+                           return read_file(setup.starter.source / file);
                          }))) {
-  for (const auto& [path, text] : submission_.files) begun_.merge(begun(preparation, path, text));
+  for (const auto& [path, text] : submission_.files) begun_.merge(begun(setup, path, text));
   std::map<std::string, std::string> shaders;
   for (const auto& [path, text] : submission_.files) {
     digest_ = fingerprint({digest_, path, text});
@@ -68,8 +68,8 @@ StudentRun::StudentRun(const Preparation& preparation, const GradeOptions& optio
   }
   digest_ = fingerprint({digest_, submission_.fault});
   fs::remove_all(folder_);
-  overlay(preparation.starter.source / "shaders", shaders, folder_ / "root/shaders");
-  fs::create_directory_symlink(preparation.starter.source / "assets", folder_ / "root/assets");
+  overlay(setup.starter.source / "shaders", shaders, folder_ / "root/shaders");
+  fs::create_directory_symlink(setup.starter.source / "assets", folder_ / "root/assets");
 }
 
 StudentRun::~StudentRun() {
@@ -83,22 +83,21 @@ bool StudentRun::is_of_course(const std::string& path) const {
   const std::string below = path.substr(submission_.root.size());
   for (const std::string folder : {"build", "out", ".starter", ".devcontainer", ".git", ".vscode", ".cache"})
     if (below == folder || below.starts_with(folder + "/")) return true;
-  const auto given = preparation_.given.find(lower_case(below));
+  const auto given = setup_.given.find(lower_case(below));
   const auto size = submission_.sizes.find(path);  // none of a file that was taken at first
   // Reset and update count what they keep, as in .before-reset-2.
   return below.find(".before-reset") != std::string::npos || below.starts_with(".before-update") ||
          below == ".gitignore" || below == ".gitattributes" ||
-         (given != preparation_.given.end() && size != submission_.sizes.end() &&
-          given->second == size->second);
+         (given != setup_.given.end() && size != submission_.sizes.end() && given->second == size->second);
 }
 
-std::vector<Ignored> StudentRun::worth_telling() const {
+std::vector<store::Ignored> StudentRun::worth_telling() const {
   constexpr std::size_t most = 100;
-  std::vector<Ignored> told = submission_.copies;
-  for (const Ignored& file : submission_.ignored) {
+  std::vector<store::Ignored> told = submission_.copies;
+  for (const store::Ignored& file : submission_.ignored) {
     const bool is_in_copy =
         std::any_of(submission_.copies.begin(), submission_.copies.end(),
-                    [&](const Ignored& copy) { return file.path.starts_with(copy.path); });
+                    [&](const store::Ignored& copy) { return file.path.starts_with(copy.path); });
     if (is_in_copy || is_of_system(file.path) || is_of_course(file.path)) continue;
     if (told.size() >= most) {
       told.push_back({"…", fmt::format("and more: {} files in all", submission_.ignored.size())});
@@ -109,23 +108,20 @@ std::vector<Ignored> StudentRun::worth_telling() const {
   return told;
 }
 
-JudgedLab StudentRun::judge(const LabPlan& plan, const std::vector<Case>& cases,
+JudgedLab StudentRun::judge(const judge::LabPlan& plan, const std::vector<Case>& cases,
                             const std::function<void(const JudgedCase&)>& keep) const {
   std::map<std::string, std::string> sources;
   for (const auto& [path, text] : submission_.files)
     if (path.ends_with(".cpp")) sources[path] = text;
-  const Program program = preparation_.workshop->make(plan.lab.program(), sources, &budget_);
+  const Program program = setup_.workshop->make(plan.lab.program(), sources, &budget_);
 
   const fs::path out = folder_ / plan.lab.folder;
-  Studio studio{program.file,
-                folder_ / "root",
-                options_.context,
-                options_.run,
-                {preparation_.starter.source / "assets"}};
+  check::Studio studio{
+      program.file, folder_ / "root", options_.context, options_.run, {setup_.starter.source / "assets"}};
   studio.budget = &budget_;
-  if (fs::exists(preparation_.models)) studio.readable.push_back(preparation_.models);
+  if (fs::exists(setup_.models)) studio.readable.push_back(setup_.models);
   fs::remove_all(out);
-  const Drawn drawn = submission_.fault.empty() ? draw(studio, cases, out) : Drawn();
+  const check::Drawn drawn = submission_.fault.empty() ? draw(studio, cases, out) : check::Drawn();
 
   // Step by step: a mistake shows in all pictures of its step.
   for (const course::Step& step : plan.lab.steps) {
@@ -135,18 +131,18 @@ JudgedLab StudentRun::judge(const LabPlan& plan, const std::vector<Case>& cases,
       if (one.step != step.id) continue;
       of_step.results.push_back(judged(plan, one, program, drawn, out));
       if (of_step.results.back().passed()) continue;
-      const Failed& failed = of_step.failed[one.name] = failed_by(drawn.refused, one, out);
+      const judge::Failed& failed = of_step.failed[one.name] = failed_by(drawn.refused, one, out);
       if (!failed.picture.empty()) wrong.insert(one.name);
     }
     const bool is_begun = submission_.fault.empty() && begun_.contains(step.id);
-    const Mistake* mistake = nullptr;
+    const judge::Mistake* mistake = nullptr;
     if (is_begun && !of_step.failed.empty()) {
       if (options_.judge_alone) judge_alone(plan, step.id, of_step);
       std::erase_if(of_step.failed,
                     [](const auto& one) { return one.second.picture.empty() && one.second.refused.empty(); });
-      if (!of_step.failed.empty()) mistake = preparation_.course->recognise(plan, step.id, of_step.failed);
+      if (!of_step.failed.empty()) mistake = setup_.course->recognize(plan, step.id, of_step.failed);
     }
-    for (CaseResult& result : of_step.results) {
+    for (judge::CaseResult& result : of_step.results) {
       if (mistake != nullptr && of_step.failed.contains(result.name))
         result.mistake = mistake->name, result.mistake_says = mistake->says;
       keep({result, wrong.contains(result.name) ? out / result.file : fs::path()});
@@ -156,50 +152,50 @@ JudgedLab StudentRun::judge(const LabPlan& plan, const std::vector<Case>& cases,
   return {program.refused, drawn.notes};
 }
 
-void StudentRun::judge_alone(const LabPlan& plan, const std::string& step, StepCases& cases) const {
+void StudentRun::judge_alone(const judge::LabPlan& plan, const std::string& step, StepCases& cases) const {
   const fs::path out = folder_ / (plan.lab.folder + ".alone");
   std::vector<Case> again;
-  for (const CaseResult& result : cases.results)
+  for (const judge::CaseResult& result : cases.results)
     if (!result.passed()) again.push_back(result);
-  const auto refused = draw_alone(preparation_, options_, submission_.files, plan, step, again, out / "root",
+  const auto refused = draw_alone(setup_, options_, submission_.files, plan, step, again, out / "root",
                                   out / "pictures", &budget_);
-  for (CaseResult& result : cases.results) {
+  for (judge::CaseResult& result : cases.results) {
     if (result.passed()) continue;
     if (!refused) {
-      result.judged = Judged::markers_lost;
+      result.judged = judge::Judged::markers_lost;
       continue;
     }
-    const Verdict verdict =
-        grade::judge(result, preparation_.course->expected(plan, result), out / "pictures" / result.file);
+    const judge::Verdict verdict =
+        check::judge(result, setup_.course->expected(plan, result), out / "pictures" / result.file);
     const double score = coarse_score(verdict.score);
     if (verdict.passed)
       cases.failed.erase(result.name);
     else
       cases.failed[result.name] = failed_by(*refused, result, out / "pictures");
     if (score <= result.score) continue;
-    result.judged = Judged::alone, result.score = score;
-    result.status = verdict.passed ? CaseStatus::passed : CaseStatus::failed;
+    result.judged = judge::Judged::alone, result.score = score;
+    result.status = verdict.passed ? judge::CaseStatus::passed : judge::CaseStatus::failed;
     result.error = verdict.passed ? 0 : coarse_error(verdict.error);
   }
   fs::remove_all(out);
 }
 
-CaseResult StudentRun::judged(const LabPlan& plan, const Case& of, const Program& program, const Drawn& drawn,
-                              const fs::path& out) const {
-  CaseResult result{of};
-  result.command = of.hidden ? "" : command(plan.lab, of);
+judge::CaseResult StudentRun::judged(const judge::LabPlan& plan, const Case& of, const Program& program,
+                                     const check::Drawn& drawn, const fs::path& out) const {
+  judge::CaseResult result{of};
+  result.command = of.hidden ? "" : judge::command(plan.lab, of);
   if (!of.hidden) result.reference = fmt::format("references/{}/{}", plan.lab.folder, of.file);
-  const Verdict verdict = grade::judge(of, preparation_.course->expected(plan, of), out / of.file);
+  const judge::Verdict verdict = check::judge(of, setup_.course->expected(plan, of), out / of.file);
   // A picture that changed through earlier steps does not score for a step that nobody began.
   const bool is_untouched = !begun_.contains(of.step) && submission_.fault.empty();
-  settle(result, verdict, fault_of(of, program, drawn), is_untouched);
+  judge::resolve(result, verdict, fault_of(of, program, drawn), is_untouched);
   return result;
 }
 
-std::string StudentRun::fault_of(const Case& of, const Program& program, const Drawn& drawn) const {
-  const auto place = preparation_.course->places().find(of.step);
-  if (place != preparation_.course->places().end())
-    for (const CompilerLog& log : program.refused)
+std::string StudentRun::fault_of(const Case& of, const Program& program, const check::Drawn& drawn) const {
+  const auto place = setup_.course->places().find(of.step);
+  if (place != setup_.course->places().end())
+    for (const store::CompilerLog& log : program.refused)
       if (log.file == place->second.file)
         return fmt::format("{} does not compile: {}", log.file, first_error(log.text));
   if (!submission_.fault.empty()) return submission_.fault;
@@ -207,7 +203,7 @@ std::string StudentRun::fault_of(const Case& of, const Program& program, const D
   if (fault == drawn.faults.end()) return {};
   // Without the grader's own folders.
   std::string text = fault->second;
-  for (const fs::path& folder : {preparation_.models, preparation_.starter.source, options_.out / "work"})
+  for (const fs::path& folder : {setup_.models, setup_.starter.source, options_.out / "work"})
     for (std::size_t at = 0; (at = text.find(folder.string() + "/", at)) != text.npos;)
       text.erase(at, folder.string().size() + 1);
   return text;

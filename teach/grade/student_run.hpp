@@ -8,21 +8,21 @@
 #include <vector>
 
 #include "check/studio.hpp"
+#include "class_setup.hpp"
 #include "grade/submission.hpp"
 #include "judge/mistakes.hpp"
-#include "preparation.hpp"
 
 namespace texel::grade {
 
 /// A case that was judged, and the student's picture where it is wrong.
 struct JudgedCase {
-  CaseResult result;
+  judge::CaseResult result;
   std::filesystem::path picture;  ///< a file that is gone after the lab, or none
 };
 
 /// What one lab of one student came to.
 struct JudgedLab {
-  std::vector<CompilerLog> logs;
+  std::vector<store::CompilerLog> logs;
   std::vector<std::string> notes;
 };
 
@@ -31,7 +31,7 @@ class StudentRun {
  public:
   /// Opens the submission, and makes its shaders' tree in `folder`, which is gone with this. Throws Error
   /// (exit 3) for faults of the machine.
-  StudentRun(const Preparation& preparation, const GradeOptions& options, const Entry& entry,
+  StudentRun(const ClassSetup& setup, const GradeOptions& options, const Entry& entry,
              std::filesystem::path folder);
   ~StudentRun();
   StudentRun(const StudentRun&) = delete;
@@ -42,30 +42,31 @@ class StudentRun {
   [[nodiscard]] const std::string& digest() const { return digest_; }
   /// What the student should know of the files that were not taken: files of the course that came back
   /// unchanged are no news; of the others the first hundred.
-  [[nodiscard]] std::vector<Ignored> worth_telling() const;
+  [[nodiscard]] std::vector<store::Ignored> worth_telling() const;
 
   /// Compiles the lab's program, draws the cases and judges them, step by step, what failed also alone
   /// (judged_alone.hpp); `keep` gets each as it is judged. Throws Error (exit 3) for faults of the machine.
-  JudgedLab judge(const LabPlan& plan, const std::vector<course::Case>& cases,
+  JudgedLab judge(const judge::LabPlan& plan, const std::vector<course::Case>& cases,
                   const std::function<void(const JudgedCase&)>& keep) const;
 
  private:
   [[nodiscard]] bool is_of_course(const std::string& path) const;
   /// What became of the cases of one step, each judged as the student's tree draws it.
   struct StepCases {
-    std::vector<CaseResult> results;
-    std::map<std::string, Failed> failed;  ///< by the case's name
+    std::vector<judge::CaseResult> results;
+    std::map<std::string, judge::Failed> failed;  ///< by the case's name
   };
   /// Judges the failed cases again, with the solution standing in for all other steps: the better mark
   /// counts. Those that still fail are then the failed ones. Nothing changes but `judged` where it cannot be
   /// done.
-  void judge_alone(const LabPlan& plan, const std::string& step, StepCases& cases) const;
-  [[nodiscard]] CaseResult judged(const LabPlan& plan, const course::Case& of, const Program& program,
-                                  const Drawn& drawn, const std::filesystem::path& out) const;
+  void judge_alone(const judge::LabPlan& plan, const std::string& step, StepCases& cases) const;
+  [[nodiscard]] judge::CaseResult judged(const judge::LabPlan& plan, const course::Case& of,
+                                         const Program& program, const check::Drawn& drawn,
+                                         const std::filesystem::path& out) const;
   [[nodiscard]] std::string fault_of(const course::Case& of, const Program& program,
-                                     const Drawn& drawn) const;
+                                     const check::Drawn& drawn) const;
 
-  const Preparation& preparation_;
+  const ClassSetup& setup_;
   const GradeOptions& options_;
   std::filesystem::path folder_;
   Submission submission_;

@@ -67,8 +67,8 @@ std::string refuse_or_clean(std::string& path) {
 
 // --- Folders -----------------------------------------------------------------------------------------------
 
-Descriptor open_folder(const Entry& entry) {
-  Descriptor folder(::open(entry.path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+sandbox::Descriptor open_folder(const Entry& entry) {
+  sandbox::Descriptor folder(::open(entry.path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   if (!folder.is_open())
     throw Error::failed(fmt::format("cannot open: {}", std::strerror(errno)), {entry.path.string()},
                         "check its read permission");
@@ -82,8 +82,9 @@ class FolderList {
   explicit FolderList(const UnpackLimits& limits) : limits_(limits) {}
 
   /// `prefix` is the folder's path as text, `place` as the disk has it; both are "" or end in '/'.
-  void walk(const Descriptor& folder, const std::string& prefix, const std::string& place, int depth) {
-    for (const std::string& name : names_in(folder, limits_.entries + 1)) {
+  void walk(const sandbox::Descriptor& folder, const std::string& prefix, const std::string& place,
+            int depth) {
+    for (const std::string& name : sandbox::names_in(folder, limits_.entries + 1)) {
       if (count_ == limits_.entries) listing.fault = too_many(limits_);
       if (!listing.fault.empty()) return;
       add(folder, name, {prefix + name, {}, count_++, place + name}, depth);
@@ -93,12 +94,13 @@ class FolderList {
   Listing listing;
 
  private:
-  void add(const Descriptor& folder, const std::string& name, Item item, int depth) {
+  void add(const sandbox::Descriptor& folder, const std::string& name, Item item, int depth) {
     struct stat status {};
     const bool is_known = ::fstatat(folder.get(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
     item.refused = refuse_or_clean(item.path);
     if (is_known && S_ISDIR(status.st_mode) && item.refused.empty()) {
-      if (depth < deepest) return walk(open_in(folder, name), item.path + '/', item.place + '/', depth + 1);
+      if (depth < deepest)
+        return walk(sandbox::open_in(folder, name), item.path + '/', item.place + '/', depth + 1);
       item.refused = "is in too many nested folders";
     }
     if (item.refused.empty()) item.refused = refuse_kind(is_known, status);
@@ -124,10 +126,10 @@ Listing list_folder(const Entry& entry, const UnpackLimits& limits) {
 }
 
 /// Opens a file below a folder, part by part, so that no link on the way is followed.
-Descriptor open_below(Descriptor folder, std::string_view path) {
+sandbox::Descriptor open_below(sandbox::Descriptor folder, std::string_view path) {
   while (folder.is_open() && !path.empty()) {
     const std::size_t end = std::min(path.find('/'), path.size());
-    folder = open_in(folder, std::string(path.substr(0, end)));
+    folder = sandbox::open_in(folder, std::string(path.substr(0, end)));
     path.remove_prefix(std::min(end + 1, path.size()));
   }
   return folder;
@@ -139,13 +141,13 @@ void read_folder(const Entry& entry, const std::set<std::size_t>& wanted, const 
                  Submission& submission, const Take& take) {
   for (const Item& item : list_folder(entry, limits).items) {
     if (!wanted.contains(item.position)) continue;
-    const Descriptor file = open_below(open_folder(entry), item.place);
+    const sandbox::Descriptor file = open_below(open_folder(entry), item.place);
     struct stat status {};
     if (!item.refused.empty() || ::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode)) {
       submission.ignored.push_back({item.path, "changed while it was read"});
       continue;
     }
-    std::string bytes = read_some(file, limits.file + 1);
+    std::string bytes = sandbox::read_some(file, limits.file + 1);
     if (bytes.size() > limits.file)
       submission.ignored.push_back({item.path, too_large(limits)});
     else

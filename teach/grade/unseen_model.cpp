@@ -170,12 +170,12 @@ std::string numbers(Random& random) {
   ObjText text;
   const auto position = [&](int point) {
     const std::string weight = random.one_in(2) ? " 1.000000" : "";
-    std::string colour;
+    std::string color;
     if (random.one_in(2)) {
       const glm::dvec3 rgb = random.vector(0, 1);
-      colour = fmt::format(" {:.6f} {:.6f} {:.6f}", rgb.r, rgb.g, rgb.b);
+      color = fmt::format(" {:.6f} {:.6f} {:.6f}", rgb.r, rgb.g, rgb.b);
     }
-    return text.position(at(relief.points, point), weight + colour);
+    return text.position(at(relief.points, point), weight + color);
   };
   const auto texcoord = [&](int point) {
     const glm::dvec2 st = at(relief.texcoords, point);

@@ -55,13 +55,13 @@ std::vector<std::string> verify_starter(const CourseTree& options,
     grading.labs = {lab.number};
     grading.run = run_plainly;  // the course's own
     grade_class(grading, [&](const std::string& line) { say(fmt::format("lab {}: {}", lab.number, line)); });
-    const ClassResult results = read_results(grading.out, options.course);
+    const store::ClassResult results = read_results(grading.out, options.course);
     for (std::size_t k = 0; k < results.students.size(); ++k) {
-      const StudentResult& student = results.students[k];
+      const store::StudentResult& student = results.students[k];
       if (!student.incident.empty()) throw Error::failed(student.incident);
       std::vector<std::string> passed, expected;
-      for (const StepResult& step : student.labs.front().steps)
-        if (step.status == Status::passed) passed.push_back(step.id);
+      for (const judge::StepResult& step : student.labs.front().steps)
+        if (step.status == judge::Status::passed) passed.push_back(step.id);
       for (std::size_t i = 0; i < k; ++i) expected.push_back(lab.steps[i].id);
       if (student.id != stage_name(k) || passed != expected)
         faults.push_back(fmt::format("lab {} with {} of {} steps solved passes [{}], not [{}]", lab.number, k,

@@ -10,12 +10,12 @@
 #include <sstream>
 #include <string_view>
 
+#include "cache.hpp"
 #include "core/error.hpp"
 #include "core/file_lock.hpp"
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
 #include "fingerprint.hpp"
-#include "kept.hpp"
 #include "material/starter.hpp"
 
 namespace texel::grade {
@@ -208,7 +208,7 @@ Workshop::Object Workshop::compile(const Recipe& recipe, const std::string& path
   // The labs of one student, side by side, all want the file: the first compiles it.
   const std::scoped_lock compiling(*own);
   const fs::path kept = cache_ / "objects" / object.key;
-  if (is_kept(kept)) {
+  if (is_cached(kept)) {
     if (fs::exists(kept / name))
       object.file = kept / name;
     else
@@ -330,16 +330,16 @@ Program Workshop::make(const std::string& program, const std::map<std::string, s
       cache_ / "programs" /
       fingerprint({tree_.fingerprint, program, fmt::format("{}", fmt::join(how.link, "\n")), keys});
   made.file = kept / program;
-  if (is_kept(kept)) return made;
+  if (is_cached(kept)) return made;
   const std::string log = link(how, program, objects, kept);
   if (log.empty()) return made;
   if (objects.empty())
     throw Error::failed(fmt::format("the course's own '{}' does not link", program), {}, log);
   // Those that link without the others stay.
   std::map<std::string, std::string> sound;
-  std::vector<CompilerLog> refused;
+  std::vector<store::CompilerLog> refused;
   for (const auto& [path, object] : objects) {
-    std::vector<CompilerLog> alone = {{path, log}};
+    std::vector<store::CompilerLog> alone = {{path, log}};
     if (objects.size() > 1) {
       const std::map<std::string, std::string> one_file = {{path, files.at(path)}};
       alone = make(program, one_file, budget).refused;
@@ -370,7 +370,7 @@ BuiltTree starter_tree(const fs::path& course, const fs::path& cache) {
     print = fingerprint({print, file.path, file.text ? *file.text : read_file(file.source)});
   BuiltTree tree{cache / ("starter-" + print.substr(0, 16)), {}, print};
   tree.build = tree.source / "build/release";
-  if (is_kept(tree.source) && fs::exists(tree.build / "is-built")) return tree;
+  if (is_cached(tree.source) && fs::exists(tree.build / "is-built")) return tree;
   fs::remove_all(tree.source);
   material::write_files(files, tree.source);
   output_of({"cmake", "--preset", "release"}, tree.source, 300);

@@ -23,8 +23,9 @@ struct BuiltTree {
 
 /// A program with some changed files in it.
 struct Program {
-  std::filesystem::path file;        ///< alone in its folder
-  std::vector<CompilerLog> refused;  ///< changed files that did not compile or link: the tree's are in place
+  std::filesystem::path file;  ///< alone in its folder
+  std::vector<store::CompilerLog>
+      refused;  ///< changed files that did not compile or link: the tree's are in place
 };
 
 /// Makes programs and keeps them in `cache`, under the fingerprint of what they were made of. Members may be

@@ -11,7 +11,7 @@
 #include "reports/reports.hpp"
 #include "wording.hpp"
 
-namespace texel::grade {
+namespace texel::reports {
 namespace {
 
 /// A mistake that somebody made.
@@ -23,20 +23,20 @@ struct Mistake {
 
 /// How a step went in the class.
 struct Tried {
-  const StepResult* step = nullptr;   ///< of anybody
-  std::size_t begun = 0, failed = 0;  ///< students
+  const judge::StepResult* step = nullptr;  ///< of anybody
+  std::size_t begun = 0, failed = 0;        ///< students
 };
 
 /// The steps that anybody began, those first that fail most often.
-std::vector<Tried> tried_steps(const ClassResult& results) {
+std::vector<Tried> tried_steps(const store::ClassResult& results) {
   std::map<std::string, Tried> by_step;
-  for (const StudentResult& student : results.students)
-    for (const LabResult& lab : student.labs)
-      for (const StepResult& step : lab.steps) {
+  for (const store::StudentResult& student : results.students)
+    for (const judge::LabResult& lab : student.labs)
+      for (const judge::StepResult& step : lab.steps) {
         if (!student.fault.empty() || step.cases.empty() || step.is_untouched()) continue;
         Tried& tried = by_step[step.id];
         tried.step = &step, ++tried.begun;
-        if (step.status != Status::passed) ++tried.failed;
+        if (step.status != judge::Status::passed) ++tried.failed;
       }
   std::vector<Tried> all;
   for (const auto& [id, tried] : by_step) all.push_back(tried);
@@ -63,13 +63,13 @@ std::string histogram_line(std::size_t count, std::size_t most, const std::strin
 }
 
 /// By how many students made them, then by name.
-std::vector<Mistake> histogram(const ClassResult& results) {
+std::vector<Mistake> histogram(const store::ClassResult& results) {
   std::map<std::string, Mistake> by_name;
-  for (const StudentResult& student : results.students) {
+  for (const store::StudentResult& student : results.students) {
     std::set<std::string> made;
-    for (const LabResult& lab : student.labs)
-      for (const StepResult& step : lab.steps) {
-        if (step.status != Status::failed || step.mistake.empty()) continue;
+    for (const judge::LabResult& lab : student.labs)
+      for (const judge::StepResult& step : lab.steps) {
+        if (step.status != judge::Status::failed || step.mistake.empty()) continue;
         Mistake& mistake = by_name[step.mistake];
         mistake.name = step.mistake;
         mistake.says = step.mistake_says;
@@ -86,21 +86,21 @@ std::vector<Mistake> histogram(const ClassResult& results) {
 }
 
 /// The labs of the class with their steps: students whose submission could not be read may have none.
-std::vector<LabResult> all_labs(const ClassResult& results) {
-  std::map<int, LabResult> labs;
-  for (const StudentResult& student : results.students)
-    for (const LabResult& lab : student.labs) {
+std::vector<judge::LabResult> all_labs(const store::ClassResult& results) {
+  std::map<int, judge::LabResult> labs;
+  for (const store::StudentResult& student : results.students)
+    for (const judge::LabResult& lab : student.labs) {
       const auto [place, is_new] = labs.try_emplace(lab.lab.number, lab);
       if (!is_new && lab.steps.size() > place->second.steps.size()) place->second = lab;
     }
-  std::vector<LabResult> result;
+  std::vector<judge::LabResult> result;
   for (auto& [lab_number, lab] : labs) result.push_back(std::move(lab));
   return result;
 }
 
-const StepResult* find_step(const StudentResult& student, const std::string& id) {
-  for (const LabResult& lab : student.labs)
-    for (const StepResult& step : lab.steps)
+const judge::StepResult* find_step(const store::StudentResult& student, const std::string& id) {
+  for (const judge::LabResult& lab : student.labs)
+    for (const judge::StepResult& step : lab.steps)
       if (step.id == id) return &step;
   return nullptr;
 }
@@ -112,13 +112,13 @@ std::string column(const std::string& label, const char* style, const std::strin
       style, escaped(title), escaped(label));
 }
 
-std::string head(const std::vector<LabResult>& labs) {
+std::string head(const std::vector<judge::LabResult>& labs) {
   std::string groups = "<td colspan=\"2\"></td>", columns;
   columns = column("Student", "name", "Sort by name") + column("Points", "number", "Sort by points");
-  for (const LabResult& lab : labs) {
+  for (const judge::LabResult& lab : labs) {
     groups += fmt::format("<th scope=\"colgroup\" colspan=\"{}\" title=\"{}\">Lab {}</th>", lab.steps.size(),
                           escaped(lab.lab.title), lab.lab.number);
-    for (const StepResult& step : lab.steps)
+    for (const judge::StepResult& step : lab.steps)
       columns +=
           column(step.id, &step == &lab.steps.front() ? "step first" : "step",
                  fmt::format("Sort by step {}: {}, {} points", step.id, step.title, number(step.points)));
@@ -126,7 +126,7 @@ std::string head(const std::vector<LabResult>& labs) {
   return fmt::format("<thead>\n<tr>{}</tr>\n<tr>{}</tr>\n</thead>\n", groups, columns);
 }
 
-std::string cell(const StepResult* step, bool is_first) {
+std::string cell(const judge::StepResult* step, bool is_first) {
   const char* first = is_first ? " first" : "";
   if (step == nullptr) return fmt::format("<td class=\"step{}\" data-sort=\"-1\"></td>", first);
   const Standing stands = standing(*step);
@@ -141,15 +141,15 @@ std::string cell(const StepResult* step, bool is_first) {
       step->overridden.empty() ? "" : "*", stands.word);
 }
 
-std::string row(const StudentResult& student, const std::vector<LabResult>& labs) {
+std::string row(const store::StudentResult& student, const std::vector<judge::LabResult>& labs) {
   std::string mistakes, cells;
   bool all_passed = student.fault.empty();
-  for (const LabResult& lab : labs)
-    for (const StepResult& of_class : lab.steps) {
-      const StepResult* step = find_step(student, of_class.id);
+  for (const judge::LabResult& lab : labs)
+    for (const judge::StepResult& of_class : lab.steps) {
+      const judge::StepResult* step = find_step(student, of_class.id);
       cells += cell(step, &of_class == &lab.steps.front());
-      all_passed &= step != nullptr && step->status == Status::passed;
-      if (step != nullptr && step->status == Status::failed && !step->mistake.empty())
+      all_passed &= step != nullptr && step->status == judge::Status::passed;
+      if (step != nullptr && step->status == judge::Status::failed && !step->mistake.empty())
         mistakes += " " + step->mistake;
     }
   const bool has_incident = !student.incident.empty(), has_no_mark = !student.unmarked().empty();
@@ -175,15 +175,15 @@ std::string row(const StudentResult& student, const std::vector<LabResult>& labs
       has_no_mark ? "-1" : number(student.points(), 6), points, cells);
 }
 
-std::string foot(const ClassResult& results, const std::vector<LabResult>& labs) {
+std::string foot(const store::ClassResult& results, const std::vector<judge::LabResult>& labs) {
   std::string cells;
-  for (const LabResult& lab : labs)
-    for (const StepResult& of_class : lab.steps) {
-      const auto passed =
-          std::count_if(results.students.begin(), results.students.end(), [&](const StudentResult& student) {
-            const StepResult* step = find_step(student, of_class.id);
-            return step != nullptr && step->status == Status::passed;
-          });
+  for (const judge::LabResult& lab : labs)
+    for (const judge::StepResult& of_class : lab.steps) {
+      const auto passed = std::count_if(results.students.begin(), results.students.end(),
+                                        [&](const store::StudentResult& student) {
+                                          const judge::StepResult* step = find_step(student, of_class.id);
+                                          return step != nullptr && step->status == judge::Status::passed;
+                                        });
       cells += fmt::format("<td class=\"step{}\">{}</td>", &of_class == &lab.steps.front() ? " first" : "",
                            passed);
     }
@@ -201,9 +201,9 @@ std::string rest_of(const std::string& says) {
   return rest;
 }
 
-std::string students_section(const ClassResult& results, const std::vector<LabResult>& labs) {
+std::string students_section(const store::ClassResult& results, const std::vector<judge::LabResult>& labs) {
   std::string rows;
-  for (const StudentResult& student : results.students) rows += row(student, labs);
+  for (const store::StudentResult& student : results.students) rows += row(student, labs);
   return fmt::format(
       "<section id=\"students\">\n<h2>Students</h2>\n<div class=\"filter\">\n"
       "<label>Find <input type=\"search\" id=\"find\" placeholder=\"name or number\" "
@@ -238,14 +238,14 @@ std::string steps_section(const std::vector<Tried>& all) {
          "</section>\n";
 }
 
-std::string mistakes_section(const ClassResult& results, const std::vector<Tried>& tried) {
+std::string mistakes_section(const store::ClassResult& results, const std::vector<Tried>& tried) {
   const std::vector<Mistake> mistakes = histogram(results);
   std::size_t unnamed = 0;
-  for (const StudentResult& student : results.students)
-    for (const LabResult& lab : student.labs)
+  for (const store::StudentResult& student : results.students)
+    for (const judge::LabResult& lab : student.labs)
       unnamed += static_cast<std::size_t>(
-          std::count_if(lab.steps.begin(), lab.steps.end(), [](const StepResult& step) {
-            return step.status == Status::failed && step.mistake.empty() && !step.cases.empty() &&
+          std::count_if(lab.steps.begin(), lab.steps.end(), [](const judge::StepResult& step) {
+            return step.status == judge::Status::failed && step.mistake.empty() && !step.cases.empty() &&
                    !step.is_untouched();
           }));
   std::string html = "<section id=\"mistakes\">\n<h2>Mistakes</h2>\n";
@@ -270,9 +270,9 @@ std::string mistakes_section(const ClassResult& results, const std::vector<Tried
   return html + "</section>\n";
 }
 
-std::string incidents_section(const ClassResult& results) {
+std::string incidents_section(const store::ClassResult& results) {
   std::string items;
-  for (const StudentResult& student : results.students)
+  for (const store::StudentResult& student : results.students)
     if (!student.unmarked().empty())
       items += fmt::format("<dt><a href=\"{}\"><bdi>{}</bdi></a></dt><dd>{}</dd>\n", page_name(student),
                            escaped(student.name), escaped(student.unmarked()));
@@ -284,12 +284,12 @@ std::string incidents_section(const ClassResult& results) {
          items + "</dl>\n</section>\n";
 }
 
-std::string changes_section(const ClassResult& results) {
+std::string changes_section(const store::ClassResult& results) {
   if (results.changes.empty()) return "";
-  std::map<std::string, const StudentResult*> by_id;
-  for (const StudentResult& student : results.students) by_id[student.id] = &student;
+  std::map<std::string, const store::StudentResult*> by_id;
+  for (const store::StudentResult& student : results.students) by_id[student.id] = &student;
   std::string rows;
-  for (const Change& change : results.changes) {
+  for (const store::Change& change : results.changes) {
     const auto found = by_id.find(change.student);
     const std::string name =
         found == by_id.end()
@@ -309,10 +309,10 @@ std::string changes_section(const ClassResult& results) {
 }
 
 /// "8 students. Mean 21.3 of 42 points, median 20. 1 not graded."
-std::string summary(const ClassResult& results) {
+std::string summary(const store::ClassResult& results) {
   std::vector<double> points;
   double most = 0;
-  for (const StudentResult& student : results.students) {
+  for (const store::StudentResult& student : results.students) {
     most = std::max(most, student.max_points());
     if (student.unmarked().empty()) points.push_back(student.points());
   }
@@ -332,8 +332,8 @@ std::string summary(const ClassResult& results) {
 
 }  // namespace
 
-std::string class_page(const ClassResult& results) {
-  const std::vector<LabResult> labs = all_labs(results);
+std::string class_page(const store::ClassResult& results) {
+  const std::vector<judge::LabResult> labs = all_labs(results);
   const std::vector<Tried> tried = tried_steps(results);
   const std::string incidents = incidents_section(results), changes = changes_section(results);
   return page(
@@ -350,4 +350,4 @@ std::string class_page(const ClassResult& results) {
       kClassScript);
 }
 
-}  // namespace texel::grade
+}  // namespace texel::reports

@@ -6,7 +6,7 @@
 #include "reports/reports.hpp"
 #include "wording.hpp"
 
-namespace texel::grade {
+namespace texel::reports {
 namespace {
 
 /// A cell as it stands: no formula (OWASP, "CSV Injection"; the last four are the full-width signs, which
@@ -38,18 +38,18 @@ std::string row(const std::vector<std::string>& cells) {
 }
 
 /// Whether a step of the lab was handed in, or has a score by hand.
-bool is_begun(const StudentResult& student, const LabResult& lab) {
-  return std::any_of(lab.steps.begin(), lab.steps.end(), [&](const StepResult& step) {
+bool is_begun(const store::StudentResult& student, const judge::LabResult& lab) {
+  return std::any_of(lab.steps.begin(), lab.steps.end(), [&](const judge::StepResult& step) {
     return (student.fault.empty() && !step.is_untouched()) || !step.overridden.empty();
   });
 }
 
 /// The steps of each lab that anybody has, in the labs' own order.
-std::map<int, std::vector<std::string>> columns(const ClassResult& results) {
+std::map<int, std::vector<std::string>> columns(const store::ClassResult& results) {
   std::map<int, std::vector<std::string>> labs;
-  for (const StudentResult& student : results.students)
-    for (const LabResult& lab : student.labs)
-      for (const StepResult& step : lab.steps) {
+  for (const store::StudentResult& student : results.students)
+    for (const judge::LabResult& lab : student.labs)
+      for (const judge::StepResult& step : lab.steps) {
         std::vector<std::string>& steps = labs[lab.lab.number];
         if (std::find(steps.begin(), steps.end(), step.id) == steps.end()) steps.push_back(step.id);
       }
@@ -58,7 +58,7 @@ std::map<int, std::vector<std::string>> columns(const ClassResult& results) {
 
 }  // namespace
 
-std::string csv(const ClassResult& results) {
+std::string csv(const store::ClassResult& results) {
   const std::map<int, std::vector<std::string>> labs = columns(results);
   std::vector<std::string> head = {"name", "id", "number", "total"};
   for (const auto& [lab, steps] : labs) head.push_back("lab " + std::to_string(lab));
@@ -67,11 +67,11 @@ std::string csv(const ClassResult& results) {
   head.insert(head.end(), {"begun", "note"});
 
   std::string text = row(head);
-  for (const StudentResult& student : results.students) {
+  for (const store::StudentResult& student : results.students) {
     const bool graded = student.unmarked().empty();
     const auto points = [&](double value) { return graded ? number(value, 4) : ""; };
-    std::map<int, const LabResult*> by_number;
-    for (const LabResult& lab : student.labs) by_number[lab.lab.number] = &lab;
+    std::map<int, const judge::LabResult*> by_number;
+    for (const judge::LabResult& lab : student.labs) by_number[lab.lab.number] = &lab;
 
     std::vector<std::string> cells = {line(student.name), student.id, line(student.number),
                                       points(student.points())};
@@ -81,19 +81,19 @@ std::string csv(const ClassResult& results) {
       for (const std::string& id : steps) {
         double value = 0;
         if (by_number.contains(lab))
-          for (const StepResult& step : by_number[lab]->steps)
+          for (const judge::StepResult& step : by_number[lab]->steps)
             if (step.id == id) value = step.points * step.score;
         cells.push_back(points(value));
       }
     std::string begun;
-    for (const LabResult& lab : student.labs)
+    for (const judge::LabResult& lab : student.labs)
       if (graded && is_begun(student, lab))
         begun += (begun.empty() ? "" : " ") + std::to_string(lab.lab.number);
     cells.push_back(begun);
     std::string note = student.fault.empty() ? "" : "the submission " + student.fault;
     if (!graded) note = "not graded: " + student.unmarked();
-    for (const LabResult& lab : student.labs)
-      for (const StepResult& step : lab.steps)
+    for (const judge::LabResult& lab : student.labs)
+      for (const judge::StepResult& step : lab.steps)
         if (const std::string told = judging(step); graded && !told.empty())
           note += (note.empty() ? "" : " ") + told;
     cells.push_back(line(note));
@@ -102,4 +102,4 @@ std::string csv(const ClassResult& results) {
   return text;
 }
 
-}  // namespace texel::grade
+}  // namespace texel::reports

@@ -4,7 +4,7 @@
 #include "reports/reports.hpp"
 #include "wording.hpp"
 
-namespace texel::grade {
+namespace texel::reports {
 namespace {
 
 /// Escaped text that cannot ask for a file: Jenkins and GitLab take [[ATTACHMENT|path]] out of any output.
@@ -30,15 +30,15 @@ struct Counts {
   }
 };
 
-std::string attachments(const CaseResult& result, const std::filesystem::path& folder) {
+std::string attachments(const judge::CaseResult& result, const std::filesystem::path& folder) {
   std::string lines;
   for (const std::string& path : {result.picture, result.reference})
     if (!path.empty()) lines += "\n[[ATTACHMENT|" + escaped((folder / path).string()) + "]]";
   return lines;
 }
 
-std::string test_case(const CaseResult& result, const StepResult& step, const std::filesystem::path& folder,
-                      Counts& counts) {
+std::string test_case(const judge::CaseResult& result, const judge::StepResult& step,
+                      const std::filesystem::path& folder, Counts& counts) {
   ++counts.tests;
   const std::string opening = fmt::format("  <testcase classname=\"{}.{}\" name=\"{}\"", quoted(result.lab),
                                           quoted(step.id), quoted(result.name));
@@ -75,11 +75,11 @@ std::string suite(const std::string& name, const Counts& counts, const std::stri
 
 }  // namespace
 
-std::string junit(const StudentResult& student, const std::filesystem::path& folder) {
+std::string junit(const store::StudentResult& student, const std::filesystem::path& folder) {
   Counts all;
   std::string suites;
   std::string logs;
-  for (const CompilerLog& log : student.logs) logs += log.file + ":\n" + log.text + "\n";
+  for (const store::CompilerLog& log : student.logs) logs += log.file + ":\n" + log.text + "\n";
   if (!student.unmarked().empty() || !student.fault.empty() || !logs.empty()) {
     Counts counts;
     std::string cases;
@@ -95,11 +95,11 @@ std::string junit(const StudentResult& student, const std::filesystem::path& fol
     suites += suite("submission", counts, cases, logs);
     all += counts;
   }
-  for (const LabResult& lab : student.labs) {
+  for (const judge::LabResult& lab : student.labs) {
     Counts counts;
     std::string cases, notes;
-    for (const StepResult& step : lab.steps)
-      for (const CaseResult& result : step.cases) cases += test_case(result, step, folder, counts);
+    for (const judge::StepResult& step : lab.steps)
+      for (const judge::CaseResult& result : step.cases) cases += test_case(result, step, folder, counts);
     for (const std::string& note : lab.notes) notes += note + "\n";
     suites += suite(lab.lab.folder, counts, cases, notes);
     all += counts;
@@ -109,4 +109,4 @@ std::string junit(const StudentResult& student, const std::filesystem::path& fol
       quoted(student.name), all.attributes(), suites);
 }
 
-}  // namespace texel::grade
+}  // namespace texel::reports

@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 
-namespace texel::grade {
+namespace texel::reports {
 namespace {
 
 void shorten(Json& value, std::size_t bytes) {
@@ -26,27 +26,27 @@ double rounded(double points) {
   return std::round(points * 1e6) / 1e6;
 }
 
-std::string overview(const StudentResult& student) {
+std::string overview(const store::StudentResult& student) {
   std::string text =
       fmt::format("{} of {} points.\n", number(student.points()), number(student.max_points()));
   if (!student.fault.empty()) text += "The submission " + clean(student.fault) + "\n";
-  for (const LabResult& lab : student.labs)
+  for (const judge::LabResult& lab : student.labs)
     for (const std::string& note : lab.notes)
       text += fmt::format("Lab {}: {}\n", lab.lab.number, clean(note));
-  for (const CompilerLog& log : student.logs)
+  for (const store::CompilerLog& log : student.logs)
     text += fmt::format("\n{} does not compile:\n{}\n", clean(log.file), clean(log.text));
   if (!student.ignored.empty()) text += "\nNot used:\n";
-  for (const Ignored& ignored : student.ignored)
+  for (const store::Ignored& ignored : student.ignored)
     text += fmt::format("{}: {}\n", clean(ignored.path), clean(ignored.reason));
   return text;
 }
 
-std::string passed_text(const StepResult& step) {
+std::string passed_text(const judge::StepResult& step) {
   const std::string told = judging(step);
   return told.empty() ? "Passed." : "Passed. " + clean(told);
 }
 
-std::string advice(const StepResult& step) {
+std::string advice(const judge::StepResult& step) {
   std::string text;
   if (const std::string told = judging(step); !told.empty()) text += clean(told) + "\n";
   if (!step.overridden.empty()) text += "The teacher set these points: " + clean(step.overridden) + "\n";
@@ -56,9 +56,9 @@ std::string advice(const StepResult& step) {
   return text;
 }
 
-std::string case_lines(const StepResult& step, bool hidden) {
+std::string case_lines(const judge::StepResult& step, bool hidden) {
   std::string text;
-  for (const CaseResult& result : step.cases) {
+  for (const judge::CaseResult& result : step.cases) {
     if (result.hidden != hidden) continue;
     text += fmt::format("\n{}: {}\n", clean(result.name),
                         !result.passed()    ? "failed"
@@ -87,4 +87,4 @@ std::string fitted(const Json& results) {
   return text;
 }
 
-}  // namespace texel::grade
+}  // namespace texel::reports

@@ -6,7 +6,7 @@
 #include "wording.hpp"
 
 /// What the files for systems that keep marks have in common: plain text, and a limit of size.
-namespace texel::grade {
+namespace texel::reports {
 
 /// Both systems say "1 MB"; this is its smaller reading.
 inline constexpr std::size_t kLargestResults = 1'000'000;
@@ -15,19 +15,19 @@ inline constexpr std::size_t kLargestResults = 1'000'000;
 double rounded(double points);
 
 /// Of the whole submission: the points, what the compiler refused, what was not taken.
-std::string overview(const StudentResult& student);
+std::string overview(const store::StudentResult& student);
 
 /// "Passed.", and how the step was judged where its pictures are wrong all the same.
-std::string passed_text(const StepResult& step);
+std::string passed_text(const judge::StepResult& step);
 
 /// How the step was judged, the likely cause, the hint and the place of a step.
-std::string advice(const StepResult& step);
+std::string advice(const judge::StepResult& step);
 
 /// A line or more for each of the step's public or hidden cases.
-std::string case_lines(const StepResult& step, bool hidden);
+std::string case_lines(const judge::StepResult& step, bool hidden);
 
 /// The results as text of at most kLargestResults bytes: every "output" and "message" is cut to the same
 /// length, as long as fits.
 std::string fitted(const Json& results);
 
-}  // namespace texel::grade
+}  // namespace texel::reports

@@ -8,7 +8,7 @@
 
 #include "wording.hpp"
 
-namespace texel::grade {
+namespace texel::reports {
 namespace {
 
 /// "'sha256-…'", as a Content-Security-Policy names a text that it allows.
@@ -57,11 +57,11 @@ std::string facts_list(const std::map<std::string, std::string>& facts, bool wit
   return html;
 }
 
-Standing standing(const StepResult& step) {
-  if (step.status == Status::passed) return {"passed", "✓", "passed"};
+Standing standing(const judge::StepResult& step) {
+  if (step.status == judge::Status::passed) return {"passed", "✓", "passed"};
   if (step.cases.empty()) return {"skipped", "·", "not judged"};
   if (step.is_untouched()) return {"skipped", "–", "not begun"};
   return step.score > 0 ? Standing{"partial", "◐", "not yet, in part"} : Standing{"failed", "✗", "not yet"};
 }
 
-}  // namespace texel::grade
+}  // namespace texel::reports

@@ -7,7 +7,7 @@
 #include "store/class_results.hpp"
 
 /// The pages of the report.
-namespace texel::grade {
+namespace texel::reports {
 
 /// A whole page. It may load nothing and run nothing but its own style and script, whatever its body says:
 /// Content-Security-Policy with their hashes.
@@ -25,10 +25,10 @@ struct Standing {
   const char* symbol;  ///< one character, so that it is told without colours
   const char* word;
 };
-Standing standing(const StepResult& step);
+Standing standing(const judge::StepResult& step);
 
-std::string class_page(const ClassResult& results);
-std::string student_page(const StudentResult& student, const std::map<std::string, std::string>& facts,
+std::string class_page(const store::ClassResult& results);
+std::string student_page(const store::StudentResult& student, const std::map<std::string, std::string>& facts,
                          Pictures& pictures);
 
-}  // namespace texel::grade
+}  // namespace texel::reports

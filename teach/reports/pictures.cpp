@@ -15,7 +15,7 @@
 #include "image/save.hpp"
 #include "wording.hpp"
 
-namespace texel::grade {
+namespace texel::reports {
 namespace {
 
 namespace fs = std::filesystem;
@@ -81,7 +81,7 @@ Picture Pictures::read(const std::string& path, const std::string& view, Shown s
 
   const bool is_data = file.extension() == ".pfm";
   ImageF values;
-  Image8 colours;
+  Image8 colors;
   try {
     if (is_data) {
       values = image::load_pfm(file);
@@ -98,14 +98,14 @@ Picture Pictures::read(const std::string& path, const std::string& view, Shown s
       return problem(
           fmt::format("The picture has {}x{} pixels, too many to show here.", picture.width, picture.height));
     // As the judge reads it: a stranger's PNG must not unpack to more than it says.
-    colours = is_data
-                  ? image::shown(values, view)
-                  : image::parse_png(MappedFile(file).bytes(), file.string(), picture.width, picture.height);
+    colors = is_data
+                 ? image::shown(values, view)
+                 : image::parse_png(MappedFile(file).bytes(), file.string(), picture.width, picture.height);
   } catch (const Error&) {
     return problem("The picture cannot be read.");
   }
-  if (shown == Shown::small && std::min(picture.width, picture.height) > 1) colours = halved(colours);
-  picture.url = data_url(colours);
+  if (shown == Shown::small && std::min(picture.width, picture.height) > 1) colors = halved(colors);
+  picture.url = data_url(colors);
   if (is_data && shown == Shown::with_numbers) picture.values = data_url(planes(values));
   return picture;
 }
@@ -120,4 +120,4 @@ const Picture& Pictures::reference(const std::string& path, const std::string& v
   return reference->picture;
 }
 
-}  // namespace texel::grade
+}  // namespace texel::reports

@@ -10,7 +10,7 @@
 
 /// Case pictures as data URLs. Students' files are read by common/image and written anew, so that nothing of
 /// their bytes reaches a browser.
-namespace texel::grade {
+namespace texel::reports {
 
 /// A picture that stands in a page.
 struct Picture {
@@ -54,4 +54,4 @@ class Pictures {
   std::map<std::pair<std::string, Shown>, Reference> references_;
 };
 
-}  // namespace texel::grade
+}  // namespace texel::reports

@@ -7,7 +7,7 @@
 #include "pictures.hpp"
 #include "reports/reports.hpp"
 
-namespace texel::grade {
+namespace texel::reports {
 namespace {
 
 /// How much of the file is kept for text, in bytes: pictures may have the rest.
@@ -22,9 +22,9 @@ class Images {
  public:
   Images(const std::filesystem::path& folder, std::size_t bytes) : pictures_(folder), left_(bytes) {}
 
-  Json of(const StepResult& step) {
+  Json of(const judge::StepResult& step) {
     Json images = Json::array();
-    for (const CaseResult& result : step.cases) {
+    for (const judge::CaseResult& result : step.cases) {
       if (result.passed() || result.is_mesh()) continue;
       add(images, result, result.picture, "yours");
       add(images, result, result.reference, "expected");
@@ -33,7 +33,7 @@ class Images {
   }
 
  private:
-  void add(Json& images, const CaseResult& result, const std::string& path, const char* whose) {
+  void add(Json& images, const judge::CaseResult& result, const std::string& path, const char* whose) {
     if (path.empty() || left_ == 0) return;
     const Picture picture = pictures_.read(path, name_of(result.view));
     if (picture.url.empty()) return;
@@ -52,17 +52,17 @@ class Images {
 
 }  // namespace
 
-std::string prairielearn(const StudentResult& student, const std::filesystem::path& folder) {
+std::string prairielearn(const store::StudentResult& student, const std::filesystem::path& folder) {
   if (!student.incident.empty()) return fitted(not_gradable(kIncident));
   if (student.is_unfinished()) return fitted(not_gradable("Not graded yet: " + student.unmarked() + "."));
   if (!student.fault.empty()) return fitted(not_gradable("The submission " + clean(student.fault)));
 
   Json tests = Json::array();
-  std::vector<const StepResult*> steps;
-  for (const LabResult& lab : student.labs)
-    for (const StepResult& step : lab.steps) {
+  std::vector<const judge::StepResult*> steps;
+  for (const judge::LabResult& lab : student.labs)
+    for (const judge::StepResult& step : lab.steps) {
       steps.push_back(&step);
-      const bool passed = step.status == Status::passed;
+      const bool passed = step.status == judge::Status::passed;
       tests.push_back(
           {{"name", clean(step.id + " " + step.title)},
            {"points", rounded(step.points * step.score)},
@@ -85,4 +85,4 @@ std::string prairielearn(const StudentResult& student, const std::filesystem::pa
   return fitted(results);
 }
 
-}  // namespace texel::grade
+}  // namespace texel::reports

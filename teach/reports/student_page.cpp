@@ -9,7 +9,7 @@
 #include "reports/reports.hpp"
 #include "wording.hpp"
 
-namespace texel::grade {
+namespace texel::reports {
 namespace {
 
 std::string callout(const std::string& mistake, const std::string& says) {
@@ -48,7 +48,7 @@ constexpr Detail kDetails[] = {{Shown::with_numbers, Shown::with_numbers},
                                {Shown::small, Shown::not_at_all}};
 constexpr std::size_t kLargestPage = 1'500'000;
 
-std::string viewer(const CaseResult& result, Pictures& pictures, Shown shown) {
+std::string viewer(const judge::CaseResult& result, Pictures& pictures, Shown shown) {
   if (result.is_mesh() || shown == Shown::not_at_all) return "";
   if (result.picture.empty() && result.reference.empty()) return "";
   std::string panes;
@@ -64,7 +64,8 @@ std::string viewer(const CaseResult& result, Pictures& pictures, Shown shown) {
 }
 
 /// A case whose picture is wrong; it is right itself where only other steps spoil the picture.
-std::string wrong_case(const CaseResult& result, const StepResult& step, Pictures& pictures, Shown shown) {
+std::string wrong_case(const judge::CaseResult& result, const judge::StepResult& step, Pictures& pictures,
+                       Shown shown) {
   std::string html =
       fmt::format("<article class=\"case\">\n<h4>{}{}{}{}</h4>\n", escaped(result.name),
                   result.hidden ? " <span class=\"tag\">hidden case</span>" : "",
@@ -86,10 +87,10 @@ std::string wrong_case(const CaseResult& result, const StepResult& step, Picture
 }
 
 /// A line of the names of cases of which there is no more to say, or "".
-std::string other_cases(const std::vector<const CaseResult*>& cases, const char* style, const char* symbol,
-                        const char* says) {
+std::string other_cases(const std::vector<const judge::CaseResult*>& cases, const char* style,
+                        const char* symbol, const char* says) {
   std::string names;
-  for (const CaseResult* result : cases)
+  for (const judge::CaseResult* result : cases)
     names += fmt::format("{}{}{}", names.empty() ? "" : ", ", escaped(result->name),
                          result->hidden ? " (hidden)" : "");
   if (names.empty()) return "";
@@ -97,10 +98,11 @@ std::string other_cases(const std::vector<const CaseResult*>& cases, const char*
                      style, symbol, says, names);
 }
 
-std::string details(const StepResult& step, Pictures& pictures, const Detail& detail) {
+std::string details(const judge::StepResult& step, Pictures& pictures, const Detail& detail) {
   std::string html;
   const bool said_below =  // the message is the first failed case's, which has it again with its picture
-      std::any_of(step.cases.begin(), step.cases.end(), [](const CaseResult& c) { return !c.passed(); });
+      std::any_of(step.cases.begin(), step.cases.end(),
+                  [](const judge::CaseResult& c) { return !c.passed(); });
   if (!step.message.empty() && !said_below) html += fmt::format("<p>{}</p>\n", with_code(step.message));
   html += callout(step.mistake, step.mistake_says);
   if (const std::string file = place(step); !file.empty())
@@ -110,9 +112,9 @@ std::string details(const StepResult& step, Pictures& pictures, const Detail& de
                         with_code(step.hints.front()));
   if (step.is_untouched()) return html;  // its pictures say nothing of the student
   Shown shown = detail.first;
-  const CaseResult* nothing = nullptr;  // the first of which nothing can be compared
-  std::vector<const CaseResult*> same, passed;
-  for (const CaseResult& result : step.cases) {
+  const judge::CaseResult* nothing = nullptr;  // the first of which nothing can be compared
+  std::vector<const judge::CaseResult*> same, passed;
+  for (const judge::CaseResult& result : step.cases) {
     if (result.passed()) {
       if (!result.is_alone()) passed.push_back(&result);
       continue;
@@ -133,10 +135,10 @@ std::string details(const StepResult& step, Pictures& pictures, const Detail& de
 }
 
 /// The cases that are right, but whose pictures other steps spoil.
-std::string spoilt_cases(const StepResult& step, Pictures& pictures, const Detail& detail) {
+std::string spoilt_cases(const judge::StepResult& step, Pictures& pictures, const Detail& detail) {
   std::string cases;
   std::size_t count = 0;
-  for (const CaseResult& result : step.cases)
+  for (const judge::CaseResult& result : step.cases)
     if (result.passed() && result.is_alone()) {
       cases += wrong_case(result, step, pictures, detail.others);
       ++count;
@@ -147,7 +149,7 @@ std::string spoilt_cases(const StepResult& step, Pictures& pictures, const Detai
 }
 
 /// Of a submission with a `fault` no step has more to say.
-std::string step_section(const StepResult& step, Pictures& pictures, const Detail& detail,
+std::string step_section(const judge::StepResult& step, Pictures& pictures, const Detail& detail,
                          const std::string& fault) {
   const Standing stands = standing(step);
   std::string html = fmt::format(
@@ -161,12 +163,12 @@ std::string step_section(const StepResult& step, Pictures& pictures, const Detai
         fmt::format("<p class=\"cause\">The teacher set these points: {}</p>\n", escaped(step.overridden));
   if (const std::string told = judging(step); !told.empty())
     html += fmt::format("<p>{}</p>\n", escaped(told));
-  if (step.status != Status::passed && (fault.empty() || step.message != fault))
+  if (step.status != judge::Status::passed && (fault.empty() || step.message != fault))
     html += details(step, pictures, detail);
   return html + spoilt_cases(step, pictures, detail) + "</section>\n";
 }
 
-std::string lab_section(const LabResult& lab, Pictures& pictures, const Detail& detail,
+std::string lab_section(const judge::LabResult& lab, Pictures& pictures, const Detail& detail,
                         const std::string& fault) {
   std::string html = fmt::format(
       "<section class=\"lab\" id=\"lab{0}\" aria-labelledby=\"title{0}\">\n<header>\n"
@@ -175,25 +177,25 @@ std::string lab_section(const LabResult& lab, Pictures& pictures, const Detail& 
       lab.lab.number, escaped(lab.lab.title), number(lab.points()), number(lab.max_points()));
   for (const std::string& note : lab.notes) html += fmt::format("<p class=\"cause\">{}</p>\n", escaped(note));
   for (const bool begun : {true, false})  // what is not begun comes last
-    for (const StepResult& step : lab.steps)
+    for (const judge::StepResult& step : lab.steps)
       if (step.is_untouched() != begun) html += step_section(step, pictures, detail, fault);
   return html + "</section>\n";
 }
 
-std::string logs_section(const StudentResult& student) {
+std::string logs_section(const store::StudentResult& student) {
   if (student.logs.empty()) return "";
   std::string html = "<section id=\"compiler\" class=\"logs\">\n<h2>Compiler errors</h2>\n";
-  for (const CompilerLog& log : student.logs)
+  for (const store::CompilerLog& log : student.logs)
     html += fmt::format(
         "<details open><summary><code>{}</code></summary>\n<pre tabindex=\"0\">{}</pre></details>\n",
         escaped(log.file), escaped(log.text));
   return html + "</section>\n";
 }
 
-std::string ignored_section(const StudentResult& student) {
+std::string ignored_section(const store::StudentResult& student) {
   if (student.ignored.empty()) return "";
   std::string items;
-  for (const Ignored& ignored : student.ignored)
+  for (const store::Ignored& ignored : student.ignored)
     items += fmt::format("<li><code>{}</code> {}</li>\n", escaped(ignored.path), escaped(ignored.reason));
   constexpr std::size_t few = 10;
   return fmt::format(
@@ -203,7 +205,7 @@ std::string ignored_section(const StudentResult& student) {
 }
 
 /// A line with a link to the files that were not used, or "".
-std::string ignored_link(const StudentResult& student) {
+std::string ignored_link(const store::StudentResult& student) {
   const std::size_t count = student.ignored.size();
   if (count == 0) return "";
   return fmt::format("<p><a href=\"#ignored\">{} of the submission</a> {} not used.</p>\n",
@@ -211,7 +213,7 @@ std::string ignored_link(const StudentResult& student) {
 }
 
 /// What to do first: the submission's or the grader's fault, or the first failing step.
-std::string first_thing(const StudentResult& student) {
+std::string first_thing(const store::StudentResult& student) {
   if (!student.incident.empty())
     return fmt::format(
         "<div class=\"start incident\"><p>{}</p>\n<details><summary>What "
@@ -224,7 +226,7 @@ std::string first_thing(const StudentResult& student) {
   if (!student.fault.empty())
     return fmt::format("<div class=\"start failed\"><p>The submission {}</p></div>\n",
                        escaped(student.fault));
-  if (const StepResult* step = first_failing(student))
+  if (const judge::StepResult* step = first_failing(student))
     return fmt::format("<div class=\"start {}\"><p>{} <a href=\"#step-{}\">step {}: {}</a></p>\n{}</div>\n",
                        step->is_untouched() ? "skipped" : "failed",
                        !student.logs.empty() ? "Correct the <a href=\"#compiler\">compiler's errors</a>, then"
@@ -235,10 +237,10 @@ std::string first_thing(const StudentResult& student) {
   return "<div class=\"start passed\"><p>Every step passed.</p>\n" + ignored_link(student) + "</div>\n";
 }
 
-std::string page_with(const StudentResult& student, const std::map<std::string, std::string>& facts,
+std::string page_with(const store::StudentResult& student, const std::map<std::string, std::string>& facts,
                       Pictures& pictures, const Detail& detail) {
   std::string contents, labs;
-  for (const LabResult& lab : student.labs) {
+  for (const judge::LabResult& lab : student.labs) {
     contents +=
         fmt::format("<li><a href=\"#lab{0}\"><b>{0}</b> {1} <span>{2}/{3}</span></a></li>\n", lab.lab.number,
                     escaped(lab.lab.title), number(lab.points()), number(lab.max_points()));
@@ -269,7 +271,7 @@ std::string page_with(const StudentResult& student, const std::map<std::string, 
 
 }  // namespace
 
-std::string student_page(const StudentResult& student, const std::map<std::string, std::string>& facts,
+std::string student_page(const store::StudentResult& student, const std::map<std::string, std::string>& facts,
                          Pictures& pictures) {
   std::string html;
   for (const Detail& detail : kDetails) {
@@ -279,4 +281,4 @@ std::string student_page(const StudentResult& student, const std::map<std::strin
   return html;
 }
 
-}  // namespace texel::grade
+}  // namespace texel::reports

@@ -9,7 +9,7 @@
 #include "core/html.hpp"
 #include "core/plain_text.hpp"
 
-namespace texel::grade {
+namespace texel::reports {
 
 std::string clean(std::string_view text) {
   std::string result;
@@ -85,52 +85,52 @@ std::string cause(const std::string& mistake, const std::string& says) {
   return mistake.empty() ? "" : fmt::format("This looks like: {}", says);
 }
 
-std::string distance(const CaseResult& result) {
+std::string distance(const judge::CaseResult& result) {
   if (!std::isfinite(result.error)) return "";
   return fmt::format("{}{:.3g} {} off; full marks up to {:.3g}", result.is_alone() ? "judged alone, " : "",
                      result.error, name_of(result.unit()), result.limit);
 }
 
-std::string judging(const StepResult& step) {
-  if (step.any(Judged::markers_lost))
+std::string judging(const judge::StepResult& step) {
+  if (step.any(judge::Judged::markers_lost))
     return fmt::format(
         "{0} was not judged alone, since its line //@step {0} begin or its //@end is missing or changed: "
         "copy "
         "both from the folder .starter.",
         step.id);
-  if (!step.any(Judged::alone)) return "";
-  const std::string others = step.spoilt_by.empty() ? "the other lines" : listed(step.spoilt_by);
-  if (step.status == Status::passed)
+  if (!step.any(judge::Judged::alone)) return "";
+  const std::string others = step.spoilt_by.empty() ? "the other lines" : judge::listed(step.spoilt_by);
+  if (step.status == judge::Status::passed)
     return fmt::format("{} is right: with {} mended it has full marks.", step.id, others);
   return fmt::format("{} was judged with {} mended: the mark is of its own mistake.", step.id, others);
 }
 
-std::string place(const StepResult& step) {
+std::string place(const judge::StepResult& step) {
   if (step.file.empty() || step.line < 1) return step.file;
   return fmt::format("{}:{}", step.file, step.line);
 }
 
-std::string command(const CaseResult& result) {
+std::string command(const judge::CaseResult& result) {
   return result.hidden && result.reference.empty() ? "" : result.command;
 }
 
-std::size_t count(const std::vector<CaseResult>& cases, bool hidden) {
+std::size_t count(const std::vector<judge::CaseResult>& cases, bool hidden) {
   return static_cast<std::size_t>(std::count_if(
-      cases.begin(), cases.end(), [&](const CaseResult& result) { return result.hidden == hidden; }));
+      cases.begin(), cases.end(), [&](const judge::CaseResult& result) { return result.hidden == hidden; }));
 }
 
-std::size_t count_failed(const std::vector<CaseResult>& cases, bool hidden) {
-  return static_cast<std::size_t>(std::count_if(cases.begin(), cases.end(), [&](const CaseResult& result) {
-    return result.hidden == hidden && !result.passed();
-  }));
+std::size_t count_failed(const std::vector<judge::CaseResult>& cases, bool hidden) {
+  return static_cast<std::size_t>(std::count_if(
+      cases.begin(), cases.end(),
+      [&](const judge::CaseResult& result) { return result.hidden == hidden && !result.passed(); }));
 }
 
-const StepResult* first_failing(const StudentResult& student) {
+const judge::StepResult* first_failing(const store::StudentResult& student) {
   for (const bool begun : {true, false})
-    for (const LabResult& lab : student.labs)
-      for (const StepResult& step : lab.steps)
-        if (step.status == Status::failed && step.is_untouched() != begun) return &step;
+    for (const judge::LabResult& lab : student.labs)
+      for (const judge::StepResult& step : lab.steps)
+        if (step.status == judge::Status::failed && step.is_untouched() != begun) return &step;
   return nullptr;
 }
 
-}  // namespace texel::grade
+}  // namespace texel::reports

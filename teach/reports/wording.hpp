@@ -7,7 +7,7 @@
 #include "store/class_results.hpp"
 
 /// What all reports say in the same words, and how text is made harmless for each of them.
-namespace texel::grade {
+namespace texel::reports {
 
 /// Text of any origin as it can be shown: lines stay lines, a tab becomes two spaces, and what else cannot be
 /// shown U+FFFD. Still to be escaped.
@@ -35,27 +35,27 @@ std::string cause(const std::string& mistake, const std::string& says);
 
 /// How far off a case is, in its unit: "12.3 degrees off; full marks up to 0.2", or "judged alone, 12.3
 /// degrees off; …". "" where nothing could be compared.
-std::string distance(const CaseResult& result);
+std::string distance(const judge::CaseResult& result);
 
 /// What a step's mark is of, where it is not simply that of the student's tree: "5.5 is right: with 5.1
 /// mended it has full marks.", or "".
-std::string judging(const StepResult& step);
+std::string judging(const judge::StepResult& step);
 
 /// Where a step is written: "labs/05_normal_map/lab.cpp:42", or "".
-std::string place(const StepResult& step);
+std::string place(const judge::StepResult& step);
 
 /// The command that draws a case's picture, or "" where it would tell what is secret.
-std::string command(const CaseResult& result);
+std::string command(const judge::CaseResult& result);
 
-std::size_t count_failed(const std::vector<CaseResult>& cases, bool hidden);
-std::size_t count(const std::vector<CaseResult>& cases, bool hidden);
+std::size_t count_failed(const std::vector<judge::CaseResult>& cases, bool hidden);
+std::size_t count(const std::vector<judge::CaseResult>& cases, bool hidden);
 
 /// The first step that was begun and did not pass; else the first that was not begun; or null.
-const StepResult* first_failing(const StudentResult& student);
+const judge::StepResult* first_failing(const store::StudentResult& student);
 
 /// What is said of a student whom the grader failed.
 inline constexpr const char* kIncident =
     "The grader could not finish. This is a fault of the grader or its machine, and not a mark. It will try "
     "again.";
 
-}  // namespace texel::grade
+}  // namespace texel::reports

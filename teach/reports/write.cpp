@@ -8,7 +8,7 @@
 #include "page.hpp"
 #include "reports/reports.hpp"
 
-namespace texel::grade {
+namespace texel::reports {
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,22 +32,22 @@ void write(const fs::path& file, const std::string& text) {
 
 }  // namespace
 
-std::string page_name(const StudentResult& student) {
+std::string page_name(const store::StudentResult& student) {
   // A student whose file was index.zip must not take the class's page; no id has a point.
   return student.id == "index" ? "index.student.html" : checked(student.id) + ".html";
 }
 
-void write_html(const ClassResult& results, const fs::path& folder) {
+void write_html(const store::ClassResult& results, const fs::path& folder) {
   const fs::path report = folder / "report";
   Pictures pictures(folder);
   in_parallel(processors(), results.students.size(), [&](std::size_t i) {
-    const StudentResult& student = results.students[i];
+    const store::StudentResult& student = results.students[i];
     write(report / page_name(student), student_page(student, results.facts, pictures));
   });
   write(report / "index.html", class_page(results));
 }
 
-void write_format(const std::string& name, const ClassResult& results, const fs::path& folder) {
+void write_format(const std::string& name, const store::ClassResult& results, const fs::path& folder) {
   const std::vector<std::string> names = {"gradescope", "prairielearn", "junit", "csv"};
   if (std::find(names.begin(), names.end(), name) == names.end())
     throw Error::usage("there is no format '" + name + "'",
@@ -56,7 +56,7 @@ void write_format(const std::string& name, const ClassResult& results, const fs:
     write(folder / "class.csv", csv(results));
     return;
   }
-  for (const StudentResult& student : results.students) {
+  for (const store::StudentResult& student : results.students) {
     const std::string& id = checked(student.id);
     if (name == "junit")
       write(folder / name / (id + ".xml"), junit(student, folder));
@@ -67,4 +67,4 @@ void write_format(const std::string& name, const ClassResult& results, const fs:
   }
 }
 
-}  // namespace texel::grade
+}  // namespace texel::reports

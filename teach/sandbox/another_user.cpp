@@ -17,7 +17,7 @@
 
 #include "process.hpp"
 
-namespace texel::grade {
+namespace texel::sandbox {
 namespace {
 
 /// The words as exec takes them.
@@ -86,4 +86,4 @@ bool kill_all_of(unsigned user) {
   return false;
 }
 
-}  // namespace texel::grade
+}  // namespace texel::sandbox

@@ -8,7 +8,7 @@
 
 /// Walls without namespaces, for root in a container that forbids them: another user's id, and the filter on
 /// system calls.
-namespace texel::grade {
+namespace texel::sandbox {
 
 /// Starts `command` in a session of its own with the seccomp filter and no way to new rights. It gets copies
 /// of `descriptors` as its 0, 1, 2, … and no other, and starts in `folder`. -1 if it could not be started so.
@@ -20,4 +20,4 @@ pid_t spawn_filtered(const std::vector<std::string>& command, const std::vector<
 /// Whether all ended within half a minute.
 bool kill_all_of(unsigned user);
 
-}  // namespace texel::grade
+}  // namespace texel::sandbox

@@ -14,7 +14,7 @@
 
 #include "core/error.hpp"
 
-namespace texel::grade {
+namespace texel::sandbox {
 namespace {
 
 constexpr int deepest = 16;
@@ -75,4 +75,4 @@ bool copy_results(const Descriptor& from, const std::filesystem::path& to, std::
   return copy_folder(from, to, limit, 0);
 }
 
-}  // namespace texel::grade
+}  // namespace texel::sandbox

@@ -5,7 +5,7 @@
 
 #include "sandbox/descriptor.hpp"
 
-namespace texel::grade {
+namespace texel::sandbox {
 
 /// Copies the regular files and folders of a folder that an untrusted program filled into a real one, over
 /// what has the same name there. No link is followed; what is neither file nor folder, folders in more than
@@ -14,4 +14,4 @@ namespace texel::grade {
 /// folder cannot be written.
 bool copy_results(const Descriptor& from, const std::filesystem::path& to, std::uint64_t limit);
 
-}  // namespace texel::grade
+}  // namespace texel::sandbox

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace texel::grade {
+namespace texel::sandbox {
 
 void Descriptor::close() {
   if (fd_ >= 0) ::close(fd_);
@@ -46,4 +46,4 @@ std::string read_some(const Descriptor& file, std::size_t most) {
   return bytes;
 }
 
-}  // namespace texel::grade
+}  // namespace texel::sandbox

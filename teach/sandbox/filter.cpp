@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace texel::grade {
+namespace texel::sandbox {
 namespace {
 
 #if defined(__x86_64__)
@@ -106,4 +106,4 @@ std::string seccomp_filter() {
   return program.bytes();
 }
 
-}  // namespace texel::grade
+}  // namespace texel::sandbox

@@ -14,7 +14,7 @@
 
 #include "process.hpp"
 
-namespace texel::grade {
+namespace texel::sandbox {
 namespace {
 
 namespace fs = std::filesystem;
@@ -115,4 +115,4 @@ bool MemoryGroup::was_exceeded() const {
   return false;
 }
 
-}  // namespace texel::grade
+}  // namespace texel::sandbox

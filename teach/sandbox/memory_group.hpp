@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-namespace texel::grade {
+namespace texel::sandbox {
 
 /// A control group (cgroup v2) around one sandbox: the kernel counts all memory of its processes, also what
 /// none of them shows, such as files in memory, pipes and page tables. Where the grader may not make groups
@@ -28,4 +28,4 @@ class MemoryGroup {
   std::filesystem::path folder_;  ///< empty: there is none
 };
 
-}  // namespace texel::grade
+}  // namespace texel::sandbox

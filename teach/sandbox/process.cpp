@@ -28,7 +28,7 @@ extern "C" {
 #include "copy.hpp"
 #include "core/stopwatch.hpp"
 
-namespace texel::grade {
+namespace texel::sandbox {
 namespace {
 
 constexpr int start_milliseconds = 30'000;  // bubblewrap needs some ten
@@ -387,4 +387,4 @@ bool Process::copy_writable(const std::vector<std::filesystem::path>& to) const 
   return all;
 }
 
-}  // namespace texel::grade
+}  // namespace texel::sandbox

@@ -10,7 +10,7 @@
 #include "sandbox/descriptor.hpp"
 #include "sandbox/sandbox.hpp"
 
-namespace texel::grade {
+namespace texel::sandbox {
 
 /// What every fault of the sandbox says: it is the machine's, not the program's.
 Error sandbox_error(const std::string& what, const std::string& remedy = "");
@@ -104,4 +104,4 @@ class Process {
   std::vector<Stream> streams_;    ///< standard output and standard error
 };
 
-}  // namespace texel::grade
+}  // namespace texel::sandbox

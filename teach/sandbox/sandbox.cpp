@@ -14,7 +14,7 @@
 #include "filter.hpp"
 #include "process.hpp"
 
-namespace texel::grade {
+namespace texel::sandbox {
 namespace {
 
 namespace fs = std::filesystem;
@@ -218,4 +218,4 @@ const std::string& another_user_fault() {
   return fault;
 }
 
-}  // namespace texel::grade
+}  // namespace texel::sandbox

@@ -3,17 +3,17 @@
 
 #include <fmt/format.h>
 
-namespace texel::grade {
+namespace texel::store {
 
 double StudentResult::points() const {
   double sum = 0;
-  for (const LabResult& lab : labs) sum += lab.points();
+  for (const judge::LabResult& lab : labs) sum += lab.points();
   return sum;
 }
 
 double StudentResult::max_points() const {
   double sum = 0;
-  for (const LabResult& lab : labs) sum += lab.max_points();
+  for (const judge::LabResult& lab : labs) sum += lab.max_points();
   return sum;
 }
 
@@ -22,4 +22,4 @@ std::string StudentResult::unmarked() const {
   return fmt::format("the run is not finished: {} of {} cases are judged", judged, planned);
 }
 
-}  // namespace texel::grade
+}  // namespace texel::store

@@ -12,7 +12,7 @@
 
 #include "core/error.hpp"
 
-namespace texel::grade {
+namespace texel::store {
 namespace {
 
 namespace fs = std::filesystem;
@@ -121,4 +121,4 @@ Query& Query::operator>>(bool& value) {
   return *this;
 }
 
-}  // namespace texel::grade
+}  // namespace texel::store

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <string>
 
-namespace texel::grade {
+namespace texel::store {
 
 /// A database file that is open, for any number of threads.
 class Connection {
@@ -69,4 +69,4 @@ class Query : public SQLite::Statement {
   int column_ = 0;
 };
 
-}  // namespace texel::grade
+}  // namespace texel::store

@@ -16,7 +16,7 @@
 #include "connection.hpp"
 #include "core/error.hpp"
 
-namespace texel::grade {
+namespace texel::store {
 namespace {
 
 namespace fs = std::filesystem;
@@ -224,7 +224,7 @@ std::vector<Override> read_overrides(Database& database) {
 }
 
 /// Whether a step's score was found since the last beginning, and is not only missing yet.
-bool is_judged(const StudentResult& student, const StepResult& step) {
+bool is_judged(const StudentResult& student, const judge::StepResult& step) {
   return !step.cases.empty() || !student.fault.empty() || !step.overridden.empty();
 }
 
@@ -270,30 +270,31 @@ constexpr const char* kCaseColumns =
     "lab, name, step, view, hidden, score, error, bound, message, mistake, mistake_says, command, picture, "
     "reference, status, judged";
 
-std::vector<CaseResult> read_cases(Database& database, const std::string& student) {
-  std::vector<CaseResult> cases;
+std::vector<judge::CaseResult> read_cases(Database& database, const std::string& student) {
+  std::vector<judge::CaseResult> cases;
   for (Query row(database, fmt::format("SELECT {} FROM cases WHERE student = ?", kCaseColumns), student);
        row.next();) {
-    CaseResult& one = cases.emplace_back();
+    judge::CaseResult& one = cases.emplace_back();
     std::string view, status, judged;
     row >> one.lab >> one.name >> one.step >> view >> one.hidden >> one.score >> one.error >> one.limit >>
         one.message >> one.mistake >> one.mistake_says >> one.command >> one.picture >> one.reference >>
         status >> judged;
-    one.view = view_called(view), one.status = case_status_of(status), one.judged = judged_of(judged);
+    one.view = view_called(view), one.status = judge::case_status_of(status),
+    one.judged = judge::judged_of(judged);
   }
   return cases;
 }
 
 void apply(const Override& override, StudentResult& student) {
-  for (LabResult& lab : student.labs)
-    for (StepResult& step : lab.steps) {
+  for (judge::LabResult& lab : student.labs)
+    for (judge::StepResult& step : lab.steps) {
       if (step.id != override.step) continue;
       step.score = override.score;
       step.overridden = override.reason;
       if (step.score >= 1)
-        step.status = Status::passed;
-      else if (step.status == Status::passed)
-        step.status = Status::failed;
+        step.status = judge::Status::passed;
+      else if (step.status == judge::Status::passed)
+        step.status = judge::Status::failed;
     }
 }
 
@@ -302,9 +303,9 @@ ClassResult read_class_result(Database& database, const std::vector<course::Lab>
   result.facts = facts_of(database);
   std::map<std::string, StudentResult> students = read_students(database);
   for (auto& [id, student] : students) {
-    student.labs = lab_results(labs, read_cases(database, id));
+    student.labs = judge::lab_results(labs, read_cases(database, id));
     std::string note;
-    for (LabResult& lab : student.labs)
+    for (judge::LabResult& lab : student.labs)
       for (Query row(database, "SELECT text FROM notes WHERE student = ? AND lab = ? ORDER BY place", id,
                      lab.lab.folder);
            row.next();) {
@@ -323,8 +324,8 @@ ClassResult read_class_result(Database& database, const std::vector<course::Lab>
     row >> earlier[{id, step_id}];
   }
   for (auto& [student_id, student] : students) {
-    for (const LabResult& lab : student.labs)
-      for (const StepResult& step : lab.steps) {
+    for (const judge::LabResult& lab : student.labs)
+      for (const judge::StepResult& step : lab.steps) {
         const auto before = earlier.find({student_id, step.id});
         if (before != earlier.end() && before->second != step.score && is_judged(student, step))
           result.changes.push_back({student_id, step.id, before->second, step.score});
@@ -396,8 +397,8 @@ void Store::begin_anew(const std::vector<course::Lab>& labs) {
   connection_->use([&](Database& database) {
     Transaction transaction(database, TransactionBehavior::IMMEDIATE);
     for (const StudentResult& student : read_class_result(database, labs).students)
-      for (const LabResult& lab : student.labs)
-        for (const StepResult& step : lab.steps)
+      for (const judge::LabResult& lab : student.labs)
+        for (const judge::StepResult& step : lab.steps)
           if (is_judged(student, step))
             Query(database, "INSERT OR REPLACE INTO earlier VALUES (?, ?, ?)", student.id, step.id,
                   step.score)
@@ -423,7 +424,8 @@ void Store::put_student(const StudentResult& student, const std::string& digest)
       Query(database, "INSERT INTO ignored VALUES (?, ?, ?, ?)", student.id, ++place, ignored.path,
             ignored.reason)
           .exec();
-    for (const LabResult& lab : student.labs) write_notes(database, student.id, lab.lab.folder, lab.notes);
+    for (const judge::LabResult& lab : student.labs)
+      write_notes(database, student.id, lab.lab.folder, lab.notes);
     write_incident(database, student.id, "", student.incident);
     transaction.commit();
   });
@@ -447,7 +449,7 @@ void Store::put_notes(const std::string& student, const std::string& lab,
   });
 }
 
-void Store::put(const std::string& student, const CaseResult& result) {
+void Store::put(const std::string& student, const judge::CaseResult& result) {
   run(fmt::format("INSERT OR REPLACE INTO cases (student, {}) VALUES {}", kCaseColumns, marks(17)), student,
       result.lab, result.name, result.step, name_of(result.view), result.hidden, result.score, result.error,
       result.limit, result.message, result.mistake, result.mistake_says, result.command, result.picture,
@@ -524,4 +526,4 @@ void Store::merge(const Store& other) {
   });
 }
 
-}  // namespace texel::grade
+}  // namespace texel::store

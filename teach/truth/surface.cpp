@@ -20,11 +20,11 @@ constexpr double pi = std::numbers::pi;
 constexpr double tau = 2 * pi;
 
 /// The square about `centre` whose sides are 2 right and 2 up long.
-Surface square(dvec3 centre, dvec3 right, dvec3 up) {
+Surface square(dvec3 center, dvec3 right, dvec3 up) {
   const dvec3 normal = glm::normalize(glm::cross(right, up));
   return [=](dvec2 texcoord) {
     const dvec2 xy = 2.0 * texcoord - 1.0;
-    return SurfacePoint{.position = centre + xy.x * right + xy.y * up,
+    return SurfacePoint{.position = center + xy.x * right + xy.y * up,
                         .ds = 2.0 * right,
                         .dt = 2.0 * up,
                         .normal = normal,
@@ -97,7 +97,7 @@ dvec2 TexcoordMap::parameter(dvec2 texcoord) const {
   return glm::inverse(linear) * (texcoord - offset);
 }
 
-Surface reparameterised(Surface surface, const TexcoordMap& map) {
+Surface reparameterized(Surface surface, const TexcoordMap& map) {
   return [surface = std::move(surface), map](dvec2 texcoord) {
     const SurfacePoint own = surface(map.parameter(texcoord));
     const glm::dmat2 change = glm::inverse(map.linear);  // columns: how the parameters go with s and with t

@@ -11,7 +11,7 @@ printf '%s\n' course/ course/CMakeLists.txt course/labs/ course/labs/05_normal_m
 
 make_course() { # folder
   mkdir -p "$1"/{labs/05_normal_map,teach/commands} "$1"/{class,out,build}
-  cp -r "$course/teach/commands/box" "$1/teach/commands/box"
+  cp -r "$course/teach/commands/scripts" "$1/teach/commands/scripts"
   touch "$1"/{run,CMakeLists.txt,labs/05_normal_map/lab.cpp}
 }
 spoil() { # folder: what teachers leave there
@@ -19,7 +19,7 @@ spoil() { # folder: what teachers leave there
   touch "$1/labs/marks.csv" "$1/labs/seed.txt"
 }
 pack() { # folder
-  "$1/teach/commands/box/gradescope" --labs 5 --seed-file seed.txt --out "$1.zip" >"$1.said" 2>&1
+  "$1/teach/commands/scripts/gradescope" --labs 5 --seed-file seed.txt --out "$1.zip" >"$1.said" 2>&1
   cmake -E tar tf "$1.zip" | grep -v '^course/tools/' | LC_ALL=C sort -u
 }
 

@@ -70,7 +70,7 @@ grade() { "$TEXEL" grade class --labs 9 --seed-file seed.txt --cache "$TEXEL_CAC
 grade --out one --format csv >one.log 2>&1 || fail "one run: $(tail -n 5 one.log)"
 
 job=$(sbatch --parsable --array=1-3 --cpus-per-task=1 --output="$work/task%a.log" --open-mode=append \
-  "$course/teach/commands/box/slurm.sh" "$work/class" "$work" 9 "$work/seed.txt")
+  "$course/teach/commands/scripts/slurm.sh" "$work/class" "$work" 9 "$work/seed.txt")
 # The first task is killed as soon as it has judged something. Slurm starts it again after two minutes.
 for _ in {1..600}; do [[ -n $(find part1/pictures -type f 2>/dev/null | head -n 1) ]] && break || sleep 0.1; done
 scontrol requeue "${job}_1" || fail 'the first task was too fast to be requeued'

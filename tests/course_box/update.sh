@@ -245,7 +245,7 @@ little_room() {
   for command in "classroom --labs 1 disk" "gradescope --labs 1 --seed-file seed.txt --out disk/autograder.zip"; do
     status=0
     # shellcheck disable=SC2086 # words
-    "$course/teach/commands/box/"$command >said 2>&1 || status=$?
+    "$course/teach/commands/scripts/"$command >said 2>&1 || status=$?
     ((status))
   done
   for file in autograder.zip .github/workflows/check.yml; do echo before | cmp - "disk/$file"; done
@@ -260,7 +260,7 @@ little_room() {
 mkdir -p taught/.github/workflows
 touch taught/run
 echo mine >taught/.github/workflows/check.yml
-for _ in 1 2; do "$course/teach/commands/box/classroom" --labs 1 taught >/dev/null; done
+for _ in 1 2; do "$course/teach/commands/scripts/classroom" --labs 1 taught >/dev/null; done
 [[ $(cat taught/.github/workflows/check.yml.before) == mine && $(ls taught/.github/workflows) == $'check.yml\ncheck.yml.before' ]]
 
 if ((EUID != 0)) || ! unshare -m true 2>/dev/null; then

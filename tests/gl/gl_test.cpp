@@ -30,11 +30,11 @@ using image::Encoding;
 using image::Image8;
 using test::error_of;
 
-Image8 filled(int width, int height, std::initializer_list<int> colour) {
-  Image8 image(width, height, static_cast<int>(colour.size()));
+Image8 filled(int width, int height, std::initializer_list<int> color) {
+  Image8 image(width, height, static_cast<int>(color.size()));
   for (std::size_t i = 0; i < image.samples.size(); ++i)
     image.samples[i] =
-        static_cast<std::uint8_t>(*(colour.begin() + static_cast<std::ptrdiff_t>(i % colour.size())));
+        static_cast<std::uint8_t>(*(color.begin() + static_cast<std::ptrdiff_t>(i % color.size())));
   return image;
 }
 
@@ -269,7 +269,7 @@ TEST_P(OpenGl, a_variant_is_compiled_once_and_only_for_constants_that_its_source
 
 /// Draws a texture over a whole target of the same size and reads it back.
 Image8 round_trip(const std::filesystem::path& shaders, const Image8& image, Encoding encoding) {
-  const Target target(Target::Kind::colour, image.width, image.height, 1);
+  const Target target(Target::Kind::color, image.width, image.height, 1);
   target.bind();
   if (encoding == Encoding::srgb)
     glEnable(GL_FRAMEBUFFER_SRGB);
@@ -308,7 +308,7 @@ TEST_P(OpenGl, all_256_values_survive_decoding_from_and_encoding_to_srgb) {
   for (int x = 0; x < 256; ++x) EXPECT_EQ(drawn.at(x, 0, 1), x);
 }
 
-TEST_P(OpenGl, grey_colour_pictures_are_decoded_from_srgb_too) {
+TEST_P(OpenGl, grey_color_pictures_are_decoded_from_srgb_too) {
   const Image8 drawn = round_trip(shaders(), filled(2, 2, {100}), Encoding::srgb);
   EXPECT_EQ(drawn.at(1, 1, 0), 100);
   EXPECT_EQ(drawn.at(1, 1, 2), 100);
@@ -316,7 +316,7 @@ TEST_P(OpenGl, grey_colour_pictures_are_decoded_from_srgb_too) {
 
 TEST_P(OpenGl, four_samples_are_averaged_in_linear_light) {
   if (most_samples() < 4) GTEST_SKIP() << "this driver has one sample a pixel";
-  const Target target(Target::Kind::colour, 8, 8, 4);
+  const Target target(Target::Kind::color, 8, 8, 4);
   ASSERT_EQ(target.samples(), 4);
   target.bind();
   glEnable(GL_FRAMEBUFFER_SRGB);
@@ -387,7 +387,7 @@ TEST_P(OpenGl, a_mesh_without_an_attribute_that_the_program_reads_is_an_error) {
 }
 
 TEST_P(OpenGl, an_empty_mesh_draws_nothing) {
-  const Target target(Target::Kind::colour, 1, 1, 1);
+  const Target target(Target::Kind::color, 1, 1, 1);
   target.bind();
   MeshBuffers buffers(mesh::Mesh{});
   ProgramCache cache(shaders());
@@ -418,10 +418,10 @@ TEST_P(OpenGl, a_probe_of_columns_of_different_length_is_an_error) {
   EXPECT_NE(error_of([&] { test::probe(shaders(), "step.glsl", "a", {}, columns); }), "");
 }
 
-TEST_P(OpenGl, a_picture_of_one_colour_is_told_from_one_with_a_pixel_of_another) {
+TEST_P(OpenGl, a_picture_of_one_color_is_told_from_one_with_a_pixel_of_another) {
   const glm::vec4 slate(0.035F, 0.042F, 0.055F, 1);
-  for (const Target::Kind kind : {Target::Kind::colour, Target::Kind::data}) {
-    const Target target(kind, 9, 9, kind == Target::Kind::colour ? 4 : 1);
+  for (const Target::Kind kind : {Target::Kind::color, Target::Kind::data}) {
+    const Target target(kind, 9, 9, kind == Target::Kind::color ? 4 : 1);
     target.bind();
     glEnable(GL_FRAMEBUFFER_SRGB);
     glClearColor(slate.r, slate.g, slate.b, slate.a);
@@ -451,8 +451,8 @@ TEST_P(OpenGl, a_picture_of_one_colour_is_told_from_one_with_a_pixel_of_another)
 
 TEST_P(OpenGl, a_picture_stays_when_another_is_drawn_with_its_samples_and_depth) {
   for (const int samples : {1, 4}) {
-    const Target first(Target::Kind::colour, 8, 8, samples);
-    const Target second(Target::Kind::colour, 8, 8, samples, &first);
+    const Target first(Target::Kind::color, 8, 8, samples);
+    const Target second(Target::Kind::color, 8, 8, samples, &first);
     const auto clear = [](const Target& target, float red) {
       target.bind();
       glClearColor(red, 0, 0, 1);
@@ -468,7 +468,7 @@ TEST_P(OpenGl, a_picture_stays_when_another_is_drawn_with_its_samples_and_depth)
 
 TEST_P(OpenGl, only_a_picture_of_the_same_kind_size_and_samples_shares_them) {
   if (most_samples() < 4) GTEST_SKIP() << "this driver has one sample a pixel";
-  const Target first(Target::Kind::colour, 8, 8, 4);
+  const Target first(Target::Kind::color, 8, 8, 4);
   const auto samples_of = [](const Target& target) {
     target.bind();
     GLint samples = 0;
@@ -476,8 +476,8 @@ TEST_P(OpenGl, only_a_picture_of_the_same_kind_size_and_samples_shares_them) {
     return samples;
   };
   EXPECT_EQ(samples_of(first), 4);
-  EXPECT_LE(samples_of(Target(Target::Kind::colour, 8, 8, 1, &first)), 1);
-  const Target wide(Target::Kind::colour, 16, 8, 4, &first);
+  EXPECT_LE(samples_of(Target(Target::Kind::color, 8, 8, 1, &first)), 1);
+  const Target wide(Target::Kind::color, 16, 8, 4, &first);
   wide.bind();
   glClearColor(0, 1, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -494,7 +494,7 @@ TEST_P(OpenGl, only_a_picture_of_the_same_kind_size_and_samples_shares_them) {
 /// The recorder, with a square that is drawn into a small target.
 class Recording : public OpenGl {
  protected:
-  Recording() : target_(Target::Kind::colour, 4, 4, 1), cache_(shaders()), square_(mesh::quad(1)) {
+  Recording() : target_(Target::Kind::color, 4, 4, 1), cache_(shaders()), square_(mesh::quad(1)) {
     target_.bind();
   }
 

@@ -10,7 +10,7 @@
 
 #include "core/scratch_folder.hpp"
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 enum class Method { right, two_off, not_finite };
@@ -25,18 +25,18 @@ struct LevelParameters {
   }
 };
 /// Fills the picture with a level of detail.
-struct Level : Lab<LevelParameters> {
-  static constexpr View kViews[] = {View::color, View::lod, View::error};
-  static constexpr Info info{1, "level", "Level", "One level.", kViews};
-  explicit Level(const Assets&) {}
-  void draw(const Parameters& p, Frame&) override {
+struct Level : app::Lab<LevelParameters> {
+  static constexpr app::View kViews[] = {app::View::color, app::View::lod, app::View::error};
+  static constexpr app::Info info{1, "level", "Level", "One level.", kViews};
+  explicit Level(const app::Assets&) {}
+  void draw(const Parameters& p, app::Frame&) override {
     ++draws;
     const float wrong = p.method == Method::not_finite ? std::numeric_limits<float>::quiet_NaN() : 2;
     glClearColor(p.method == Method::right ? p.level : p.level + wrong, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
   }
-  static Measure measure(const Parameters&) { return {View::lod, Unit::levels, "the level"}; }
-  static Truth truth(const Parameters& p, glm::ivec2) {
+  static app::Measure measure(const Parameters&) { return {app::View::lod, app::Unit::levels, "the level"}; }
+  static app::Truth truth(const Parameters& p, glm::ivec2) {
     if (p.level > 9) return {};
     return [level = p.level](glm::dvec2) { return glm::dvec3(level, 0, 0); };
   }
@@ -54,8 +54,8 @@ class MethodPlots : public testing::Test {
     }
   } root_;
   std::unique_ptr<gl::Context> context_ = gl::create_headless();
-  const Assets assets_{root_.path()};
-  LabOf<Level> lab_;
+  const app::Assets assets_{root_.path()};
+  app::LabOf<Level> lab_;
   MethodPlot plot_{*context_, assets_, lab_};
 };
 
@@ -105,4 +105,4 @@ TEST_F(MethodPlots, say_why_there_is_nothing_to_measure) {
 }
 
 }  // namespace
-}  // namespace texel::app
+}  // namespace texel::window

@@ -15,7 +15,7 @@
 #include "gl/upload.hpp"
 #include "image/mipmaps.hpp"
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 constexpr const char* kVertexShader = R"(#version 330 core
@@ -53,10 +53,10 @@ struct NoParameters {
   static inline GLenum minify = GL_LINEAR_MIPMAP_LINEAR;
   void declare(params::Set&) {}
 };
-struct TwoTextures : Lab<NoParameters> {
-  static constexpr View kViews[] = {View::color, View::texcoord, View::direction};
-  static constexpr Info info{1, "two", "Two", "Two textures.", kViews};
-  explicit TwoTextures(const Assets&)
+struct TwoTextures : app::Lab<NoParameters> {
+  static constexpr app::View kViews[] = {app::View::color, app::View::texcoord, app::View::direction};
+  static constexpr app::Info info{1, "two", "Two", "Two textures.", kViews};
+  explicit TwoTextures(const app::Assets&)
       : color_map_(gl::make_texture_2d(picture(64, 64, 0), image::Encoding::srgb)) {
     const gl::ScopedBinding binding(GL_TEXTURE_2D, color_map_);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, static_cast<GLint>(NoParameters::minify));
@@ -64,7 +64,7 @@ struct TwoTextures : Lab<NoParameters> {
     for (int i = 0; i < 6; ++i) faces[static_cast<std::size_t>(i)] = picture(16, 16, i);
     cube_map_ = gl::make_cube_map(faces, image::Encoding::srgb, {.minify = GL_LINEAR});
   }
-  void draw(const Parameters&, Frame& frame) override {
+  void draw(const Parameters&, app::Frame& frame) override {
     gl::Program& program = frame.program("two");
     gl::bind(0, GL_TEXTURE_2D, color_map_);
     gl::bind(1, GL_TEXTURE_CUBE_MAP, cube_map_);
@@ -97,9 +97,9 @@ class TexturesAt : public testing::Test {
   }
   std::vector<TextureView> at(glm::ivec2 pixel, GLenum minify = GL_LINEAR_MIPMAP_LINEAR) {
     NoParameters::minify = minify;
-    const Assets assets(root_.path());
-    LabOf<TwoTextures> lab;
-    Canvas canvas(*context_, assets, lab);
+    const app::Assets assets(root_.path());
+    app::LabOf<TwoTextures> lab;
+    app::Canvas canvas(*context_, assets, lab);
     return textures_at(canvas, lab, kSize, pixel);
   }
   ScratchFolder root_;
@@ -149,4 +149,4 @@ TEST_F(TexturesAt, are_none_at_the_background) {
 }
 
 }  // namespace
-}  // namespace texel::app
+}  // namespace texel::window

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "../support/tolerance.hpp"
-#include "image/colour.hpp"
+#include "image/color.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
 #include "labs.hpp"
@@ -16,11 +16,11 @@
 namespace texel::test {
 namespace {
 
-using Colour = std::array<double, 3>;
+using Color = std::array<double, 3>;
 
 constexpr std::array<std::uint8_t, 3> kFirst = {200, 100, 50};
 constexpr std::array<std::uint8_t, 4> kSecond = {60, 120, 240, 64};
-constexpr Colour kFactor = {1, 0.5, 0.25};  // red, green and blue
+constexpr Color kFactor = {1, 0.5, 0.25};  // red, green and blue
 constexpr double kMixFactor = 0.2;
 
 /// A picture of one texel.

@@ -18,11 +18,11 @@ using image::ImageF;
 class Drawing : public EveryLab {};
 INSTANTIATE_TEST_SUITE_P(Labs, Drawing, each_lab, lab_name);
 
-std::size_t distinct_colours(const Image8& picture) {
-  std::set<std::array<std::uint8_t, 3>> colours;
+std::size_t distinct_colors(const Image8& picture) {
+  std::set<std::array<std::uint8_t, 3>> colors;
   for (std::size_t i = 0; i < picture.samples.size(); i += 3)
-    colours.insert({picture.samples[i], picture.samples[i + 1], picture.samples[i + 2]});
-  return colours.size();
+    colors.insert({picture.samples[i], picture.samples[i + 1], picture.samples[i + 2]});
+  return colors.size();
 }
 
 /// Share of the pixels that are not the colour of the empty picture (app/canvas.cpp, 0.035 0.042 0.055 in
@@ -56,10 +56,10 @@ TEST_P(Drawing, shows_something_for_every_value_of_every_choice) {
     EXPECT_GT(covered(picture), 0.05);
     // A 1x1 texture on a square leaves two, the square and the ground, where the driver has one sample a
     // pixel.
-    EXPECT_GE(distinct_colours(picture), shot.name.find("1x1") == std::string::npos ? 3U : 2U);
+    EXPECT_GE(distinct_colors(picture), shot.name.find("1x1") == std::string::npos ? 3U : 2U);
   }
   // 128x128 pixels of texture or light: measured 1200 and more in the first nine labs.
-  EXPECT_GT(distinct_colours(image::load8(folder_ / "default.png")), 500U);
+  EXPECT_GT(distinct_colors(image::load8(folder_ / "default.png")), 500U);
 }
 
 bool holds_unit_vectors(const std::string& view) {

@@ -63,7 +63,7 @@ Spread degrees_off(const ImageF& picture, const std::string& model, const truth:
       const auto hit = hit_model(model, truth::pixel_ray(camera, dvec2(x + 0.5, y + 0.5)).ray);
       const dvec3 drawn(picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2));
       if (!hit || !(glm::length(drawn) > 0.5)) continue;  // at the outline
-      const truth::Surface surface = truth::reparameterised(surface_of(model, hit->face), map);
+      const truth::Surface surface = truth::reparameterized(surface_of(model, hit->face), map);
       const dvec2 texcoord = map.texcoord(hit->texcoord);
       const dvec3 right = exact(surface(texcoord), texcoord);
       degrees.push_back(

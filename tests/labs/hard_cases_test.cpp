@@ -308,10 +308,10 @@ TEST(HardCaseOfLab6, level_of_detail_is_right_at_seam_poles_and_edges_but_for_na
   EXPECT_LT(all["select"].wrong, all["naive"].wrong / 8);
 }
 
-TEST(HardCaseOfLab6, faces_of_1_2_and_16_texels_show_their_own_colour_on_every_side) {
+TEST(HardCaseOfLab6, faces_of_1_2_and_16_texels_show_their_own_color_on_every_side) {
   const TemporaryFolder folder(fmt::format("small_faces_{}", ::getpid()));
-  constexpr int kColours[6][3] = {{255, 0, 0},   {0, 255, 255}, {0, 255, 0},
-                                  {255, 0, 255}, {0, 0, 255},   {255, 255, 0}};
+  constexpr int kColors[6][3] = {{255, 0, 0},   {0, 255, 255}, {0, 255, 0},
+                                 {255, 0, 255}, {0, 0, 255},   {255, 255, 0}};
   // Where the camera sees the middle of each face, in OpenGL's order; 89 degrees is as high as it goes.
   constexpr const char* kSides[6][2] = {{"90", "0"},  {"-90", "0"}, {"0", "89"},
                                         {"0", "-89"}, {"0", "0"},   {"180", "0"}};
@@ -322,7 +322,7 @@ TEST(HardCaseOfLab6, faces_of_1_2_and_16_texels_show_their_own_colour_on_every_s
     for (const procedural::Face face : procedural::faces) {
       image::Image8 picture(size, size, 3);
       for (std::size_t i = 0; i < picture.samples.size(); ++i)
-        picture.samples[i] = static_cast<std::uint8_t>(kColours[static_cast<int>(face)][i % 3]);
+        picture.samples[i] = static_cast<std::uint8_t>(kColors[static_cast<int>(face)][i % 3]);
       image::save_png(map / fmt::format("{}.png", procedural::file_name(face)), picture);
     }
     for (const char* method : {"mipmapped", "linear-seamless", "linear", "nearest"})
@@ -342,7 +342,7 @@ TEST(HardCaseOfLab6, faces_of_1_2_and_16_texels_show_their_own_colour_on_every_s
     for (int c = 0; c < 3; ++c)
       // The middle of the ball is one degree or less from the middle of the face, which for a single texel
       // with seamless filtering is 1 % of the way to the next face: 0.01 of light is 25 steps of sRGB.
-      EXPECT_WITHIN(picture.at(32, 32, c), kColours[side][c], 30) << shot.name;
+      EXPECT_WITHIN(picture.at(32, 32, c), kColors[side][c], 30) << shot.name;
   }
 }
 

@@ -50,7 +50,7 @@ TEST(StretchOfLab3, is_told_for_each_projection) {
   EXPECT_TRUE(has(stretch("torus", "spherical"), "2.060 on average (L2), 9.948 at most"));
 }
 
-TEST(ObjOfLab3, draws_a_file_with_vertex_colours_as_one_without) {
+TEST(ObjOfLab3, draws_a_file_with_vertex_colors_as_one_without) {
   // `v x y z r g b` is read, and not drawn: the color buffer is the picture's alone.
   TemporaryFolder folder("vertex_colours_of_lab_3");
   const char* faces = "vt 0.1 0.1\nvt 0.9 0.1\nvt 0.5 0.9\nf 1/1 2/2 3/3\n";
@@ -66,7 +66,7 @@ TEST(ObjOfLab3, draws_a_file_with_vertex_colours_as_one_without) {
   }
 }
 
-TEST(ObjOfLab3, gives_each_part_its_own_material_s_colour) {
+TEST(ObjOfLab3, gives_each_part_its_own_material_s_color) {
   const TemporaryFolder folder(fmt::format("materials_of_lab_3_{}", ::getpid()));
   write_file(folder / "two.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
   write_file(folder / "two.obj",

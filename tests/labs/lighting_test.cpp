@@ -8,7 +8,7 @@
 #include <glm/glm.hpp>
 
 #include "../support/tolerance.hpp"
-#include "image/colour.hpp"
+#include "image/color.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
 #include "labs.hpp"

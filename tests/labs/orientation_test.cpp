@@ -11,7 +11,7 @@
 #include <limits>
 
 #include "../support/tolerance.hpp"
-#include "image/colour.hpp"
+#include "image/color.hpp"
 #include "image/load.hpp"
 #include "labs.hpp"
 #include "procedural/cube.hpp"
@@ -185,14 +185,14 @@ double difference(const Image8& picture, const Image8* mask, const Expected& exp
   int count = 0;
   for (int y = 0; y < picture.height; y += kStep)
     for (int x = 0; x < picture.width; x += kStep) {
-      glm::dvec3 colour(0);
+      glm::dvec3 color(0);
       for (int i = 0; i < kSamples * kSamples; ++i)
-        colour += expected(ray_of(x + (i % kSamples + 0.5) / kSamples, y + (i / kSamples + 0.5) / kSamples,
-                                  picture, camera.yaw, camera.pitch, camera.distance, camera.fov));
+        color += expected(ray_of(x + (i % kSamples + 0.5) / kSamples, y + (i / kSamples + 0.5) / kSamples,
+                                 picture, camera.yaw, camera.pitch, camera.distance, camera.fov));
       const int column = is_mirrored ? picture.width - 1 - x : x;
-      if (!std::isfinite(colour.x) || (mask != nullptr && mask->at(column, y) == 255)) continue;
+      if (!std::isfinite(color.x) || (mask != nullptr && mask->at(column, y) == 255)) continue;
       for (int c = 0; c < 3; ++c) {
-        const double linear = glm::clamp(colour[c] / (kSamples * kSamples), 0.0, 1.0);
+        const double linear = glm::clamp(color[c] / (kSamples * kSamples), 0.0, 1.0);
         sum += std::abs(picture.at(column, y, c) - 255 * image::srgb_from_linear(linear));
         ++count;
       }
@@ -239,7 +239,7 @@ const glm::dvec3 kNotAsked(std::numeric_limits<double>::quiet_NaN());
 const Settings kLabelled = {{"cube_map", "labelled"}};
 
 glm::dvec3 if_finite(const glm::dvec3& direction) {
-  return std::isfinite(direction.x) ? procedural::labelled_colour(direction) : kNotAsked;
+  return std::isfinite(direction.x) ? procedural::labelled_color(direction) : kNotAsked;
 }
 
 glm::dvec3 by_reflection(const Ray& ray) {
@@ -248,7 +248,7 @@ glm::dvec3 by_reflection(const Ray& ray) {
 }
 
 glm::dvec3 by_background(const Ray& ray) {
-  return procedural::labelled_colour(ray.direction);
+  return procedural::labelled_color(ray.direction);
 }
 
 TEST(LabelledCube, faces_the_normal_in_lab_6) {
@@ -274,7 +274,7 @@ TEST(LabelGrid, is_turned_by_180_degrees_on_the_sphere_of_lab_6) {
     if (!std::isfinite(n.x)) return kNotAsked;
     const double u = std::atan2(n.x, n.z) / (-2 * glm::pi<double>());
     const double v = std::atan2(std::hypot(n.x, n.z), n.y) / glm::pi<double>();
-    return glm::dvec3(procedural::colour(procedural::Texture::label_grid, u, v));
+    return glm::dvec3(procedural::color(procedural::Texture::label_grid, u, v));
   };
   expect_six_sides("lab06_cube_map", {{"mapping", "sphere-2d"}, {"picture", "label_grid"}}, 3, 45, by_angles);
 }
@@ -295,7 +295,7 @@ TEST(LabelledCube, is_mirrored_by_the_ball_of_lab_9) {
   expect_six_sides("lab09_bump", kLabelled, 2.5, 60, by_background, Part::background);
 }
 
-TEST(ColourPerVertexOfLab3, is_read_where_the_scaled_coordinate_points) {
+TEST(ColorPerVertexOfLab3, is_read_where_the_scaled_coordinate_points) {
   const TemporaryFolder folder(fmt::format("scaled_{}", ::getpid()));
   const Settings look = {{"model", "quad"}, {"texture", "label_grid"}, {"texture_scale", "0.4"}, {"yaw", "0"},
                          {"pitch", "0"},    {"distance", "2.5"}};

@@ -18,11 +18,11 @@
 namespace texel::test {
 namespace {
 
+using check::ExpectedFiles;
 using course::Case;
-using grade::ExpectedFiles;
-using grade::Verdict;
 using image::Image8;
 using image::ImageF;
+using judge::Verdict;
 
 /// Pictures of different kinds: a texture on a square, a lit relief, a ball in its surroundings.
 struct Scene {
@@ -50,7 +50,7 @@ class ScoreOf : public testing::TestWithParam<int> {
   }
 
   std::filesystem::path file(const std::string& name) { return folder_ / (name + ".png"); }
-  Verdict verdict_of(const std::string& name) { return grade::judge(of_, expected_, file(name)); }
+  Verdict verdict_of(const std::string& name) { return check::judge(of_, expected_, file(name)); }
   double score(const std::string& name) {
     const Verdict verdict = verdict_of(name);
     EXPECT_EQ(verdict.passed, verdict.score == 1) << verdict.message;
@@ -128,7 +128,7 @@ TEST_P(ScoreOf, a_mirrored_picture_one_upside_down_half_a_picture_or_one_shifted
 }
 
 /// Limit 2: three steps are 1.5 times the limit, five are 2.5 times, nine are 4.5 times, ten are 5 times.
-TEST_P(ScoreOf, a_recoloured_picture_falls_with_the_steps) {
+TEST_P(ScoreOf, a_recolored_picture_falls_with_the_steps) {
   for (const auto& [steps, expected] :
        {std::pair(3, 0.4375), {-3, 0.4375}, {5, 0.3125}, {-5, 0.3125}, {9, 0.0625}, {10, 0.0}, {-40, 0.0}})
     EXPECT_NEAR(score(changed([&, by = steps](int x, int y, int c) {
@@ -144,15 +144,15 @@ INSTANTIATE_TEST_SUITE_P(Scene, ScoreOf, testing::Range(0, 3), [](const testing:
 });
 
 TEST(Score, is_full_up_to_the_limit_half_past_it_and_nothing_from_five_times_on) {
-  EXPECT_EQ(grade::score(0), 1);
-  EXPECT_EQ(grade::score(1), 1);
-  EXPECT_NEAR(grade::score(1.0001), 0.5, 1e-4);
-  EXPECT_NEAR(grade::score(2), 0.375, 1e-12);
-  EXPECT_NEAR(grade::score(3), 0.25, 1e-12);
-  EXPECT_EQ(grade::score(5), 0);
-  EXPECT_EQ(grade::score(1e9), 0);
-  EXPECT_EQ(grade::score(std::numeric_limits<double>::infinity()), 0);
-  EXPECT_EQ(grade::score(std::nan("")), 0);
+  EXPECT_EQ(judge::score(0), 1);
+  EXPECT_EQ(judge::score(1), 1);
+  EXPECT_NEAR(judge::score(1.0001), 0.5, 1e-4);
+  EXPECT_NEAR(judge::score(2), 0.375, 1e-12);
+  EXPECT_NEAR(judge::score(3), 0.25, 1e-12);
+  EXPECT_EQ(judge::score(5), 0);
+  EXPECT_EQ(judge::score(1e9), 0);
+  EXPECT_EQ(judge::score(std::numeric_limits<double>::infinity()), 0);
+  EXPECT_EQ(judge::score(std::nan("")), 0);
 }
 
 /// A float picture of unit vectors on a disc.
@@ -180,7 +180,7 @@ TEST(ScoreOfDirections, falls_with_the_angle_and_is_zero_for_what_is_not_finite)
   const ExpectedFiles expected{folder / "reference.pfm", folder / "mask.png"};
   const auto verdict = [&](const ImageF& picture) {
     image::save_pfm(folder / "picture.pfm", picture);
-    return grade::judge(one, expected, folder / "picture.pfm");
+    return check::judge(one, expected, folder / "picture.pfm");
   };
   const auto score = [&](const Verdict& of) { return of.score; };
   constexpr float degree = 3.14159265F / 180;
@@ -216,7 +216,7 @@ TEST(ScoreOfDirections, is_zero_for_a_float_picture_of_other_channels_or_size) {
     one.view = view;
     for (const ImageF& picture : {ImageF(64, 64, 1), ImageF(63, 64, 3)}) {
       image::save_pfm(folder / "picture.pfm", picture);
-      const Verdict verdict = grade::judge(one, expected, folder / "picture.pfm");
+      const Verdict verdict = check::judge(one, expected, folder / "picture.pfm");
       EXPECT_EQ(verdict.score, 0) << name_of(view);
       EXPECT_TRUE(verdict.message.starts_with("The picture ")) << verdict.message;
     }

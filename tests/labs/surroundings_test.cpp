@@ -9,7 +9,7 @@
 #include <glm/glm.hpp>
 
 #include "../support/tolerance.hpp"
-#include "image/colour.hpp"
+#include "image/color.hpp"
 #include "image/difference.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
@@ -136,7 +136,7 @@ TEST(GlassOfLab8, reflects_four_percent_where_one_looks_straight_at_it) {
 
 /// Centre and radius, as labs/07_environment/scene.hpp has them.
 struct Sphere {
-  dvec3 centre;
+  dvec3 center;
   double radius;
 };
 constexpr Sphere kSpheres[] = {{{0, 0, 0}, 1},
@@ -150,7 +150,7 @@ dvec3 first_normal(const dvec3& eye, const dvec3& ray) {
   double nearest = 1e9;
   dvec3 normal(0);
   for (const Sphere& sphere : kSpheres) {
-    const dvec3 from = eye - sphere.centre;
+    const dvec3 from = eye - sphere.center;
     const double b = glm::dot(from, ray), root = b * b - glm::dot(from, from) + sphere.radius * sphere.radius;
     const double share = root / (sphere.radius * sphere.radius);  // 1 in the middle, 0 at the rim
     if (share < -0.1) continue;

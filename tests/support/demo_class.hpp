@@ -85,15 +85,15 @@ inline std::vector<course::Lab> demo_labs() {
 }
 
 /// A case with one of the demo's pictures.
-inline grade::CaseResult demo_case(const std::string& lab, const std::string& step, const std::string& name,
+inline judge::CaseResult demo_case(const std::string& lab, const std::string& step, const std::string& name,
                                    const std::string& view, bool hidden, bool passed) {
-  grade::CaseResult result;
+  judge::CaseResult result;
   result.lab = lab;
   result.step = step;
   result.name = name;
   result.view = course::find_view(view).value();
   result.hidden = hidden;
-  result.status = passed ? grade::CaseStatus::passed : grade::CaseStatus::failed;
+  result.status = passed ? judge::CaseStatus::passed : judge::CaseStatus::failed;
   result.score = passed ? 1 : 0;
   result.limit = view == "color" ? 2 : view == "mesh" ? 0 : 0.2;
   result.error = passed ? 0 : view == "color" ? 83 : view == "mesh" ? 12 : 106.26;
@@ -111,27 +111,27 @@ inline grade::CaseResult demo_case(const std::string& lab, const std::string& st
 }
 
 /// Steps 1 to `solved` (counted over all labs) are solved, of the next the public cases only.
-inline std::vector<grade::LabResult> demo_results(int solved, const std::string& mistake = {},
+inline std::vector<judge::LabResult> demo_results(int solved, const std::string& mistake = {},
                                                   const std::string& says = {}) {
-  std::vector<grade::LabResult> labs;
+  std::vector<judge::LabResult> labs;
   for (const course::Lab& lab : demo_labs()) {
-    grade::LabResult result;
+    judge::LabResult result;
     result.lab = lab;
     for (const course::Step& step : lab.steps) {
       const std::string view = step.id == "3.1" ? "mesh" : step.id == "5.3" ? "color" : "normal";
-      std::vector<grade::CaseResult> cases = {
+      std::vector<judge::CaseResult> cases = {
           demo_case(lab.folder, step.id, "plain_" + view, view, false, solved > 0),
           demo_case(lab.folder, step.id, "turned_" + view, view == "normal" ? "color" : view, false,
                     solved > 0),
           demo_case(lab.folder, step.id, "unseen_" + view, view, true, solved > 0)};
       if (solved == 0) cases[0] = demo_case(lab.folder, step.id, "flat_" + view, view, false, true);
-      for (grade::CaseResult& each : cases)
+      for (judge::CaseResult& each : cases)
         if (!each.passed()) {
           each.mistake = mistake;
           each.mistake_says = says;
           each.score = mistake.empty() ? 0 : 0.25;
         }
-      result.steps.push_back(grade::step_result(step, cases));
+      result.steps.push_back(judge::step_result(step, cases));
       result.steps.back().file =
           step.id == "5.2" ? "shaders/05_normal_map/tangent_frame.glsl" : "labs/" + lab.folder + "/lab.cpp";
       result.steps.back().line = 42;
@@ -144,15 +144,15 @@ inline std::vector<grade::LabResult> demo_results(int solved, const std::string&
 
 /// Full marks (with the id of the class's own page), half, nothing, a compile error, a hostile name, a long
 /// one, an incident, and a submission that cannot be read.
-inline grade::ClassResult demo_class(const std::filesystem::path& folder) {
+inline store::ClassResult demo_class(const std::filesystem::path& folder) {
   write_pictures(folder);
-  grade::ClassResult results;
+  store::ClassResult results;
   results.facts = {{"renderer", "llvmpipe (LLVM 15.0.6, 256 bits), OSMesa"},
                    {"seed", "7f3a 91c2"},
                    {"version", "0.1.0"},
                    {"command", "texel grade class --out out/grade --labs 3,5,9"}};
   const auto add = [&](const std::string& id, const std::string& name, const std::string& number) -> auto& {
-    grade::StudentResult student;
+    store::StudentResult student;
     student.id = id;
     student.name = name;
     student.number = number;
@@ -164,7 +164,7 @@ inline grade::ClassResult demo_class(const std::filesystem::path& folder) {
       demo_results(2, "normal-green-flipped", "Green is inverted: in these maps green points up (+Y).");
   add("ben-nothing", "Ben Nothing", "10233").labs = demo_results(-1);
 
-  grade::StudentResult& broken = add("cleo-broken", "Cleo Broken", "10234");
+  store::StudentResult& broken = add("cleo-broken", "Cleo Broken", "10234");
   broken.labs =
       demo_results(1, "normal-green-flipped", "Green is inverted: in these maps green points up (+Y).");
   broken.logs = {{"shaders/05_normal_map/decode_normal.glsl",
@@ -174,13 +174,13 @@ inline grade::ClassResult demo_class(const std::filesystem::path& folder) {
                   "must be numeric"}};
   broken.ignored = {{"build/CMakeCache.txt", "no file of the labs"}, {".git/config", "in a hidden folder"}};
 
-  grade::StudentResult& hostile = add("script-1a2b3c4d", kHostile, "=HYPERLINK(\"http://x\")");
+  store::StudentResult& hostile = add("script-1a2b3c4d", kHostile, "=HYPERLINK(\"http://x\")");
   hostile.labs = demo_results(0, "normal-green-flipped", kHostile);
-  for (grade::LabResult& lab : hostile.labs)
-    for (grade::StepResult& step : lab.steps) {
+  for (judge::LabResult& lab : hostile.labs)
+    for (judge::StepResult& step : lab.steps) {
       step.message = step.title = kHostile, step.hints = {kHostile};
       step.file = kHostile;
-      for (grade::CaseResult& each : step.cases) {
+      for (judge::CaseResult& each : step.cases) {
         each.message = each.command = kHostile;
         each.name += kHostile;
       }
@@ -189,14 +189,14 @@ inline grade::ClassResult demo_class(const std::filesystem::path& folder) {
   hostile.logs = {{kHostile, std::string("a\x01\x1b[31mb\xff\n\tline two ") + kHostile}};
   hostile.ignored = {{kHostile, kHostile}};
 
-  grade::StudentResult& long_name =
+  store::StudentResult& long_name =
       add("wolfeschlegelsteinhausenbergerdorff",
           "Hubert Blaine Wolfeschlegelsteinhausenbergerdorff-Featherstonehaugh", "10236");
   long_name.labs = demo_results(3, "tangent-not-orthogonal", "T must be made perpendicular to N again.");
   long_name.labs[1].steps[1].overridden = "right idea, shown in the lab session";
   long_name.labs[1].steps[1].score = 0.75;
 
-  grade::StudentResult& incident = add("dora-incident", "Dora Incident", "10237");
+  store::StudentResult& incident = add("dora-incident", "Dora Incident", "10237");
   incident.labs = demo_results(0);
   incident.incident = "lab 5: the sandbox could not start: no space left on the disk";
 

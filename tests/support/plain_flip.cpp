@@ -43,7 +43,7 @@ double plain_hyab(const Vector& a, const Vector& b) {
   return std::abs(a[0] - b[0]) + std::hypot(a[1] - b[1], a[2] - b[2]);
 }
 
-double plain_colour_error(double distance) {
+double plain_color_error(double distance) {
   static const double largest =
       std::pow(plain_hyab(plain_hunt_lab({0, 1, 0}), plain_hunt_lab({0, 0, 1})), 0.7);
   const double compressed = std::pow(distance, 0.7), knee = 0.4 * largest;
@@ -183,17 +183,17 @@ class Seen {
         opponents_[1].push_back(500 * (relative_x - xyz[1]));
         opponents_[2].push_back(200 * (xyz[1] - relative_z));
       }
-    see_colours();
+    see_colors();
     const double sigma = 0.5 * 0.082 * ppd_;
     edges = features([](double x) { return x; });
     points = features([&](double x) { return x * x / (sigma * sigma) - 1; });
   }
 
-  Picture colours;  // L*a*b* with the Hunt effect
+  Picture colors;  // L*a*b* with the Hunt effect
   Plane edges, points;
 
  private:
-  void see_colours() {
+  void see_colors() {
     // a1, b1, a2, b2 of each channel: the paper's table 1.
     constexpr double table[3][4] = {{1, 0.0047, 0, 1e-5}, {1, 0.0053, 0, 1e-5}, {34.1, 0.04, 13.5, 0.025}};
     constexpr double pi = std::numbers::pi;
@@ -219,7 +219,7 @@ class Seen {
       Vector rgb = solve(
           columns, {(y + filtered[1][i] / 500) * white_xyz[0], y, (y - filtered[2][i] / 200) * white_xyz[2]});
       for (double& value : rgb) value = std::clamp(value, 0.0, 1.0);
-      colours.push_back(plain_hunt_lab(rgb));
+      colors.push_back(plain_hunt_lab(rgb));
     }
   }
 
@@ -256,12 +256,12 @@ std::vector<double> plain_flip(const Image8& reference, const Image8& image, Pla
                                double pixels_per_degree) {
   const Seen a(reference, filters, pixels_per_degree), b(image, filters, pixels_per_degree);
   std::vector<double> errors;
-  errors.reserve(a.colours.size());
-  for (std::size_t i = 0; i < a.colours.size(); ++i) {
-    const double colour = plain_colour_error(plain_hyab(a.colours[i], b.colours[i]));
+  errors.reserve(a.colors.size());
+  for (std::size_t i = 0; i < a.colors.size(); ++i) {
+    const double color = plain_color_error(plain_hyab(a.colors[i], b.colors[i]));
     const double edges = std::abs(a.edges[i] - b.edges[i]), points = std::abs(a.points[i] - b.points[i]);
     const double feature = std::sqrt(std::max(edges, points) / std::numbers::sqrt2);
-    errors.push_back(std::pow(colour, 1 - feature));
+    errors.push_back(std::pow(color, 1 - feature));
   }
   return errors;
 }

@@ -23,7 +23,7 @@ Vector solve(const std::array<Vector, 3>& columns, const Vector& right);
 Vector plain_hunt_lab(const Vector& linear_rgb);
 double plain_hyab(const Vector& a, const Vector& b);
 /// A HyAB distance as an error of 0 to 1.
-double plain_colour_error(double distance);
+double plain_color_error(double distance);
 
 enum class PlainFilters {
   square,    ///< each pixel as a weighted sum over the square around it, as the paper defines the filters

@@ -14,7 +14,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 
-namespace texel::tools {
+namespace texel::commands {
 namespace {
 
 using test::has;
@@ -242,4 +242,4 @@ TEST(AccuracyReport, has_every_default_on_the_front_and_finite) {
 }
 
 }  // namespace
-}  // namespace texel::tools
+}  // namespace texel::commands

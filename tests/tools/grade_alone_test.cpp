@@ -46,9 +46,9 @@ void surround(std::string& text, const std::string& step, const std::string& bef
   text.insert(end, behind + "\n");
 }
 
-const grade::StepResult& step_of(const grade::StudentResult& student, std::string_view id) {
-  for (const grade::LabResult& lab : student.labs)
-    for (const grade::StepResult& step : lab.steps)
+const judge::StepResult& step_of(const store::StudentResult& student, std::string_view id) {
+  for (const judge::LabResult& lab : student.labs)
+    for (const judge::StepResult& step : lab.steps)
       if (step.id == id) return step;
   throw std::out_of_range(std::string(id));
 }
@@ -67,10 +67,10 @@ TEST_F(JudgedAlone, costs_each_mistake_one_step_and_right_ones_none) {
     check(out, made);
     for (const auto& [id, one] : made.expected.at("students").items())
       ++(one.at("kind") == "mistake" ? wrong : right);
-    for (const grade::StudentResult& student : grade::read_results(out, kSource).students)
-      for (const grade::LabResult& lab : student.labs)
-        for (const grade::StepResult& step : lab.steps)
-          if (step.any(grade::Judged::alone) && step.status == grade::Status::passed) {
+    for (const store::StudentResult& student : grade::read_results(out, kSource).students)
+      for (const judge::LabResult& lab : student.labs)
+        for (const judge::StepResult& step : lab.steps)
+          if (step.any(judge::Judged::alone) && step.status == judge::Status::passed) {
             // None where it is in another lab and lab.toml does not say that it is needed.
             EXPECT_LE(step.spoilt_by.size(), 1U) << student.id << " " << step.id;
           }
@@ -157,7 +157,7 @@ TEST_F(JudgedAlone, shows_nothing_of_what_stands_in) {
   ASSERT_GE(all.size(), 10U);
   for (const auto& [name, text] : shown)
     for (const std::string& secret : all) EXPECT_FALSE(has(text, secret)) << name << " has: " << secret;
-  for (const grade::StudentResult& student : grade::read_results(out, kSource).students) {
+  for (const store::StudentResult& student : grade::read_results(out, kSource).students) {
     EXPECT_EQ(student.points(), 0) << student.id;
     EXPECT_EQ(student.incident, "") << student.id;
   }
@@ -181,13 +181,13 @@ TEST_F(JudgedAlone, says_why_a_step_without_its_own_markers_was_not) {
   const fs::path out = kWork / "markers_out";
   const Result result = grade(made, out, "--format csv,gradescope,junit,prairielearn");
   ASSERT_EQ(result.exit_code, 0) << result.output;
-  const grade::ClassResult results = grade::read_results(out, kSource);
-  for (const grade::StudentResult& student : results.students) {
+  const store::ClassResult results = grade::read_results(out, kSource);
+  for (const store::StudentResult& student : results.students) {
     const bool is_whole = student.id == "whole";
-    const grade::StepResult &right = step_of(student, "8.2"), &lost = step_of(student, "8.3");
-    EXPECT_EQ(right.status, grade::Status::passed) << student.id;
-    EXPECT_TRUE(right.any(grade::Judged::alone)) << student.id;
-    EXPECT_EQ(lost.any(grade::Judged::markers_lost), !is_whole) << student.id;
+    const judge::StepResult &right = step_of(student, "8.2"), &lost = step_of(student, "8.3");
+    EXPECT_EQ(right.status, judge::Status::passed) << student.id;
+    EXPECT_TRUE(right.any(judge::Judged::alone)) << student.id;
+    EXPECT_EQ(lost.any(judge::Judged::markers_lost), !is_whole) << student.id;
     EXPECT_EQ(step_of(student, "8.1").score, 0) << student.id;
     const char* says = is_whole ? "8.2 is right: with 8.1 mended it has full marks."
                                 : "8.3 was not judged alone, since its line //@step 8.3 begin or its //@end";

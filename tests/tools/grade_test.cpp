@@ -135,7 +135,7 @@ TEST_F(Starter, is_built_and_an_empty_submission_scores_nothing) {
   fs::create_directories(empty.folder / "nobody");
   const Result result = grade(empty, kWork / "empty_out");
   ASSERT_EQ(result.exit_code, 0) << result.output;
-  const grade::ClassResult results = grade::read_results(kWork / "empty_out", kSource);
+  const store::ClassResult results = grade::read_results(kWork / "empty_out", kSource);
   ASSERT_EQ(results.students.size(), 1U);
   EXPECT_EQ(results.students[0].points(), 0);
   EXPECT_GT(results.students[0].max_points(), 0);
@@ -145,7 +145,7 @@ TEST_F(Starter, is_built_and_an_empty_submission_scores_nothing) {
 class GradedClass : public GraderTest {
  protected:
   static void SetUpTestSuite() {
-    if (!grade::sandbox_fault().empty()) return;
+    if (!sandbox::sandbox_fault().empty()) return;
     make_work_folder();
     for (const char* name : {"two_labs", "few", "hostile", "shaders", "egl", "disk"})
       for (const char* ending : {"", ".json", "_out"}) fs::remove_all(kWork / (std::string(name) + ending));
@@ -269,17 +269,17 @@ TEST_F(GradedClass, says_that_a_run_is_not_finished) {
   ASSERT_EQ(graded_few_.exit_code, 0) << graded_few_.output;
   const fs::path cut = fresh("cut_out"), joined = fresh("cut_joined");
   fs::create_directories(cut);
-  const grade::ClassResult whole = grade::read_results(kWork / "few_out", kSource);
+  const store::ClassResult whole = grade::read_results(kWork / "few_out", kSource);
   ASSERT_GE(whole.students.size(), 3U);
   {
-    grade::Store store(grade::store_file(cut));
-    store.put_facts(grade::Store(grade::store_file(kWork / "few_out")).facts());
-    for (const grade::StudentResult& student : whole.students) store.expect_student(student);
+    store::Store store(grade::store_file(cut));
+    store.put_facts(store::Store(grade::store_file(kWork / "few_out")).facts());
+    for (const store::StudentResult& student : whole.students) store.expect_student(student);
     for (std::size_t i = 0; i < 2; ++i) {
       store.put_student(whole.students[i], "digest");
-      for (const grade::LabResult& lab : whole.students[i].labs)
-        for (const grade::StepResult& step : lab.steps)
-          for (const grade::CaseResult& one : step.cases)
+      for (const judge::LabResult& lab : whole.students[i].labs)
+        for (const judge::StepResult& step : lab.steps)
+          for (const judge::CaseResult& one : step.cases)
             if (i == 0 || &one != &step.cases.back()) store.put(whole.students[i].id, one);
     }
   }
@@ -343,9 +343,9 @@ TEST_F(GradedClass, tells_a_student_who_packs_the_whole_folder_only_what_is_thei
   packed("cp -r . ../../whole/changed");
   const Result result = grade(whole, fresh("whole_out"));
   ASSERT_EQ(result.exit_code, 0) << result.output;
-  for (const grade::StudentResult& student : grade::read_results(kWork / "whole_out", kSource).students) {
+  for (const store::StudentResult& student : grade::read_results(kWork / "whole_out", kSource).students) {
     std::set<std::string> told;
-    for (const grade::Ignored& one : student.ignored) told.insert(one.path);
+    for (const store::Ignored& one : student.ignored) told.insert(one.path);
     EXPECT_EQ(student.fault, "");
     EXPECT_EQ(told, student.id == "changed"
                         ? std::set<std::string>({"common/core/include/core/error.hpp", "notes.txt"})

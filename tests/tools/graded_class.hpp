@@ -65,7 +65,7 @@ inline Result grade(const Class& graded, const fs::path& out, const std::string&
 }
 
 inline std::string dump(const fs::path& out) {
-  return grade::Store(grade::store_file(out)).dump();
+  return store::Store(grade::store_file(out)).dump();
 }
 
 /// Every file below a folder with its bytes.
@@ -78,7 +78,7 @@ inline std::map<std::string, std::string> files_in(const fs::path& folder) {
 }
 
 /// Holds one student's grades against what must come out; whether a mistake that has a name got it.
-inline bool check_student(const grade::StudentResult& student, const Json& expected) {
+inline bool check_student(const store::StudentResult& student, const Json& expected) {
   SCOPED_TRACE(fmt::format("{} ({} {})", student.id, expected.at("kind").get<std::string>(),
                            expected.at("name").get<std::string>()));
   EXPECT_EQ(student.incident, "");
@@ -86,22 +86,22 @@ inline bool check_student(const grade::StudentResult& student, const Json& expec
   std::set<std::string> passed;
   bool is_named = true;
   const auto zero = expected.value("zero", std::set<std::string>());
-  for (const grade::LabResult& lab : student.labs)
-    for (const grade::StepResult& step : lab.steps) {
+  for (const judge::LabResult& lab : student.labs)
+    for (const judge::StepResult& step : lab.steps) {
       const std::string told = fmt::format("{}: {} {}", step.id, step.score, step.message);
-      if (step.status == grade::Status::passed) passed.insert(step.id);
-      EXPECT_EQ(step.status == grade::Status::passed, step.score == 1) << told;
+      if (step.status == judge::Status::passed) passed.insert(step.id);
+      EXPECT_EQ(step.status == judge::Status::passed, step.score == 1) << told;
       if (zero.count(step.id) > 0) {
         EXPECT_EQ(step.score, 0) << told;
       }
       if (step.id == expected.value("untouched", "")) {
-        EXPECT_TRUE(std::any_of(step.cases.begin(), step.cases.end(), [](const grade::CaseResult& one) {
-          return one.status == grade::CaseStatus::untouched;
+        EXPECT_TRUE(std::any_of(step.cases.begin(), step.cases.end(), [](const judge::CaseResult& one) {
+          return one.status == judge::CaseStatus::untouched;
         })) << told;
       }
       if (expected.value("fails", "") != step.id) continue;
       EXPECT_LT(step.score, 1) << told;
-      EXPECT_NE(step.status, grade::Status::passed) << told;
+      EXPECT_NE(step.status, judge::Status::passed) << told;
       if (!expected.contains("mistake")) continue;
       is_named = expected.at("mistake").get<std::string>() == step.mistake;
       if (!is_named)
@@ -115,11 +115,11 @@ inline bool check_student(const grade::StudentResult& student, const Json& expec
 
 /// Holds all students of a class against what must come out.
 inline void check(const fs::path& out, const Class& graded) {
-  const grade::ClassResult results = grade::read_results(out, kSource);
+  const store::ClassResult results = grade::read_results(out, kSource);
   const Json& expected = graded.expected.at("students");
   EXPECT_EQ(results.students.size(), expected.size());
   int mutants = 0, named = 0;
-  for (const grade::StudentResult& student : results.students) {
+  for (const store::StudentResult& student : results.students) {
     ASSERT_TRUE(expected.contains(student.id)) << student.id;
     const bool is_named = check_student(student, expected.at(student.id));
     if (!expected.at(student.id).contains("mistake")) continue;
@@ -133,8 +133,8 @@ inline void check(const fs::path& out, const Class& graded) {
 class GraderTest : public testing::Test {
  protected:
   void SetUp() override {
-    if (!grade::sandbox_fault().empty())
-      GTEST_SKIP() << "bubblewrap cannot work here: " << grade::sandbox_fault();
+    if (!sandbox::sandbox_fault().empty())
+      GTEST_SKIP() << "bubblewrap cannot work here: " << sandbox::sandbox_fault();
   }
   static void make_work_folder() {
     fs::create_directories(kWork);

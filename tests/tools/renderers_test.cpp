@@ -16,7 +16,7 @@
 #include "core/files.hpp"
 #include "course/markers.hpp"
 
-namespace texel::tools {
+namespace texel::commands {
 namespace {
 
 const std::filesystem::path kRoot = test::kSource;
@@ -154,4 +154,4 @@ TEST(Renderers, are_grouped_by_driver_and_version) {
 }
 
 }  // namespace
-}  // namespace texel::tools
+}  // namespace texel::commands

@@ -288,12 +288,12 @@ TEST_F(StudentTree, says_where_a_shader_does_not_compile) {
 }
 
 TEST(Report, says_once_why_several_steps_wait) {
-  grade::LabResult lab;
+  judge::LabResult lab;
   for (const char* id : {"7.1", "7.2", "7.3", "7.4"}) {
-    grade::StepResult step;
+    judge::StepResult step;
     step.id = step.title = id;
     step.cases.emplace_back();
-    if (!lab.steps.empty()) step.status = grade::Status::skipped, step.message = "because";
+    if (!lab.steps.empty()) step.status = judge::Status::skipped, step.message = "because";
     lab.steps.push_back(step);
   }
   lab.steps.back().message = "for another reason";
@@ -452,10 +452,10 @@ TEST_F(StudentTree, takes_a_step_back_and_keeps_what_was_written) {
   std::string wrong = own;
   wrong.insert(wrong.find('\n', wrong.find("//@step 9.2 begin")) + 1, "  // a new attempt\n");
   write_file(file, wrong);
-  const auto untouched = grade::untouched_steps({root_, root_ / "build"});
+  const auto untouched = check::untouched_steps({root_, root_ / "build"});
   EXPECT_FALSE(untouched.contains("9.2"));
   write_file(file, first);
-  EXPECT_TRUE(grade::untouched_steps({root_, root_ / "build"}).contains("9.2"));
+  EXPECT_TRUE(check::untouched_steps({root_, root_ / "build"}).contains("9.2"));
 }
 
 /// An editor that saves with other line ends or tabs, and comments alone, begin no step, in any file of the

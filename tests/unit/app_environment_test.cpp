@@ -55,7 +55,7 @@ TEST(SphereMap, shows_each_face_where_a_ball_reflects_it_towards_positive_z) {
   EXPECT_EQ(face_at(map, 0, 0), kNegativeZ);       // and beyond it
 }
 
-TEST(EquirectangularMap, keeps_a_plain_colour_exactly) {
+TEST(EquirectangularMap, keeps_a_plain_color_exactly) {
   std::array<image::Image8, 6> faces;
   faces.fill(image::Image8(kSide, kSide, 3));
   for (image::Image8& face : faces) std::fill(face.samples.begin(), face.samples.end(), std::uint8_t{93});

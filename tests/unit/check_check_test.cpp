@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 
-namespace texel::grade {
+namespace texel::check {
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,9 +34,9 @@ class CheckedPictures : public testing::Test {
       return Drawn{};
     };
     std::map<std::string, std::string> pictures;
-    for (const LabResult& lab : check(tree_, {lab_}, draws))
-      for (const StepResult& step : lab.steps)
-        for (const CaseResult& one : step.cases) pictures[one.name] = one.picture;
+    for (const judge::LabResult& lab : check(tree_, {lab_}, draws))
+      for (const judge::StepResult& step : lab.steps)
+        for (const judge::CaseResult& one : step.cases) pictures[one.name] = one.picture;
     return pictures;
   }
 
@@ -81,4 +81,4 @@ TEST_F(CheckedPictures, have_known_mistakes_beside_them_or_an_error_names_the_fi
 }
 
 }  // namespace
-}  // namespace texel::grade
+}  // namespace texel::check

@@ -13,7 +13,7 @@
 #include "check/check.hpp"
 #include "core/files.hpp"
 
-namespace texel::grade {
+namespace texel::check {
 namespace {
 
 namespace fs = std::filesystem;
@@ -218,4 +218,4 @@ TEST(Renderers, are_named_and_a_gpu_gets_advice) {
 }
 
 }  // namespace
-}  // namespace texel::grade
+}  // namespace texel::check

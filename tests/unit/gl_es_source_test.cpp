@@ -51,12 +51,12 @@ TEST(EsSource, LinesKeepTheirNumbers) {
   EXPECT_EQ(line_of(vertex, "marked"), 100003);
 }
 
-TEST(EsSource, AColourIsDecodedWhereBytesAreKept) {
+TEST(EsSource, AColorIsDecodedWhereBytesAreKept) {
   EXPECT_TRUE(has(fragment("out vec4 picture;\nvoid main() {}\n"), kKeepsBytes));
   EXPECT_FALSE(has(fragment("out vec4 other;\nvoid main() {}\n"), kKeepsBytes));
 }
 
-TEST(EsSource, AColourIsEncodedForATargetThatDoesNot) {
+TEST(EsSource, AColorIsEncodedForATargetThatDoesNot) {
   const std::string body = "out vec4 picture;\nvoid main() {}\n";
   const std::string encoded = es_source("#version 330 core\n" + body, true, kFine, true);
   EXPECT_TRUE(has(encoded, "if (!texel_keeps_bytes) {") && has(encoded, "vec3(1.0 / 2.4)")) << encoded;

@@ -49,7 +49,7 @@ GradedCase case_of(const std::string& name, std::vector<course::Setting> setting
 class Plan : public testing::Test {
  protected:
   ~Plan() override { fs::remove_all(models_); }
-  std::vector<LabPlan> plan_of(const Lab& lab, const std::string& seed) {
+  std::vector<judge::LabPlan> plan_of(const Lab& lab, const std::string& seed) {
     return full_plan({lab}, seed, models_);
   }
 
@@ -62,14 +62,14 @@ class Plan : public testing::Test {
 };
 
 TEST_F(Plan, leaves_hidden_cases_out_where_students_check) {
-  const LabPlan plan = public_plan({lab_}).front();
+  const judge::LabPlan plan = judge::public_plan({lab_}).front();
   ASSERT_EQ(plan.cases.size(), 1U);
   EXPECT_EQ(plan.cases[0].name, "open");
   EXPECT_FALSE(fs::exists(models_));
 }
 
 TEST_F(Plan, draws_hidden_values_from_the_seed_within_their_range) {
-  const LabPlan plan = plan_of(lab_, "a seed").front();
+  const judge::LabPlan plan = plan_of(lab_, "a seed").front();
   ASSERT_EQ(plan.cases.size(), 3U);
   const course::Case& secret = plan.cases[1];
   EXPECT_TRUE(secret.hidden);
@@ -99,7 +99,7 @@ TEST_F(Plan, writes_models_that_nobody_has_seen) {
 }
 
 TEST_F(Plan, lists_what_the_programs_batch_option_takes) {
-  const LabPlan plan = plan_of(lab_, "s").front();
+  const judge::LabPlan plan = plan_of(lab_, "s").front();
   const auto list = parse_json(course::to_batch(plan.cases));
   ASSERT_EQ(list.size(), 3U);
   EXPECT_EQ(to_text(list[0]), R"({"name":"open.png","view":"color","size":"128x128","set":{"turn":"10"}})");
@@ -112,20 +112,20 @@ TEST_F(Plan, lists_what_the_programs_batch_option_takes) {
 }
 
 TEST_F(Plan, shows_the_command_that_repeats_a_picture) {
-  const LabPlan plan = plan_of(lab_, "s").front();
-  EXPECT_EQ(command(plan.lab, plan.cases[0]),
+  const judge::LabPlan plan = plan_of(lab_, "s").front();
+  EXPECT_EQ(judge::command(plan.lab, plan.cases[0]),
             "./run lab 1 --turn 10 --samples 1 --size 128x128 --snapshot open.png");
 }
 
 TEST(WithNeeded, adds_the_labs_whose_steps_are_needed_through_others_too) {
   const std::vector<Lab> all = {lab_of(1, {step_of("1.1")}), lab_of(2, {step_of("2.1")}),
                                 lab_of(6, {step_of("6.1", {"1.1"})}), lab_of(9, {step_of("9.1", {"6.1"})})};
-  const std::vector<Lab> needed = with_needed({all[3]}, all);
+  const std::vector<Lab> needed = judge::with_needed({all[3]}, all);
   ASSERT_EQ(needed.size(), 3U);
   EXPECT_EQ(needed[0].number, 1);
   EXPECT_EQ(needed[1].number, 6);
   EXPECT_EQ(needed[2].number, 9);
-  EXPECT_EQ(with_needed({all[1]}, all).size(), 1U);
+  EXPECT_EQ(judge::with_needed({all[1]}, all).size(), 1U);
 }
 
 }  // namespace

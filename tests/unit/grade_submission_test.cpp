@@ -52,7 +52,7 @@ class Handed {
 };
 
 std::string reason_of(const Submission& submission, const std::string& path) {
-  for (const Ignored& ignored : submission.ignored)
+  for (const store::Ignored& ignored : submission.ignored)
     if (ignored.path == path) return ignored.reason;
   return "not ignored";
 }

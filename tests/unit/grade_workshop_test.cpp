@@ -68,7 +68,7 @@ class WorkshopTest : public testing::Test {
   static int exit_code(const Program& program) { return test::shell(program.file.string()).exit_code; }
   static std::string refused(const Program& program) {
     std::string files;
-    for (const CompilerLog& log : program.refused) files += log.file + " ";
+    for (const store::CompilerLog& log : program.refused) files += log.file + " ";
     return files;
   }
 

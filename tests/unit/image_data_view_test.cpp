@@ -9,7 +9,7 @@
 namespace texel::image {
 namespace {
 
-TEST(DataViews, are_shown_in_the_labs_colours) {
+TEST(DataViews, are_shown_in_the_labs_colors) {
   const auto color = [](const std::string& view, float x, float y, float z) {
     ImageF one(1, 1, 3);
     one.samples = {x, y, z};

@@ -22,8 +22,8 @@ namespace {
 using test::error_of;
 
 /// FLIP of two constant colours (linear RGB): the filters leave constants, and there are no features.
-double flip_of_colours(const Vector& a, const Vector& b) {
-  return plain_colour_error(plain_hyab(plain_hunt_lab(a), plain_hunt_lab(b)));
+double flip_of_colors(const Vector& a, const Vector& b) {
+  return plain_color_error(plain_hyab(plain_hunt_lab(a), plain_hunt_lab(b)));
 }
 
 // ---- Colour and constants ----
@@ -48,23 +48,23 @@ TEST(FlipConstants, see_the_pictures_at_67_pixels_a_degree) {
   EXPECT_NEAR(default_pixels_per_degree, 67.02, 0.005);
 }
 
-TEST(Flip, is_the_redistributed_distance_for_constant_colours) {
-  const std::array<std::array<std::uint8_t, 3>, 9> colours = {{{0, 0, 0},
-                                                               {255, 255, 255},
-                                                               {0, 255, 0},
-                                                               {0, 0, 255},
-                                                               {255, 0, 0},
-                                                               {128, 128, 128},
-                                                               {129, 128, 128},
-                                                               {10, 200, 240},
-                                                               {250, 240, 5}}};
+TEST(Flip, is_the_redistributed_distance_for_constant_colors) {
+  const std::array<std::array<std::uint8_t, 3>, 9> colors = {{{0, 0, 0},
+                                                              {255, 255, 255},
+                                                              {0, 255, 0},
+                                                              {0, 0, 255},
+                                                              {255, 0, 0},
+                                                              {128, 128, 128},
+                                                              {129, 128, 128},
+                                                              {10, 200, 240},
+                                                              {250, 240, 5}}};
   const auto linear_of = [](const std::array<std::uint8_t, 3>& rgb) {
     return Vector{plain_linear(rgb[0] / 255.0), plain_linear(rgb[1] / 255.0), plain_linear(rgb[2] / 255.0)};
   };
-  for (const auto& a : colours)
-    for (const auto& b : colours) {
+  for (const auto& a : colors)
+    for (const auto& b : colors) {
       const ImageF errors = flip_errors(constant(40, 30, a), constant(40, 30, b));
-      const double expected = flip_of_colours(linear_of(a), linear_of(b));
+      const double expected = flip_of_colors(linear_of(a), linear_of(b));
       // Floats: lightness to 1e-5 of 100, and the compressed distance is steepest near 0.
       for (const float error : errors.samples) ASSERT_NEAR(error, expected, 2e-5);
     }
@@ -237,7 +237,7 @@ TEST(FlipFigures, look_only_where_the_mask_is_light) {
   EXPECT_NE(error_of([&] { flip_figures(map, &small); }), "");
 }
 
-TEST(FlipHeatmap, has_the_colours_of_magma) {
+TEST(FlipHeatmap, has_the_colors_of_magma) {
   // 0, 64, 128, 192 and 255 of the map's 256 colours, and 200, which lies between two of ours.
   const Image8 heat = flip_heatmap(map_of({0, 64 / 255.0F, 128 / 255.0F, 192 / 255.0F, 1, 200 / 255.0F}));
   const std::vector<std::uint8_t> expected = {0,   0,   4,  81,  18,  124, 183, 55,  121,

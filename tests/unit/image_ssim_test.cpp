@@ -108,16 +108,16 @@ TEST(Ssim, agrees_with_the_straightforward_version) {
 }
 
 TEST(Ssim, takes_the_luma_of_encoded_values) {
-  Image8 colour(20, 15, 4);
+  Image8 color(20, 15, 4);
   for (int y = 0; y < 15; ++y)
     for (int x = 0; x < 20; ++x) {
-      colour.at(x, y, 0) = 200;
-      colour.at(x, y, 1) = 100;
-      colour.at(x, y, 2) = 50;
-      colour.at(x, y, 3) = static_cast<std::uint8_t>(x);  // counts for nothing
+      color.at(x, y, 0) = 200;
+      color.at(x, y, 1) = 100;
+      color.at(x, y, 2) = 50;
+      color.at(x, y, 3) = static_cast<std::uint8_t>(x);  // counts for nothing
     }
   const double luma = 0.299 * 200 + 0.587 * 100 + 0.114 * 50;  // 124.2
-  EXPECT_NEAR(ssim(colour, constant(60)), (2 * luma * 60 + kC1) / (luma * luma + 3600 + kC1), 1e-12);
+  EXPECT_NEAR(ssim(color, constant(60)), (2 * luma * 60 + kC1) / (luma * luma + 3600 + kC1), 1e-12);
 }
 
 TEST(Ssim, looks_only_where_the_mask_is_light) {

@@ -10,7 +10,7 @@
 #include "../support/said.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
-#include "image/colour.hpp"
+#include "image/color.hpp"
 #include "image/difference.hpp"
 #include "image/load.hpp"
 #include "image/mipmaps.hpp"
@@ -28,7 +28,7 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// Bottom row red and green, top row blue and white.
-Image8 four_colours() {
+Image8 four_colors() {
   Image8 image(2, 2, 3);
   image.samples = {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255};
   return image;
@@ -105,7 +105,7 @@ TEST(Png, converts_channels_when_asked) {
   const TemporaryFolder folder("png_channels");
   save_png(folder / "grey.png", grey<std::uint8_t>(1, 1, {77}));
   EXPECT_EQ(load8(folder / "grey.png", 4).samples, (std::vector<std::uint8_t>{77, 77, 77, 255}));
-  save_png(folder / "rgb.png", four_colours());
+  save_png(folder / "rgb.png", four_colors());
   EXPECT_EQ(load8(folder / "rgb.png", 4).channels, 4);
   EXPECT_EQ(load8(folder / "rgb.png", 4).at(1, 0, 3), 255);
   EXPECT_EQ(load8(folder / "rgb.png", 1).at(1, 1), 255);
@@ -119,21 +119,21 @@ TEST(PngText, comes_back_in_order) {
                                    {"parameters", "--method gram_schmidt\n--light-angle 30"},
                                    {"renderer", "Größe 3 µm, 法線"},
                                    {"lab", "a key may come twice"}};
-  save_png(folder / "a.png", four_colours(), texts);
+  save_png(folder / "a.png", four_colors(), texts);
   EXPECT_EQ(read_png_text(folder / "a.png"), texts);
-  EXPECT_EQ(load8(folder / "a.png"), four_colours());
+  EXPECT_EQ(load8(folder / "a.png"), four_colors());
 }
 
 TEST(PngText, is_left_out_when_its_value_is_empty) {
   const TemporaryFolder folder("png_empty_text");
   const std::vector<Text> texts = {{"first", "1"}, {"parameters", ""}, {"last", "2"}};
-  save_png(folder / "a.png", four_colours(), texts);
+  save_png(folder / "a.png", four_colors(), texts);
   EXPECT_EQ(read_png_text(folder / "a.png"), (std::vector<Text>{texts[0], texts[2]}));
 }
 
 TEST(PngText, is_empty_when_there_is_none) {
   const TemporaryFolder folder("png_no_text");
-  save_png(folder / "a.png", four_colours());
+  save_png(folder / "a.png", four_colors());
   EXPECT_TRUE(read_png_text(folder / "a.png").empty());
 }
 
@@ -144,7 +144,7 @@ TEST(PngText, is_refused_and_no_file_left_when_it_cannot_be_held) {
                                  {"schlüssel", "value"}, {"key", std::string("a\0b", 3)}};
   for (const Text& text : bad) {
     const std::string message =
-        error_of([&] { save_png(folder / "a.png", four_colours(), std::span(&text, 1)); });
+        error_of([&] { save_png(folder / "a.png", four_colors(), std::span(&text, 1)); });
     EXPECT_TRUE(has(message, "a.png")) << text.key;
     EXPECT_TRUE(has(message, "79 printable")) << message;
   }
@@ -164,16 +164,16 @@ TEST(Save, leaves_no_file_when_it_fails) {
   const TemporaryFolder folder("save_fails");
   EXPECT_TRUE(has(error_of([&] { save_png(folder / "a.png", Image8{}); }), "a.png"));
   EXPECT_TRUE(has(error_of([&] { save_pfm(folder / "a.pfm", ImageF{}); }), "a.pfm"));
-  EXPECT_TRUE(has(error_of([&] { save_png(folder / "no/folder.png", four_colours()); }), "folder.png"));
-  EXPECT_TRUE(has(error_of([&] { save_png(folder / "a.png", four_colours(), {}, 99); }), "a.png"));
+  EXPECT_TRUE(has(error_of([&] { save_png(folder / "no/folder.png", four_colors()); }), "folder.png"));
+  EXPECT_TRUE(has(error_of([&] { save_png(folder / "a.png", four_colors(), {}, 99); }), "a.png"));
   EXPECT_TRUE(folder.empty());
 }
 
 TEST(Save, keeps_the_old_file_when_it_fails) {
   const TemporaryFolder folder("save_keeps");
-  save_png(folder / "a.png", four_colours());
+  save_png(folder / "a.png", four_colors());
   EXPECT_NE(error_of([&] { save_png(folder / "a.png", Image8{}); }), "");
-  EXPECT_EQ(load8(folder / "a.png"), four_colours());
+  EXPECT_EQ(load8(folder / "a.png"), four_colors());
 }
 
 TEST(Load, reads_the_same_picture_from_every_format) {
@@ -184,7 +184,7 @@ TEST(Load, reads_the_same_picture_from_every_format) {
                                                                   {"a.gif", test::gif_2x2()}};
   for (const auto& [name, content] : files) {
     write_file(folder / name, content);
-    EXPECT_EQ(load8(folder / name, 3), four_colours()) << name;
+    EXPECT_EQ(load8(folder / name, 3), four_colors()) << name;
     const Info header = info(folder / name);
     EXPECT_EQ(header.width, 2) << name;
     EXPECT_EQ(header.height, 2) << name;
@@ -195,11 +195,11 @@ TEST(Load, reads_jpeg) {
   const TemporaryFolder folder("jpeg");
   write_file(folder / "a.jpg", test::jpeg_8x8());
   EXPECT_EQ(load8(folder / "a.jpg"), grey<std::uint8_t>(8, 8, std::vector<std::uint8_t>(64, 100)));
-  Image8 colour(16, 16, 3);
-  colour.samples.assign(colour.samples.size(), 128);
+  Image8 color(16, 16, 3);
+  color.samples.assign(color.samples.size(), 128);
   for (const bool progressive : {false, true}) {
     write_file(folder / "a.jpg", test::jpeg_16x16(progressive));
-    EXPECT_EQ(load8(folder / "a.jpg"), colour) << "progressive: " << progressive;
+    EXPECT_EQ(load8(folder / "a.jpg"), color) << "progressive: " << progressive;
   }
 }
 
@@ -269,7 +269,7 @@ TEST(Load, reads_every_order_of_rows_columns_and_palettes) {
       tga(1, 2, 0, 4, 24, 0) + std::string(12, 'p') + pixels({0, 1, 2, 3})};  // a palette that is not used
   for (std::size_t i = 0; i < files.size(); ++i) {
     EXPECT_EQ(load_error(folder, "a", files[i]), "") << i;
-    EXPECT_EQ(load8(folder / "a"), four_colours()) << i;
+    EXPECT_EQ(load8(folder / "a"), four_colors()) << i;
   }
 }
 
@@ -498,9 +498,9 @@ TEST(Encoding8, rounds_half_up_and_clamps) {
 }
 
 /// OKLab of an sRGB colour (B. Ottosson, 2020): the direction that the heat map does not use itself.
-std::array<double, 3> oklab(const std::array<float, 3>& colour) {
+std::array<double, 3> oklab(const std::array<float, 3>& color) {
   std::array<double, 3> rgb{};
-  for (std::size_t c = 0; c < 3; ++c) rgb[c] = linear_from_srgb(static_cast<double>(colour[c]));
+  for (std::size_t c = 0; c < 3; ++c) rgb[c] = linear_from_srgb(static_cast<double>(color[c]));
   const double l = std::cbrt(0.4122214708 * rgb[0] + 0.5363325363 * rgb[1] + 0.0514459929 * rgb[2]);
   const double m = std::cbrt(0.2119034982 * rgb[0] + 0.6806995451 * rgb[1] + 0.1073969566 * rgb[2]);
   const double s = std::cbrt(0.0883024619 * rgb[0] + 0.2817188376 * rgb[1] + 0.6299787005 * rgb[2]);
@@ -546,7 +546,7 @@ TEST(MipChain, is_the_picture_alone_when_it_has_one_texel) {
   EXPECT_EQ(mip_chain(counted(1, 1, 4), Encoding::srgb), std::vector<Image8>{counted(1, 1, 4)});
 }
 
-TEST(MipChain, averages_colour_in_linear_light) {
+TEST(MipChain, averages_color_in_linear_light) {
   Image8 checker(8, 8, 1);
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 8; ++x) checker.at(x, y) = (x + y) % 2 == 0 ? 255 : 0;
@@ -566,7 +566,7 @@ TEST(MipChain, averages_colour_in_linear_light) {
   EXPECT_EQ(below(Encoding::linear), filled(128));  // 127.5, half up
 }
 
-TEST(MipChain, averages_alpha_as_it_is_and_apart_from_colour) {
+TEST(MipChain, averages_alpha_as_it_is_and_apart_from_color) {
   Image8 image(2, 1, 4);
   image.samples = {255, 0, 100, 0, 0, 0, 100, 255};
   EXPECT_EQ(mip_chain(image, Encoding::srgb)[1].samples, (std::vector<std::uint8_t>{188, 0, 100, 128}));
@@ -598,7 +598,7 @@ TEST(MipChain, keeps_the_mean_over_all_levels) {
 }
 
 TEST(Difference, is_zero_when_the_pictures_are_the_same) {
-  const Difference difference = compare(four_colours(), four_colours());
+  const Difference difference = compare(four_colors(), four_colors());
   EXPECT_EQ(difference.width, 2);
   EXPECT_EQ(difference.height, 2);
   EXPECT_EQ(difference.max, 0);
@@ -723,13 +723,13 @@ TEST(FloatDifference, gives_texture_coordinates_in_texels) {
 
 /// A disc with hard edges on a background that grows lighter by 2 steps a pixel; what lies inside is rows of
 /// a soft wave.
-Image8 disc(double centre_x, double radius) {
+Image8 disc(double center_x, double radius) {
   Image8 picture(100, 100, 1);
   for (int y = 0; y < 100; ++y)
     for (int x = 0; x < 100; ++x) {
-      const double inside = 200 + 20 * std::sin(0.5 * (x - centre_x)), outside = 20 + x;
+      const double inside = 200 + 20 * std::sin(0.5 * (x - center_x)), outside = 20 + x;
       picture.at(x, y) =
-          static_cast<std::uint8_t>(std::hypot(x - centre_x, y - 50) < radius ? inside : outside);
+          static_cast<std::uint8_t>(std::hypot(x - center_x, y - 50) < radius ? inside : outside);
     }
   return picture;
 }
@@ -870,7 +870,7 @@ std::vector<std::uint8_t> heat_samples(std::initializer_list<float> ts) {
   return samples;
 }
 
-TEST(Heatmap, colours_each_pixel_by_its_largest_difference) {
+TEST(Heatmap, colors_each_pixel_by_its_largest_difference) {
   const Image8 a = grey<std::uint8_t>(3, 1, {0, 0, 0});
   const Image8 b = grey<std::uint8_t>(3, 1, {0, 10, 20});
   EXPECT_EQ(heatmap(a, b).samples, heat_samples({0, 0.5F, 1}));

@@ -12,7 +12,7 @@
 #include "image/save.hpp"
 #include "judge/mistakes.hpp"
 
-namespace texel::grade {
+namespace texel::judge {
 namespace {
 
 using image::ImageF;
@@ -48,7 +48,7 @@ class Mistakes : public testing::Test {
 
   [[nodiscard]] std::string known(const std::vector<Mistake>& mistakes,
                                   const std::map<std::string, Failed>& failed) const {
-    const Mistake* mistake = recognise(mistakes, plan_, "1.1", failed);
+    const Mistake* mistake = recognize(mistakes, plan_, "1.1", failed);
     return mistake == nullptr ? "" : mistake->name;
   }
 
@@ -114,4 +114,4 @@ TEST_F(Mistakes, are_the_same_when_they_were_written_and_read) {
 }
 
 }  // namespace
-}  // namespace texel::grade
+}  // namespace texel::judge

@@ -14,7 +14,7 @@
 #include "image/save.hpp"
 #include "judge/judge.hpp"
 
-namespace texel::grade {
+namespace texel::judge {
 namespace {
 
 constexpr int kSide = 40;
@@ -64,7 +64,7 @@ class JudgeOfPictures : public testing::Test {
   std::string mask_;
 };
 
-TEST_F(JudgeOfPictures, passes_colours_up_to_the_limit_in_steps) {
+TEST_F(JudgeOfPictures, passes_colors_up_to_the_limit_in_steps) {
   const std::string right = grey(100);
   EXPECT_TRUE(judged(course::View::color, 3, right, grey(103)).passed);
   const Verdict beyond = judged(course::View::color, 3, right, grey(104));
@@ -134,4 +134,4 @@ TEST_F(JudgeOfPictures, names_a_pixel_that_has_the_error_that_is_told) {
 }
 
 }  // namespace
-}  // namespace texel::grade
+}  // namespace texel::judge

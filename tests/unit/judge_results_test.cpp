@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 
-namespace texel::grade {
+namespace texel::judge {
 namespace {
 
 CaseResult judged(const std::string& name, double score, bool hidden = false) {
@@ -203,7 +203,7 @@ TEST(LabResults, do_not_depend_on_what_messages_say) {
       lab_with("01_quad", {named_step("1.1"), named_step("1.2", {"1.1"}), named_step("1.3", {"1.2"})})};
   std::vector<CaseResult> cases = {judged_in("01_quad", "1.1", "a", 0), judged_in("01_quad", "1.2", "b", 0.5),
                                    looks_like(judged_in("01_quad", "1.3", "c", 0), "mirrored")};
-  settle(cases[0], {false, 9, 1, "Off."}, "", true);
+  resolve(cases[0], {false, 9, 1, "Off."}, "", true);
   const std::vector<StepResult> before = lab_results(labs, cases).at(0).steps;
   EXPECT_EQ(before[0].cases[0].status, CaseStatus::untouched);
   for (CaseResult& one : cases) one.message = "Other words.", one.mistake_says = "Others.";
@@ -241,4 +241,4 @@ TEST(Status, has_a_name_and_is_found_by_it) {
 }
 
 }  // namespace
-}  // namespace texel::grade
+}  // namespace texel::judge

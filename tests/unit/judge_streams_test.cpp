@@ -9,7 +9,7 @@
 #include "mesh/ply.hpp"
 #include "mesh/primitives.hpp"
 
-namespace texel::grade {
+namespace texel::judge {
 namespace {
 
 using mesh::Mesh;
@@ -127,4 +127,4 @@ TEST_F(JudgeMesh, refuses_what_is_no_stream) {
 }
 
 }  // namespace
-}  // namespace texel::grade
+}  // namespace texel::judge

@@ -99,7 +99,7 @@ TEST(Obj, rounds_numbers_to_the_nearest_float) {
   }
 }
 
-TEST(Obj, reads_weights_colours_and_one_to_three_texture_numbers) {
+TEST(Obj, reads_weights_colors_and_one_to_three_texture_numbers) {
   const ObjData data = parse(
       "v 0 0 0\nv 1 0 0 0.5\nv 0 1 0 0.25 0.5 0.75\nv 1 1 0 1 0.1 0.2 0.3\n"
       "vt 0.25\nvt 0.25 0.5\nvt 0.25 0.5 0.75\nf 1/1 2/2 3/3\n");

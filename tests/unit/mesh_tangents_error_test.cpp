@@ -212,7 +212,7 @@ std::pair<Mesh, truth::Surface> laid(const TextureLayout& layout) {
   const double along = layout.mirror ? -double{layout.stretch} : double{layout.stretch};
   const truth::TexcoordMap map{.linear = glm::dmat2(along, 0, along * double{layout.shear}, 1),
                                .offset = {layout.mirror ? 1 : 0, 0}};
-  return {mesh, truth::reparameterised(exact_torus(), map)};
+  return {mesh, truth::reparameterized(exact_torus(), map)};
 }
 
 TEST(TangentError, is_no_larger_where_the_texture_is_stretched_or_mirrored) {

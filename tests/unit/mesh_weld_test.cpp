@@ -82,7 +82,7 @@ TEST(Weld, groups_triangles_by_material_in_order_of_first_use) {
   EXPECT_TRUE(weld(obj_data(obj_square + "f 1 2 3\n")).groups.empty());
 }
 
-TEST(Weld, makes_colours_linear) {
+TEST(Weld, makes_colors_linear) {
   const Mesh mesh = weld(obj_data("v 0 0 0 1 0.5 0\nv 1 0 0 0.04 1 1\nv 0 1 0\nf 1 2 3\n"));
   ASSERT_EQ(mesh.colors.size(), 3u);
   EXPECT_NEAR(mesh.colors[0].g, 0.214041f, 1e-6f);  // IEC 61966-2-1 of 0.5

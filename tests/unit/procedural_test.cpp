@@ -97,7 +97,7 @@ TEST(Textures, repeat_on_the_unit_square_and_stay_within_zero_and_one) {
     int different = 0;
     for (int i = 0; i < 2000; ++i) {
       const glm::dvec2 p = point(i);
-      const glm::dvec4 here = colour(texture, p.x, p.y), there = colour(texture, p.x + 1, p.y - 1);
+      const glm::dvec4 here = color(texture, p.x, p.y), there = color(texture, p.x + 1, p.y - 1);
       for (int c = 0; c < 4; ++c) {
         EXPECT_GE(here[c], 0) << name(texture);
         EXPECT_LE(here[c], 1) << name(texture);
@@ -112,14 +112,14 @@ TEST(Textures, checker_is_black_and_white_and_starts_black) {
   for (int j = 0; j < 8; ++j) {
     for (int i = 0; i < 8; ++i) {
       const double expected = (i + j) % 2;
-      EXPECT_EQ(colour(Texture::checker, (i + 0.01) / 8, (j + 0.99) / 8),
+      EXPECT_EQ(color(Texture::checker, (i + 0.01) / 8, (j + 0.99) / 8),
                 glm::dvec4(expected, expected, expected, 1));
     }
   }
 }
 
-TEST(Textures, label_grid_has_another_colour_in_each_corner) {
-  const auto corner = [](double u, double v) { return colour(Texture::label_grid, u, v); };
+TEST(Textures, label_grid_has_another_color_in_each_corner) {
+  const auto corner = [](double u, double v) { return color(Texture::label_grid, u, v); };
   const glm::dvec4 red = corner(0.01, 0.01), green = corner(0.99, 0.01), blue = corner(0.01, 0.99),
                    yellow = corner(0.99, 0.99);
   EXPECT_GT(red.r, 5 * std::max(red.g, red.b));
@@ -129,8 +129,8 @@ TEST(Textures, label_grid_has_another_colour_in_each_corner) {
 }
 
 TEST(Textures, decal_is_opaque_within_and_clear_without) {
-  EXPECT_EQ(colour(Texture::decal, 0.5, 0.5).a, 1);
-  EXPECT_EQ(colour(Texture::decal, 0.01, 0.01).a, 0);
+  EXPECT_EQ(color(Texture::decal, 0.5, 0.5).a, 1);
+  EXPECT_EQ(color(Texture::decal, 0.01, 0.01).a, 0);
 }
 
 TEST(Cube, direction_follows_the_table_of_the_specification) {
@@ -156,12 +156,12 @@ TEST(Cube, ties_go_to_x_before_y_before_z) {
   EXPECT_EQ(face_coordinate({0, -1, 1}).face, Face::negative_y);
 }
 
-TEST(Cube, smooth_colour_stays_within_zero_and_one) {
+TEST(Cube, smooth_color_stays_within_zero_and_one) {
   double low = 1, high = 0;
   for (const Face face : faces) {
     for (int j = 0; j <= 60; ++j) {
       for (int i = 0; i <= 60; ++i) {
-        const glm::dvec3 c = smooth_colour(direction(face, i / 60.0, j / 60.0));
+        const glm::dvec3 c = smooth_color(direction(face, i / 60.0, j / 60.0));
         low = std::min({low, c.r, c.g, c.b});
         high = std::max({high, c.r, c.g, c.b});
       }
@@ -176,7 +176,7 @@ TEST(Cube, labels_read_the_right_way_round_from_inside) {
   // Looking along -z with y up, x runs right: the minus of "-Z" is on the left, its strokes symmetric about a
   // middle line that nothing crosses above it.
   const auto is_white = [](glm::dvec3 d) {
-    const glm::dvec3 c = labelled_colour(d);
+    const glm::dvec3 c = labelled_color(d);
     return std::min({c.r, c.g, c.b}) > 0.9;
   };
   const double minus_height = 0.12 + 3 * 0.095;

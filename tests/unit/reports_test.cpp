@@ -22,7 +22,7 @@
 #include "core/files.hpp"
 #include "core/json.hpp"
 
-namespace texel::grade {
+namespace texel::reports {
 namespace {
 
 namespace fs = std::filesystem;
@@ -41,34 +41,34 @@ class Reports : public testing::Test {
  protected:
   Reports() : temporary_("grade_reports"), folder_(temporary_ / "out"), results_(test::demo_class(folder_)) {}
 
-  [[nodiscard]] const StudentResult& student(const std::string& id) const {
+  [[nodiscard]] const store::StudentResult& student(const std::string& id) const {
     return *std::find_if(results_.students.begin(), results_.students.end(),
-                         [&](const StudentResult& each) { return each.id == id; });
+                         [&](const store::StudentResult& each) { return each.id == id; });
   }
-  [[nodiscard]] std::string page(const StudentResult& of) const {
+  [[nodiscard]] std::string page(const store::StudentResult& of) const {
     write_html(results_, folder_);
     return read_file(folder_ / "report" / page_name(of));
   }
 
   test::TemporaryFolder temporary_;
   fs::path folder_;
-  ClassResult results_;
+  store::ClassResult results_;
 };
 
 /// One student with 60 steps of 20 failed cases and far too much text.
-StudentResult talkative() {
-  StudentResult student;
+store::StudentResult talkative() {
+  store::StudentResult student;
   student.id = "talkative";
   student.logs = {{"lab.cpp", std::string(3'000'000, 'e')}};
-  LabResult lab;
+  judge::LabResult lab;
   lab.lab = test::lab(1, "01_texture_quad", "Texture", {});
   for (int i = 0; i < 60; ++i) {
-    StepResult step;
+    judge::StepResult step;
     step.id = fmt::format("1.{}", i + 1);
     step.points = 3;
     step.score = 1.0 / 3;
     for (int j = 0; j < 20; ++j) {
-      CaseResult result =
+      judge::CaseResult result =
           test::demo_case("01_texture_quad", step.id, fmt::format("case_{}", j), "color", j % 2 == 1, false);
       result.message.clear();
       for (int k = 0; k < 1500; ++k) result.message += "ä€😀\"\n";  // characters of 2, 3 and 4 bytes
@@ -131,7 +131,7 @@ void check_gradescope(const Json& results) {
 }
 
 TEST_F(Reports, for_gradescope_have_its_fields_for_every_student) {
-  for (const StudentResult& each : results_.students)
+  for (const store::StudentResult& each : results_.students)
     if (each.incident.empty()) check_gradescope(parse_json(gradescope(each)));
 }
 
@@ -228,7 +228,7 @@ void check_prairielearn(const Json& results) {
 }
 
 TEST_F(Reports, for_prairielearn_have_its_fields_for_every_student) {
-  for (const StudentResult& each : results_.students)
+  for (const store::StudentResult& each : results_.students)
     check_prairielearn(parse_json(prairielearn(each, folder_)));
 }
 
@@ -403,7 +403,7 @@ void check_junit(const Element& element) {
 }
 
 TEST_F(Reports, as_junit_are_sound_xml_with_the_known_elements_for_every_student) {
-  for (const StudentResult& each : results_.students) {
+  for (const store::StudentResult& each : results_.students) {
     const Element root = Xml::parse(junit(each, folder_));
     EXPECT_EQ(root.name, "testsuites");
     check_junit(root);
@@ -421,16 +421,17 @@ TEST_F(Reports, as_junit_say_what_failed_and_what_the_grader_could_not_do) {
 }
 
 TEST_F(Reports, say_which_step_is_right_once_another_is_mended) {
-  StudentResult ada = student("ada-half");
-  StepResult& right = ada.labs[1].steps[1];  // 5.2
-  right.status = Status::passed, right.score = 1, right.message = "", right.spoilt_by = {"5.1"};
-  for (CaseResult& one : right.cases)
-    if (!one.passed()) one.judged = Judged::alone, one.status = CaseStatus::passed, one.score = 1;
-  StepResult& wrong = ada.labs[1].steps[2];  // 5.3
+  store::StudentResult ada = student("ada-half");
+  judge::StepResult& right = ada.labs[1].steps[1];  // 5.2
+  right.status = judge::Status::passed, right.score = 1, right.message = "", right.spoilt_by = {"5.1"};
+  for (judge::CaseResult& one : right.cases)
+    if (!one.passed())
+      one.judged = judge::Judged::alone, one.status = judge::CaseStatus::passed, one.score = 1;
+  judge::StepResult& wrong = ada.labs[1].steps[2];  // 5.3
   wrong.spoilt_by = {"5.1", "5.2"};
-  wrong.cases.back().judged = Judged::alone;
-  ada.labs[0].steps[0].cases[0].judged = Judged::markers_lost;  // 3.1
-  ClassResult results;
+  wrong.cases.back().judged = judge::Judged::alone;
+  ada.labs[0].steps[0].cases[0].judged = judge::Judged::markers_lost;  // 3.1
+  store::ClassResult results;
   results.students = {ada};
   write_html(results, folder_);
   const std::string page = read_file(folder_ / "report" / page_name(ada));
@@ -450,7 +451,7 @@ TEST_F(Reports, say_which_step_is_right_once_another_is_mended) {
 TEST_F(Reports, as_junit_attach_pictures_and_nothing_that_a_student_names) {
   const std::string ada = junit(student("ada-half"), folder_);
   EXPECT_TRUE(has(ada, "\n[[ATTACHMENT|" + (folder_ / "pictures/wrong.png").string() + "]]\n"));
-  for (const StudentResult& each : results_.students) {
+  for (const store::StudentResult& each : results_.students) {
     const std::string text = junit(each, folder_);
     EXPECT_EQ(times(text, "[[ATTACHMENT|"), times(text, "[[ATTACHMENT|" + folder_.string() + "/pictures/"));
     EXPECT_FALSE(has(text, "[[ATTACHMENT|/etc"));
@@ -458,7 +459,7 @@ TEST_F(Reports, as_junit_attach_pictures_and_nothing_that_a_student_names) {
 }
 
 TEST_F(Reports, as_junit_have_no_character_that_xml_has_not) {
-  StudentResult odd = student("index");
+  store::StudentResult odd = student("index");
   odd.fault = "a\x01\x1b\x7f\xff b\xEF\xBF\xBE c\xEF\xBF\xBF d\xC2\x85 e\xE2\x80\xA8 f";
   const Element root = Xml::parse(junit(odd, folder_));
   EXPECT_TRUE(has(root.children[0].children[0].children[0].attributes.at("message"), " f"));
@@ -512,10 +513,10 @@ TEST_F(Reports, as_csv_have_a_row_a_student_and_a_column_a_step) {
 }
 
 TEST_F(Reports, as_csv_name_the_labs_of_which_steps_were_handed_in) {
-  StudentResult& one = results_.students[0];
+  store::StudentResult& one = results_.students[0];
   const auto begun = [&] { return parse_csv(csv(results_))[1][12]; };
-  for (StepResult& step : one.labs[0].steps)
-    for (CaseResult& result : step.cases) result.status = CaseStatus::untouched;
+  for (judge::StepResult& step : one.labs[0].steps)
+    for (judge::CaseResult& result : step.cases) result.status = judge::CaseStatus::untouched;
   EXPECT_EQ(begun(), "5 9");
   one.fault = "is broken";
   EXPECT_EQ(begun(), "");
@@ -524,7 +525,7 @@ TEST_F(Reports, as_csv_name_the_labs_of_which_steps_were_handed_in) {
 }
 
 TEST_F(Reports, as_csv_quote_names_and_defuse_formulas) {
-  ClassResult one;
+  store::ClassResult one;
   const auto first_cell = [&](const std::string& name) {
     one.students.resize(1);
     one.students[0].name = name;
@@ -608,8 +609,9 @@ TEST_F(Reports, show_no_mark_where_the_grader_was_at_fault) {
 }
 
 TEST_F(Reports, give_no_mark_in_any_format_while_the_run_is_not_finished) {
-  StudentResult& ada = *std::find_if(results_.students.begin(), results_.students.end(),
-                                     [](const StudentResult& each) { return each.id == "ada-half"; });
+  store::StudentResult& ada =
+      *std::find_if(results_.students.begin(), results_.students.end(),
+                    [](const store::StudentResult& each) { return each.id == "ada-half"; });
   ada.judged = 29, ada.planned = 44;
   const std::string why = "29 of 44 cases";
   EXPECT_TRUE(has(page(ada), "<p class=\"mark\">Not graded</p>"));
@@ -645,13 +647,15 @@ TEST_F(Reports, say_once_what_is_true_of_many_cases) {
     for (std::size_t at = html.find(part); at != html.npos; at = html.find(part, at + 1)) ++times;
     return times;
   };
-  StudentResult& ben = results_.students[2];
+  store::StudentResult& ben = results_.students[2];
   const auto fail_all = [&](const std::string& message) {
-    for (LabResult& lab : ben.labs)
-      for (StepResult& step : lab.steps) {
-        for (CaseResult& each : step.cases)
-          each.status = CaseStatus::failed, each.message = message, each.error = NAN, each.picture = "";
-        step = step_result(lab.lab.steps[static_cast<std::size_t>(&step - lab.steps.data())], step.cases);
+    for (judge::LabResult& lab : ben.labs)
+      for (judge::StepResult& step : lab.steps) {
+        for (judge::CaseResult& each : step.cases)
+          each.status = judge::CaseStatus::failed, each.message = message, each.error = NAN,
+          each.picture = "";
+        step =
+            judge::step_result(lab.lab.steps[static_cast<std::size_t>(&step - lab.steps.data())], step.cases);
       }
   };
   fail_all(broken);
@@ -668,8 +672,8 @@ TEST_F(Reports, say_once_what_is_true_of_many_cases) {
 }
 
 TEST_F(Reports, keep_a_hidden_command_until_its_reference_is_shown) {
-  StudentResult& ada = results_.students[1];
-  CaseResult& hidden = ada.labs[1].steps[1].cases[2];
+  store::StudentResult& ada = results_.students[1];
+  judge::CaseResult& hidden = ada.labs[1].steps[1].cases[2];
   ASSERT_TRUE(hidden.hidden);
   hidden.command = "./run lab 5 --turn 123.456";
   EXPECT_FALSE(
@@ -696,12 +700,12 @@ TEST_F(Reports, count_those_who_tried_and_begin_with_the_step_that_most_fail) {
   write_html(results_, folder_);
   const std::string html = read_file(folder_ / "report/index.html");
   std::map<std::string, std::pair<int, int>> steps;  // begun and failed
-  for (const StudentResult& each : results_.students)
-    for (const LabResult& lab : each.labs)
-      for (const StepResult& step : lab.steps) {
+  for (const store::StudentResult& each : results_.students)
+    for (const judge::LabResult& lab : each.labs)
+      for (const judge::StepResult& step : lab.steps) {
         if (!each.fault.empty() || step.cases.empty() || step.is_untouched()) continue;
         ++steps[step.id].first;
-        if (step.status != Status::passed) ++steps[step.id].second;
+        if (step.status != judge::Status::passed) ++steps[step.id].second;
       }
   const std::size_t section = html.find("<section id=\"steps\">");
   ASSERT_NE(section, html.npos);
@@ -718,8 +722,8 @@ TEST_F(Reports, count_those_who_tried_and_begin_with_the_step_that_most_fail) {
 }
 
 TEST_F(Reports, show_code_as_code) {
-  StudentResult& ada = results_.students[1];
-  StepResult& step = ada.labs[1].steps[1];
+  store::StudentResult& ada = results_.students[1];
+  judge::StepResult& step = ada.labs[1].steps[1];
   step.mistake = "repeats", step.mistake_says = "`repeats` <b> is inverted: use `clamp`";
   step.hints = {"Read `texcoord`"};
   const std::string html = page(ada), all = read_file(folder_ / "report/index.html");
@@ -731,10 +735,10 @@ TEST_F(Reports, show_code_as_code) {
 
 /// Up to 42 steps of 6 cases, all wrong, with pictures that a PNG cannot make smaller.
 TEST_F(Reports, keep_a_students_page_below_a_megabyte_and_a_half) {
-  StudentResult& ada = results_.students[1];
+  store::StudentResult& ada = results_.students[1];
   EXPECT_TRUE(has(page(ada), "data-values"));
   EXPECT_TRUE(has(page(ada), "The command below a picture draws it again"));
-  StepResult wrong = ada.labs[1].steps[1];
+  judge::StepResult wrong = ada.labs[1].steps[1];
   wrong.cases.clear();
   for (int i = 0; i < 6; ++i)
     wrong.cases.push_back(
@@ -750,7 +754,7 @@ TEST_F(Reports, keep_a_students_page_below_a_megabyte_and_a_half) {
     EXPECT_TRUE(has(html, "<img src="));
     EXPECT_EQ(has(html, "To keep this page small"), count > 1) << count;
   }
-  for (CaseResult& result : wrong.cases) result.picture = result.reference = "";
+  for (judge::CaseResult& result : wrong.cases) result.picture = result.reference = "";
   ada.labs = {ada.labs[1]};
   ada.labs[0].steps.assign(1, wrong);
   EXPECT_FALSE(has(page(ada), "The command below"));
@@ -831,4 +835,4 @@ TEST(ReportNumbers, are_written_without_needless_digits) {
 }
 
 }  // namespace
-}  // namespace texel::grade
+}  // namespace texel::reports

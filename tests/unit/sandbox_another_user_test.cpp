@@ -14,7 +14,7 @@
 #include "core/files.hpp"
 #include "sandbox/sandbox.hpp"
 
-namespace texel::grade {
+namespace texel::sandbox {
 namespace {
 
 namespace fs = std::filesystem;
@@ -120,4 +120,4 @@ TEST_F(AnotherUser, takes_all_its_processes_down) {
 }
 
 }  // namespace
-}  // namespace texel::grade
+}  // namespace texel::sandbox

@@ -22,7 +22,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 
-namespace texel::grade {
+namespace texel::sandbox {
 namespace {
 
 namespace fs = std::filesystem;
@@ -412,4 +412,4 @@ TEST(RunPlainly, is_not_what_one_gets_without_bubblewrap) {
 }
 
 }  // namespace
-}  // namespace texel::grade
+}  // namespace texel::sandbox

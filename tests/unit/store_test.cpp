@@ -24,7 +24,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 
-namespace texel::grade {
+namespace texel::store {
 namespace {
 
 namespace fs = std::filesystem;
@@ -63,13 +63,13 @@ StudentResult student_of(const std::string& id) {
   return student;
 }
 
-CaseResult case_of(const std::string& step, const std::string& name, double score) {
-  CaseResult result;
+judge::CaseResult case_of(const std::string& step, const std::string& name, double score) {
+  judge::CaseResult result;
   result.lab = step == "2.1" ? "02_multi" : "01_quad";
   result.step = step;
   result.name = name;
   result.score = score;
-  result.status = score == 1 ? CaseStatus::passed : CaseStatus::failed;
+  result.status = score == 1 ? judge::CaseStatus::passed : judge::CaseStatus::failed;
   result.error = 1 - score;
   return result;
 }
@@ -80,9 +80,9 @@ const StudentResult& student_in(const ClassResult& result, std::string_view id) 
   throw std::out_of_range(fmt::format("there is no student {}", id));
 }
 
-const StepResult& step_in(const StudentResult& student, const std::string& id) {
-  for (const LabResult& lab : student.labs)
-    for (const StepResult& step : lab.steps)
+const judge::StepResult& step_in(const StudentResult& student, const std::string& id) {
+  for (const judge::LabResult& lab : student.labs)
+    for (const judge::StepResult& step : lab.steps)
       if (step.id == id) return step;
   throw std::out_of_range("there is no step " + id);
 }
@@ -141,14 +141,14 @@ constexpr const char* kNoMount = "this machine lets nobody mount";
 
 TEST(Store, gives_back_every_field_of_a_case) {
   const Folder folder;
-  CaseResult result;
+  judge::CaseResult result;
   result.lab = "01_quad";
   result.step = "1.1";
   result.name = "name " + nasty;
   result.view = course::View::lod;
   result.hidden = true;
-  result.status = CaseStatus::untouched;
-  result.judged = Judged::markers_lost;
+  result.status = judge::CaseStatus::untouched;
+  result.judged = judge::Judged::markers_lost;
   result.score = 0.1;  // has no end in binary
   result.error = 1.0 / 3.0;
   result.limit = 1e-300;
@@ -158,7 +158,7 @@ TEST(Store, gives_back_every_field_of_a_case) {
   result.command = "command " + nasty;
   result.picture = "picture " + nasty;
   result.reference = "reference " + nasty;
-  CaseResult plain = case_of("1.1", "plain", 1);
+  judge::CaseResult plain = case_of("1.1", "plain", 1);
   plain.error = std::numeric_limits<double>::infinity();
   {
     Store store(folder / "store");
@@ -167,7 +167,7 @@ TEST(Store, gives_back_every_field_of_a_case) {
     store.put(nasty, plain);
   }
   const ClassResult read = Store(folder / "store").read(two_labs());
-  const std::vector<CaseResult>& cases = step_in(student_in(read, nasty), "1.1").cases;
+  const std::vector<judge::CaseResult>& cases = step_in(student_in(read, nasty), "1.1").cases;
   ASSERT_EQ(cases.size(), 2U);
   EXPECT_EQ(cases[0], plain);
   EXPECT_EQ(cases[1], result);
@@ -221,7 +221,7 @@ TEST(Store, keeps_that_nothing_could_be_compared) {
   const Folder folder;
   Store store(folder / "store");
   store.put_student(student_of("jane"), "");
-  CaseResult result = case_of("1.1", "a", 0);
+  judge::CaseResult result = case_of("1.1", "a", 0);
   result.error = std::numeric_limits<double>::quiet_NaN();
   store.put("jane", result);
   const ClassResult read = store.read(two_labs());
@@ -252,19 +252,19 @@ TEST(Store, replaces_an_earlier_result_of_the_same_case_and_no_other) {
   Store store(folder / "store");
   store.put_student(student_of("jane"), "");
   store.put_student(student_of("john"), "");
-  CaseResult result = case_of("1.1", "a", 0);
-  CaseResult elsewhere = case_of("2.1", "a", 0.25);
+  judge::CaseResult result = case_of("1.1", "a", 0);
+  judge::CaseResult elsewhere = case_of("2.1", "a", 0.25);
   store.put("jane", result);
   store.put("jane", elsewhere);
   store.put("john", result);
   result.score = 1;
-  result.status = CaseStatus::passed;
+  result.status = judge::CaseStatus::passed;
   result.step = "1.2";
   store.put("jane", result);
   const ClassResult read = store.read(two_labs());
   EXPECT_TRUE(step_in(student_in(read, "jane"), "1.1").cases.empty());
-  EXPECT_EQ(step_in(student_in(read, "jane"), "1.2").cases, std::vector<CaseResult>{result});
-  EXPECT_EQ(step_in(student_in(read, "jane"), "2.1").cases, std::vector<CaseResult>{elsewhere});
+  EXPECT_EQ(step_in(student_in(read, "jane"), "1.2").cases, std::vector<judge::CaseResult>{result});
+  EXPECT_EQ(step_in(student_in(read, "jane"), "2.1").cases, std::vector<judge::CaseResult>{elsewhere});
   EXPECT_EQ(step_in(student_in(read, "john"), "1.1").score, 0);
 }
 
@@ -396,9 +396,9 @@ TEST(Store, reads_steps_as_their_cases_and_needs_say) {
   store.put("jane", case_of("1.2", "b", 1));
   store.put("jane", case_of("2.1", "c", 0));
   const ClassResult read = store.read(two_labs());
-  EXPECT_EQ(step_in(read.students.at(0), "1.1").status, Status::failed);
-  EXPECT_EQ(step_in(read.students.at(0), "1.2").status, Status::passed);
-  EXPECT_EQ(step_in(read.students.at(0), "2.1").status, Status::failed);
+  EXPECT_EQ(step_in(read.students.at(0), "1.1").status, judge::Status::failed);
+  EXPECT_EQ(step_in(read.students.at(0), "1.2").status, judge::Status::passed);
+  EXPECT_EQ(step_in(read.students.at(0), "2.1").status, judge::Status::failed);
   EXPECT_DOUBLE_EQ(read.students.at(0).points(), 3);
 }
 
@@ -417,13 +417,13 @@ TEST(Overrides, stand_for_the_judged_score) {
   const ClassResult read = store.read(two_labs());
   const StudentResult& jane = student_in(read, "jane");
   EXPECT_EQ(step_in(jane, "1.1").score, 1);
-  EXPECT_EQ(step_in(jane, "1.1").status, Status::passed);
+  EXPECT_EQ(step_in(jane, "1.1").status, judge::Status::passed);
   EXPECT_EQ(step_in(jane, "1.1").overridden, "right, but written another way");
   EXPECT_EQ(step_in(jane, "1.2").score, 0.5);
-  EXPECT_EQ(step_in(jane, "1.2").status, Status::failed);
+  EXPECT_EQ(step_in(jane, "1.2").status, judge::Status::failed);
   EXPECT_EQ(step_in(jane, "1.2").overridden, nasty);
   EXPECT_EQ(step_in(jane, "2.1").score, 0);
-  EXPECT_EQ(step_in(jane, "2.1").status, Status::failed);
+  EXPECT_EQ(step_in(jane, "2.1").status, judge::Status::failed);
   EXPECT_DOUBLE_EQ(jane.points(), 3);
   EXPECT_EQ(read.students.size(), 1U);
 
@@ -740,7 +740,7 @@ TEST(Store, keeps_what_was_put_when_the_disk_is_full_and_goes_on_when_there_is_r
     store.put_student(student_of("jane"), "digest");
     std::size_t put = 0;
     const auto put_one = [&] {
-      CaseResult result = case_of("1.1", fmt::format("{:04}", put), 1);
+      judge::CaseResult result = case_of("1.1", fmt::format("{:04}", put), 1);
       result.message.assign(10'000, 'm');
       store.put("jane", result);
       ++put;
@@ -909,7 +909,7 @@ TEST(Store, is_read_as_it_is_at_one_moment) {
   Store store(file);
   store.put_student(student_of("jane"), "digest");
   for (int i = 0;; ++i) {
-    CaseResult result = case_of("1.1", fmt::format("{}-{}", round, i), 1);
+    judge::CaseResult result = case_of("1.1", fmt::format("{}-{}", round, i), 1);
     store.put("jane", result);
     const std::string line = fmt::format("01_quad/{}\n", result.name);
     if (::write(pipe, line.data(), line.size()) < 0) ::_exit(1);
@@ -956,7 +956,7 @@ TEST(Store, has_all_that_was_put_when_the_program_is_killed) {
     const std::set<std::string> judged = store.judged("jane");
     for (const std::string& name : reported) ASSERT_TRUE(judged.contains(name)) << name;
     const ClassResult read = store.read(two_labs());
-    for (const CaseResult& result : step_in(read.students.at(0), "1.1").cases) {
+    for (const judge::CaseResult& result : step_in(read.students.at(0), "1.1").cases) {
       if (result.name != "same") continue;
       ASSERT_EQ(result.message, std::string(20'000, result.mistake.at(0)));
     }
@@ -982,4 +982,4 @@ TEST(Store, knows_who_is_to_be_graded_and_takes_nothing_from_who_was) {
 }
 
 }  // namespace
-}  // namespace texel::grade
+}  // namespace texel::store

@@ -279,7 +279,7 @@ TEST(TruthGradient, follows_the_texture_coordinates_when_they_are_sheared_or_str
   const TexcoordGradient plain = texcoord_gradient(pixel, quad()(hit->texcoord));
   for (const TexcoordMap& map : {sheared(0.7), stretched(4), mirrored()}) {
     const TexcoordGradient other =
-        texcoord_gradient(pixel, reparameterised(quad(), map)(map.texcoord(hit->texcoord)));
+        texcoord_gradient(pixel, reparameterized(quad(), map)(map.texcoord(hit->texcoord)));
     EXPECT_LT(glm::distance(other.dx, map.linear * plain.dx), 1e-16);  // both about 0.003
     EXPECT_LT(glm::distance(other.dy, map.linear * plain.dy), 1e-16);
   }

@@ -36,7 +36,7 @@ dvec2 bump_gradient(dvec2 st, double width = 1) {
 }
 TEST(TruthRelief, constant_height_leaves_the_normal_as_it_is) {
   for (const Surface& surface :
-       {quad(), sphere(), torus(1, 0.4), reparameterised(torus(1, 0.4), sheared(0.7))})
+       {quad(), sphere(), torus(1, 0.4), reparameterized(torus(1, 0.4), sheared(0.7))})
     for (int i = 0; i < 100; ++i) {
       const SurfacePoint p = surface(inner_texcoord(i));
       EXPECT_LT(angle(relief_normal(p, {0, 0}), p.normal), 1e-15);
@@ -45,7 +45,7 @@ TEST(TruthRelief, constant_height_leaves_the_normal_as_it_is) {
 }
 
 TEST(TruthRelief, gradient_lies_in_the_surface_and_gives_the_change_of_height_along_every_step) {
-  for (const Surface& surface : {sphere(2), torus(1, 0.4), reparameterised(torus(1, 0.4), sheared(0.7)),
+  for (const Surface& surface : {sphere(2), torus(1, 0.4), reparameterized(torus(1, 0.4), sheared(0.7)),
                                  placed(sphere(), {{dvec3(4, 0, 0), dvec3(0.5, 1, 0), dvec3(0, 0, 1)}})})
     for (int i = 0; i < 200; ++i) {
       const dvec2 st = inner_texcoord(i), slope = bump_gradient(st);
@@ -65,7 +65,7 @@ TEST(TruthRelief, height_field_does_not_depend_on_how_the_texture_coordinates_ru
       const dvec2 st = inner_texcoord(i), slope = bump_gradient(st);
       // The same heights in other coordinates: the gradient of h(parameter(texcoord)) by the chain rule.
       const dvec2 other_slope = glm::transpose(glm::inverse(map.linear)) * slope;
-      const SurfacePoint other = reparameterised(surface, map)(map.texcoord(st));
+      const SurfacePoint other = reparameterized(surface, map)(map.texcoord(st));
       EXPECT_LT(angle(relief_normal(other, other_slope), relief_normal(surface(st), slope)), 4e-15);
     }
 }
@@ -90,7 +90,7 @@ TEST(TruthRelief, both_truths_differ_by_design_under_shear_and_stretch) {
     double sum = 0;
     for (int i = 0; i < 200; ++i) {
       const dvec2 st = inner_texcoord(i);
-      const SurfacePoint p = reparameterised(quad(0.5), map)(st);
+      const SurfacePoint p = reparameterized(quad(0.5), map)(st);
       const dvec3 texel = procedural::normal(procedural::HeightField::bump, st.s, st.t);
       sum +=
           angle_in_degrees(relief_normal(p, bump_gradient(st)), mapped_normal(orthonormal_frame(p), texel));

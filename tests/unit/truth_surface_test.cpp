@@ -43,12 +43,12 @@ std::vector<Named> surfaces() {
   std::vector<Named> all{{"quad", quad(0.7)},
                          {"sphere", sphere(1.5)},
                          {"torus", torus(1, 0.4)},
-                         {"sheared torus", reparameterised(torus(1, 0.4), sheared(pi / 4))},
-                         {"stretched torus", reparameterised(torus(1, 0.4), stretched(4))},
-                         {"mirrored sphere", reparameterised(sphere(), mirrored())},
+                         {"sheared torus", reparameterized(torus(1, 0.4), sheared(pi / 4))},
+                         {"stretched torus", reparameterized(torus(1, 0.4), stretched(4))},
+                         {"mirrored sphere", reparameterized(sphere(), mirrored())},
                          {"skewed sphere", placed(sphere(), skewed)},
                          {"mirrored, stretched torus", placed(torus(1, 0.4), mirror)},
-                         {"both", placed(reparameterised(torus(1, 0.4), sheared(-0.6)), skewed)}};
+                         {"both", placed(reparameterized(torus(1, 0.4), sheared(-0.6)), skewed)}};
   for (const procedural::Face face : procedural::faces)
     all.push_back({std::string("cube ") + procedural::file_name(face), cube_face(face, 0.5)});
   return all;
@@ -112,7 +112,7 @@ TEST(TruthSurface, normal_is_unit_and_perpendicular_to_the_surface_and_to_its_ow
 
 TEST(TruthSurface, normal_points_outward_however_the_texture_or_the_object_is_mirrored) {
   const Placement mirror{{dvec3(-1, 0, 0), dvec3(0, 4, 0), dvec3(0, 0, 1)}};
-  for (const Surface& ball : {sphere(), reparameterised(sphere(), mirrored()), placed(sphere(), mirror)})
+  for (const Surface& ball : {sphere(), reparameterized(sphere(), mirrored()), placed(sphere(), mirror)})
     for (int i = 0; i < 100; ++i) {
       const SurfacePoint p = ball(texcoord(i));
       EXPECT_GT(glm::dot(p.normal, p.position), 0.2);  // at least 1/4 of the ellipsoid's longest axis
@@ -182,7 +182,7 @@ TEST(TruthSurface, frame_at_a_pole_is_the_limit_along_the_meridian) {
 TEST(TruthSurface, frames_agree_on_the_tangent_and_differ_in_the_bitangent_under_shear) {
   const double lean = pi / 6;
   const SurfacePoint straight = quad()({0.5, 0.5});
-  const SurfacePoint leaning = reparameterised(quad(), sheared(lean))({0.5, 0.5});
+  const SurfacePoint leaning = reparameterized(quad(), sheared(lean))({0.5, 0.5});
   const Frame own = parametric_frame(leaning), right = orthonormal_frame(leaning);
   EXPECT_EQ(own.tangent, right.tangent);
   EXPECT_NEAR(angle(own.bitangent, right.bitangent), lean, 1e-15);  // a rounding of the tangent of the angle
@@ -206,7 +206,7 @@ TEST(TruthSurface, frames_are_orthonormal_and_their_sign_is_that_of_the_texture)
 
 TEST(TruthSurface, frame_of_another_normal_is_orthonormal_and_keeps_the_side_of_the_tangent) {
   // A flat square with the normal of a smooth neighbour, 45 degrees off towards +x.
-  const SurfacePoint flat = reparameterised(quad(), mirrored())({0.5, 0.5});
+  const SurfacePoint flat = reparameterized(quad(), mirrored())({0.5, 0.5});
   const dvec3 normal = glm::normalize(dvec3(1, 0, 1));
   const Frame frame = orthonormal_frame(normal, flat.ds, flat.dt);
   EXPECT_LT(angle(frame.tangent, {-1, 0, 1}), 1e-15);  // ds runs to -x, turned into the normal's plane
@@ -223,7 +223,7 @@ TEST(TruthSurface, change_of_parameters_moves_no_point_and_goes_back) {
       // One rounding of the 2x2 inverse, over the texture of 4 widths.
       EXPECT_LT(glm::distance(map.parameter(map.texcoord(st)), st), 5e-16);
       const dvec3 here = torus(1, 0.4)(st).position;
-      EXPECT_LT(glm::distance(reparameterised(torus(1, 0.4), map)(map.texcoord(st)).position, here), 5e-15);
+      EXPECT_LT(glm::distance(reparameterized(torus(1, 0.4), map)(map.texcoord(st)).position, here), 5e-15);
     }
   EXPECT_EQ(stretched(4).texcoord({0.5, 0.5}), dvec2(2, 0.5));
   EXPECT_EQ(mirrored().texcoord({0.25, 0.5}), dvec2(0.75, 0.5));

@@ -38,7 +38,7 @@ QuadPicture checker_picture() {
   return {.camera = {.distance = 2, .field_of_view = opening, .width = 40, .height = 40},
           .world_from_object = {},
           .texcoord_map = {},
-          .texture = [](dvec2 st) { return procedural::colour(procedural::Texture::checker, st.s, st.t); }};
+          .texture = [](dvec2 st) { return procedural::color(procedural::Texture::checker, st.s, st.t); }};
 }
 
 TEST(TruthQuadPicture, pixels_are_the_fields_of_the_checker_where_the_square_is_not_tilted) {

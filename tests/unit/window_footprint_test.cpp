@@ -9,7 +9,7 @@
 #include "footprint.hpp"
 #include "truth/cube_map.hpp"
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 /// The values of 3x3 pixels; x and y from -1 to 1. Those of the mask's bits are missing, the first is the
@@ -104,4 +104,4 @@ TEST(Wrapped, goes_where_the_wrap_mode_says) {
 }
 
 }  // namespace
-}  // namespace texel::app
+}  // namespace texel::window

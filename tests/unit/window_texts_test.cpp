@@ -9,7 +9,7 @@
 #include "shader_message.hpp"
 #include "step_text.hpp"
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
 TEST(StepText, formulas_become_unicode) {
@@ -74,7 +74,7 @@ TEST(ErrorMessage, of_another_kind_stays_as_it_is) {
 }
 
 TEST(History, goes_back_and_forth_and_forgets_what_was_undone) {
-  const auto look = [](const char* value) { return SavedLook{{value}, View::color, {}}; };
+  const auto look = [](const char* value) { return SavedLook{{value}, app::View::color, {}}; };
   History history;
   for (const char* value : {"a", "a", "b", "c"}) history.note(look(value));
   EXPECT_EQ(*history.undo(), look("b"));
@@ -94,20 +94,20 @@ TEST(Gestures, move_camera_and_light_and_stay_in_range) {
   set.add(distance, {"distance", 2, 1, 100, "units", "h"});
   set.add(turned, {"turn", 350, 0, 360, "degrees", "h"});
   set.add(light, {"light_yaw", 0, -180, 180, "degrees", "h"});
-  orbit(set, {-100, 100});  // to the left: the yaw grows by 35 and goes round; up to the pole
+  app::orbit(set, {-100, 100});  // to the left: the yaw grows by 35 and goes round; up to the pole
   EXPECT_FLOAT_EQ(yaw, -155);
   EXPECT_FLOAT_EQ(pitch, 89);
-  zoom(set, -1);
+  app::zoom(set, -1);
   EXPECT_FLOAT_EQ(distance, 2 / 0.9F);
-  zoom(set, 20);
+  app::zoom(set, 20);
   EXPECT_FLOAT_EQ(distance, 1);
-  turn(set, 20);
+  app::turn(set, 20);
   EXPECT_FLOAT_EQ(turned, 10);
-  turn(set, -20);
+  app::turn(set, -20);
   EXPECT_FLOAT_EQ(turned, 350);
-  move_light(set, {100, 5});  // this lab's light has no pitch
+  app::move_light(set, {100, 5});  // this lab's light has no pitch
   EXPECT_FLOAT_EQ(light, 35);
 }
 
 }  // namespace
-}  // namespace texel::app
+}  // namespace texel::window

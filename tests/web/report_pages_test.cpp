@@ -15,7 +15,7 @@
 #include "../support/picture_files.hpp"
 #include "reports/reports.hpp"
 
-namespace texel::grade {
+namespace texel::reports {
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,7 +25,7 @@ class ReportPages : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new test::TemporaryFolder("report_pages");
-    results_ = new ClassResult(test::demo_class(*folder_ / "out"));
+    results_ = new store::ClassResult(test::demo_class(*folder_ / "out"));
     write_html(*results_, *folder_ / "out");
     shared_browser_ = new test::Browser(TEXEL_CHROMIUM, *folder_ / "profile");
   }
@@ -73,19 +73,19 @@ class ReportPages : public testing::Test {
     for (int i = 0; i < y; ++i) browser_.press("ArrowUp");
   }
   /// The colour in the middle of a picture's pixel as it stands in a pane, "r g b", while all of it is shown.
-  std::string colour(const std::string& pane, int x, int y) {
+  std::string color(const std::string& pane, int x, int y) {
     return browser_.evaluate(fmt::format(
         "(() => {{ const c = v.querySelector('{}'), s = c.width / 64; return "
         "[...c.getContext('2d').getImageData(Math.floor(s * ({} + 0.5)), Math.floor(s * (63 - {} + 0.5)), 1, "
         "1).data.slice(0, 3)].join(' '); }})()",
         pane, x, y));
   }
-  static std::string colour_of(const image::Image8& picture, int x, int y) {
+  static std::string color_of(const image::Image8& picture, int x, int y) {
     return fmt::format("{} {} {}", picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2));
   }
 
   static inline test::TemporaryFolder* folder_ = nullptr;
-  static inline ClassResult* results_ = nullptr;
+  static inline store::ClassResult* results_ = nullptr;
   static inline test::Browser* shared_browser_ = nullptr;
   test::Browser& browser_ = *shared_browser_;
   const image::ImageF right_ = test::ball(64, false), wrong_ = test::ball(64, true);
@@ -123,12 +123,12 @@ TEST_F(ReportPages, shows_the_real_numbers_of_a_pixel_that_keys_choose) {
   }
 }
 
-TEST_F(ReportPages, shows_the_steps_of_a_colour_picture) {
+TEST_F(ReportPages, shows_the_steps_of_a_color_picture) {
   open_case("color");
   go_to(20, 45);
   const image::Image8 right = test::lit(right_), wrong = test::lit(wrong_);
-  EXPECT_EQ(numbers("Yours"), colour_of(wrong, 20, 45));
-  EXPECT_EQ(numbers("Expected"), colour_of(right, 20, 45));
+  EXPECT_EQ(numbers("Yours"), color_of(wrong, 20, 45));
+  EXPECT_EQ(numbers("Expected"), color_of(right, 20, 45));
   EXPECT_EQ(numbers("Difference"),
             fmt::format("{} 8-bit steps", std::abs(right.at(20, 45) - wrong.at(20, 45))));
 }
@@ -173,8 +173,8 @@ TEST_F(ReportPages, marks_the_pixels_above_the_tolerance) {
   const auto is_grey = [](const std::string& rgb) {
     return rgb.substr(0, rgb.find(' ')) == rgb.substr(rgb.find(' ') + 1, rgb.rfind(' ') - rgb.find(' ') - 1);
   };
-  EXPECT_FALSE(is_grey(colour(".difference canvas", 32, y_far)));
-  EXPECT_TRUE(is_grey(colour(".difference canvas", 32, y_near)));
+  EXPECT_FALSE(is_grey(color(".difference canvas", 32, y_far)));
+  EXPECT_TRUE(is_grey(color(".difference canvas", 32, y_near)));
 }
 
 TEST_F(ReportPages, splits_the_first_picture_between_yours_and_expected) {
@@ -183,35 +183,35 @@ TEST_F(ReportPages, splits_the_first_picture_between_yours_and_expected) {
     const auto byte = [&](int c) { return std::lround(255 * (0.5F + 0.5F * normals.at(x, y, c))); };
     return fmt::format("{} {} {}", byte(0), byte(1), byte(2));
   };
-  EXPECT_EQ(colour(kYours, 44, 44), shown(wrong_, 44, 44));
-  EXPECT_EQ(colour(kExpected, 44, 44), shown(right_, 44, 44));
+  EXPECT_EQ(color(kYours, 44, 44), shown(wrong_, 44, 44));
+  EXPECT_EQ(color(kExpected, 44, 44), shown(right_, 44, 44));
   browser_.press("s");
-  EXPECT_EQ(colour(kYours, 20, 44), shown(wrong_, 20, 44));  // left half
-  EXPECT_EQ(colour(kYours, 44, 44), shown(right_, 44, 44));  // right half
+  EXPECT_EQ(color(kYours, 20, 44), shown(wrong_, 20, 44));  // left half
+  EXPECT_EQ(color(kYours, 44, 44), shown(right_, 44, 44));  // right half
   EXPECT_EQ(text("[data-pane=yours] figcaption"), "Yours | Expected");
   browser_.evaluate("v.querySelectorAll('input')[0].focus(); 0");
   browser_.press("Home");
-  EXPECT_EQ(colour(kYours, 20, 44), shown(right_, 20, 44));
+  EXPECT_EQ(color(kYours, 20, 44), shown(right_, 20, 44));
   browser_.press("End");
-  EXPECT_EQ(colour(kYours, 44, 44), shown(wrong_, 44, 44));
+  EXPECT_EQ(color(kYours, 44, 44), shown(wrong_, 44, 44));
 }
 
 TEST_F(ReportPages, zooms_by_keys_buttons_and_wheel) {
   open_case("normal");
   const auto zoomed = [&] { return bool(browser_.evaluate("v.classList.contains('zoomed')")); };
   // With all shown a background pixel is in the corner; zoomed to the ball's middle there is none.
-  const std::string background = colour(kExpected, 1, 62);
+  const std::string background = color(kExpected, 1, 62);
   go_to(32, 32);
   EXPECT_FALSE(zoomed());
   browser_.press("+");
   browser_.press("+");
   EXPECT_TRUE(zoomed());
-  EXPECT_NE(colour(kExpected, 1, 62), background);
+  EXPECT_NE(color(kExpected, 1, 62), background);
   browser_.press("-");
   EXPECT_TRUE(zoomed());
   browser_.press("0");
   EXPECT_FALSE(zoomed());
-  EXPECT_EQ(colour(kExpected, 1, 62), background);
+  EXPECT_EQ(color(kExpected, 1, 62), background);
 
   browser_.evaluate("v.querySelector('button[aria-label=\"Zoom in\"]').focus(); 0");
   browser_.press("Enter");
@@ -240,14 +240,14 @@ TEST_F(ReportPages, moves_a_zoomed_picture_under_the_pointer) {
   go_to(32, 32);
   browser_.press("+");
   browser_.press("+");
-  const std::string before = colour(kExpected, 20, 20);
+  const std::string before = color(kExpected, 20, 20);
   const auto box = browser_.evaluate(
       "(b => [b.left + b.width / 2, b.top + b.height / 2])(v.querySelector('[data-pane=yours] "
       "canvas').getBoundingClientRect())");
   browser_.mouse("mousePressed", box[0], box[1]);
   browser_.mouse("mouseMoved", double(box[0]) + 40, double(box[1]) + 30);
   browser_.mouse("mouseReleased", double(box[0]) + 40, double(box[1]) + 30);
-  EXPECT_NE(colour(kExpected, 20, 20), before);
+  EXPECT_NE(color(kExpected, 20, 20), before);
 }
 
 TEST_F(ReportPages, are_used_by_keys_alone) {
@@ -270,7 +270,7 @@ TEST_F(ReportPages, are_used_by_keys_alone) {
 }
 
 TEST_F(ReportPages, need_no_network_and_complain_of_nothing) {
-  for (const StudentResult& student : results_->students) {
+  for (const store::StudentResult& student : results_->students) {
     open(page_name(student));
     browser_.evaluate("document.querySelectorAll('details').forEach(d => { d.open = true; }); 0");
     browser_.evaluate("document.querySelectorAll('.viewer').forEach(v => near.observe(v)); 0");
@@ -307,7 +307,7 @@ TEST_F(ReportPages, run_nothing_of_a_hostile_student) {
 TEST_F(ReportPages, fit_on_a_phone) {
   browser_.resize(390, 844, true);
   std::vector<std::string> pages = {"index.html"};
-  for (const StudentResult& student : results_->students) pages.push_back(page_name(student));
+  for (const store::StudentResult& student : results_->students) pages.push_back(page_name(student));
   for (const std::string& page : pages) {
     open(page);
     browser_.evaluate("document.querySelectorAll('details').forEach(d => { d.open = true; }); 0");
@@ -385,4 +385,4 @@ TEST_F(ReportPages, sort_and_filter_the_class) {
 }
 
 }  // namespace
-}  // namespace texel::grade
+}  // namespace texel::reports

@@ -47,13 +47,13 @@ class Patience {
 
 }  // namespace
 
-grade::OwnTree own_tree() {
+check::OwnTree own_tree() {
   return {course_root(), course_build()};
 }
 
-std::vector<grade::LabResult> checked(const std::vector<course::Lab>& labs, const std::string& context) {
+std::vector<judge::LabResult> checked(const std::vector<course::Lab>& labs, const std::string& context) {
   const Patience patience;
-  return grade::check(own_tree(), labs, grade::by_programs(own_tree(), context));
+  return check::check(own_tree(), labs, check::by_programs(own_tree(), context));
 }
 
 }  // namespace texel::tools

@@ -14,10 +14,10 @@
 namespace texel::tools {
 namespace {
 
-using grade::CaseResult;
-using grade::LabResult;
-using grade::Status;
-using grade::StepResult;
+using judge::CaseResult;
+using judge::LabResult;
+using judge::Status;
+using judge::StepResult;
 
 constexpr const char* kGreen = "\033[32m";
 constexpr const char* kYellow = "\033[1;33m";
@@ -27,13 +27,13 @@ constexpr const char* kPlain = "\033[0m";
 
 class Paint {
  public:
-  explicit Paint(bool colours) : colours_(colours) {}
-  [[nodiscard]] std::string operator()(const char* colour, const std::string& text) const {
-    return colours_ ? colour + text + kPlain : text;
+  explicit Paint(bool colors) : colors_(colors) {}
+  [[nodiscard]] std::string operator()(const char* color, const std::string& text) const {
+    return colors_ ? color + text + kPlain : text;
   }
 
  private:
-  bool colours_;
+  bool colors_;
 };
 
 bool passed(const StepResult& step) {
@@ -52,7 +52,7 @@ std::string short_message(const CaseResult& one) {
 /// What is wrong with the step that comes next, and what helps.
 std::string details(const StepResult& step, const Paint& paint) {
   constexpr std::size_t indent = 12;
-  const CaseResult& telling = *grade::telling_case(step);
+  const CaseResult& telling = *judge::clearest_case(step);
   const bool is_drawn = !telling.picture.empty();
   const std::string see = paint(kDim, fmt::format("{:12}see it: ./run see {}\n", "", step.id));
   if (step.is_untouched() && is_drawn) return wrapped("Not begun. Write your lines there.", indent) + see;
@@ -83,7 +83,7 @@ std::string what_follows(int number) {
 
 }  // namespace
 
-bool wants_colours() {
+bool wants_colors() {
   const char* no = std::getenv("NO_COLOR");
   return ::isatty(STDOUT_FILENO) != 0 && (no == nullptr || *no == '\0');
 }
@@ -100,8 +100,8 @@ const StepResult* next_step(const LabResult& lab) {
   return nullptr;
 }
 
-std::string report(const LabResult& lab, bool colours) {
-  const Paint paint(colours);
+std::string report(const LabResult& lab, bool colors) {
+  const Paint paint(colors);
   const auto done = std::count_if(lab.steps.begin(), lab.steps.end(), passed);
   std::string text = paint(kBold, fmt::format("Lab {}: {}", lab.lab.number, lab.lab.title)) +
                      fmt::format(", {} of {} steps\n", done, lab.steps.size());
@@ -128,8 +128,8 @@ std::string report(const LabResult& lab, bool colours) {
   return text;
 }
 
-std::string progress_report(const std::vector<LabResult>& labs, bool colours) {
-  const Paint paint(colours);
+std::string progress_report(const std::vector<LabResult>& labs, bool colors) {
+  const Paint paint(colors);
   std::string text;
   double points = 0, most = 0;
   const LabResult* next = nullptr;

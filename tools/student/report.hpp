@@ -9,17 +9,17 @@
 namespace texel::tools {
 
 /// The step that comes next: the first that failed, else the first that is not done, or none.
-const grade::StepResult* next_step(const grade::LabResult& lab);
+const judge::StepResult* next_step(const judge::LabResult& lab);
 
 /// A lab's steps, each in a line: done, next, to do or waiting; below the next one, what is wrong and what
 /// helps. Lines end in '\n'. With colours for a terminal.
-std::string report(const grade::LabResult& lab, bool colours);
+std::string report(const judge::LabResult& lab, bool colors);
 
 /// A line for each lab, how far it is, and what comes next in the course.
-std::string progress_report(const std::vector<grade::LabResult>& labs, bool colours);
+std::string progress_report(const std::vector<judge::LabResult>& labs, bool colors);
 
 /// Whether colours are wanted on standard output: a terminal, and no NO_COLOR.
-bool wants_colours();
+bool wants_colors();
 
 /// Text in lines that fit the terminal, each after so many blanks.
 std::string wrapped(const std::string& text, std::size_t indent);

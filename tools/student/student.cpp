@@ -25,23 +25,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<grade::LabResult> check_labs(const std::vector<int>& labs, const std::string& context) {
+std::vector<judge::LabResult> check_labs(const std::vector<int>& labs, const std::string& context) {
   return checked(chosen_labs(labs), context);
 }
 
 /// The step that comes next in the first lab that is not done.
-const grade::StepResult* next_of(const std::vector<grade::LabResult>& labs) {
-  for (const grade::LabResult& lab : labs)
-    if (const grade::StepResult* next = next_step(lab)) return next;
+const judge::StepResult* next_of(const std::vector<judge::LabResult>& labs) {
+  for (const judge::LabResult& lab : labs)
+    if (const judge::StepResult* next = next_step(lab)) return next;
   return nullptr;
 }
 
 /// Whether a step of these labs was changed by the student.
-bool is_begun(const std::vector<grade::LabResult>& labs) {
-  const std::set<std::string> untouched = grade::untouched_steps(own_tree());
-  return std::any_of(labs.begin(), labs.end(), [&](const grade::LabResult& lab) {
+bool is_begun(const std::vector<judge::LabResult>& labs) {
+  const std::set<std::string> untouched = check::untouched_steps(own_tree());
+  return std::any_of(labs.begin(), labs.end(), [&](const judge::LabResult& lab) {
     return std::any_of(lab.steps.begin(), lab.steps.end(),
-                       [&](const grade::StepResult& step) { return !untouched.contains(step.id); });
+                       [&](const judge::StepResult& step) { return !untouched.contains(step.id); });
   });
 }
 
@@ -60,12 +60,12 @@ const course::Step& step_called(const std::string& id) {
 }  // namespace
 
 Exit check(const CheckOptions& options) {
-  const std::vector<grade::LabResult> labs = check_labs(options.labs, options.context);
+  const std::vector<judge::LabResult> labs = check_labs(options.labs, options.context);
   if (options.json) {
     fmt::print("{}\n", options.labs.size() == 1 ? to_json(labs.front()) : to_json(labs));
   } else {
-    for (const grade::LabResult& lab : labs)
-      fmt::print("{}{}", &lab == &labs.front() ? "" : "\n", report(lab, wants_colours()));
+    for (const judge::LabResult& lab : labs)
+      fmt::print("{}{}", &lab == &labs.front() ? "" : "\n", report(lab, wants_colors()));
   }
   if (next_of(labs) == nullptr || (options.unless_begun && !is_begun(labs))) return Exit::holds;
   return Exit::differs;
@@ -74,10 +74,10 @@ Exit check(const CheckOptions& options) {
 Exit see(const SeeOptions& options) {
   const course::Step& wanted = step_called(options.step);
   const int number = std::stoi(wanted.id);  // of the lab: the part before the point
-  const std::vector<grade::LabResult> labs = check_labs({number}, options.context);
-  for (const grade::StepResult& step : labs.front().steps) {
+  const std::vector<judge::LabResult> labs = check_labs({number}, options.context);
+  for (const judge::StepResult& step : labs.front().steps) {
     if (step.id != wanted.id) continue;
-    const grade::CaseResult& one = *grade::telling_case(step);  // each step has a case
+    const judge::CaseResult& one = *judge::clearest_case(step);  // each step has a case
     fmt::print("{}", wrapped(fmt::format("{} {}, {}: {}", step.id, step.title, one.name,
                                          one.passed() ? "right" : one.message),
                              0));
@@ -88,7 +88,7 @@ Exit see(const SeeOptions& options) {
       fmt::print("This case compares vertices. To see the model, type: ./run lab {}{}\n", number, flags);
       return Exit::holds;
     }
-    const image::Compared pictures = grade::compared(one);
+    const image::Compared pictures = check::compared(one);
     const fs::path file = options.out.empty() ? course_root() / "out/see" / (step.id + ".png") : options.out;
     make_folder(file.parent_path());
     const int zoom = std::max(1, 320 / pictures.own.height);  // cases are small
@@ -100,7 +100,7 @@ Exit see(const SeeOptions& options) {
 }
 
 Exit progress(const std::string& context) {
-  fmt::print("{}", progress_report(check_labs({}, context), wants_colours()));
+  fmt::print("{}", progress_report(check_labs({}, context), wants_colors()));
   return Exit::holds;
 }
 
@@ -114,8 +114,8 @@ Exit hint(const HintOptions& options) {
       if (error != std::errc{} || rest != end)
         throw Error::usage(fmt::format("'{}' is neither a lab nor a step", id), "write 5 or 5.1");
     }
-    const std::vector<grade::LabResult> results = check_labs(labs, options.context);
-    const grade::StepResult* next = next_of(results);
+    const std::vector<judge::LabResult> results = check_labs(labs, options.context);
+    const judge::StepResult* next = next_of(results);
     if (next == nullptr) {
       fmt::print("{}", labs.empty() ? "All steps are done.\n" : "All steps of this lab are done.\n");
       return Exit::holds;

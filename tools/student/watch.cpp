@@ -91,13 +91,13 @@ class Watch {
   }
 
  private:
-  [[nodiscard]] std::vector<fs::path> files() const { return grade::edited_files(tree_.source, lab_); }
+  [[nodiscard]] std::vector<fs::path> files() const { return check::edited_files(tree_.source, lab_); }
 
   /// Builds the lab where that is needed; whether there is a program of what was saved.
   bool build() {
     fmt::print("building…\n");
     flush_output();
-    const std::string messages = grade::build_program(tree_, lab_, fmt::format("./run watch {}", lab_.number),
+    const std::string messages = check::build_program(tree_, lab_, fmt::format("./run watch {}", lab_.number),
                                                       [](const std::string& other) {
                                                         fmt::print("waiting for another build: {}\n", other);
                                                         flush_output();
@@ -113,11 +113,11 @@ class Watch {
     try {
       if (!build_first || build()) {
         const Stopwatch stopwatch;
-        const std::vector<grade::LabResult> labs = checked({lab_}, options_.context);
-        const grade::StepResult* next = next_step(labs.front());
+        const std::vector<judge::LabResult> labs = checked({lab_}, options_.context);
+        const judge::StepResult* next = next_step(labs.front());
         next_ = next != nullptr ? next->id : "";
         if (is_terminal) fmt::print("\033[2J\033[H");
-        fmt::print("{}checked in {:.1f} s. ", report(labs.front(), wants_colours()),
+        fmt::print("{}checked in {:.1f} s. ", report(labs.front(), wants_colors()),
                    stopwatch.milliseconds() / 1000);
       }
     } catch (const Error& error) {  // a marker that was spoilt, say: mended by the next save
@@ -137,7 +137,7 @@ class Watch {
 
   WatchOptions options_;
   course::Lab lab_;
-  grade::OwnTree tree_;
+  check::OwnTree tree_;
   Watcher watcher_;
   std::optional<std::string> next_;  ///< the step that comes next, "" after the last; unknown before a check
 };

@@ -13,7 +13,7 @@
 #include "renderers/table.hpp"
 #include "report.hpp"
 
-namespace texel::tools {
+namespace texel::commands {
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,14 +35,14 @@ BenchReport measured(const course::Lab& lab, const fs::path& folder, bool errors
                  output = folder / (lab.folder + "-times.json");
   write_file(cases, case_list(lab, errors_only));
   int status = 0;
-  run_all({{program_of(lab), "--bench", cases.string(), "--report", output.string()}}, 1,
-          [&](std::size_t, int s) { status = s; });
+  tools::run_all({{tools::program_of(lab), "--bench", cases.string(), "--report", output.string()}}, 1,
+                 [&](std::size_t, int s) { status = s; });
   if (status != 0) throw Error::failed("could not measure " + lab.program(), {}, "see its message above");
   return read_lab_output(output, lab);
 }
 
 BenchReport measure(const std::vector<course::Lab>& labs, const BenchOptions& options) {
-  make_folder(options.out);
+  tools::make_folder(options.out);
   BenchReport all;
   const Stopwatch whole;
   for (const course::Lab& lab : labs) {
@@ -59,20 +59,20 @@ BenchReport measure(const std::vector<course::Lab>& labs, const BenchOptions& op
 void write_markdown(const std::vector<LabResults>& labs, const std::string& renderer, const std::string& gpu,
                     const fs::path& file) {
   const fs::path folder = file.parent_path() / file.stem();
-  make_folder(folder);
+  tools::make_folder(folder);
   for (const LabResults& lab : labs) {
     const std::vector<Plot> drawn = plots(lab);
     for (std::size_t i = 0; i < drawn.size(); ++i) write_file(folder / plot_file(lab.lab, i), svg(drawn[i]));
   }
-  write_file(file,
-             bench_markdown(labs, renderer, gpu, file.stem().string()) +
-                 renderers_markdown(read_renderers(course_root() / "docs/renderers.json"), course_labs()));
+  write_file(file, bench_markdown(labs, renderer, gpu, file.stem().string()) +
+                       renderers_markdown(read_renderers(tools::course_root() / "docs/renderers.json"),
+                                          tools::course_labs()));
 }
 
 /// Draws what the page shows of each result, all labs at the same time.
 void draw_pictures(const std::vector<LabResults>& labs, const fs::path& out) {
   fmt::print(stderr, "drawing the page's pictures\n");
-  std::vector<Command> commands;
+  std::vector<tools::Command> commands;
   for (const LabResults& lab : labs) {
     std::vector<course::Case> cases;
     for (const course::BenchCase& bench : lab.lab.bench)
@@ -80,11 +80,11 @@ void draw_pictures(const std::vector<LabResults>& labs, const fs::path& out) {
         if (result.case_name == bench.name)
           for (course::Case& picture : pictures_of(bench, result)) cases.push_back(std::move(picture));
     const fs::path folder = out / kPictures / lab.lab.folder, list = folder / "batch.json";
-    make_folder(folder);
+    tools::make_folder(folder);
     write_file(list, course::to_batch(cases));
-    commands.push_back({program_of(lab.lab), "--batch", list.string(), "--out", folder.string()});
+    commands.push_back({tools::program_of(lab.lab), "--batch", list.string(), "--out", folder.string()});
   }
-  run_all(commands, static_cast<int>(processors()), [&](std::size_t i, int status) {
+  tools::run_all(commands, static_cast<int>(processors()), [&](std::size_t i, int status) {
     if (status != 0)
       throw Error::failed("could not draw the pictures of " + labs[i].lab.program(), {},
                           "see its message above");
@@ -101,9 +101,9 @@ void write_page(const std::vector<LabResults>& labs, const std::string& renderer
 }  // namespace
 
 Exit bench(const BenchOptions& options) {
-  std::vector<course::Lab> labs = chosen_labs(options.labs);
+  std::vector<course::Lab> labs = tools::chosen_labs(options.labs);
   std::erase_if(labs, [](const course::Lab& lab) { return lab.bench.empty(); });
-  if (options.from.empty() && !std::all_of(labs.begin(), labs.end(), knows_truth)) {
+  if (options.from.empty() && !std::all_of(labs.begin(), labs.end(), tools::knows_truth)) {
     fmt::print("Nothing is measured: this tree does not contain the right answers to compare with.\n");
     return Exit::holds;
   }
@@ -132,4 +132,4 @@ Exit bench(const BenchOptions& options) {
   return Exit::holds;
 }
 
-}  // namespace texel::tools
+}  // namespace texel::commands

@@ -10,7 +10,7 @@
 
 #include "core/html.hpp"
 
-namespace texel::tools {
+namespace texel::commands {
 namespace {
 
 constexpr double kPanelWidth = 340, kPanelHeight = 286, kLeft = 52, kRight = 328, kTop = 48, kBottom = 246;
@@ -19,13 +19,13 @@ constexpr double kDot = 5.5;                     // its radius
 constexpr double kCharacter = 6.3, kBold = 7.1;  // width of a label's character, at 11 units
 constexpr double kAscent = 9, kDescent = 3;      // of a label
 /// Apart also for those who do not see red from green (M. Okabe and K. Ito, "Color Universal Design", 2008).
-constexpr std::array kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                 "#e69f00", "#56b4e9", "#7f6a00", "#777777"};
+constexpr std::array kColors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                "#e69f00", "#56b4e9", "#7f6a00", "#777777"};
 constexpr const char* kInk = "var(--ink, #1d1f23)";
 constexpr const char* kQuiet = "var(--quiet, #5f646d)";
 
-const char* colour(std::size_t index) {
-  return kColours[index % kColours.size()];
+const char* color(std::size_t index) {
+  return kColors[index % kColors.size()];
 }
 
 /// A logarithmic axis over whole powers of ten, or over 1-2-5 steps where it is short.
@@ -171,7 +171,7 @@ std::string drawn(const Plot::Point& point, const Place& dot, const std::optiona
     if (label->distance > 16)
       out += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"{}\" opacity=\"0.6\"/>", dot.x,
                          dot.y, std::clamp(dot.x, label->x, label->x + width),
-                         label->y - (kAscent - kDescent) / 2, colour(point.colour));
+                         label->y - (kAscent - kDescent) / 2, color(point.color));
     out += text(
         label->x, label->y, point.label,
         fmt::format("fill=\"{}\" stroke=\"var(--card, #fff)\" stroke-width=\"3\" paint-order=\"stroke\"{}",
@@ -182,7 +182,7 @@ std::string drawn(const Plot::Point& point, const Place& dot, const std::optiona
       "fill=\"{}\" stroke=\"{}\" stroke-width=\"1.6\"/></g>\n",
       point.pictures.empty() ? "" : fmt::format(" data-pictures=\"{}\"", fmt::join(point.pictures, " ")),
       html_escaped(point.title), out, dot.x, dot.y, kDot,
-      point.filled ? colour(point.colour) : "var(--card, #fff)", colour(point.colour));
+      point.filled ? color(point.color) : "var(--card, #fff)", color(point.color));
 }
 
 /// What stands in the panel's <svg>.
@@ -205,7 +205,7 @@ std::string content(const Plot& plot, const Plot::Panel& panel) {
     if (line.points.size() > 1)
       out +=
           fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\" opacity=\"0.55\"/>\n",
-                      path, line.colour ? colour(*line.colour) : kQuiet);
+                      path, line.color ? color(*line.color) : kQuiet);
   }
   const std::vector<std::optional<Label>> placed = labels(panel.points, dots);
   for (const bool filled : {false, true})  // the front in front
@@ -245,4 +245,4 @@ std::string svg(const Plot& plot) {
                  fmt::format("{} against {}", plot.y_label, plot.x_label), inside);
 }
 
-}  // namespace texel::tools
+}  // namespace texel::commands

@@ -5,22 +5,22 @@
 #include <string>
 #include <vector>
 
-namespace texel::tools {
+namespace texel::commands {
 
 /// Small plots side by side, drawn as SVG. All have the same two logarithmic axes, and a name beside each
 /// dot.
 struct Plot {
   struct Point {
     double x = 0, y = 0;                     ///< x must be positive; y = 0 lies on the lower edge
-    std::size_t colour = 0;                  ///< one of eight, counted from 0
+    std::size_t color = 0;                   ///< one of eight, counted from 0
     bool filled = false;                     ///< on the front
     std::string label;                       ///< beside the dot, or ""
     std::string title;                       ///< what hovering shows, lines
     std::vector<std::string> pictures = {};  ///< files that the page shows beside the title
   };
   struct Line {
-    std::vector<std::size_t> points;    ///< of its panel, joined in this order
-    std::optional<std::size_t> colour;  ///< grey without one
+    std::vector<std::size_t> points;   ///< of its panel, joined in this order
+    std::optional<std::size_t> color;  ///< grey without one
   };
   struct Panel {
     std::string name;
@@ -39,4 +39,4 @@ std::vector<std::string> panel_svgs(const Plot& plot);
 /// All panels in one <svg> element, three in a row: a picture for a document.
 std::string svg(const Plot& plot);
 
-}  // namespace texel::tools
+}  // namespace texel::commands

@@ -10,7 +10,7 @@
 #include "bench/embedded.hpp"
 #include "core/html.hpp"
 
-namespace texel::tools {
+namespace texel::commands {
 namespace {
 
 using Row = std::vector<std::string>;
@@ -434,4 +434,4 @@ std::string bench_markdown(const std::vector<LabResults>& labs, const std::strin
   return out;
 }
 
-}  // namespace texel::tools
+}  // namespace texel::commands

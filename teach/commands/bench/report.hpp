@@ -7,7 +7,7 @@
 #include "plot.hpp"
 #include "results.hpp"
 
-namespace texel::tools {
+namespace texel::commands {
 
 /// A lab with what was measured of it.
 struct LabResults {
@@ -44,4 +44,4 @@ std::string bench_markdown(const std::vector<LabResults>& labs, const std::strin
 /// The name of a lab's plot, counted from 0, without a folder: "05_normal_map-1.svg".
 std::string plot_file(const course::Lab& lab, std::size_t index);
 
-}  // namespace texel::tools
+}  // namespace texel::commands

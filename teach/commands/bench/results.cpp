@@ -14,7 +14,7 @@
 #include "core/files.hpp"
 #include "core/json.hpp"
 
-namespace texel::tools {
+namespace texel::commands {
 namespace {
 
 using Times = std::vector<double>;
@@ -346,4 +346,4 @@ std::vector<std::string> differences(const BenchReport& then, const BenchReport&
   return lines;
 }
 
-}  // namespace texel::tools
+}  // namespace texel::commands

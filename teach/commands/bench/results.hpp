@@ -7,7 +7,7 @@
 
 #include "course/lab_file.hpp"
 
-namespace texel::tools {
+namespace texel::commands {
 
 /// What one method (or combination of values) costs and how wrong it is in one case.
 struct BenchResult {
@@ -78,4 +78,4 @@ BenchReport read_report_json(const std::filesystem::path& file);
 std::vector<std::string> differences(const BenchReport& then, const BenchReport& now,
                                      const std::vector<course::Lab>& labs);
 
-}  // namespace texel::tools
+}  // namespace texel::commands

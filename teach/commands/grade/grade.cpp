@@ -12,7 +12,7 @@
 #include "reports/reports.hpp"
 #include "store/store.hpp"
 
-namespace texel::tools {
+namespace texel::commands {
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,10 +32,10 @@ void say(const std::string& line) {
   std::fflush(stderr);
 }
 
-void print_class(const grade::ClassResult& results) {
+void print_class(const store::ClassResult& results) {
   std::size_t width = 0;
-  for (const grade::StudentResult& student : results.students) width = std::max(width, student.id.size());
-  for (const grade::StudentResult& student : results.students) {
+  for (const store::StudentResult& student : results.students) width = std::max(width, student.id.size());
+  for (const store::StudentResult& student : results.students) {
     const std::string unmarked = student.unmarked();
     fmt::print("{:<{}}  {:>6} of {:g}{}\n", student.id, width,
                unmarked.empty() ? fmt::format("{:.2f}", student.points()) : "-", student.max_points(),
@@ -47,15 +47,15 @@ void print_class(const grade::ClassResult& results) {
 
 /// Every report of the results in a folder. Returns how many students are not graded in full.
 std::size_t write_reports(const fs::path& out, const std::vector<std::string>& formats) {
-  const grade::ClassResult results = grade::read_results(out, course_root());
-  grade::write_html(results, out);
-  for (const std::string& format : formats) grade::write_format(format, results, out);
+  const store::ClassResult results = grade::read_results(out, tools::course_root());
+  reports::write_html(results, out);
+  for (const std::string& format : formats) reports::write_format(format, results, out);
   print_class(results);
   fmt::print("look at the page   file://{}\n",
              fs::absolute(out / "report/index.html").lexically_normal().string());
   return static_cast<std::size_t>(
       std::count_if(results.students.begin(), results.students.end(),
-                    [](const grade::StudentResult& student) { return !student.unmarked().empty(); }));
+                    [](const store::StudentResult& student) { return !student.unmarked().empty(); }));
 }
 
 /// The same for results that may be of a run that was cut off: then they are no marks to hand out.
@@ -74,15 +74,15 @@ Exit grade_class(const GradeCommand& command) {
   grade::GradeOptions options;
   options.class_folder = command.class_folder;
   options.out = command.out;
-  options.course = course_root();
-  options.build = course_build();
+  options.course = tools::course_root();
+  options.build = tools::course_build();
   options.cache = command.cache.empty() ? options.course / "build/grade" : command.cache;
   options.labs = command.labs;
   options.jobs = command.jobs;
   options.resume = command.resume;
   options.run = command.unsafe            ? run_plainly
-                : command.walls == "user" ? grade::run_as_another_user
-                                          : grade::run_locked_in;
+                : command.walls == "user" ? sandbox::run_as_another_user
+                                          : sandbox::run_locked_in;
   options.context = command.context;
   options.seed_file = command.seed_file;
   read_shard(command.shard, options);
@@ -102,11 +102,11 @@ Exit grade_class(const GradeCommand& command) {
 Exit grade_merge(const GradeMergeCommand& command) {
   std::error_code error;
   fs::create_directories(command.out, error);
-  grade::Store store(grade::store_file(command.out));
+  store::Store store(grade::store_file(command.out));
   for (const fs::path& part : command.parts) {
     if (!fs::exists(grade::store_file(part)))
       throw Error::failed("contains no results", {part.string()}, "name folders that 'texel grade' wrote");
-    store.merge(grade::Store(grade::store_file(part)));
+    store.merge(store::Store(grade::store_file(part)));
     for (const char* folder : {"pictures", "references"})
       if (fs::exists(part / folder))
         fs::copy(part / folder, command.out / folder,
@@ -119,12 +119,12 @@ Exit grade_override(const GradeOverrideCommand& command) {
   if (!fs::exists(grade::store_file(command.out)))
     throw Error::failed("contains no results", {command.out.string()},
                         "name a folder that 'texel grade' wrote");
-  const grade::ClassResult results = grade::read_results(command.out, course_root());
+  const store::ClassResult results = grade::read_results(command.out, tools::course_root());
   std::vector<std::string> students, steps;
-  for (const grade::StudentResult& student : results.students) {
+  for (const store::StudentResult& student : results.students) {
     students.push_back(student.id);
-    for (const grade::LabResult& lab : student.labs)
-      for (const grade::StepResult& step : lab.steps) steps.push_back(step.id);
+    for (const judge::LabResult& lab : student.labs)
+      for (const judge::StepResult& step : lab.steps) steps.push_back(step.id);
   }
   const auto check = [](const std::string& word, const std::vector<std::string>& known, const char* what) {
     if (std::find(known.begin(), known.end(), word) != known.end()) return;
@@ -134,7 +134,7 @@ Exit grade_override(const GradeOverrideCommand& command) {
   };
   check(command.student, students, "student");
   check(command.step, steps, "step");
-  grade::Store store(grade::store_file(command.out));
+  store::Store store(grade::store_file(command.out));
   if (command.drop)
     store.drop_override(command.student, command.step);
   else
@@ -146,4 +146,4 @@ Exit grade_report(const GradeReportCommand& command) {
   return write_earlier(command.out, command.formats, command.unfinished);
 }
 
-}  // namespace texel::tools
+}  // namespace texel::commands

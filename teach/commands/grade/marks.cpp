@@ -12,7 +12,7 @@
 #include "course_commands.hpp"
 #include "renderers/table.hpp"
 
-namespace texel::tools {
+namespace texel::commands {
 namespace {
 
 /// How many times further off than any right answer the smallest mistake of a step must be.
@@ -67,11 +67,11 @@ std::string row_of(const grade::StepMarks& of) {
 }  // namespace
 
 Exit marks(const MarksCommand& command) {
-  const std::filesystem::path root = course_root();
+  const std::filesystem::path root = tools::course_root();
   std::vector<std::string> faults;
   const std::vector<grade::StepMarks> all = grade::marks_of(
-      {root, course_build(), command.cache.empty() ? root / "build/grade" : command.cache,
-       chosen_labs(command.labs)},
+      {root, tools::course_build(), command.cache.empty() ? root / "build/grade" : command.cache,
+       tools::chosen_labs(command.labs)},
       command.seeds, command.places, spreads_of(root / "docs/renderers.json"), faults, print_now);
   std::string table = kHead;
   for (const grade::StepMarks& of : all) {
@@ -98,4 +98,4 @@ Exit marks(const MarksCommand& command) {
   return faults.empty() ? Exit::holds : Exit::differs;
 }
 
-}  // namespace texel::tools
+}  // namespace texel::commands

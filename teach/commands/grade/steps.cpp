@@ -14,7 +14,7 @@
 #include "course_commands.hpp"
 #include "grade/submission.hpp"
 
-namespace texel::tools {
+namespace texel::commands {
 namespace {
 
 using Steps = std::map<std::string, std::string>;  // what stands between the markers, by step
@@ -38,9 +38,9 @@ std::string new_lines(const std::string& text, const std::string& first) {
 
 Exit print_steps(const GradeCommand& command) {
   std::set<std::string> asked;
-  for (const course::Lab& lab : chosen_labs(command.labs))
+  for (const course::Lab& lab : tools::chosen_labs(command.labs))
     for (const course::Step& step : lab.steps) asked.insert(step.id);
-  const std::filesystem::path root = course_root();
+  const std::filesystem::path root = tools::course_root();
   const std::vector<std::string> allowed = course::step_files(root);
   Json solution = Json::object(), submissions = Json::array();
   std::map<std::string, Steps> given;  // by file: the steps that are asked for, as the starter has them
@@ -72,7 +72,7 @@ Exit print_steps(const GradeCommand& command) {
             starter != of_file->second.end() && without_blanks(part) != starter->second)
           steps[step] = steps.value(step, "") + part;
     }
-    for (const grade::Ignored& file : taken.ignored) ignored[file.path] = file.reason;
+    for (const store::Ignored& file : taken.ignored) ignored[file.path] = file.reason;
     submissions.push_back(
         {{"entry", plain_text(entry.path.lexically_relative(command.class_folder).string())},
          {"id", entry.id},
@@ -85,4 +85,4 @@ Exit print_steps(const GradeCommand& command) {
   return Exit::holds;
 }
 
-}  // namespace texel::tools
+}  // namespace texel::commands

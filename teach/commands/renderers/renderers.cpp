@@ -19,7 +19,7 @@
 #include "course_commands.hpp"
 #include "renderers/table.hpp"
 
-namespace texel::tools {
+namespace texel::commands {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,11 +52,11 @@ void errors_of_lab_1(const fs::path& work, const fs::path& file) {
 /// Runs the tests that draw, and has them write into `folder`. Returns what failed.
 std::vector<std::string> run_tests(const grade::Renderer& renderer, const fs::path& folder) {
   fs::remove_all(folder);
-  make_folder(folder);
+  tools::make_folder(folder);
   Ran ran;
   grade::with(renderer, [&] {
     ::setenv("TEXEL_TOLERANCES", folder.c_str(), 1);
-    ran = run_program({"ctest", "--test-dir", course_build().string(), "--label-regex", "limits",
+    ran = run_program({"ctest", "--test-dir", tools::course_build().string(), "--label-regex", "limits",
                        "--parallel", std::to_string(processors()), "--no-tests=error"},
                       true);
     ::unsetenv("TEXEL_TOLERANCES");
@@ -121,8 +121,8 @@ RendererReport report_on(const grade::CourseTree& tree, const fs::path& drawn, c
   std::map<std::pair<std::string, std::string>, RendererReport::Row> tests;
   for (const fs::directory_entry& entry : fs::directory_iterator(drawn)) {
     const std::string name = entry.path().filename().string();
-    if (fs::exists(entry.path() / grade::kRendererFile)) {
-      const std::string says = read_file(entry.path() / grade::kRendererFile);
+    if (fs::exists(entry.path() / check::kRendererFile)) {
+      const std::string says = read_file(entry.path() / check::kRendererFile);
       report.drawn_by[name] = says.substr(0, says.find('\n'));
     }
     add_tests(entry.path() / kTolerances, group_of(name), tests);
@@ -143,14 +143,14 @@ RendererReport report_on(const grade::CourseTree& tree, const fs::path& drawn, c
 }  // namespace
 
 Exit renderers(const RenderersCommand& command) {
-  const fs::path root = course_root(), out = fs::absolute(command.out);
-  const grade::CourseTree tree{root, course_build(),
+  const fs::path root = tools::course_root(), out = fs::absolute(command.out);
+  const grade::CourseTree tree{root, tools::course_build(),
                                command.cache.empty() ? root / "build/grade" : command.cache,
-                               chosen_labs(command.labs)};
-  make_folder(out);
+                               tools::chosen_labs(command.labs)};
+  tools::make_folder(out);
   std::vector<std::string> faults;
   for (const grade::Renderer& renderer :
-       grade::known_renderers(course_build() / "teach/commands/librsqrt.so")) {
+       grade::known_renderers(tools::course_build() / "teach/commands/librsqrt.so")) {
     if (!command.only.empty() &&
         std::find(command.only.begin(), command.only.end(), renderer.name) == command.only.end())
       continue;
@@ -199,4 +199,4 @@ Exit renderers(const RenderersCommand& command) {
   return holds ? Exit::holds : Exit::differs;
 }
 
-}  // namespace texel::tools
+}  // namespace texel::commands

@@ -11,7 +11,7 @@
 #include "core/files.hpp"
 #include "core/json.hpp"
 
-namespace texel::tools {
+namespace texel::commands {
 namespace {
 
 Json list_of(const std::vector<RendererReport::Row>& rows) {
@@ -199,4 +199,4 @@ std::string renderers_markdown(const RendererReport& report, const std::vector<c
   return out;
 }
 
-}  // namespace texel::tools
+}  // namespace texel::commands

@@ -7,7 +7,7 @@
 
 #include "course/lab_file.hpp"
 
-namespace texel::tools {
+namespace texel::commands {
 
 /// What docs/renderers.json keeps of many renderers.
 struct RendererReport {
@@ -43,4 +43,4 @@ RendererReport read_renderers(const std::filesystem::path& file);
 inline constexpr const char* kRenderersTitle = "## Renderers, and the room that limits leave them";
 std::string renderers_markdown(const RendererReport& report, const std::vector<course::Lab>& labs);
 
-}  // namespace texel::tools
+}  // namespace texel::commands

@@ -38,18 +38,18 @@ void hand_in(const fs::path& root, const fs::path& folder, std::size_t student, 
 }
 
 /// As many students lost points as made the mistake. Where all made it, none of their own pictures is right.
-void check_grades(const grade::ClassResult& results, std::size_t students, std::size_t wrong) {
+void check_grades(const store::ClassResult& results, std::size_t students, std::size_t wrong) {
   std::size_t failed = 0, cases = 0, right = 0;
-  for (const grade::StudentResult& student : results.students)
-    for (const grade::LabResult& lab : student.labs)
-      for (const grade::StepResult& step : lab.steps)
-        for (const grade::CaseResult& one : step.cases) ++cases, right += one.passed() && !one.is_alone();
+  for (const store::StudentResult& student : results.students)
+    for (const judge::LabResult& lab : student.labs)
+      for (const judge::StepResult& step : lab.steps)
+        for (const judge::CaseResult& one : step.cases) ++cases, right += one.passed() && !one.is_alone();
   if (cases == 0 || (wrong == 0 && right != cases) || (wrong == students && right != 0))
     throw Error::failed(fmt::format("{} of {} cases are right", right, cases));
-  for (const grade::StudentResult& student : results.students)
-    failed += std::any_of(student.labs.begin(), student.labs.end(), [](const grade::LabResult& lab) {
+  for (const store::StudentResult& student : results.students)
+    failed += std::any_of(student.labs.begin(), student.labs.end(), [](const judge::LabResult& lab) {
       return std::any_of(lab.steps.begin(), lab.steps.end(),
-                         [](const grade::StepResult& step) { return step.status != grade::Status::passed; });
+                         [](const judge::StepResult& step) { return step.status != judge::Status::passed; });
     });
   if (results.students.size() != students || failed != wrong)
     throw Error::failed(fmt::format("{} of {} students lost points, and {} of {} are to", failed,
@@ -73,10 +73,10 @@ void add_grading(const Options& options, Report& report, const std::string& what
   write_file(seed, "a seed of no course");
   std::vector<course::Lab> chosen = course::read_labs(options.root / "labs");
   std::erase_if(chosen, [&](const course::Lab& one) { return one.number != lab; });
-  const std::vector<grade::LabPlan> plans =
+  const std::vector<judge::LabPlan> plans =
       grade::full_plan(chosen, read_file(seed), options.work / "models");
   std::size_t cases = 0;
-  for (const grade::LabPlan& plan : plans) {
+  for (const judge::LabPlan& plan : plans) {
     cases += size * plan.cases.size();
     write_file(options.work / (plan.lab.folder + ".json"), course::to_batch(plan.cases));
   }

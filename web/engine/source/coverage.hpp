@@ -22,7 +22,7 @@ namespace texel::web {
 ///
 /// `read` gives the canvas' picture, of 4 channels; `expected` is of 3, bottom row first.
 template <class Read, class Picture>
-Picture covered_as(const Picture& expected, const course::Case& of, app::Canvas& canvas, Read read) {
+Picture with_coverage_of(const Picture& expected, const course::Case& of, app::Canvas& canvas, Read read) {
   const glm::ivec2 size(of.size.width, of.size.height);
   const auto draw = [&](float x, float y) {
     gl::set_shift(x, y);

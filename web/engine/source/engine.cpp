@@ -233,13 +233,13 @@ class Engine {
     Json report;
     const bool draws = size_.x > 0 && size_.y > 0;  // not before the page has said how large
     if (draws) {
-      const gl::Glance glance(now.view == View::color);
+      const gl::Preview glance(now.view == View::color);
       if (!display_) display_.emplace(assets_.shader_root());
       if (now.view == View::error && !now.lab.truth(size_)) {  // draw() will say so: over no colours
         now.canvas.draw_nothing(size_);
         display_->show(now.canvas.picture());
       }
-      now.canvas.draw(now.view, size_, samples_, now.split, gl::Glance::kind());
+      now.canvas.draw(now.view, size_, samples_, now.split, gl::Preview::kind());
       display_->show(now.canvas.picture());
       wait(now.canvas.picture());
     }
@@ -332,7 +332,7 @@ class Engine {
   Json steps(const course::Lab& lab) {
     Json list = Json::array();
     const StudentFiles& files = this->files();
-    const std::set<std::string> untouched = grade::untouched_steps({kTree, kBuild});
+    const std::set<std::string> untouched = check::untouched_steps({kTree, kBuild});
     for (const course::Step& step : lab.steps) {
       const Place* place = files.place(step.id);
       const std::string file = place == nullptr ? "" : place->file;
@@ -346,7 +346,7 @@ class Engine {
                {"file", file},
                {"line", place == nullptr ? 0 : place->line},
                {"cases", Json::array()}};
-      for (const grade::LabPlan& plan : grade::public_plan({lab}))
+      for (const judge::LabPlan& plan : judge::public_plan({lab}))
         for (const course::Case& it : plan.cases)
           if (it.step == step.id)
             one["cases"].push_back({{"name", it.name},
@@ -355,7 +355,7 @@ class Engine {
                                     {"set", set_of(it)},
                                     {"limit", it.limit},
                                     {"unit", name_of(course::unit_of(it.view))},
-                                    {"command", grade::command(lab, it)}});
+                                    {"command", judge::command(lab, it)}});
       list.push_back(one);
     }
     return list;
@@ -403,13 +403,13 @@ class Engine {
     if (!judge_)
       judge_.emplace(kTree, *context_, assets_,
                      [this](const course::Lab& lab) -> Opened& { return opened(lab); });
-    return parse_json(grade::to_json(judge_->check(course_lab(), step)));
+    return parse_json(judge::to_json(judge_->check(course_lab(), step)));
   }
 
   Json compare(const std::string& name) {
-    const grade::CaseResult* one = judge_ ? judge_->drawn(name) : nullptr;
+    const judge::CaseResult* one = judge_ ? judge_->drawn(name) : nullptr;
     if (one == nullptr) return nullptr;
-    image::Compared all = grade::compared(*one);
+    image::Compared all = check::compared(*one);
     Json size = give(std::move(all.own));
     give(std::move(all.expected)), give(std::move(all.difference)), give(std::move(all.heat_map));
     return size;

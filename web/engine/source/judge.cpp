@@ -19,11 +19,11 @@ Judge::Judge(fs::path tree, gl::Context& context, const app::Assets& assets,
              std::function<Opened&(const course::Lab&)> opened)
     : tree_(std::move(tree)), context_(context), assets_(assets), opened_(std::move(opened)) {}
 
-grade::Drawn Judge::draw(const course::Lab& lab, const std::vector<course::Case>& cases,
+check::Drawn Judge::draw(const course::Lab& lab, const std::vector<course::Case>& cases,
                          const fs::path& out) {
   Opened& one = opened_(lab);
   const Aside aside(one);
-  grade::Drawn drawn;
+  check::Drawn drawn;
   drawn.renderer = context_.name();
   fs::create_directories(out);
   for (const course::Case& it : cases) try {
@@ -33,14 +33,14 @@ grade::Drawn Judge::draw(const course::Lab& lab, const std::vector<course::Case>
         continue;
       }
       const glm::ivec2 size(it.size.width, it.size.height);
-      const std::string reference = read_file(grade::expected_folder(tree_, lab) / it.file);
+      const std::string reference = read_file(check::expected_folder(tree_, lab) / it.file);
       if (it.view == app::View::color)
-        image::save_png(out / it.file,
-                        image::without_alpha(covered_as(image::parse_png(reference, it.file, size.x, size.y),
-                                                        it, one.canvas, [&] { return one.canvas.read8(); })));
+        image::save_png(out / it.file, image::without_alpha(with_coverage_of(
+                                           image::parse_png(reference, it.file, size.x, size.y), it,
+                                           one.canvas, [&] { return one.canvas.read8(); })));
       else
-        image::save_pfm(out / it.file, covered_as(image::parse_pfm(reference, it.file), it, one.canvas,
-                                                  [&] { return one.canvas.read_float(); }));
+        image::save_pfm(out / it.file, with_coverage_of(image::parse_pfm(reference, it.file), it, one.canvas,
+                                                        [&] { return one.canvas.read_float(); }));
     } catch (const Error& error) {
       const Place& place = error.place();
       const std::string file = fs::path(place.file).filename();
@@ -50,18 +50,18 @@ grade::Drawn Judge::draw(const course::Lab& lab, const std::vector<course::Case>
   return drawn;
 }
 
-const grade::LabResult& Judge::check(const course::Lab& lab, const std::string& step) {
-  const grade::Draws draws = [this](const course::Lab& of, const std::vector<course::Case>& cases,
+const judge::LabResult& Judge::check(const course::Lab& lab, const std::string& step) {
+  const check::Draws draws = [this](const course::Lab& of, const std::vector<course::Case>& cases,
                                     const fs::path& out) { return draw(of, cases, out); };
-  const grade::OwnTree tree{tree_, kBuild};
+  const check::OwnTree tree{tree_, kBuild};
   checked_ =
-      step.empty() ? grade::check(tree, {lab}, draws).front() : grade::check_step(tree, lab, step, draws);
+      step.empty() ? check::check(tree, {lab}, draws).front() : check::check_step(tree, lab, step, draws);
   return checked_;
 }
 
-const grade::CaseResult* Judge::drawn(const std::string& name) const {
-  for (const grade::StepResult& step : checked_.steps)
-    for (const grade::CaseResult& one : step.cases)
+const judge::CaseResult* Judge::drawn(const std::string& name) const {
+  for (const judge::StepResult& step : checked_.steps)
+    for (const judge::CaseResult& one : step.cases)
       if (one.name == name && !one.is_mesh() && !one.picture.empty()) return &one;
   return nullptr;
 }

@@ -20,19 +20,19 @@ class Judge {
         std::function<Opened&(const course::Lab&)> opened);
 
   /// Of one step, or of all: "".
-  const grade::LabResult& check(const course::Lab& lab, const std::string& step);
+  const judge::LabResult& check(const course::Lab& lab, const std::string& step);
   /// A case of the last check by its name; nullptr where it has no picture.
-  [[nodiscard]] const grade::CaseResult* drawn(const std::string& name) const;
+  [[nodiscard]] const judge::CaseResult* drawn(const std::string& name) const;
 
  private:
-  grade::Drawn draw(const course::Lab& lab, const std::vector<course::Case>& cases,
+  check::Drawn draw(const course::Lab& lab, const std::vector<course::Case>& cases,
                     const std::filesystem::path& out);
 
   std::filesystem::path tree_;
   gl::Context& context_;
   const app::Assets& assets_;
   std::function<Opened&(const course::Lab&)> opened_;
-  grade::LabResult checked_;
+  judge::LabResult checked_;
 };
 
 }  // namespace texel::web

@@ -32,7 +32,7 @@ class Canvas {
   /// picture. Throws Error for shaders that do not compile, files that do not load and whatever OpenGL calls
   /// an error. `colours` is the kind of target for the view `color`.
   void draw(View view, glm::ivec2 size, int samples, const std::optional<Split>& split = {},
-            gl::Target::Kind colours = gl::Target::Kind::colour);
+            gl::Target::Kind colors = gl::Target::Kind::color);
 
   /// A picture of the background alone: for a view that cannot be drawn.
   void draw_nothing(glm::ivec2 size);
@@ -87,7 +87,7 @@ class Canvas {
  private:
   void draw_into(const gl::Target& target, View view, const std::optional<Split>& split);
   const gl::Target& draw_scene(View view, glm::ivec2 size, int samples, const std::optional<Split>& split,
-                               gl::Target::Kind colours);
+                               gl::Target::Kind colors);
   void finish(View view, glm::ivec2 size);
   void present(View view);
   void draw_error(glm::ivec2 size);
@@ -99,7 +99,7 @@ class Canvas {
   AnyLab& lab_;
   gl::ProgramCache programs_;
   std::unique_ptr<gl::Target> picture_;  ///< the last that succeeded
-  std::unique_ptr<gl::Target> colour_;   ///< the one being drawn
+  std::unique_ptr<gl::Target> color_;    ///< the one being drawn
   std::unique_ptr<gl::Target> data_;
   gl::VertexArray no_attributes_;
 

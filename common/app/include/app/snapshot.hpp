@@ -12,7 +12,7 @@ namespace texel::app {
 /// A picture that was drawn, and its file. Nothing of OpenGL or of the lab: any thread may write it.
 struct Snapshot {
   std::filesystem::path file;
-  image::Image8 colours;           ///< as seen, for a .png
+  image::Image8 colors;            ///< as seen, for a .png
   image::ImageF values;            ///< of a data view, for a .pfm
   std::vector<image::Text> texts;  ///< of a .png: lab, parameters, view, size and renderer
 

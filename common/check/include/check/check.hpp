@@ -12,7 +12,7 @@
 
 /// The grader on a student's own machine: the public cases of a tree, drawn by its own programs and judged
 /// beside the expected pictures that came with it.
-namespace texel::grade {
+namespace texel::check {
 
 /// A tree with steps, and where it was built.
 struct OwnTree {
@@ -35,7 +35,7 @@ bool is_software(const std::string& renderer);
 std::string renderer_note(const std::string& own, const std::string& expected);
 
 /// What stands in the kMistakesFile of such a folder. Throws Error (exit 3) when it is missing or broken.
-std::vector<Mistake> known_mistakes(const std::filesystem::path& expected);
+std::vector<judge::Mistake> known_mistakes(const std::filesystem::path& expected);
 
 /// The steps whose code is as it was at first (course::untouched_steps).
 std::set<std::string> untouched_steps(const OwnTree& tree);
@@ -60,15 +60,16 @@ std::string build_program(const OwnTree& tree, const course::Lab& lab, const std
 /// names that one. Each case's `picture` and `reference` are paths of files; there are no partial scores,
 /// only 0 and 1. Throws Error (exit 3) when a program was not built, or expected pictures are missing. What
 /// is wrong with markers is a note too.
-std::vector<LabResult> check(const OwnTree& tree, const std::vector<course::Lab>& labs, const Draws& draws);
+std::vector<judge::LabResult> check(const OwnTree& tree, const std::vector<course::Lab>& labs,
+                                    const Draws& draws);
 
 /// One step of a lab alone, in the lab's results: no other one is drawn, and it is not skipped. Throws as
 /// check.
-LabResult check_step(const OwnTree& tree, const course::Lab& lab, const std::string& step,
-                     const Draws& draws);
+judge::LabResult check_step(const OwnTree& tree, const course::Lab& lab, const std::string& step,
+                            const Draws& draws);
 
 /// The files that a student of the lab edits: its sources and shaders, the shared shaders, and whatever else
 /// holds a step.
 std::vector<std::filesystem::path> edited_files(const std::filesystem::path& source, const course::Lab& lab);
 
-}  // namespace texel::grade
+}  // namespace texel::check

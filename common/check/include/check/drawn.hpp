@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace texel::grade {
+namespace texel::check {
 
 /// The reasons why files are missing, by the file's name, and remarks on the whole.
 struct Drawn {
@@ -16,4 +16,4 @@ struct Drawn {
   std::string renderer;  ///< the driver that drew, as the program says it, or ""
 };
 
-}  // namespace texel::grade
+}  // namespace texel::check

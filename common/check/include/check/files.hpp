@@ -8,7 +8,7 @@
 #include "judge/results.hpp"
 
 /// The judge's work on files.
-namespace texel::grade {
+namespace texel::check {
 
 /// What a case is judged by.
 struct ExpectedFiles {
@@ -18,13 +18,14 @@ struct ExpectedFiles {
 
 /// Judges the file `picture`, which may be missing, or a link or folder, which are no pictures. Throws Error
 /// (exit 3) when the expected files cannot be read.
-Verdict judge(const course::Case& of, const ExpectedFiles& expected, const std::filesystem::path& picture);
+judge::Verdict judge(const course::Case& of, const ExpectedFiles& expected,
+                     const std::filesystem::path& picture);
 
 /// The bytes of a drawn picture, or "" where there is none that a case could have.
 std::string picture_bytes(const std::filesystem::path& picture);
 
 /// The pictures of a case that was checked. Throws Error (exit 3) if it compares vertices, or if a picture is
 /// missing or broken.
-image::Compared compared(const CaseResult& one);
+image::Compared compared(const judge::CaseResult& one);
 
-}  // namespace texel::grade
+}  // namespace texel::check

@@ -11,7 +11,7 @@
 #include "core/time_budget.hpp"
 #include "course/case.hpp"
 
-namespace texel::grade {
+namespace texel::check {
 
 /// The variables of this process that choose and steer the driver, as LIBGL_ALWAYS_SOFTWARE or
 /// GALLIUM_DRIVER, by name. Unless they say otherwise, they ask for a renderer in software: expected pictures
@@ -42,4 +42,4 @@ std::string renderer_of(const Studio& studio);
 /// The same by a trusted program. Throws Error (exit 3) when one cannot be drawn.
 void draw_all(const Studio& studio, const std::vector<course::Case>& cases, const std::filesystem::path& out);
 
-}  // namespace texel::grade
+}  // namespace texel::check

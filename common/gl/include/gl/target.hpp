@@ -13,7 +13,7 @@ namespace texel::gl {
 /// averaged as they are encoded) or GL_RGBA32F for data, and a depth buffer.
 class Target {
  public:
-  enum class Kind { colour, encoded, data };
+  enum class Kind { color, encoded, data };
 
   /// `samples` above 1 draws multisampled (at most the driver's maximum) and resolves. If `other` has the
   /// same kind, size and samples, both share depth and samples, which nobody reads after resolve(): two
@@ -39,7 +39,7 @@ class Target {
   [[nodiscard]] image::ImageF read_float() const;
   /// Whether every pixel of the resolved picture is `colour`, RGBA in linear light, within one 8-bit level.
   /// The middle row is checked first: most pictures have something there.
-  [[nodiscard]] bool shows_only(const glm::vec4& colour) const;
+  [[nodiscard]] bool shows_only(const glm::vec4& color) const;
   /// Replaces the resolved picture of a colour target by one in memory, RGBA of the same size.
   void write8(const image::Image8& image) const;
   /// One pixel of a data target, counted from the bottom left.
@@ -54,7 +54,7 @@ class Target {
   Framebuffer resolved_;
   struct Multisampled {
     Framebuffer framebuffer;
-    Renderbuffer colour;
+    Renderbuffer color;
   };
   struct Scratch {
     Renderbuffer depth;

@@ -13,13 +13,13 @@ void set_shift(float x, float y);
 /// While it lives, pictures are for the eye alone, and are drawn sooner by a renderer that rounds coarsely:
 /// such ones draw with the processor. What is interpolated is not moved back. Shaders encode their colours,
 /// once a pixel in place of once a sample, for targets of kind().
-class Glance {
+class Preview {
  public:
   /// If it is not wanted, nothing changes.
-  explicit Glance(bool wanted);
-  ~Glance();
-  Glance(const Glance&) = delete;
-  Glance& operator=(const Glance&) = delete;
+  explicit Preview(bool wanted);
+  ~Preview();
+  Preview(const Preview&) = delete;
+  Preview& operator=(const Preview&) = delete;
   [[nodiscard]] static Target::Kind kind();
 };
 /// Whether one lives that changes something.

@@ -7,7 +7,7 @@
 #include "course/case.hpp"
 
 /// How right one picture (or vertex stream) is, and what that scores. Files come as their bytes.
-namespace texel::grade {
+namespace texel::judge {
 
 /// What a case is judged by.
 struct Expected {
@@ -38,4 +38,4 @@ double score(double times_limit);
 /// read.
 Verdict judge(const course::Case& of, const Expected& expected, std::optional<std::string_view> picture);
 
-}  // namespace texel::grade
+}  // namespace texel::judge

@@ -9,7 +9,7 @@
 
 #include "judge/plan.hpp"
 
-namespace texel::grade {
+namespace texel::judge {
 
 /// Some of the values of a picture or vertex stream: of pixels, row by row from the bottom, or of vertices.
 struct Samples {
@@ -40,11 +40,11 @@ struct Failed {
 };
 
 /// The mistake of the step that has most of what all its failed cases show, and fails no others; or none.
-const Mistake* recognise(const std::vector<Mistake>& mistakes, const LabPlan& plan, const std::string& step,
+const Mistake* recognize(const std::vector<Mistake>& mistakes, const LabPlan& plan, const std::string& step,
                          const std::map<std::string, Failed>& failed);
 
 /// A lab's mistakes as a file. Reading throws Error (exit 3) with its name when it is broken.
 std::string to_json(const std::vector<Mistake>& mistakes);
 std::vector<Mistake> parse_mistakes(const std::string& text, const std::string& name);
 
-}  // namespace texel::grade
+}  // namespace texel::judge

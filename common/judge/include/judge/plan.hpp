@@ -6,7 +6,7 @@
 #include "course/lab_file.hpp"
 
 /// Which pictures are drawn to judge a lab: its cases with every parameter settled.
-namespace texel::grade {
+namespace texel::judge {
 
 struct LabPlan {
   course::Lab lab;
@@ -29,4 +29,4 @@ std::vector<course::Lab> with_needed(const std::vector<course::Lab>& chosen,
 /// --size 128x128 --snapshot decode.pfm".
 std::string command(const course::Lab& lab, const course::Case& of);
 
-}  // namespace texel::grade
+}  // namespace texel::judge

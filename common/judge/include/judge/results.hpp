@@ -12,7 +12,7 @@
 #include "judge/judge.hpp"
 
 /// What judging found: cases, and the steps and labs that follow from them.
-namespace texel::grade {
+namespace texel::judge {
 
 enum class Status {
   passed,
@@ -74,7 +74,7 @@ struct CaseResult : course::Case {
 };
 
 /// Fills in what became of a case that was judged. `fault` says why there is no picture, or is "".
-void settle(CaseResult& result, const Verdict& verdict, const std::string& fault, bool is_untouched);
+void resolve(CaseResult& result, const Verdict& verdict, const std::string& fault, bool is_untouched);
 
 struct StepResult {
   std::string id, title;
@@ -130,7 +130,7 @@ void put_places(std::vector<LabResult>& labs, const std::map<std::string, Place>
 
 /// The case that says most about a step: of those that failed, or of all, the one with the largest share of
 /// its limit; one where nothing can be compared before all others. Null when it has none.
-const CaseResult* telling_case(const StepResult& step);
+const CaseResult* clearest_case(const StepResult& step);
 
 /// A step out of its cases. It passed when all of them did, and there is one. Its score is the lower of the
 /// means over its public and its hidden cases, so that pictures that were made for the public cases earn
@@ -141,4 +141,4 @@ StepResult step_result(const course::Step& step, std::vector<CaseResult> cases);
 /// first, then in the lab file's order, then by name. Cases of other labs or steps are left out.
 std::vector<LabResult> lab_results(const std::vector<course::Lab>& labs, std::vector<CaseResult> cases);
 
-}  // namespace texel::grade
+}  // namespace texel::judge

@@ -28,12 +28,12 @@ struct FaceCoordinate {
 FaceCoordinate face_coordinate(glm::dvec3 direction);
 
 /// Linear-light RGB in 0..1 that changes smoothly over the whole sphere, without a seam at any edge.
-glm::dvec3 smooth_colour(glm::dvec3 direction);
+glm::dvec3 smooth_color(glm::dvec3 direction);
 
 /// Linear-light RGB of the labelled cube: each face has its own colour, name, word and arrows along +u (s of
 /// the table) and +v (t of the table). The writing reads the right way round from inside the cube, with +y
 /// up; the faces +y and -y as seen when the head is tilted back or forward from looking along -z. `direction`
 /// has any length but zero.
-glm::dvec3 labelled_colour(glm::dvec3 direction);
+glm::dvec3 labelled_color(glm::dvec3 direction);
 
 }  // namespace texel::procedural

@@ -29,6 +29,6 @@ const char* name(Texture texture);
 
 /// The colour at (u, v), repeating on the unit square: linear-light RGB and straight alpha, each in 0..1. All
 /// are opaque except the decal.
-glm::dvec4 colour(Texture texture, double u, double v);
+glm::dvec4 color(Texture texture, double u, double v);
 
 }  // namespace texel::procedural

@@ -6,7 +6,7 @@
 
 #include "app/lab.hpp"
 
-namespace texel::app {
+namespace texel::window {
 
 /// What a lab's window is asked for; the parameters' values are already in the lab.
 struct WindowOptions {
@@ -20,6 +20,6 @@ struct WindowOptions {
 };
 
 /// Opens the lab's window and runs until it is closed, or until the frames are timed.
-void run_window(AnyLab& lab, const Assets& assets, const WindowOptions& options);
+void run_window(app::AnyLab& lab, const app::Assets& assets, const WindowOptions& options);
 
-}  // namespace texel::app
+}  // namespace texel::window

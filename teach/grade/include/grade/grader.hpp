@@ -22,7 +22,7 @@ struct GradeOptions {
   unsigned jobs = 0;                   ///< at a time; 0 for as many as there are processors
   unsigned shard = 1, shards = 1;      ///< of the students, in the order of their ids, every so many-th
   bool resume = false;                 ///< go on where an earlier run was cut off
-  Run run = run_locked_in;             ///< the students' programs; plainly, where one trusts them
+  Run run = sandbox::run_locked_in;    ///< the students' programs; plainly, where one trusts them
   std::string context = "auto";        ///< the lab programs' --context
   bool judge_alone = true;             ///< what fails, once more; off to measure what it costs
   std::filesystem::path seed_file;     ///< the course's secret; made in `out` when it is empty
@@ -44,7 +44,7 @@ struct GradeSummary {
 GradeSummary grade_class(const GradeOptions& options, const std::function<void(const std::string&)>& say);
 
 /// The results in a folder, with each step's place in the sources.
-ClassResult read_results(const std::filesystem::path& folder, const std::filesystem::path& course);
+store::ClassResult read_results(const std::filesystem::path& folder, const std::filesystem::path& course);
 
 /// The store in a results' folder.
 std::filesystem::path store_file(const std::filesystem::path& folder);

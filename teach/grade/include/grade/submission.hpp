@@ -62,12 +62,12 @@ BegunSteps begun_since(const std::function<std::string(const std::string& file)>
 
 struct Submission {
   std::map<std::string, std::string> files;    ///< by path in the tree: what was taken
-  std::vector<Ignored> ignored;                ///< in the submission's order
+  std::vector<store::Ignored> ignored;         ///< in the submission's order
   std::map<std::string, std::uint64_t> sizes;  ///< of the files of `ignored`, by their own word
   std::string
       root;  ///< the folder of the submission that stands for the tree's root, as text; "" for the top
-  std::vector<Ignored> copies;  ///< folders with another copy of the labs, which was not taken
-  std::string fault;            ///< why nothing was taken (broken, a bomb, too large, no step), or ""
+  std::vector<store::Ignored> copies;  ///< folders with another copy of the labs, which was not taken
+  std::string fault;                   ///< why nothing was taken (broken, a bomb, too large, no step), or ""
 };
 
 /// Takes the allowed files out of a submission, into memory. Whatever the bytes, this ends with a Submission:

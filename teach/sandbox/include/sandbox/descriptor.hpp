@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace texel::grade {
+namespace texel::sandbox {
 
 /// A file descriptor that is closed at the end of its scope; -1 for none.
 class Descriptor {
@@ -35,4 +35,4 @@ std::vector<std::string> names_in(const Descriptor& folder, std::size_t most);
 /// The first `most` bytes of an open file, or all when it has fewer.
 std::string read_some(const Descriptor& file, std::size_t most);
 
-}  // namespace texel::grade
+}  // namespace texel::sandbox

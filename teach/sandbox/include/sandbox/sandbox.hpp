@@ -15,7 +15,7 @@
 ///
 /// What is installed below /usr can be read, so that solutions and references must lie elsewhere. As root,
 /// the program runs under another id: what it shall read must be open to others.
-namespace texel::grade {
+namespace texel::sandbox {
 
 /// Runs `command` (a program and its arguments, no shell) and waits for its end. May be called by many
 /// threads at once.
@@ -44,4 +44,4 @@ const std::string& sandbox_fault();
 /// when asked; from then on this process is in a control group of its own.
 const std::string& memory_group_fault();
 
-}  // namespace texel::grade
+}  // namespace texel::sandbox

@@ -8,7 +8,7 @@
 #include "judge/results.hpp"
 
 /// What grading a class found.
-namespace texel::grade {
+namespace texel::store {
 
 /// What the compiler said of a student's file that it refused, paths shortened to those in the tree.
 struct CompilerLog {
@@ -28,7 +28,7 @@ struct StudentResult {
   std::string fault;             ///< why the submission could not be read, or ""
   std::vector<Ignored> ignored;
   std::vector<CompilerLog> logs;
-  std::vector<LabResult> labs;
+  std::vector<judge::LabResult> labs;
   std::string incident;  ///< what kept the grader from grading (never a zero: to be tried again), or ""
 
   std::size_t judged = 0, planned = 0;  ///< cases; fewer are judged than planned while a run is unfinished
@@ -62,4 +62,4 @@ struct ClassResult {
   std::vector<Change> changes;               ///< of the last regrade; empty after a first one
 };
 
-}  // namespace texel::grade
+}  // namespace texel::store

@@ -10,7 +10,7 @@
 #include "store/class_results.hpp"
 
 /// The grades of a class, in one SQLite file that survives the grader's sudden end.
-namespace texel::grade {
+namespace texel::store {
 
 class Connection;
 
@@ -57,7 +57,7 @@ class Store {
   /// One lab's notes of a student, in place of those that were there.
   void put_notes(const std::string& student, const std::string& lab, const std::vector<std::string>& notes);
   /// One case of a student; replaces an earlier result of the same case. Its score must lie in 0 to 1.
-  void put(const std::string& student, const CaseResult& result);
+  void put(const std::string& student, const judge::CaseResult& result);
   /// A fault of the grader or machine with one student's lab. It is no result; "" takes it back.
   void put_incident(const std::string& student, const std::string& lab, const std::string& text);
 
@@ -93,4 +93,4 @@ class Store {
   std::unique_ptr<Connection> connection_;
 };
 
-}  // namespace texel::grade
+}  // namespace texel::store

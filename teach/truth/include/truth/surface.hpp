@@ -60,7 +60,7 @@ struct TexcoordMap {
 };
 
 /// The same surface with other texture coordinates; `map.linear` must be invertible.
-Surface reparameterised(Surface surface, const TexcoordMap& map);
+Surface reparameterized(Surface surface, const TexcoordMap& map);
 
 /// Where an object stands: world = linear * object + offset; `linear` is any invertible matrix, so turns,
 /// non-uniform scales and shears of the space.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "image/colour.hpp"
+#include "image/color.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -127,10 +127,10 @@ std::array<float, 3> heat(float t) {
   if (std::isnan(t)) return {0, 1, 0};
   const float place = std::clamp(t, 0.0F, 1.0F) * static_cast<float>(table.size() - 1);
   const std::size_t low = std::min(static_cast<std::size_t>(place), table.size() - 2);
-  std::array<float, 3> colour{};
+  std::array<float, 3> color{};
   for (std::size_t c = 0; c < 3; ++c)
-    colour[c] = std::lerp(table[low][c], table[low + 1][c], place - static_cast<float>(low));
-  return colour;
+    color[c] = std::lerp(table[low][c], table[low + 1][c], place - static_cast<float>(low));
+  return color;
 }
 
 }  // namespace texel::image

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "order.hpp"
+#include "dependencies.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "core/files.hpp"
 #include "core/json.hpp"
 
-namespace texel::grade {
+namespace texel::check {
 namespace {
 
 namespace fs = std::filesystem;
@@ -59,8 +59,8 @@ struct Before {
   bool is_explained = false;  ///< it failed by a known mistake, or nothing of it was written
 };
 
-void skip(StepResult& step, const std::vector<std::string>& because_of, const std::string& message) {
-  step.status = Status::skipped;
+void skip(judge::StepResult& step, const std::vector<std::string>& because_of, const std::string& message) {
+  step.status = judge::Status::skipped;
   step.spoilt_by = because_of;
   step.message = message;
   step.mistake.clear(), step.mistake_says.clear();
@@ -71,7 +71,7 @@ void skip(StepResult& step, const std::vector<std::string>& because_of, const st
 std::map<std::string, Changed> changed_since_it_passed(const fs::path& file,
                                                        const std::map<std::string, std::string>& texts,
                                                        const std::map<std::string, Place>& places,
-                                                       const std::vector<LabResult>& labs) {
+                                                       const std::vector<judge::LabResult>& labs) {
   Memory memory = read_memory(file);
   bool is_saved = false;
   for (const auto& [id, text] : texts) {
@@ -84,13 +84,13 @@ std::map<std::string, Changed> changed_since_it_passed(const fs::path& file,
   if (is_saved) ++memory.saves;
 
   std::vector<course::Lab> known;
-  for (const LabResult& lab : labs) known.push_back(lab.lab);
-  const Needs needs(known);
+  for (const judge::LabResult& lab : labs) known.push_back(lab.lab);
+  const judge::Needs needs(known);
   std::map<std::string, Changed> changed;
-  for (const LabResult& lab : labs)
-    for (const StepResult& step : lab.steps) {
+  for (const judge::LabResult& lab : labs)
+    for (const judge::StepResult& step : lab.steps) {
       Remembered& own = memory.steps[step.id];
-      if (step.status == Status::passed) own.passed = memory.saves;
+      if (step.status == judge::Status::passed) own.passed = memory.saves;
       if (own.passed == memory.saves || own.passed < own.changed) continue;
       const std::vector<std::string> needed = needs.of(step.id);
       Changed found{{}, true};
@@ -107,18 +107,19 @@ std::map<std::string, Changed> changed_since_it_passed(const fs::path& file,
   return changed;
 }
 
-void skip_those_that_wait(std::vector<LabResult>& labs, const std::map<std::string, Changed>& changed) {
+void skip_those_that_wait(std::vector<judge::LabResult>& labs,
+                          const std::map<std::string, Changed>& changed) {
   std::vector<course::Lab> known;
-  for (const LabResult& lab : labs) known.push_back(lab.lab);
-  const Needs needs(known);
+  for (const judge::LabResult& lab : labs) known.push_back(lab.lab);
+  const judge::Needs needs(known);
   std::map<std::string, Before> before;
-  for (LabResult& lab : labs)
-    for (StepResult& step : lab.steps) {
+  for (judge::LabResult& lab : labs)
+    for (judge::StepResult& step : lab.steps) {
       Before& own = before[step.id];
-      own.is_passed = step.status == Status::passed;
+      own.is_passed = step.status == judge::Status::passed;
       if (own.is_passed) continue;
       if (const auto found = changed.find(step.id); found != changed.end()) {
-        const std::string steps = listed(found->second.steps);
+        const std::string steps = judge::listed(found->second.steps);
         skip(step, found->second.steps,
              found->second.by_last_save
                  ? fmt::format("Your last save changed {}; this step passed before it.", steps)
@@ -137,8 +138,8 @@ void skip_those_that_wait(std::vector<LabResult>& labs, const std::map<std::stri
       own.is_explained = !step.mistake.empty() || step.is_untouched();
       if (missing.empty() || (!is_explained && !step.mistake.empty())) continue;
       own.is_explained = false;
-      skip(step, missing, fmt::format("It needs {} first.", listed(missing)));
+      skip(step, missing, fmt::format("It needs {} first.", judge::listed(missing)));
     }
 }
 
-}  // namespace texel::grade
+}  // namespace texel::check

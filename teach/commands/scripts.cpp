@@ -13,7 +13,7 @@
 #include "commands.hpp"
 #include "course_commands.hpp"
 
-namespace texel::tools {
+namespace texel::commands {
 
 Exit run_script(const std::vector<std::string>& words) {
   static const std::vector<std::string> known = {"classroom", "gradebook", "gradescope", "similar"};
@@ -21,7 +21,7 @@ Exit run_script(const std::vector<std::string>& words) {
   if (std::find(known.begin(), known.end(), name) == known.end())
     throw Error::usage(fmt::format("there is no command 'course {}'", name),
                        fmt::format("the commands are {}", fmt::join(known, ", ")));
-  const std::string script = (course_root() / "teach/commands/box" / name).string();
+  const std::string script = (tools::course_root() / "teach/commands/scripts" / name).string();
   std::vector<char*> arguments = {const_cast<char*>(script.c_str())};
   for (std::size_t i = 1; i < words.size(); ++i) arguments.push_back(const_cast<char*>(words[i].c_str()));
   arguments.push_back(nullptr);
@@ -32,4 +32,4 @@ Exit run_script(const std::vector<std::string>& words) {
   throw Error::failed(fmt::format("cannot be started: {}", std::strerror(errno)), {script});
 }
 
-}  // namespace texel::tools
+}  // namespace texel::commands

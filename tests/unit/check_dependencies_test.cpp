@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: MIT
 // Which of a student's failed steps comes first, and what is remembered of earlier checks.
-#include "../../common/check/order.hpp"
+#include "../../common/check/dependencies.hpp"
 
 #include <gtest/gtest.h>
 
 #include "../support/picture_files.hpp"
 #include "core/files.hpp"
 
-namespace texel::grade {
+namespace texel::check {
 namespace {
 
 using Steps = std::vector<std::string>;
 
 /// A lab whose steps passed or did not, each needing what is said.
-LabResult lab(int number, const std::vector<std::pair<std::string, bool>>& steps,
-              const std::map<std::string, Steps>& needs = {}) {
-  LabResult result;
+judge::LabResult lab(int number, const std::vector<std::pair<std::string, bool>>& steps,
+                     const std::map<std::string, Steps>& needs = {}) {
+  judge::LabResult result;
   result.lab.number = number;
   for (const auto& [id, passed] : steps) {
     course::Step step;
     step.id = id;
     if (const auto found = needs.find(id); found != needs.end()) step.needs = found->second;
     result.lab.steps.push_back(step);
-    StepResult& judged = result.steps.emplace_back();
+    judge::StepResult& judged = result.steps.emplace_back();
     judged.id = id;
-    judged.status = passed ? Status::passed : Status::failed;
+    judged.status = passed ? judge::Status::passed : judge::Status::failed;
     if (!passed) judged.message = "message of " + id;
   }
   return result;
@@ -99,35 +99,35 @@ TEST_F(MemoryTest, is_empty_where_it_is_broken) {
 }
 
 TEST(Waiting, skips_what_passed_before_another_step_changed) {
-  std::vector<LabResult> labs = {lab(1, {{"1.3", false}, {"1.5", false}}, {{"1.5", {"1.3"}}})};
+  std::vector<judge::LabResult> labs = {lab(1, {{"1.3", false}, {"1.5", false}}, {{"1.5", {"1.3"}}})};
   skip_those_that_wait(labs, {{"1.3", {{"1.5"}, true}}});
-  const std::vector<StepResult>& steps = labs[0].steps;
-  EXPECT_EQ(steps[0].status, Status::skipped);
+  const std::vector<judge::StepResult>& steps = labs[0].steps;
+  EXPECT_EQ(steps[0].status, judge::Status::skipped);
   EXPECT_EQ(steps[0].message, "Your last save changed 1.5; this step passed before it.");
   EXPECT_EQ(steps[0].spoilt_by, Steps{"1.5"});
-  EXPECT_EQ(steps[1].status, Status::failed) << "1.5 does not wait for 1.3";
+  EXPECT_EQ(steps[1].status, judge::Status::failed) << "1.5 does not wait for 1.3";
   EXPECT_EQ(steps[1].message, "message of 1.5");
 
-  std::vector<LabResult> later = {lab(1, {{"1.3", false}})};
+  std::vector<judge::LabResult> later = {lab(1, {{"1.3", false}})};
   skip_those_that_wait(later, {{"1.3", {{"1.4", "1.5"}, false}}});
   EXPECT_EQ(later[0].steps[0].message, "You changed 1.4 and 1.5; this step passed before that.");
 }
 
 TEST(Waiting, skips_what_needs_a_step_that_did_not_pass) {
-  std::vector<LabResult> labs = {lab(1, {{"1.1", false}, {"1.2", true}}, {{"1.2", {"1.1"}}}),
-                                 lab(2, {{"2.1", true}, {"2.2", false}, {"2.3", false}, {"2.4", true}},
-                                     {{"2.1", {"1.2"}}, {"2.2", {"2.1"}}, {"2.4", {"1.1"}}})};
+  std::vector<judge::LabResult> labs = {lab(1, {{"1.1", false}, {"1.2", true}}, {{"1.2", {"1.1"}}}),
+                                        lab(2, {{"2.1", true}, {"2.2", false}, {"2.3", false}, {"2.4", true}},
+                                            {{"2.1", {"1.2"}}, {"2.2", {"2.1"}}, {"2.4", {"1.1"}}})};
   skip_those_that_wait(labs, {});
-  EXPECT_EQ(labs[0].steps[0].status, Status::failed);
-  const std::vector<StepResult>& steps = labs[1].steps;
+  EXPECT_EQ(labs[0].steps[0].status, judge::Status::failed);
+  const std::vector<judge::StepResult>& steps = labs[1].steps;
   // 2.2 needs 2.1, which passed, and so 1.1, which did not.
-  EXPECT_EQ(steps[1].status, Status::skipped);
+  EXPECT_EQ(steps[1].status, judge::Status::skipped);
   EXPECT_EQ(steps[1].message, "It needs 1.1 first.");
   EXPECT_EQ(steps[1].spoilt_by, Steps{"1.1"});
-  EXPECT_EQ(steps[2].status, Status::failed) << "it needs nothing";
-  EXPECT_EQ(steps[3].status, Status::passed) << "although it needs 1.1";
+  EXPECT_EQ(steps[2].status, judge::Status::failed) << "it needs nothing";
+  EXPECT_EQ(steps[3].status, judge::Status::passed) << "although it needs 1.1";
 
-  std::vector<LabResult> two = {
+  std::vector<judge::LabResult> two = {
       lab(1, {{"1.1", false}, {"1.2", false}, {"1.3", false}}, {{"1.3", {"1.1", "1.2"}}})};
   skip_those_that_wait(two, {});
   EXPECT_EQ(two[0].steps[2].message, "It needs 1.1 and 1.2 first.");
@@ -136,23 +136,23 @@ TEST(Waiting, skips_what_needs_a_step_that_did_not_pass) {
 
 TEST(Waiting, does_not_skip_a_known_mistake_while_nothing_explains_what_it_needs) {
   const auto steps_with = [](const std::string& mistake_of_first, bool is_untouched) {
-    std::vector<LabResult> labs = {
+    std::vector<judge::LabResult> labs = {
         lab(1, {{"1.1", false}, {"1.2", false}, {"1.3", false}}, {{"1.2", {"1.1"}}, {"1.3", {"1.2"}}})};
     labs[0].steps[0].mistake = mistake_of_first;
-    if (is_untouched) labs[0].steps[0].cases.emplace_back().status = CaseStatus::untouched;
+    if (is_untouched) labs[0].steps[0].cases.emplace_back().status = judge::CaseStatus::untouched;
     labs[0].steps[2].mistake = "flipped";
     skip_those_that_wait(labs, {});
     return labs[0].steps;
   };
-  const std::vector<StepResult> unexplained = steps_with("", false);
-  EXPECT_EQ(unexplained[1].status, Status::skipped);
-  EXPECT_EQ(unexplained[2].status, Status::failed);
+  const std::vector<judge::StepResult> unexplained = steps_with("", false);
+  EXPECT_EQ(unexplained[1].status, judge::Status::skipped);
+  EXPECT_EQ(unexplained[2].status, judge::Status::failed);
   EXPECT_EQ(unexplained[2].mistake, "flipped");
-  for (const std::vector<StepResult>& steps : {steps_with("mirrored", false), steps_with("", true)}) {
-    EXPECT_EQ(steps[2].status, Status::skipped);
+  for (const std::vector<judge::StepResult>& steps : {steps_with("mirrored", false), steps_with("", true)}) {
+    EXPECT_EQ(steps[2].status, judge::Status::skipped);
     EXPECT_EQ(steps[2].mistake, "") << "it would be counted as one of its own";
   }
 }
 
 }  // namespace
-}  // namespace texel::grade
+}  // namespace texel::check

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "preparation.hpp"
+#include "class_setup.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -46,15 +46,15 @@ bool is_asked_for(const GradeOptions& options, const course::Lab& lab) {
 
 }  // namespace
 
-Preparation prepare(const GradeOptions& options, unsigned jobs) {
-  Preparation p;
+ClassSetup prepare(const GradeOptions& options, unsigned jobs) {
+  ClassSetup p;
   const std::vector<course::Lab> all = course::read_labs(options.course / "labs");
   std::copy_if(all.begin(), all.end(), std::back_inserter(p.labs),
                [&](const course::Lab& lab) { return is_asked_for(options, lab); });
   if (p.labs.empty()) throw Error::usage("none of these labs has steps");
   p.seed = read_seed(options.seed_file.empty() ? options.out / "seed.txt" : options.seed_file);
   p.starter = starter_tree(options.course, options.cache);
-  p.course = std::make_unique<CourseSide>(solution_tree(options.course, options.build, p.starter), p.starter,
+  p.course = std::make_unique<References>(solution_tree(options.course, options.build, p.starter), p.starter,
                                           options.cache, options.context);
   p.workshop = std::make_unique<Workshop>(p.starter, options.cache, options.run);
   p.allowed = course::step_files(p.starter.source);

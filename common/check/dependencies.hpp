@@ -8,7 +8,7 @@
 
 #include "judge/results.hpp"
 
-namespace texel::grade {
+namespace texel::check {
 
 /// Other steps that were written anew since a step passed, in the course's order.
 struct Changed {
@@ -24,12 +24,12 @@ struct Changed {
 std::map<std::string, Changed> changed_since_it_passed(const std::filesystem::path& file,
                                                        const std::map<std::string, std::string>& texts,
                                                        const std::map<std::string, Place>& places,
-                                                       const std::vector<LabResult>& labs);
+                                                       const std::vector<judge::LabResult>& labs);
 
 /// Skips failed steps before which others come, and says why: those that passed before another one changed;
 /// and those that need a step that did not pass. But where nothing explains why that one failed (it was
 /// begun, and shows no known mistake), and the step's own pictures show a known mistake, it is not skipped: a
 /// wrong line spoils pictures of earlier steps too. The labs have those that they need before them.
-void skip_those_that_wait(std::vector<LabResult>& labs, const std::map<std::string, Changed>& changed);
+void skip_those_that_wait(std::vector<judge::LabResult>& labs, const std::map<std::string, Changed>& changed);
 
-}  // namespace texel::grade
+}  // namespace texel::check

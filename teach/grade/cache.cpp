@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "kept.hpp"
+#include "cache.hpp"
 
 #include <chrono>
 #include <string>
@@ -33,7 +33,7 @@ void remove_older(const fs::path& folder, const std::string& kind, std::chrono::
 
 }  // namespace
 
-bool is_kept(const fs::path& folder) {
+bool is_cached(const fs::path& folder) {
   if (!fs::exists(folder)) return false;
   std::error_code ignored;  // a cache may be another user's
   fs::last_write_time(folder, fs::file_time_type::clock::now(), ignored);

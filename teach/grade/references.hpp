@@ -19,42 +19,43 @@ namespace texel::grade {
 
 /// Pictures of the course's own, drawn once and kept in `cache` under the fingerprint of what they depend on:
 /// program, shaders, assets, cases, renderer and processor. May be used by several threads.
-class CourseSide {
+class References {
  public:
-  CourseSide(BuiltTree solution, BuiltTree starter, std::filesystem::path cache, std::string context);
+  References(BuiltTree solution, BuiltTree starter, std::filesystem::path cache, std::string context);
 
   /// Draws what the lab's cases are judged by, unless it is there. Throws Error (exit 3).
-  void prepare(const LabPlan& plan);
+  void prepare(const judge::LabPlan& plan);
   /// The folder of what the starter draws.
-  [[nodiscard]] std::filesystem::path starter_folder(const LabPlan& plan) const {
+  [[nodiscard]] std::filesystem::path starter_folder(const judge::LabPlan& plan) const {
     return folder_of(plan) / "starter";
   }
-  [[nodiscard]] ExpectedFiles expected(const LabPlan& plan, const course::Case& of) const;
+  [[nodiscard]] check::ExpectedFiles expected(const judge::LabPlan& plan, const course::Case& of) const;
 
   /// What a mutant of a step draws in the cases of its step: a folder with the pictures that there are.
   /// Throws Error (exit 3).
-  std::filesystem::path drawn_by(const LabPlan& plan, const material::Mutant& mutant);
+  std::filesystem::path drawn_by(const judge::LabPlan& plan, const material::Mutant& mutant);
   /// The same for the solution with another text in one of its files; `name` is any.
-  std::filesystem::path draw_changed(const LabPlan& plan, const std::string& name, const std::string& step,
-                                     const std::string& file, const std::string& text);
+  std::filesystem::path draw_changed(const judge::LabPlan& plan, const std::string& name,
+                                     const std::string& step, const std::string& file,
+                                     const std::string& text);
   /// Of one case. Throws Error (exit 3).
-  Failed failed_by(const LabPlan& plan, const material::Mutant& mutant, const course::Case& of);
+  judge::Failed failed_by(const judge::LabPlan& plan, const material::Mutant& mutant, const course::Case& of);
   /// One of the pictures in such a folder.
-  static Failed drawn_in(const std::filesystem::path& folder, const course::Case& of);
+  static judge::Failed drawn_in(const std::filesystem::path& folder, const course::Case& of);
   /// Those of the course's steps.
   [[nodiscard]] const std::vector<material::Mutant>& mutants() const { return mutants_; }
 
   /// What a mutant looks like in the cases of its step. Throws Error (exit 3).
-  Mistake mistake_of(const LabPlan& plan, const material::Mutant& mutant);
+  judge::Mistake mistake_of(const judge::LabPlan& plan, const material::Mutant& mutant);
 
   /// grade::known_mistakes, read once. Throws Error (exit 3).
-  const std::vector<Mistake>& known_mistakes(const LabPlan& plan);
+  const std::vector<judge::Mistake>& known_mistakes(const judge::LabPlan& plan);
 
   /// grade::recognise for a student's failed cases of a step, or null. The public ones are compared with
   /// known_mistakes, as `check` does: nothing is drawn. Where no public case failed, the hidden ones are
   /// compared with what the other mutants draw. Throws Error (exit 3).
-  const Mistake* recognise(const LabPlan& plan, const std::string& step,
-                           const std::map<std::string, Failed>& failed);
+  const judge::Mistake* recognize(const judge::LabPlan& plan, const std::string& step,
+                                  const std::map<std::string, judge::Failed>& failed);
 
   /// "llvmpipe …": what draws.
   [[nodiscard]] const std::string& renderer() const { return renderer_; }
@@ -62,9 +63,9 @@ class CourseSide {
   [[nodiscard]] const std::map<std::string, Place>& places() const { return places_; }
 
  private:
-  [[nodiscard]] std::filesystem::path folder_of(const LabPlan& plan) const;
-  [[nodiscard]] Studio studio(const BuiltTree& tree, const LabPlan& plan) const;
-  const std::vector<Mistake>& unseen_mistakes(const LabPlan& plan, const std::string& step);
+  [[nodiscard]] std::filesystem::path folder_of(const judge::LabPlan& plan) const;
+  [[nodiscard]] check::Studio studio(const BuiltTree& tree, const judge::LabPlan& plan) const;
+  const std::vector<judge::Mistake>& unseen_mistakes(const judge::LabPlan& plan, const std::string& step);
 
   BuiltTree solution_;
   BuiltTree starter_;
@@ -77,9 +78,9 @@ class CourseSide {
   std::map<std::string, Place> places_;
   std::mutex mutex_;
   std::map<std::string, std::filesystem::path> folders_;
-  std::map<std::string, std::unique_ptr<std::mutex>> drawing_;   ///< by mutant and lab
-  std::map<std::string, std::vector<Mistake>> known_mistakes_;   ///< by the lab's folder
-  std::map<std::string, std::vector<Mistake>> unseen_mistakes_;  ///< by step
+  std::map<std::string, std::unique_ptr<std::mutex>> drawing_;          ///< by mutant and lab
+  std::map<std::string, std::vector<judge::Mistake>> known_mistakes_;   ///< by the lab's folder
+  std::map<std::string, std::vector<judge::Mistake>> unseen_mistakes_;  ///< by step
 };
 
 }  // namespace texel::grade

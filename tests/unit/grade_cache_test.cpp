@@ -5,7 +5,7 @@
 #include <chrono>
 #include <filesystem>
 
-#include "../../teach/grade/kept.hpp"
+#include "../../teach/grade/cache.hpp"
 #include "core/files.hpp"
 #include "core/scratch_folder.hpp"
 
@@ -55,8 +55,8 @@ TEST_F(Kept, leaves_alone_what_is_somebody_elses) {
 
 TEST_F(Kept, counts_as_used_when_it_is_asked_for) {
   const fs::path old = used_before(31, "programs/" + std::string(64, 'a'));
-  EXPECT_TRUE(is_kept(old));
-  EXPECT_FALSE(is_kept(cache_.path() / "programs" / std::string(64, 'b')));
+  EXPECT_TRUE(is_cached(old));
+  EXPECT_FALSE(is_cached(cache_.path() / "programs" / std::string(64, 'b')));
   remove_unused(cache_.path());
   EXPECT_TRUE(fs::exists(old / "thing"));
 }

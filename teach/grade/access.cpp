@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "closed.hpp"
+#include "access.hpp"
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ std::vector<fs::path> own_folders(const GradeOptions& options) {
 
 }  // namespace
 
-void close_to_others(const GradeOptions& options) {
+void restrict_access(const GradeOptions& options) {
   try {
     for (const fs::path& folder : own_folders(options)) {
       fs::create_directories(folder);
@@ -35,7 +35,7 @@ void close_to_others(const GradeOptions& options) {
       fs::create_directories(folder);
       fs::permissions(folder, kEntered);
     }
-    { const Store made(store_file(options.out)); }
+    { const store::Store made(store_file(options.out)); }
     fs::permissions(store_file(options.out), fs::perms::owner_read | fs::perms::owner_write);
   } catch (const fs::filesystem_error& error) {
     throw Error::failed("cannot be closed to other users: " + error.code().message(),
@@ -43,7 +43,7 @@ void close_to_others(const GradeOptions& options) {
   }
 }
 
-void check_that_all_is_closed(const GradeOptions& options) {
+void check_access(const GradeOptions& options) {
   std::vector<fs::path> secret = own_folders(options);
   for (const char* path : {"labs", "common", "shaders", "tests", ".git"})
     secret.push_back(options.course / path);
@@ -57,7 +57,7 @@ void check_that_all_is_closed(const GradeOptions& options) {
                                     "sh"};
   for (const fs::path& path : secret) words.push_back(fs::absolute(path).string());
   words.insert(words.end(), {"--", "/tmp", "/var/tmp", "/dev/shm", "/dev/mqueue", "/run/lock"});
-  const Outcome outcome = run_as_another_user({}, words);
+  const Outcome outcome = sandbox::run_as_another_user({}, words);
   if (!outcome.succeeded()) throw Error::failed("cannot try what is open to other users: " + outcome.errors);
   if (outcome.output.empty()) return;
   std::string open = outcome.output;

@@ -8,7 +8,7 @@
 namespace texel::grade {
 
 /// Whether a folder of the cache is there; if so it counts as used now.
-bool is_kept(const std::filesystem::path& folder);
+bool is_cached(const std::filesystem::path& folder);
 
 /// Removes what nobody has used for a month, and starters, which are large, after a week. What is not called
 /// by a fingerprint stays.

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "answers/camera.hpp"
-#include "image/colour.hpp"
+#include "image/color.hpp"
 #include "procedural/textures.hpp"
 
 namespace texel::answers {
@@ -23,7 +23,7 @@ inline std::optional<procedural::Texture> texture_of(const std::string& name) {
 }
 
 /// The colour at a place of the picture: linear-light RGB and alpha 1, or zero beside the object.
-using ColourAt = std::function<glm::dvec4(glm::dvec2 window)>;
+using ColorAt = std::function<glm::dvec4(glm::dvec2 window)>;
 
 /// The colour that a pixel should have: the mean of the object's light over the pixel (a box filter), in
 /// levels of the 8-bit picture, sRGB-encoded and not rounded; light above 1 is clipped after the mean.
@@ -33,9 +33,9 @@ using ColourAt = std::function<glm::dvec4(glm::dvec2 window)>;
 /// and 128 where the means of the earlier and of the later half differ by two levels or more, or two samples
 /// by so much that the halves may agree by chance. For black and white fields much smaller than a pixel
 /// 128 samples leave an error of 6 to 10 levels on average.
-inline std::optional<glm::dvec3> mean_in_steps(const ColourAt& colour, glm::dvec2 middle) {
+inline std::optional<glm::dvec3> mean_in_steps(const ColorAt& color, glm::dvec2 middle) {
   constexpr double agree = 2, chance = 64;  // levels
-  const glm::dvec4 in_the_middle = colour(middle);
+  const glm::dvec4 in_the_middle = color(middle);
   if (in_the_middle.a == 0) return std::nullopt;
   const auto steps = [](glm::dvec3 light) {
     const glm::dvec3 clipped = glm::min(light, 1.0);
@@ -51,7 +51,7 @@ inline std::optional<glm::dvec3> mean_in_steps(const ColourAt& colour, glm::dvec
     glm::dvec4 earlier(0), later(0);
     glm::dvec3 least(in_the_middle), greatest(in_the_middle);
     for (std::uint32_t i = 0; i < count; ++i) {
-      const glm::dvec4 sample = colour(middle + place_in_pixel(i, count));
+      const glm::dvec4 sample = color(middle + place_in_pixel(i, count));
       (i < count / 2 ? earlier : later) += sample;
       if (sample.a == 0) continue;
       least = glm::min(least, glm::dvec3(sample));
@@ -66,8 +66,8 @@ inline std::optional<glm::dvec3> mean_in_steps(const ColourAt& colour, glm::dvec
 }
 
 /// The truth of a picture of such colours.
-inline app::Truth mean_in_steps(ColourAt colour) {
-  return [colour = std::move(colour)](glm::dvec2 middle) { return mean_in_steps(colour, middle); };
+inline app::Truth mean_in_steps(ColorAt color) {
+  return [color = std::move(color)](glm::dvec2 middle) { return mean_in_steps(color, middle); };
 }
 
 }  // namespace texel::answers

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "course_side.hpp"
+#include "references.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -8,6 +8,7 @@
 #include <fstream>
 #include <set>
 
+#include "cache.hpp"
 #include "check/check.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
@@ -15,7 +16,6 @@
 #include "course/markers.hpp"
 #include "fingerprint.hpp"
 #include "grade/submission.hpp"
-#include "kept.hpp"
 
 namespace texel::grade {
 namespace {
@@ -41,7 +41,7 @@ std::string refused_instead_of(const fs::path& picture) {
 
 }  // namespace
 
-CourseSide::CourseSide(BuiltTree solution, BuiltTree starter, fs::path cache, std::string context)
+References::References(BuiltTree solution, BuiltTree starter, fs::path cache, std::string context)
     : solution_(std::move(solution)),
       starter_(std::move(starter)),
       cache_(std::move(cache)),
@@ -50,30 +50,30 @@ CourseSide::CourseSide(BuiltTree solution, BuiltTree starter, fs::path cache, st
       mutants_(material::read_mistakes(solution_.source)),
       places_(course::step_places(starter_.source)) {
   const std::vector<course::Lab> labs = course::read_labs(solution_.source / "labs");
-  renderer_ = renderer_of(studio(solution_, {labs.front(), {}}));
+  renderer_ = check::renderer_of(studio(solution_, {labs.front(), {}}));
   std::string variables;
-  for (const auto& [name, value] : driver_variables()) variables += name + "=" + value + "\n";
+  for (const auto& [name, value] : check::driver_variables()) variables += name + "=" + value + "\n";
   surroundings_ = fingerprint({fingerprint_of_folder(solution_.source / "shaders"),
                                fingerprint_of_folder(solution_.source / "assets"), starter_.fingerprint,
                                renderer_, variables, processor(), context_});
 }
 
-Studio CourseSide::studio(const BuiltTree& tree, const LabPlan& plan) const {
+check::Studio References::studio(const BuiltTree& tree, const judge::LabPlan& plan) const {
   return {tree.build / "bin" / plan.lab.program(), tree.source, context_};
 }
 
-void CourseSide::prepare(const LabPlan& plan) {
+void References::prepare(const judge::LabPlan& plan) {
   const fs::path program = solution_.build / "bin" / plan.lab.program();
   const std::string key =
       fingerprint({surroundings_, plan.lab.folder, read_file(program), course::to_batch(plan.cases)});
   const fs::path folder = cache_ / "references" / key.substr(0, 32);
-  if (!is_kept(folder)) {
+  if (!is_cached(folder)) {
     const fs::path fresh = cache_ / fmt::format("references-{}-{}", ::getpid(), plan.lab.number);
     fs::remove_all(fresh);
     fs::create_directories(fresh);
-    draw_all(studio(solution_, plan), plan.cases, fresh / "solution");
+    check::draw_all(studio(solution_, plan), plan.cases, fresh / "solution");
     if (const std::vector<Case> masks = plan.masks(); !masks.empty())
-      draw_all(studio(solution_, plan), masks, fresh / "mask");
+      check::draw_all(studio(solution_, plan), masks, fresh / "mask");
     draw(studio(starter_, plan), plan.cases, fresh / "starter");
     fs::create_directories(folder.parent_path());
     std::error_code exists;
@@ -84,17 +84,17 @@ void CourseSide::prepare(const LabPlan& plan) {
   folders_[plan.lab.folder] = folder;
 }
 
-fs::path CourseSide::folder_of(const LabPlan& plan) const {
+fs::path References::folder_of(const judge::LabPlan& plan) const {
   return folders_.at(plan.lab.folder);
 }
 
-ExpectedFiles CourseSide::expected(const LabPlan& plan, const Case& of) const {
+check::ExpectedFiles References::expected(const judge::LabPlan& plan, const Case& of) const {
   const fs::path folder = folder_of(plan);
   return {folder / "solution" / of.file, of.is_mesh() ? fs::path() : folder / "mask" / (of.name + ".png")};
 }
 
-fs::path CourseSide::draw_changed(const LabPlan& plan, const std::string& name, const std::string& step,
-                                  const std::string& file, const std::string& text) {
+fs::path References::draw_changed(const judge::LabPlan& plan, const std::string& name,
+                                  const std::string& step, const std::string& file, const std::string& text) {
   std::mutex* own = nullptr;
   {
     const std::scoped_lock lock(mutex_);
@@ -109,7 +109,7 @@ fs::path CourseSide::draw_changed(const LabPlan& plan, const std::string& name, 
   const fs::path fresh = cache_ / fmt::format("mutant-{}-{}-{}", ::getpid(), plan.lab.number, name);
   fs::remove_all(fresh);
   fs::create_directories(fresh);
-  Studio studio = this->studio(solution_, plan);
+  check::Studio studio = this->studio(solution_, plan);
   if (file.starts_with("shaders/")) {
     studio.root = fresh / "root";
     overlay(solution_.source / "shaders", {{file.substr(8), text}}, studio.root / "shaders");
@@ -121,7 +121,7 @@ fs::path CourseSide::draw_changed(const LabPlan& plan, const std::string& name, 
   std::vector<Case> cases;
   std::copy_if(plan.cases.begin(), plan.cases.end(), std::back_inserter(cases),
                [&](const Case& one) { return one.step == step; });
-  const Drawn drawn = draw(studio, cases, fresh / "out");
+  const check::Drawn drawn = draw(studio, cases, fresh / "out");
   fs::create_directories(fresh / "out");
   for (const auto& [picture, refused] : drawn.refused)
     write_file(fresh / "out" / (picture + kRefused), refused);
@@ -132,61 +132,64 @@ fs::path CourseSide::draw_changed(const LabPlan& plan, const std::string& name, 
   return folder;
 }
 
-Failed CourseSide::failed_by(const LabPlan& plan, const material::Mutant& mutant, const Case& of) {
+judge::Failed References::failed_by(const judge::LabPlan& plan, const material::Mutant& mutant,
+                                    const Case& of) {
   return drawn_in(drawn_by(plan, mutant), of);
 }
 
-Failed CourseSide::drawn_in(const fs::path& folder, const Case& of) {
-  return {picture_bytes(folder / of.file), refused_instead_of(folder / of.file)};
+judge::Failed References::drawn_in(const fs::path& folder, const Case& of) {
+  return {check::picture_bytes(folder / of.file), refused_instead_of(folder / of.file)};
 }
 
-fs::path CourseSide::drawn_by(const LabPlan& plan, const material::Mutant& mutant) {
+fs::path References::drawn_by(const judge::LabPlan& plan, const material::Mutant& mutant) {
   return draw_changed(plan, mutant.name, mutant.step, mutant.file,
                       material::mutated(mutant, read_file(solution_.source / mutant.file)));
 }
 
-Mistake CourseSide::mistake_of(const LabPlan& plan, const material::Mutant& mutant) {
-  Mistake mistake{mutant.name, mutant.step, mutant.says, {}};
+judge::Mistake References::mistake_of(const judge::LabPlan& plan, const material::Mutant& mutant) {
+  judge::Mistake mistake{mutant.name, mutant.step, mutant.says, {}};
   const fs::path drawn = drawn_by(plan, mutant);
   for (const Case& of : plan.cases) {
-    if (of.step != mutant.step || judge(of, expected(plan, of), drawn / of.file).passed) continue;
-    Samples samples = sampled(of, read_file(expected(plan, of).reference), picture_bytes(drawn / of.file));
+    if (of.step != mutant.step || check::judge(of, expected(plan, of), drawn / of.file).passed) continue;
+    judge::Samples samples =
+        judge::sampled(of, read_file(expected(plan, of).reference), check::picture_bytes(drawn / of.file));
     samples.refused = refused_instead_of(drawn / of.file);
     if (!samples.samples.empty() || !samples.refused.empty()) mistake.cases[of.name] = std::move(samples);
   }
   return mistake;
 }
 
-const std::vector<Mistake>& CourseSide::known_mistakes(const LabPlan& plan) {
+const std::vector<judge::Mistake>& References::known_mistakes(const judge::LabPlan& plan) {
   const std::scoped_lock lock(mutex_);
   const auto found = known_mistakes_.find(plan.lab.folder);
   if (found != known_mistakes_.end()) return found->second;
   return known_mistakes_[plan.lab.folder] =
-             grade::known_mistakes(expected_folder(solution_.source, plan.lab));
+             check::known_mistakes(check::expected_folder(solution_.source, plan.lab));
 }
 
-const std::vector<Mistake>& CourseSide::unseen_mistakes(const LabPlan& plan, const std::string& step) {
+const std::vector<judge::Mistake>& References::unseen_mistakes(const judge::LabPlan& plan,
+                                                               const std::string& step) {
   {
     const std::scoped_lock lock(mutex_);
     if (const auto found = unseen_mistakes_.find(step); found != unseen_mistakes_.end()) return found->second;
   }
-  const std::vector<Mistake>& known = known_mistakes(plan);
-  std::vector<Mistake> unseen;
+  const std::vector<judge::Mistake>& known = known_mistakes(plan);
+  std::vector<judge::Mistake> unseen;
   for (const material::Mutant& mutant : mutants_)
     if (mutant.step == step && mutant.same.empty() &&
-        std::ranges::find(known, mutant.name, &Mistake::name) == known.end())
+        std::ranges::find(known, mutant.name, &judge::Mistake::name) == known.end())
       unseen.push_back(mistake_of(plan, mutant));
   const std::scoped_lock lock(mutex_);
   return unseen_mistakes_.emplace(step, std::move(unseen)).first->second;  // of the thread that was first
 }
 
-const Mistake* CourseSide::recognise(const LabPlan& plan, const std::string& step,
-                                     const std::map<std::string, Failed>& failed) {
-  std::map<std::string, Failed> seen = failed;  // by the student, as by `check`
+const judge::Mistake* References::recognize(const judge::LabPlan& plan, const std::string& step,
+                                            const std::map<std::string, judge::Failed>& failed) {
+  std::map<std::string, judge::Failed> seen = failed;  // by the student, as by `check`
   for (const Case& one : plan.cases)
     if (one.hidden) seen.erase(one.name);
-  return seen.empty() ? grade::recognise(unseen_mistakes(plan, step), plan, step, failed)
-                      : grade::recognise(known_mistakes(plan), plan, step, seen);
+  return seen.empty() ? judge::recognize(unseen_mistakes(plan, step), plan, step, failed)
+                      : judge::recognize(known_mistakes(plan), plan, step, seen);
 }
 
 }  // namespace texel::grade
