@@ -4,18 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 
 #include "core/error.hpp"
 #include "image/data_view.hpp"
 
 namespace texel::image {
 namespace {
-
-template <class Picture>
-void need_one_size(const Picture& own, const Picture& expected) {
-  if (own.width != expected.width || own.height != expected.height)
-    throw Error::failed("your picture does not have the size of the expected one");
-}
 
 Image8 absolute_difference(const Image8& a, const Image8& b) {
   Image8 result(a.width, a.height, 3);
@@ -26,32 +21,29 @@ Image8 absolute_difference(const Image8& a, const Image8& b) {
   return result;
 }
 
+/// `shown` makes of a picture what one looks at.
+template <class Picture, class Shown>
+Compared compared(const Picture& own, const Picture& expected, double least_scale, const Comparing& comparing,
+                  const Shown& shown) {
+  if (own.width != expected.width || own.height != expected.height)
+    throw Error::failed("your picture does not have the size of the expected one");
+  Compared all{shown(own), shown(expected), {}, {}, compare(expected, own, comparing), 0};
+  all.full_scale = std::max(std::isnan(comparing.told) ? all.figures.max : comparing.told, least_scale);
+  all.difference = absolute_difference(all.own, all.expected);
+  all.heat_map = heatmap(expected, own, all.full_scale, comparing);
+  return all;
+}
+
 }  // namespace
 
 Compared compared(const Image8& own, const Image8& expected, double least_scale, double error) {
-  need_one_size(own, expected);
-  const Difference figures = compare(expected, own, {.told = error});
-  const double full_scale = std::max(std::isnan(error) ? figures.max : error, least_scale);
-  return {own,     expected,  absolute_difference(own, expected), heatmap(expected, own, full_scale),
-          figures, full_scale};
+  return compared(own, expected, least_scale, {.told = error}, std::identity());
 }
 
 Compared compared(const ImageF& own, const ImageF& expected, double least_scale, double error,
                   const std::string& view, Unit unit) {
-  need_one_size(own, expected);
-  Comparing comparing;
-  comparing.unit = unit;
-  comparing.told = error;
-  const Difference figures = compare(expected, own, comparing);
-  Compared all{shown(own, view),
-               shown(expected, view),
-               {},
-               {},
-               figures,
-               std::max(std::isnan(error) ? figures.max : error, least_scale)};
-  all.difference = absolute_difference(all.own, all.expected);
-  all.heat_map = heatmap(expected, own, all.full_scale, comparing);
-  return all;
+  return compared(own, expected, least_scale, {.unit = unit, .told = error},
+                  [&](const ImageF& values) { return shown(values, view); });
 }
 
 Image8 side_by_side(const std::vector<Image8>& pictures, int zoom) {

@@ -35,132 +35,10 @@ constexpr double least_forgiven = edge_contrast / 2;
 /// moves of 291, which changed next to nothing.
 constexpr double most_forgiven = 0.1;
 
-/// A pixel of a picture.
-template <class Sample>
-struct Place {
-  const Image<Sample>& picture;
-  int x, y;
-};
-
-/// Calls `act` with a pixel and the up to 8 around it.
-template <class Sample, class Act>
-void for_each_near(const Place<Sample>& place, Act act) {
-  const auto& [picture, x, y] = place;
-  for (int v = std::max(0, y - 1); v <= std::min(picture.height - 1, y + 1); ++v)
-    for (int u = std::max(0, x - 1); u <= std::min(picture.width - 1, x + 1); ++u)
-      act(Place<Sample>{picture, u, v});
-}
-
-/// Marks the pixels that differ from one of those around them by more than `contrast`.
-template <class Sample, class Apart>
-void mark_edges(const Image<Sample>& picture, double contrast, const Apart& apart, std::vector<char>& edges) {
-  const auto index = [&](int x, int y) { return static_cast<std::size_t>(y * picture.width + x); };
-  const auto mark = [&](int x, int y, int u, int v) {
-    if (u < 0 || u >= picture.width || v >= picture.height) return;
-    const bool is_edge = apart(Place<Sample>{picture, x, y}, Place<Sample>{picture, u, v}).largest > contrast;
-    if (is_edge) edges[index(x, y)] = edges[index(u, v)] = 1;
-  };
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x) {  // each pair of neighbours once
-      mark(x, y, x + 1, y);
-      for (int u = x - 1; u <= x + 1; ++u) mark(x, y, u, y + 1);
-    }
-}
-
-/// The difference of a pixel of one picture to the closest of those around a pixel of the other.
-template <class Sample, class Apart>
-PixelDifference least(const Place<Sample>& from, const Place<Sample>& to, const Apart& apart) {
-  PixelDifference result = apart(from, to);
-  for_each_near(to, [&](const Place<Sample>& near) {
-    const PixelDifference difference = apart(from, near);
-    if (difference.state != State::non_finite && difference.largest < result.largest) result = difference;
-  });
-  return result;
-}
-
-/// Makes differences at edges smaller as `Comparing::edge_tolerance` says; `range` is the whole range.
-template <class Sample, class Apart>
-void forgive_edges(const Image<Sample>& reference, const Image<Sample>& image, double range,
-                   const Apart& apart, Pixels& pixels) {
-  const auto matters = [&](const PixelDifference& pixel) { return pixel.largest > least_forgiven * range; };
-  if (std::none_of(pixels.begin(), pixels.end(), matters)) return;
-  std::vector<char> is_edge(pixels.size(), 0);
-  mark_edges(reference, edge_contrast * range, apart, is_edge);
-  mark_edges(image, edge_contrast * range, apart, is_edge);
-  std::vector<std::pair<std::size_t, PixelDifference>> forgiven;
-  long long edges = 0;
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const PixelDifference& own = pixels[i];
-    if (own.state != State::compared || is_edge[i] == 0) continue;
-    ++edges;
-    if (!matters(own)) continue;
-    const int x = static_cast<int>(i) % reference.width, y = static_cast<int>(i) / reference.width;
-    const Place<Sample> a{reference, x, y}, b{image, x, y};
-    const PixelDifference from_a = least(a, b, apart), from_b = least(b, a, apart);
-    const PixelDifference& worse = from_a.largest > from_b.largest ? from_a : from_b;
-    if (worse.largest >= own.largest) continue;
-    forgiven.emplace_back(
-        i, PixelDifference{State::compared, worse.largest, std::min(worse.sum, own.sum), true});
-  }
-  if (static_cast<double>(forgiven.size()) > most_forgiven * static_cast<double>(edges)) return;
-  for (const auto& [i, pixel] : forgiven) pixels[i] = pixel;
-}
-
-/// Takes away differences as `Comparing::moved_pixels` says.
-template <class Sample, class Apart>
-void forgive_moved(const Image<Sample>& reference, double moved_pixels, const Apart& apart, Pixels& pixels) {
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    PixelDifference& pixel = pixels[i];
-    if (pixel.state != State::compared || pixel.largest == 0) continue;
-    const int x = static_cast<int>(i) % reference.width, y = static_cast<int>(i) / reference.width;
-    const Place<Sample> place{reference, x, y};
-    double steepest = 0;
-    for_each_near(place, [&](const Place<Sample>& near) {
-      const PixelDifference step = apart(place, near);
-      if (step.state == State::compared) steepest = std::max(steepest, step.largest);
-    });
-    if (pixel.largest <= moved_pixels * steepest) pixel = {State::compared, 0, 0, true};
-  }
-}
-
-/// The difference of every pixel that the mask lets through. `apart` gives that of two places, of whichever
-/// picture.
-template <class Sample, class Apart>
-Pixels difference_of(const Image<Sample>& reference, const Image<Sample>& image, const Comparing& comparing,
-                     double range, const Apart& apart) {
-  Pixels pixels;
-  pixels.reserve(static_cast<std::size_t>(reference.width) * static_cast<std::size_t>(reference.height));
-  bool any = false;
-  for (int y = 0; y < reference.height; ++y)
-    for (int x = 0; x < reference.width; ++x) {
-      const bool counted = counts(comparing.mask, x, y);
-      any |= counted;
-      pixels.push_back(counted ? apart(Place<Sample>{reference, x, y}, Place<Sample>{image, x, y})
-                               : PixelDifference{State::left_out});
-    }
-  check_any(any);
-  if (comparing.edge_tolerance) forgive_edges(reference, image, range, apart, pixels);
-  if (comparing.moved_pixels > 0) forgive_moved(reference, comparing.moved_pixels, apart, pixels);
-  return pixels;
-}
-
-Pixels byte_differences(const Image8& reference, const Image8& image, const Comparing& comparing) {
-  check_sizes(reference, image, comparing.mask);
-  using Place = Place<std::uint8_t>;
-  return difference_of(reference, image, comparing, 255, [](const Place& a, const Place& b) {
-    PixelDifference pixel;
-    for (int c = 0; c < 3; ++c) {
-      const double difference =
-          std::abs(rgb_sample(a.picture, a.x, a.y, c) - rgb_sample(b.picture, b.x, b.y, c));
-      pixel.largest = std::max(pixel.largest, difference);
-      pixel.sum += difference;
-    }
-    return pixel;
-  });
-}
-
 /// The angle between two vectors in degrees; 180 where only one is zero.
 PixelDifference angle(const float* a, const float* b) {
+  const auto finite = [](float v) { return std::isfinite(v); };
+  if (!std::all_of(a, a + 3, finite) || !std::all_of(b, b + 3, finite)) return {State::non_finite};
   const auto zero = [](const float* v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; };
   if (zero(a) && zero(b)) return {State::left_out};
   if (zero(a) || zero(b)) return {State::compared, 180, 180};
@@ -174,43 +52,108 @@ PixelDifference angle(const float* a, const float* b) {
   return {State::compared, degrees, degrees};
 }
 
-/// How many channels of a pixel are compared.
-int compared_channels(const ImageF& picture, Unit unit) {
-  switch (unit) {
-    case Unit::own:
-      return picture.channels;
-    case Unit::degrees:
-      return 3;
-    case Unit::texels:
-      return 2;
+/// The difference of two pixels, whichever pictures they are of.
+struct Apart {
+  const Comparing& comparing;
+  int channels;  ///< that are compared
+
+  PixelDifference operator()(const float* a, const float* b) const {
+    if (comparing.unit == Unit::degrees) return angle(a, b);
+    const auto difference = [&](int c) {
+      return std::abs(static_cast<double>(a[c]) - static_cast<double>(b[c]));
+    };
+    PixelDifference pixel;
+    if (comparing.unit == Unit::texels) {
+      pixel.largest = pixel.sum =
+          std::hypot(difference(0) * comparing.texture_width, difference(1) * comparing.texture_height);
+    } else {
+      for (int c = 0; c < channels; ++c) {
+        pixel.largest = std::max(pixel.largest, difference(c));
+        pixel.sum += difference(c);
+      }
+    }
+    // NaN and infinity in any channel reach the sum.
+    return std::isfinite(pixel.sum) ? pixel : PixelDifference{State::non_finite};
   }
-  return 0;
+};
+
+const float* pixel_of(const ImageF& picture, std::size_t i) {
+  return &picture.samples[i * static_cast<std::size_t>(picture.channels)];
 }
 
-/// The difference of two pixels of float pictures.
-PixelDifference float_difference(const float* a, const float* b, int channels, const Comparing& comparing) {
-  const auto finite = [](float v) { return std::isfinite(v); };
-  if (!std::all_of(a, a + channels, finite) || !std::all_of(b, b + channels, finite))
-    return {State::non_finite};
-  if (comparing.unit == Unit::degrees) return angle(a, b);
-  const auto difference = [&](int c) {
-    return std::abs(static_cast<double>(a[c]) - static_cast<double>(b[c]));
-  };
-  if (comparing.unit == Unit::texels) {
-    const double texels =
-        std::hypot(difference(0) * comparing.texture_width, difference(1) * comparing.texture_height);
-    return {State::compared, texels, texels};
-  }
-  PixelDifference pixel;
-  for (int c = 0; c < channels; ++c) {
-    pixel.largest = std::max(pixel.largest, difference(c));
-    pixel.sum += difference(c);
-  }
-  return pixel;
+/// Calls `act` with the numbers of the i-th pixel and the up to 8 around it.
+template <class Act>
+void for_each_near(const ImageF& picture, std::size_t i, Act act) {
+  const auto width = static_cast<std::size_t>(picture.width),
+             height = static_cast<std::size_t>(picture.height);
+  const std::size_t x = i % width, y = i / width;
+  for (std::size_t v = y - (y > 0 ? 1 : 0); v < std::min(y + 2, height); ++v)
+    for (std::size_t u = x - (x > 0 ? 1 : 0); u < std::min(x + 2, width); ++u) act(v * width + u);
 }
 
-/// The smallest and the largest finite value of each channel over both pictures, as two pixels.
-std::array<std::vector<float>, 2> extremes(const ImageF& a, const ImageF& b) {
+/// Marks the pixels that differ from one of those around them by more than `contrast`.
+void mark_edges(const ImageF& picture, double contrast, const Apart& apart, std::vector<char>& edges) {
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for_each_near(picture, i, [&](std::size_t near) {
+      // Each pair of neighbours once.
+      if (near > i && apart(pixel_of(picture, i), pixel_of(picture, near)).largest > contrast)
+        edges[i] = edges[near] = 1;
+    });
+}
+
+/// The difference of a pixel to the closest of those around the i-th of another picture.
+PixelDifference least(const float* from, const ImageF& to, std::size_t i, const Apart& apart) {
+  PixelDifference result = apart(from, pixel_of(to, i));
+  for_each_near(to, i, [&](std::size_t near) {
+    const PixelDifference difference = apart(from, pixel_of(to, near));
+    if (difference.state != State::non_finite && difference.largest < result.largest) result = difference;
+  });
+  return result;
+}
+
+/// Makes differences at edges smaller as `Comparing::edge_tolerance` says; `range` is the whole range.
+void forgive_edges(const ImageF& reference, const ImageF& image, double range, const Apart& apart,
+                   Pixels& pixels) {
+  const auto matters = [&](const PixelDifference& pixel) { return pixel.largest > least_forgiven * range; };
+  if (std::none_of(pixels.begin(), pixels.end(), matters)) return;
+  std::vector<char> is_edge(pixels.size(), 0);
+  mark_edges(reference, edge_contrast * range, apart, is_edge);
+  mark_edges(image, edge_contrast * range, apart, is_edge);
+  std::vector<std::pair<std::size_t, PixelDifference>> forgiven;
+  long long edges = 0;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const PixelDifference& own = pixels[i];
+    if (own.state != State::compared || is_edge[i] == 0) continue;
+    ++edges;
+    if (!matters(own)) continue;
+    const PixelDifference from_a = least(pixel_of(reference, i), image, i, apart),
+                          from_b = least(pixel_of(image, i), reference, i, apart);
+    const PixelDifference& worse = from_a.largest > from_b.largest ? from_a : from_b;
+    if (worse.largest >= own.largest) continue;
+    forgiven.emplace_back(
+        i, PixelDifference{State::compared, worse.largest, std::min(worse.sum, own.sum), true});
+  }
+  if (static_cast<double>(forgiven.size()) > most_forgiven * static_cast<double>(edges)) return;
+  for (const auto& [i, pixel] : forgiven) pixels[i] = pixel;
+}
+
+/// Takes away differences as `Comparing::moved_pixels` says.
+void forgive_moved(const ImageF& reference, double moved_pixels, const Apart& apart, Pixels& pixels) {
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    PixelDifference& pixel = pixels[i];
+    if (pixel.state != State::compared || pixel.largest == 0) continue;
+    double steepest = 0;
+    for_each_near(reference, i, [&](std::size_t near) {
+      const PixelDifference step = apart(pixel_of(reference, i), pixel_of(reference, near));
+      if (step.state == State::compared) steepest = std::max(steepest, step.largest);
+    });
+    if (pixel.largest <= moved_pixels * steepest) pixel = {State::compared, 0, 0, true};
+  }
+}
+
+/// How far the finite values of both pictures spread, as the difference of two pixels: one has the smallest
+/// of each channel, one the largest.
+double spread(const ImageF& a, const ImageF& b, const Apart& apart) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   const auto channels = static_cast<std::size_t>(a.channels);
   std::vector<float> low(channels, infinity), high(channels, -infinity);
@@ -221,28 +164,54 @@ std::array<std::vector<float>, 2> extremes(const ImageF& a, const ImageF& b) {
       low[i % channels] = std::min(low[i % channels], value);
       high[i % channels] = std::max(high[i % channels], value);
     }
-  return {low, high};
+  return apart(low.data(), high.data()).largest;
 }
 
-Pixels float_differences(const ImageF& reference, const ImageF& image, const Comparing& comparing) {
+/// The difference of every pixel that the mask lets through. `range` is the whole range of values; where it
+/// is 0, the pictures tell it.
+Pixels differences(const ImageF& reference, const ImageF& image, const Comparing& comparing,
+                   double range = 0) {
   check_sizes(reference, image, comparing.mask);
-  const int channels = compared_channels(reference, comparing.unit);
-  if (reference.channels != image.channels || image.channels < channels)
+  const Unit unit = comparing.unit;
+  const Apart apart{comparing, unit == Unit::degrees ? 3 : unit == Unit::texels ? 2 : reference.channels};
+  if (reference.channels != image.channels || image.channels < apart.channels)
     throw Error::failed(
         fmt::format("pictures of {} and {} channels cannot be compared{}", reference.channels, image.channels,
-                    comparing.unit == Unit::degrees  ? " as directions"
-                    : comparing.unit == Unit::texels ? " as texture coordinates"
-                                                     : ""),
+                    unit == Unit::degrees  ? " as directions"
+                    : unit == Unit::texels ? " as texture coordinates"
+                                           : ""),
         {}, "draw the same view for both");
-  double range = 180;
-  if (comparing.edge_tolerance && comparing.unit != Unit::degrees) {
-    const auto [low, high] = extremes(reference, image);
-    range = float_difference(low.data(), high.data(), channels, comparing).largest;
+  Pixels pixels;
+  pixels.reserve(static_cast<std::size_t>(reference.width) * static_cast<std::size_t>(reference.height));
+  bool any = false;
+  for (int y = 0; y < reference.height; ++y)
+    for (int x = 0; x < reference.width; ++x) {
+      const bool counted = counts(comparing.mask, x, y);
+      any |= counted;
+      pixels.push_back(counted ? apart(&reference.at(x, y), &image.at(x, y))
+                               : PixelDifference{State::left_out});
+    }
+  check_any(any);
+  if (comparing.edge_tolerance) {
+    if (range == 0) range = unit == Unit::degrees ? 180 : spread(reference, image, apart);
+    forgive_edges(reference, image, range, apart, pixels);
   }
-  using Place = Place<float>;
-  return difference_of(reference, image, comparing, range, [&](const Place& a, const Place& b) {
-    return float_difference(&a.picture.at(a.x, a.y), &b.picture.at(b.x, b.y), channels, comparing);
-  });
+  if (comparing.moved_pixels > 0) forgive_moved(reference, comparing.moved_pixels, apart, pixels);
+  return pixels;
+}
+
+/// R, G and B as floats.
+ImageF floats_of(const Image8& picture) {
+  ImageF floats(picture.width, picture.height, 3);
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      for (int c = 0; c < 3; ++c) floats.at(x, y, c) = rgb_sample(picture, x, y, c);
+  return floats;
+}
+
+Pixels differences(const Image8& reference, const Image8& image, Comparing comparing) {
+  comparing.unit = Unit::own;
+  return differences(floats_of(reference), floats_of(image), comparing, 255);
 }
 
 Difference figures(int width, int height, int samples_per_pixel, const Pixels& pixels, double told) {
@@ -296,21 +265,21 @@ Image8 picture(int width, int height, double full_scale, const Pixels& pixels) {
 }  // namespace
 
 Difference compare(const Image8& reference, const Image8& image, const Comparing& comparing) {
-  return figures(image.width, image.height, 3, byte_differences(reference, image, comparing), comparing.told);
+  return figures(image.width, image.height, 3, differences(reference, image, comparing), comparing.told);
 }
 
 Difference compare(const ImageF& reference, const ImageF& image, const Comparing& comparing) {
-  const Pixels pixels = float_differences(reference, image, comparing);
+  const Pixels pixels = differences(reference, image, comparing);
   return figures(image.width, image.height, comparing.unit == Unit::own ? image.channels : 1, pixels,
                  comparing.told);
 }
 
 Image8 heatmap(const Image8& reference, const Image8& image, double full_scale, const Comparing& comparing) {
-  return picture(image.width, image.height, full_scale, byte_differences(reference, image, comparing));
+  return picture(image.width, image.height, full_scale, differences(reference, image, comparing));
 }
 
 Image8 heatmap(const ImageF& reference, const ImageF& image, double full_scale, const Comparing& comparing) {
-  return picture(image.width, image.height, full_scale, float_differences(reference, image, comparing));
+  return picture(image.width, image.height, full_scale, differences(reference, image, comparing));
 }
 
 }  // namespace texel::image

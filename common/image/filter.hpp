@@ -85,36 +85,20 @@ void add_filtered(const Kernel<Real>& kernel, int width, const RowAt& row_at, Re
   filter_block(x, width - x);
 }
 
-/// One row of a picture of one channel, with `radius` repeated pixels at either end.
-template <class Real>
-class PaddedRow {
- public:
-  PaddedRow(int width, int radius)
-      : width_(width), radius_(radius), values_(static_cast<std::size_t>(width + 2 * radius)) {}
-
-  void load(const Real* row) {
-    const auto inner = values_.begin() + radius_;
-    std::fill(values_.begin(), inner, row[0]);
-    std::copy_n(row, width_, inner);
-    std::fill(inner + width_, values_.end(), row[width_ - 1]);
-  }
-  /// The row moved by k pixels: [x] is the pixel at x + k.
-  [[nodiscard]] const Real* moved(int k) const { return values_.data() + radius_ + k; }
-
- private:
-  int width_, radius_;
-  std::vector<Real> values_;
-};
-
 /// The picture (one channel) filtered along its rows.
 template <class Real>
 Image<Real> filtered_rows(const Image<Real>& picture, const Kernel<Real>& kernel) {
   Image<Real> result(picture.width, picture.height, 1);
-  PaddedRow<Real> row(picture.width, kernel.radius());
+  const int radius = kernel.radius();
+  std::vector<Real> row(static_cast<std::size_t>(picture.width + 2 * radius));
   for (int y = 0; y < picture.height; ++y) {
-    row.load(&picture.at(0, y));
-    add_filtered(
-        kernel, picture.width, [&](int k) { return row.moved(k); }, &result.at(0, y));
+    const Real* const in = &picture.at(0, y);
+    const auto inner = row.begin() + radius;
+    std::fill(row.begin(), inner, in[0]);
+    std::copy_n(in, picture.width, inner);
+    std::fill(inner + picture.width, row.end(), in[picture.width - 1]);
+    const auto row_at = [&](int k) { return row.data() + radius + k; };
+    add_filtered(kernel, picture.width, row_at, &result.at(0, y));
   }
   return result;
 }

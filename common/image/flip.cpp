@@ -35,40 +35,32 @@ constexpr Matrix make_xyz_from_rgb() {
   return m;
 }
 
+constexpr Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 constexpr Matrix inverse(const Matrix& m) {
-  Matrix cofactors{};
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) {
-      const std::size_t a = (i + 1) % 3, b = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
-      cofactors[i][j] = m[a][c] * m[b][d] - m[a][d] * m[b][c];
-    }
-  const double determinant =
-      m[0][0] * cofactors[0][0] + m[0][1] * cofactors[0][1] + m[0][2] * cofactors[0][2];
+  const Vector columns[] = {cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])};
+  const double determinant = m[0][0] * columns[0][0] + m[0][1] * columns[0][1] + m[0][2] * columns[0][2];
   Matrix result{};
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) result[i][j] = cofactors[j][i] / determinant;
+    for (std::size_t j = 0; j < 3; ++j) result[i][j] = columns[j][i] / determinant;
   return result;
 }
 
+constexpr Matrix xyz_from_rgb = make_xyz_from_rgb();
+constexpr Matrix rgb_from_xyz = inverse(xyz_from_rgb);
+
 using Triple = std::array<float, 3>;
 
-/// A matrix in floats.
-struct Transform {
-  std::array<Triple, 3> rows{};
-
-  constexpr explicit Transform(const Matrix& m) {
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) rows[i][j] = static_cast<float>(m[i][j]);
-  }
-  constexpr Triple operator()(const Triple& v) const {
-    Triple result{};
-    for (std::size_t i = 0; i < 3; ++i) result[i] = rows[i][0] * v[0] + rows[i][1] * v[1] + rows[i][2] * v[2];
-    return result;
-  }
-};
-
-constexpr Transform xyz_from_rgb(make_xyz_from_rgb());
-constexpr Transform rgb_from_xyz(inverse(make_xyz_from_rgb()));
+/// In floats; the matrix is known to the compiler.
+inline Triple product(const Matrix& m, const Triple& v) {
+  Triple result{};
+  for (std::size_t i = 0; i < 3; ++i)
+    result[i] = static_cast<float>(m[i][0]) * v[0] + static_cast<float>(m[i][1]) * v[1] +
+                static_cast<float>(m[i][2]) * v[2];
+  return result;
+}
 
 /// The cube root of a float of about 0.01 to 1, which takes a fifth of std::cbrt's time: a third of the bits
 /// is a guess (the exponent is in front) with an error below 7 %, and each of two of Halley's steps cubes it.
@@ -92,7 +84,7 @@ inline float lab_curve(float t) {
 /// CIE L*a*b*, with a* and b* scaled by the Hunt effect: colours are less colourful where it is dark
 /// ("Perceptually uniform colour space").
 inline Triple hunt_lab(const Triple& linear_rgb) {
-  const Triple xyz = xyz_from_rgb(linear_rgb);
+  const Triple xyz = product(xyz_from_rgb, linear_rgb);
   const float x = lab_curve(xyz[0]), y = lab_curve(xyz[1]), z = lab_curve(xyz[2]);
   const float lightness = 116 * y - 16;
   return {lightness, 0.01F * lightness * 500 * (x - y), 0.01F * lightness * 200 * (y - z)};
@@ -195,7 +187,7 @@ inline float clamped(float v) {
 /// Turns a row of filtered opponent channels into `hunt_lab`, as far as sRGB can show the colours.
 void make_hunt_lab(std::size_t width, float* light, float* red_green, float* blue_yellow) {
   for (std::size_t x = 0; x < width; ++x) {
-    const Triple rgb = rgb_from_xyz({light[x] + red_green[x], light[x], light[x] - blue_yellow[x]});
+    const Triple rgb = product(rgb_from_xyz, {light[x] + red_green[x], light[x], light[x] - blue_yellow[x]});
     const Triple lab = hunt_lab({clamped(rgb[0]), clamped(rgb[1]), clamped(rgb[2])});
     light[x] = lab[0];
     red_green[x] = lab[1];
@@ -217,7 +209,7 @@ class FilteredPicture {
     for (int y = 0; y < box.height(); ++y) {
       const std::uint8_t* rgb = &picture.at(box.left, box.bottom + y);
       for (int x = 0; x < box.width(); ++x, rgb += picture.channels) {
-        const Triple xyz = xyz_from_rgb({linear[rgb[0]], linear[rgb[green]], linear[rgb[blue]]});
+        const Triple xyz = product(xyz_from_rgb, {linear[rgb[0]], linear[rgb[green]], linear[rgb[blue]]});
         light.at(x, y) = xyz[1];
         red_green.at(x, y) = xyz[0] - xyz[1];
         blue_yellow.at(x, y) = xyz[1] - xyz[2];
@@ -288,23 +280,10 @@ double weighted_percentile(const std::vector<float>& sorted, double sum, double 
 }
 
 /// Colours 0, 16, 32, ..., 256 of the magma map's 256, sRGB-encoded; between them it is straight to 2 steps.
-constexpr std::array<std::array<std::uint8_t, 3>, 17> magma = {{{0, 0, 4},
-                                                                {10, 8, 34},
-                                                                {29, 17, 71},
-                                                                {54, 16, 107},
-                                                                {81, 18, 124},
-                                                                {106, 28, 129},
-                                                                {131, 38, 129},
-                                                                {156, 46, 127},
-                                                                {183, 55, 121},
-                                                                {208, 65, 111},
-                                                                {231, 82, 99},
-                                                                {245, 107, 92},
-                                                                {252, 137, 97},
-                                                                {254, 167, 114},
-                                                                {254, 196, 136},
-                                                                {253, 226, 163},
-                                                                {252, 255, 193}}};
+constexpr std::uint8_t magma[][3] = {
+    {0, 0, 4},      {10, 8, 34},     {29, 17, 71},    {54, 16, 107},   {81, 18, 124},  {106, 28, 129},
+    {131, 38, 129}, {156, 46, 127},  {183, 55, 121},  {208, 65, 111},  {231, 82, 99},  {245, 107, 92},
+    {252, 137, 97}, {254, 167, 114}, {254, 196, 136}, {253, 226, 163}, {252, 255, 193}};
 
 }  // namespace
 

@@ -9,18 +9,6 @@
 namespace texel::image {
 namespace {
 
-/// The file's bytes as numbers, zeros beyond its end as stb_image reads them.
-struct Bytes {
-  std::string_view bytes;
-  std::size_t operator[](std::size_t at) const {
-    return at < bytes.size() ? static_cast<unsigned char>(bytes[at]) : 0;
-  }
-  [[nodiscard]] std::size_t big_endian16(std::size_t at) const { return (*this)[at] << 8 | (*this)[at + 1]; }
-  [[nodiscard]] std::size_t little_endian16(std::size_t at) const {
-    return (*this)[at] | (*this)[at + 1] << 8;
-  }
-};
-
 /// A JPEG begins with the marker 0xd8; any number of 0xff may stand before a marker.
 bool is_jpeg(std::string_view bytes) {
   const std::size_t marker = bytes.find_first_not_of('\xff');
@@ -111,18 +99,14 @@ constexpr std::size_t tga_header_size = 18;
 }  // namespace
 
 std::string damaged_png_chunk(std::string_view bytes) {
-  constexpr std::string_view signature("\x89PNG\r\n\x1a\n");
-  if (!bytes.starts_with(signature)) return {};
+  if (!bytes.starts_with(png_signature)) return {};
   const Bytes png{bytes};
-  const auto big_endian32 = [&](std::size_t at) {
-    return png.big_endian16(at) << 16U | png.big_endian16(at + 2);
-  };
-  for (std::size_t at = signature.size(); at + 12 <= bytes.size();) {
-    const std::size_t length = big_endian32(at);
+  for (std::size_t at = png_signature.size(); at + 12 <= bytes.size();) {
+    const std::size_t length = png.big_endian32(at);
     if (length > bytes.size() - at - 12) break;
     const std::string_view type = bytes.substr(at + 4, 4);
     const bool read = type == "IHDR" || type == "PLTE" || type == "tRNS" || type == "IDAT";
-    if (read && crc32(bytes.substr(at + 4, length + 4)) != big_endian32(at + 8 + length))
+    if (read && crc32(bytes.substr(at + 4, length + 4)) != png.big_endian32(at + 8 + length))
       return std::string(type);
     if (type == "IEND") break;
     at += length + 12;

@@ -7,6 +7,24 @@
 
 namespace texel::image {
 
+/// A file's bytes as numbers, zeros beyond its end as stb_image reads them.
+struct Bytes {
+  std::string_view bytes;
+
+  std::size_t operator[](std::size_t at) const {
+    return at < bytes.size() ? static_cast<unsigned char>(bytes[at]) : 0;
+  }
+  [[nodiscard]] std::size_t big_endian16(std::size_t at) const { return (*this)[at] << 8 | (*this)[at + 1]; }
+  [[nodiscard]] std::size_t big_endian32(std::size_t at) const {
+    return big_endian16(at) << 16U | big_endian16(at + 2);
+  }
+  [[nodiscard]] std::size_t little_endian16(std::size_t at) const {
+    return (*this)[at] | (*this)[at + 1] << 8;
+  }
+};
+
+inline constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n";
+
 /// What is wrong with a JPEG file, or "": a variant that stb_image does not read, or reads in wrong colours;
 /// or tables beyond which it would write or read, a Huffman table of more than 256 codes and sampling factors
 /// that do not divide the largest one. Version 2.28 refuses these two, Debian 12 has 2.27

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <string_view>
 
@@ -58,21 +59,15 @@ constexpr stbi_io_callbacks stream_callbacks = {Stream::read, Stream::skip, Stre
 
 /// A PNG's own size, from its first chunk; stb_image does not tell it where it thinks it too large.
 void check_png_limits(const std::filesystem::path& path, std::string_view bytes) {
-  using namespace std::string_view_literals;
   const std::size_t header = bytes.find("IHDR") + 4;  // behind a chunk of Apple's, or at once
-  if (!bytes.starts_with("\x89PNG\r\n\x1a\n"sv) || header < 16 || header > 64 || bytes.size() < header + 10)
-    return;
-  const auto big_endian = [&](std::size_t at) {
-    long long value = 0;
-    for (std::size_t i = 0; i < 4; ++i) value = value * 256 + static_cast<unsigned char>(bytes[at + i]);
-    return value;
-  };
-  const long long width = big_endian(header);
-  const long long height = big_endian(header + 4);
+  if (!bytes.starts_with(png_signature) || header < 16 || header > 64 || bytes.size() < header + 10) return;
+  const Bytes png{bytes};
   // By the colour's type: grey, RGB, a palette of RGB, grey and alpha, RGBA.
   static constexpr int kChannels[] = {1, 1, 3, 3, 2, 1, 4};
-  const auto type = static_cast<unsigned char>(bytes[header + 9]);
-  check_limits(path, std::min(width, 1LL << 31), std::min(height, 1LL << 31), kChannels[type < 7 ? type : 0]);
+  const std::size_t type = png[header + 9], most = std::size_t{1} << 31U;
+  check_limits(path, static_cast<long long>(std::min(png.big_endian32(header), most)),
+               static_cast<long long>(std::min(png.big_endian32(header + 4), most)),
+               kChannels[type < 7 ? type : 0]);
 }
 
 std::size_t header_pixels(const Info& header) {
@@ -109,20 +104,21 @@ Info read_header(const std::filesystem::path& path, std::string_view bytes) {
   return header;
 }
 
-/// The picture as Exif's `orientation` shows it, which counts rows from the top.
-template <class Sample>
-Image<Sample> turned(const Image<Sample>& stored, int orientation) {
+/// The picture as Exif's `orientation` shows it. Both count rows from the top, as files do, but the result
+/// begins with the bottom row.
+Image8 turned(const Image8& stored, int orientation) {
+  if (orientation == 1) return flipped(stored);
   const bool on_its_side = orientation >= 5;
   const bool mirrored = orientation == 2 || orientation == 3 || orientation >= 7;
   const bool upside_down = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
-  Image<Sample> image(on_its_side ? stored.height : stored.width, on_its_side ? stored.width : stored.height,
-                      stored.channels);
+  Image8 image(on_its_side ? stored.height : stored.width, on_its_side ? stored.width : stored.height,
+               stored.channels);
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
       const int down = image.height - 1 - y;
       const int column = on_its_side ? down : x, row = on_its_side ? x : down;
       std::copy_n(&stored.at(mirrored ? stored.width - 1 - column : column,
-                             upside_down ? row : stored.height - 1 - row),
+                             upside_down ? stored.height - 1 - row : row),
                   image.channels, &image.at(x, y));
     }
   return image;
@@ -135,81 +131,22 @@ std::string read(const std::filesystem::path& path) {
   return bytes;
 }
 
-/// `decode` is stbi_load_from_callbacks or its 16-bit sister.
-template <class Sample, class Decode>
-Image<Sample> load(const std::filesystem::path& path, const std::string& bytes, const Info& header,
-                   int channels, Decode decode) {
-  if (channels < 0 || channels > 4)
-    throw Error::usage(fmt::format("a picture cannot have {} channels", channels), "use 1 to 4, or 0");
-  check_limits(path, header.width, header.height, std::max(header.channels, channels));
-  if (const std::string chunk = damaged_png_chunk(bytes); !chunk.empty())
-    throw broken(path, fmt::format("is damaged: the checksum of its chunk {} is wrong", chunk));
-  if (const std::string fault = tga_fault(bytes, header_pixels(header)); !fault.empty())
-    throw broken(path, fault);
-
+/// `decode` is stbi_load_from_callbacks or its 16-bit sister; `rounded` makes 8 bits of its samples. The
+/// first row is the top one.
+template <class Decode, class Rounded>
+Image8 decoded(const std::filesystem::path& path, std::string_view bytes, int channels, Decode decode,
+               Rounded rounded) {
   Stream stream{bytes};
-  int width = 0;
-  int height = 0;
-  int stored_channels = 0;
-  const std::unique_ptr<Sample, decltype(&stbi_image_free)> samples(
-      decode(&stream_callbacks, &stream, &width, &height, &stored_channels, channels), stbi_image_free);
+  int width = 0, height = 0, stored_channels = 0;
+  const auto* const samples = decode(&stream_callbacks, &stream, &width, &height, &stored_channels, channels);
+  const std::unique_ptr<const void, void (*)(const void*)> owner(
+      samples, [](const void* block) { stbi_image_free(const_cast<void*>(block)); });
   if (stream.cut_short) throw broken(path, "is cut short");
   if (!samples) throw broken(path, fmt::format("cannot be decoded ({})", stbi_failure_reason()));
-
-  Image<Sample> image(width, height, channels == 0 ? stored_channels : channels);
-  const auto row = static_cast<std::ptrdiff_t>(image.index(0, 1));
-  for (int y = 0; y < height; ++y)  // the decoder's first row is the top one
-    std::copy_n(samples.get() + (height - 1 - y) * row, row, image.samples.begin() + y * row);
-  if (const int turn = orientation(bytes); turn != 1) return turned(image, turn);
+  Image8 image(width, height, channels == 0 ? stored_channels : channels);
+  std::transform(samples, samples + image.samples.size(), image.samples.begin(), rounded);
   return image;
 }
-
-/// The header of a portable float map: three words, each ended by one white-space character.
-class PfmHeader {
- public:
-  PfmHeader(const std::string& name, std::string_view bytes) : name_(name), rest_(bytes) {
-    const std::string_view kind = word();
-    if (kind != "PF" && kind != "Pf") throw wrong("is not a PFM file (portable float map)");
-    channels = kind == "PF" ? 3 : 1;
-    width = number<int>("width");
-    height = number<int>("height");
-    const double scale = number<double>("scale");
-    if (width < 1 || height < 1) throw wrong(fmt::format("has a size of {}x{}", width, height));
-    if (!std::isfinite(scale) || scale == 0) throw wrong("has a scale that is zero or not finite");
-    little_endian = scale < 0;
-    check_limits(name, width, height, channels);
-  }
-
-  int width = 0;
-  int height = 0;
-  int channels = 0;
-  bool little_endian = false;
-  [[nodiscard]] std::string_view samples() const { return rest_; }
-  [[nodiscard]] Error wrong(const std::string& what) const {
-    return Error::failed(what, {name_}, "a PFM file starts with PF or Pf, width, height and scale");
-  }
-
- private:
-  std::string_view word() {
-    const std::size_t length = rest_.substr(0, 64).find_first_of(" \t\r\n");
-    if (length == std::string_view::npos) throw wrong("is not a PFM file (portable float map)");
-    const std::string_view result = rest_.substr(0, length);
-    rest_.remove_prefix(length + 1);
-    return result;
-  }
-  template <class Number>
-  Number number(const char* name) {
-    const std::string_view text = word();
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size())
-      throw wrong(fmt::format("has no valid {}", name));
-    return value;
-  }
-
-  const std::string& name_;
-  std::string_view rest_;
-};
 
 }  // namespace
 
@@ -223,17 +160,18 @@ Info info(const std::filesystem::path& path) {
 Image8 load8(const std::filesystem::path& path, int channels) {
   const std::string bytes = read(path);
   const Info header = read_header(path, bytes);
-  if (!header.is_16_bit) return load<std::uint8_t>(path, bytes, header, channels, stbi_load_from_callbacks);
-  const auto exact = load<std::uint16_t>(path, bytes, header, channels, stbi_load_16_from_callbacks);
-  Image8 image(exact.width, exact.height, exact.channels);
-  std::transform(exact.samples.begin(), exact.samples.end(), image.samples.begin(),
-                 [](unsigned sample) { return static_cast<std::uint8_t>((sample + 128) / 257); });
-  return image;
-}
-
-Image16 load16(const std::filesystem::path& path, int channels) {
-  const std::string bytes = read(path);
-  return load<std::uint16_t>(path, bytes, read_header(path, bytes), channels, stbi_load_16_from_callbacks);
+  if (channels < 0 || channels > 4)
+    throw Error::usage(fmt::format("a picture cannot have {} channels", channels), "use 1 to 4, or 0");
+  check_limits(path, header.width, header.height, std::max(header.channels, channels));
+  if (const std::string chunk = damaged_png_chunk(bytes); !chunk.empty())
+    throw broken(path, fmt::format("is damaged: the checksum of its chunk {} is wrong", chunk));
+  if (const std::string fault = tga_fault(bytes, header_pixels(header)); !fault.empty())
+    throw broken(path, fault);
+  const auto to_8_bits = [](unsigned sample) { return static_cast<std::uint8_t>((sample + 128) / 257); };
+  const Image8 stored = header.is_16_bit
+                            ? decoded(path, bytes, channels, stbi_load_16_from_callbacks, to_8_bits)
+                            : decoded(path, bytes, channels, stbi_load_from_callbacks, std::identity());
+  return turned(stored, orientation(bytes));
 }
 
 ImageF load_pfm(const std::filesystem::path& path) {
@@ -241,22 +179,40 @@ ImageF load_pfm(const std::filesystem::path& path) {
 }
 
 ImageF parse_pfm(std::string_view bytes, const std::string& name) {
-  const PfmHeader header(name, bytes);
-  const std::string_view stored = header.samples();
-  const std::size_t expected = static_cast<std::size_t>(header.width) *
-                               static_cast<std::size_t>(header.height) *
-                               static_cast<std::size_t>(header.channels) * sizeof(float);
-  if (stored.size() != expected)
-    throw header.wrong(
-        fmt::format("has {} bytes of samples, but its header says {}", stored.size(), expected));
+  const auto wrong = [&](const std::string& what) {
+    return Error::failed(what, {name}, "a PFM file starts with PF or Pf, width, height and scale");
+  };
+  const auto word = [&] {  // of the header: each is ended by one white-space character
+    const std::size_t length = bytes.substr(0, 64).find_first_of(" \t\r\n");
+    if (length == std::string_view::npos) throw wrong("is not a PFM file (portable float map)");
+    const std::string_view result = bytes.substr(0, length);
+    bytes.remove_prefix(length + 1);
+    return result;
+  };
+  const auto number = [&](const char* what, auto value) {
+    const std::string_view text = word();
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size())
+      throw wrong(fmt::format("has no valid {}", what));
+    return value;
+  };
+  const std::string_view kind = word();
+  if (kind != "PF" && kind != "Pf") throw wrong("is not a PFM file (portable float map)");
+  const int channels = kind == "PF" ? 3 : 1, width = number("width", 0), height = number("height", 0);
+  const double scale = number("scale", 0.0);
+  if (width < 1 || height < 1) throw wrong(fmt::format("has a size of {}x{}", width, height));
+  if (!std::isfinite(scale) || scale == 0) throw wrong("has a scale that is zero or not finite");
+  check_limits(name, width, height, channels);
+  const std::size_t samples =
+      static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels);
+  if (bytes.size() != 4 * samples)
+    throw wrong(fmt::format("has {} bytes of samples, but its header says {}", bytes.size(), 4 * samples));
 
-  ImageF image(header.width, header.height, header.channels);
-  for (std::size_t i = 0; i < image.samples.size(); ++i) {
+  ImageF image(width, height, channels);
+  for (std::size_t i = 0; i < samples; ++i) {
     std::uint32_t bits = 0;
-    for (std::size_t byte = 0; byte < 4; ++byte) {
-      const std::size_t place = header.little_endian ? 3 - byte : byte;
-      bits = bits << 8 | static_cast<unsigned char>(stored[4 * i + place]);
-    }
+    for (std::size_t byte = 0; byte < 4; ++byte)
+      bits = bits << 8 | static_cast<unsigned char>(bytes[4 * i + (scale < 0 ? 3 - byte : byte)]);
     image.samples[i] = std::bit_cast<float>(bits);
   }
   return image;

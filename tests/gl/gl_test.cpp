@@ -491,6 +491,33 @@ TEST_P(OpenGl, only_a_picture_of_the_same_kind_size_and_samples_shares_them) {
   EXPECT_EQ(data.read_float().at(3, 3, 0), 2.5F);
 }
 
+TEST_P(OpenGl, a_whole_picture_is_resolved_whatever_is_cut_off) {
+  if (most_samples() < 4) GTEST_SKIP() << "this driver has one sample a pixel";
+  const Target first(Target::Kind::color, 8, 8, 4);
+  const Target tall(Target::Kind::color, 8, 16, 4, &first);  // shares no samples: the other is lower
+  tall.bind();
+  glClearColor(0, 1, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(0, 0, 1, 1);
+  tall.resolve();
+  glDisable(GL_SCISSOR_TEST);
+  EXPECT_TRUE(tall.shows_only({0, 1, 0, 1}));
+}
+
+TEST_P(OpenGl, a_texture_has_the_anisotropy_that_is_asked_for) {
+  if (GLAD_GL_EXT_texture_filter_anisotropic == 0) GTEST_SKIP() << "this driver has none";
+  float most = 1;
+  glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
+  for (const float asked : {0.5F, 1.0F, 4.0F, 1000.0F}) {
+    const Texture texture = make_texture_2d(filled(2, 2, {9}), Encoding::linear, {.anisotropy = asked});
+    bind(0, GL_TEXTURE_2D, texture);
+    float has = 0;
+    glGetTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, &has);
+    EXPECT_EQ(has, std::clamp(asked, 1.0F, most));
+  }
+}
+
 /// The recorder, with a square that is drawn into a small target.
 class Recording : public OpenGl {
  protected:
@@ -531,6 +558,16 @@ TEST_P(Recording, counts_what_is_drawn) {
   EXPECT_EQ(record.textures[0].name, "map");
   EXPECT_EQ(record.textures[0].bytes, (64 + 16 + 4 + 1) * 3);
   EXPECT_TRUE(record.warnings.empty()) << record.warnings.front();
+}
+
+TEST_P(Recording, counts_the_triangles_of_a_strip) {
+  draw(make_texture_2d(filled(8, 8, {9, 9, 9}), Encoding::linear, {}));
+  const VertexArray vertices;
+  glBindVertexArray(vertices.id());
+  Recorder recorder;
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 5);
+  glBindVertexArray(0);
+  EXPECT_EQ(recorder.take().triangles, 3);
 }
 
 TEST_P(Recording, says_that_mipmaps_are_missing) {

@@ -10,6 +10,15 @@
 
 namespace texel::image {
 
+/// One channel, `value(x, y)` at each pixel.
+template <class Value>
+Image8 made(int width, int height, const Value& value) {
+  Image8 picture(width, height, 1);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) picture.at(x, y) = static_cast<std::uint8_t>(value(x, y));
+  return picture;
+}
+
 inline Image8 constant(int width, int height, std::array<std::uint8_t, 3> rgb) {
   Image8 picture(width, height, 3);
   for (std::size_t i = 0; i < picture.samples.size(); ++i) picture.samples[i] = rgb[i % 3];
@@ -63,10 +72,7 @@ inline Image8 mirrored(const Image8& picture) {
 
 /// Columns below `edge` black, the others white.
 inline Image8 step(int width, int height, int edge) {
-  Image8 picture(width, height, 1);
-  for (int y = 0; y < height; ++y)
-    for (int x = edge; x < width; ++x) picture.at(x, y) = 255;
-  return picture;
+  return made(width, height, [=](int x, int) { return x < edge ? 0 : 255; });
 }
 
 }  // namespace texel::image

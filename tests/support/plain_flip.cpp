@@ -2,6 +2,7 @@
 #include "plain_flip.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -17,24 +18,13 @@ Vector plain_xyz(const Vector& rgb) {
           (1425312 * rgb[0] + 8788810 * rgb[1] + 70074185 * rgb[2]) / 73733382};
 }
 
-Vector solve(const std::array<Vector, 3>& columns, const Vector& right) {
-  const auto determinant = [](const Vector& a, const Vector& b, const Vector& c) {
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-           a[2] * (b[0] * c[1] - b[1] * c[0]);
-  };
-  const double whole = determinant(columns[0], columns[1], columns[2]);
-  return {determinant(right, columns[1], columns[2]) / whole,
-          determinant(columns[0], right, columns[2]) / whole,
-          determinant(columns[0], columns[1], right) / whole};
-}
-
 Vector plain_hunt_lab(const Vector& rgb) {
   const auto f = [](double t) {
     const double delta = 6.0 / 29;
     return t > delta * delta * delta ? std::cbrt(t) : t / (3 * delta * delta) + 4.0 / 29;
   };
-  const Vector xyz = plain_xyz(rgb);
-  const double x = f(xyz[0] / white_xyz[0]), y = f(xyz[1]), z = f(xyz[2] / white_xyz[2]);
+  const Vector xyz = plain_xyz(rgb) / white_xyz;
+  const double x = f(xyz.x), y = f(xyz.y), z = f(xyz.z);
   const double lightness = 116 * y - 16;
   return {lightness, 0.01 * lightness * 500 * (x - y), 0.01 * lightness * 200 * (y - z)};
 }
@@ -175,13 +165,11 @@ class Seen {
       for (int x = 0; x < picture.width; ++x) {
         Vector rgb{};
         for (int c = 0; c < 3; ++c)
-          rgb[static_cast<std::size_t>(c)] =
-              plain_linear(picture.at(x, y, picture.channels < 3 ? 0 : c) / 255.0);
-        const Vector xyz = plain_xyz(rgb);
-        const double relative_x = xyz[0] / white_xyz[0], relative_z = xyz[2] / white_xyz[2];
-        opponents_[0].push_back(116 * xyz[1] - 16);
-        opponents_[1].push_back(500 * (relative_x - xyz[1]));
-        opponents_[2].push_back(200 * (xyz[1] - relative_z));
+          rgb[c] = plain_linear(picture.at(x, y, picture.channels < 3 ? 0 : c) / 255.0);
+        const Vector xyz = plain_xyz(rgb) / white_xyz;
+        opponents_[0].push_back(116 * xyz.y - 16);
+        opponents_[1].push_back(500 * (xyz.x - xyz.y));
+        opponents_[2].push_back(200 * (xyz.y - xyz.z));
       }
     see_colors();
     const double sigma = 0.5 * 0.082 * ppd_;
@@ -213,13 +201,13 @@ class Seen {
         for (double& weight : product.along_y) weight /= sum;
       filtered[c] = size_.filtered(opponents_[c], filter, kind_);
     }
-    const std::array<Vector, 3> columns = {plain_xyz({1, 0, 0}), plain_xyz({0, 1, 0}), plain_xyz({0, 0, 1})};
+    const glm::dmat3 rgb_of_xyz =
+        glm::inverse(glm::dmat3(plain_xyz({1, 0, 0}), plain_xyz({0, 1, 0}), plain_xyz({0, 0, 1})));
     for (std::size_t i = 0; i < filtered[0].size(); ++i) {
       const double y = (filtered[0][i] + 16) / 116;
-      Vector rgb = solve(
-          columns, {(y + filtered[1][i] / 500) * white_xyz[0], y, (y - filtered[2][i] / 200) * white_xyz[2]});
-      for (double& value : rgb) value = std::clamp(value, 0.0, 1.0);
-      colors.push_back(plain_hunt_lab(rgb));
+      const Vector rgb =
+          rgb_of_xyz * (Vector(y + filtered[1][i] / 500, y, y - filtered[2][i] / 200) * white_xyz);
+      colors.push_back(plain_hunt_lab(glm::clamp(rgb, 0.0, 1.0)));
     }
   }
 

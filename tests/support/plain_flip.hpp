@@ -2,23 +2,21 @@
 // FLIP (Andersson et al. 2020) in double precision, with the constants as the paper has them: what
 // image::flip_errors must come near to, and what its speed is measured against.
 #pragma once
-#include <array>
+#include <glm/glm.hpp>
 #include <vector>
 
 #include "image/flip.hpp"
 
 namespace texel::image {
 
-using Vector = std::array<double, 3>;
+using Vector = glm::dvec3;
 
 /// X and Z of D65, Y = 1 (IEC 61966-2-1).
-inline constexpr double white_xyz[3] = {23359437.0 / 24577794, 1, 80288307.0 / 73733382};
+inline constexpr Vector white_xyz = {23359437.0 / 24577794, 1, 80288307.0 / 73733382};
 
 /// The linear part of an sRGB-encoded value, both 0 to 1.
 double plain_linear(double encoded);
 Vector plain_xyz(const Vector& linear_rgb);
-/// The x with x[0] * columns[0] + x[1] * columns[1] + x[2] * columns[2] = right.
-Vector solve(const std::array<Vector, 3>& columns, const Vector& right);
 /// L*a*b* with the Hunt effect of linear RGB.
 Vector plain_hunt_lab(const Vector& linear_rgb);
 double plain_hyab(const Vector& a, const Vector& b);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an error says, and whether a text has a part.
+// What an error says, and texts with one part or another.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -11,6 +11,11 @@ namespace texel::test {
 
 inline bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
+}
+
+/// The text with `by` in place of `what`, where it stands first.
+inline std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  return text.replace(text.find(what), what.size(), by);
 }
 
 /// The message of the Error that `act` throws, which has that exit code; "" when it throws none.

@@ -23,35 +23,31 @@ image::ImageF row(std::initializer_list<std::array<float, 4>> pixels) {
   return picture;
 }
 
-TEST(ErrorPicture, counts_in_its_unit) {
-  const image::ImageF a = row({{1, 0, 0, 1}}), b = row({{0, 2, 0, 1}});
+TEST(ErrorPicture, counts_in_its_unit_and_goes_the_short_way_round_a_surface_that_closes) {
+  const image::ImageF a = row({{1, 0, 0, 1}}), b = row({{0, 2, 0, 1}}), c = row({{0.125F, 0.5F, 0, 1}}),
+                      d = row({{0.875F, 2.5F, 0, 1}});
+  Measure closed = in(Unit::texels, 512);
+  closed.repeats = true;
+  struct Row {
+    image::ImageF a, b;
+    Measure measure;
+    float error;
+  };
   // Angles do not depend on lengths; 90 degrees is exact by atan2 but for the conversion from radians.
-  EXPECT_FLOAT_EQ(error_picture(a, b, in(Unit::degrees)).at(0, 0), 90);
-  EXPECT_FLOAT_EQ(error_picture(a, b, in(Unit::texels)).at(0, 0), std::sqrt(5.0F));
-  EXPECT_FLOAT_EQ(error_picture(a, b, in(Unit::steps)).at(0, 0), 2);
-  EXPECT_FLOAT_EQ(error_picture(a, b, in(Unit::levels)).at(0, 0), 1);
-  EXPECT_FLOAT_EQ(error_picture(a, b, in(Unit::levels, 512)).at(0, 0), 512);
-}
-
-TEST(ErrorPicture, goes_the_short_way_round_a_surface_that_closes) {
-  const image::ImageF a = row({{0.125F, 0.5F, 0, 1}}), b = row({{0.875F, 2.5F, 0, 1}});
-  Measure texels = in(Unit::texels, 512);
-  EXPECT_FLOAT_EQ(error_picture(a, b, texels).at(0, 0), 512 * std::hypot(0.75F, 2.0F));
-  texels.repeats = true;
-  EXPECT_FLOAT_EQ(error_picture(a, b, texels).at(0, 0), 512 * 0.25F);
+  const Row rows[] = {
+      {a, b, in(Unit::degrees), 90},      {a, b, in(Unit::texels), std::sqrt(5.0F)},
+      {a, b, in(Unit::steps), 2},         {a, b, in(Unit::levels), 1},
+      {a, b, in(Unit::levels, 512), 512}, {c, d, in(Unit::texels, 512), 512 * std::hypot(0.75F, 2.0F)},
+      {c, d, closed, 512 * 0.25F}};
+  for (const Row& row : rows) EXPECT_FLOAT_EQ(error_picture(row.a, row.b, row.measure).at(0, 0), row.error);
 }
 
 TEST(ErrorPicture, is_known_only_where_both_have_a_value) {
   const image::ImageF error =
       error_picture(row({{1, 0, 0, 1}, {1, 0, 0, 0}, {1, 0, 0, 1}}),
                     row({{0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0}}), in(Unit::levels));
-  EXPECT_EQ(error.at(0, 0, 3), 1);
-  EXPECT_EQ(error.at(1, 0, 3), 0);
-  EXPECT_EQ(error.at(2, 0, 3), 0);
-}
-
-TEST(ErrorPicture, refuses_pictures_of_different_size) {
-  EXPECT_THROW(error_picture(row({{1, 0, 0, 1}}), image::ImageF(2, 1, 4), in(Unit::levels)), Error);
+  for (int x = 0; x < 3; ++x) EXPECT_EQ(error.at(x, 0, 3), x == 0 ? 1 : 0) << x;
+  EXPECT_THROW(error_picture(error, image::ImageF(2, 1, 4), in(Unit::levels)), Error) << "another size";
 }
 
 TEST(TruthPicture, asks_at_the_middle_of_each_pixel) {
@@ -89,11 +85,8 @@ TEST(ErrorFigures, take_the_99th_percentile_by_nearest_rank) {
 }
 
 TEST(ErrorScale, ends_at_1_2_or_5_times_a_power_of_ten) {
-  EXPECT_EQ(round_up(0), 1);
-  EXPECT_EQ(round_up(1), 1);
-  EXPECT_EQ(round_up(1.2), 2);
-  EXPECT_EQ(round_up(23), 50);
-  EXPECT_EQ(round_up(51), 100);
+  for (const auto& [error, end] : {std::pair{0.0, 1.0}, {1, 1}, {1.2, 2}, {23, 50}, {51, 100}})
+    EXPECT_EQ(round_up(error), end);
 }
 
 TEST(ErrorMap, shows_what_is_not_finite_in_magenta) {

@@ -7,8 +7,12 @@
 #include <algorithm>
 
 #include "../support/picture_files.hpp"
+#include "../support/said.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "image/load.hpp"
+#include "image/save.hpp"
+#include "judge/judge.hpp"
 
 namespace texel::check {
 namespace {
@@ -22,22 +26,23 @@ class CheckedPictures : public testing::Test {
       if (lab.number == 6) lab_ = std::move(lab);
   }
 
-  /// Draws as the solution does, but for one picture; `meanwhile` is called before.
-  std::map<std::string, std::string> pictures_of_check(const std::function<void()>& meanwhile = {},
-                                                       const std::string& without = "") const {
+  using Spoil = std::function<void(const fs::path& out)>;
+
+  /// Draws as the solution does; then `spoil` may change what was drawn.
+  std::map<std::string, judge::CaseResult> checked(const Spoil& spoil = {}) const {
     const Draws draws = [&](const course::Lab& lab, const std::vector<course::Case>& cases,
                             const fs::path& out) {
-      if (meanwhile) meanwhile();
       fs::create_directories(out);
       for (const course::Case& one : cases)
-        if (one.name != without) fs::copy_file(expected_folder(tree_.source, lab) / one.file, out / one.file);
+        fs::copy_file(expected_folder(tree_.source, lab) / one.file, out / one.file);
+      if (spoil) spoil(out);
       return Drawn{};
     };
-    std::map<std::string, std::string> pictures;
+    std::map<std::string, judge::CaseResult> results;
     for (const judge::LabResult& lab : check(tree_, {lab_}, draws))
       for (const judge::StepResult& step : lab.steps)
-        for (const judge::CaseResult& one : step.cases) pictures[one.name] = one.picture;
-    return pictures;
+        for (const judge::CaseResult& one : step.cases) results[one.name] = one;
+    return results;
   }
 
   test::TemporaryFolder folder_;
@@ -47,37 +52,45 @@ class CheckedPictures : public testing::Test {
 
 /// `see` and the window show a picture when a watch may be checking the lab again.
 TEST_F(CheckedPictures, stay_while_the_lab_is_checked_again) {
-  const std::map<std::string, std::string> first = pictures_of_check();
+  const std::map<std::string, judge::CaseResult> first = checked();
   ASSERT_GE(first.size(), 5U);
   int calls = 0;
-  pictures_of_check([&] {
+  checked([&](const fs::path&) {
     ++calls;
-    for (const auto& [name, picture] : first) EXPECT_TRUE(fs::exists(picture)) << name;
+    for (const auto& [name, one] : first) EXPECT_TRUE(one.passed() && fs::exists(one.picture)) << name;
   });
   EXPECT_GE(calls, 1);
 }
 
 TEST_F(CheckedPictures, are_gone_where_the_next_check_draws_none) {
-  const auto [name, picture] = *pictures_of_check().begin();
-  std::map<std::string, std::string> later = pictures_of_check({}, name);
-  EXPECT_EQ(later.at(name), "");
-  EXPECT_FALSE(fs::exists(picture));
-  later.erase(name);
-  for (const auto& [other, there] : later) EXPECT_TRUE(fs::exists(there)) << other;
-  for (const fs::directory_entry& left : fs::directory_iterator(fs::path(picture).parent_path()))
+  const judge::CaseResult first = checked().begin()->second;
+  for (const auto& [name, one] : checked([&](const fs::path& out) { fs::remove(out / first.file); }))
+    EXPECT_EQ(fs::exists(one.picture), name != first.name) << name;
+  EXPECT_FALSE(fs::exists(first.picture));
+  for (const fs::directory_entry& left : fs::directory_iterator(fs::path(first.picture).parent_path()))
     EXPECT_FALSE(left.is_directory()) << left.path();
+}
+
+TEST_F(CheckedPictures, earn_all_or_nothing) {
+  int wrong = 0;
+  for (const auto& [name, one] : checked([](const fs::path& out) {
+         for (const fs::directory_entry& file : fs::directory_iterator(out)) {
+           if (file.path().extension() != ".png") continue;
+           image::Image8 picture = image::load8(file.path(), 3);
+           for (std::uint8_t& sample : picture.samples) sample ^= 8;  // some limits off, not many
+           image::save_png(file.path(), picture);
+         }
+       })) {
+    EXPECT_EQ(one.score, one.passed() ? 1 : 0) << name;
+    if (!one.passed() && judge::score(one.error / one.limit) > 0) ++wrong;
+  }
+  EXPECT_GE(wrong, 1) << "a score of a part, which a class would give";
 }
 
 TEST_F(CheckedPictures, have_known_mistakes_beside_them_or_an_error_names_the_file) {
   EXPECT_FALSE(known_mistakes(expected_folder(tree_.source, lab_)).empty());
-  try {
-    known_mistakes(folder_ / "nothing");
-    FAIL() << "a file that is not there was read";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.exit_code(), Exit::failed);
-    EXPECT_NE(std::string(error.what()).find((folder_ / "nothing" / kMistakesFile).string()),
-              std::string::npos);
-  }
+  const std::string message = test::error_of([&] { known_mistakes(folder_ / "nothing"); });
+  EXPECT_TRUE(test::has(message, (folder_ / "nothing" / kMistakesFile).string())) << message;
 }
 
 }  // namespace

@@ -24,91 +24,74 @@ namespace texel {
 namespace {
 
 using test::error_of;
+using test::has;
 using test::TemporaryFolder;
 
-TEST(Error, says_place_and_remedy) {
+TEST(Error, says_place_and_remedy_where_they_are_known) {
   const Error error = Error::failed("no such face", {"cube.obj", 7, 3}, "count from 1");
   EXPECT_STREQ(error.what(), "cube.obj:7:3: no such face; count from 1");
   EXPECT_EQ(error.exit_code(), Exit::failed);
   EXPECT_EQ(error.place().line, 7);
-}
-
-TEST(Error, leaves_out_what_is_not_known) {
   EXPECT_STREQ(Error::failed("is empty", {"cube.obj"}).what(), "cube.obj: is empty");
   EXPECT_STREQ(Error::usage("no such lab").what(), "no such lab");
   EXPECT_EQ(Error::usage("no such lab").exit_code(), Exit::usage);
 }
 
-TEST(Nearest, finds_a_mistyped_word) {
+TEST(Nearest, finds_a_mistyped_word_and_nothing_when_all_are_far) {
   EXPECT_EQ(nearest("galery", {"list", "gallery", "compare"}), "gallery");
   EXPECT_EQ(nearest("--bump-strenght", {"--bump-strength", "--bricks"}), "--bump-strength");
-}
-
-TEST(Nearest, finds_nothing_when_all_are_far) {
   EXPECT_EQ(nearest("xyzzy", {"list", "gallery", "compare"}), "");
   EXPECT_EQ(nearest("anything", {}), "");
 }
 
-TEST(WriteFile, replaces_a_file_and_leaves_nothing_beside_it) {
-  const TemporaryFolder folder("core_replace");
-  write_file(folder / "a.txt", "old and longer");
-  write_file(folder / "a.txt", std::string_view("new\0bytes", 9));
-  EXPECT_EQ(read_file(folder / "a.txt"), std::string("new\0bytes", 9));
-  const auto entries = std::filesystem::directory_iterator((folder / "a.txt").parent_path());
-  EXPECT_EQ(std::distance(begin(entries), end(entries)), 1);
+/// A folder, and how many files and folders are in it.
+class Files : public testing::Test {
+ protected:
+  [[nodiscard]] std::ptrdiff_t count() const {
+    return std::distance(std::filesystem::directory_iterator(folder_ / ""), {});
+  }
+  TemporaryFolder folder_{"core"};
+  const std::filesystem::path file_ = folder_ / "a.txt";
+};
+
+TEST_F(Files, are_replaced_and_nothing_is_left_beside_them) {
+  write_file(file_, "old and longer");
+  write_file(file_, std::string_view("new\0bytes", 9));
+  EXPECT_EQ(read_file(file_), std::string("new\0bytes", 9));
+  EXPECT_EQ(MappedFile(file_).bytes(), std::string_view("new\0bytes", 9));
+  EXPECT_EQ(count(), 1);
+  write_file(file_, "");
+  EXPECT_TRUE(MappedFile(file_).bytes().empty());
 }
 
-TEST(WriteFile, keeps_the_old_file_when_it_fails) {
-  const TemporaryFolder folder("core_keep");
-  std::filesystem::create_directory(folder / "taken");
-  write_file(folder / "taken/inside.txt", "old");
+TEST_F(Files, stay_as_they_were_when_writing_fails) {
+  std::filesystem::create_directory(folder_ / "taken");
+  write_file(folder_ / "taken/inside.txt", "old");
   // A folder that is not empty cannot be replaced by a file, not even by root.
-  EXPECT_THROW(write_file(folder / "taken", "new"), Error);
-  EXPECT_EQ(read_file(folder / "taken/inside.txt"), "old");
-  const auto entries = std::filesystem::directory_iterator((folder / "taken").parent_path());
-  EXPECT_EQ(std::distance(begin(entries), end(entries)), 1);
+  EXPECT_THROW(write_file(folder_ / "taken", "new"), Error);
+  EXPECT_EQ(read_file(folder_ / "taken/inside.txt"), "old");
+  EXPECT_TRUE(has(error_of([&] { write_file(folder_ / "none/a.txt", "x"); }),
+                  "none/a.txt: cannot write: No such file"));
+  EXPECT_EQ(count(), 1);
 }
 
-TEST(WriteFile, names_the_file_when_its_folder_is_missing) {
-  const TemporaryFolder folder("core_missing");
-  const std::string message = error_of([&] { write_file(folder / "none/a.txt", "x"); });
-  EXPECT_NE(message.find("none/a.txt: cannot write: No such file"), std::string::npos) << message;
-  EXPECT_TRUE(folder.empty());
-}
-
-TEST(WriteFile, fails_when_the_disk_is_full) {
+TEST_F(Files, are_not_left_when_the_disk_is_full) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
   // The temporary file lies beside, so the device itself is reached through a link of that name.
-  const TemporaryFolder folder("core_full");
-  const std::string beside = (folder / "a.txt").string() + "." + std::to_string(::getpid()) + ".part";
-  std::filesystem::create_symlink("/dev/full", beside);
-  const std::string message = error_of([&] { write_file(folder / "a.txt", "x"); });
-  EXPECT_NE(message.find("No space left"), std::string::npos) << message;
-  EXPECT_TRUE(folder.empty());
+  std::filesystem::create_symlink("/dev/full", file_.string() + "." + std::to_string(::getpid()) + ".part");
+  EXPECT_TRUE(has(error_of([&] { write_file(file_, "x"); }), "No space left"));
+  EXPECT_TRUE(folder_.empty());
 }
 
-TEST(ReadFile, tells_a_missing_file_from_a_folder) {
-  const TemporaryFolder folder("core_read");
-  EXPECT_NE(error_of([&] { read_file(folder / "none"); }).find("cannot open"), std::string::npos);
-  EXPECT_NE(error_of([&] { read_file(folder / ""); }).find("not a regular file"), std::string::npos);
+TEST_F(Files, that_are_none_are_told_apart) {
+  EXPECT_TRUE(has(error_of([&] { read_file(folder_ / "none"); }), "cannot open"));
+  EXPECT_TRUE(has(error_of([&] { read_file(folder_ / ""); }), "not a regular file"));
+  ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);  // it is not waited for
+  EXPECT_TRUE(has(error_of([&] { read_file(folder_ / "pipe"); }), "not a regular file"));
+  EXPECT_THROW(MappedFile(folder_ / "none"), Error);
 }
 
-TEST(ReadFile, does_not_wait_for_a_pipe) {
-  const TemporaryFolder folder("core_pipe");
-  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
-  EXPECT_NE(error_of([&] { read_file(folder / "pipe"); }).find("not a regular file"), std::string::npos);
-}
-
-TEST(MappedFile, shows_the_bytes_of_a_file) {
-  const TemporaryFolder folder("core_mapped");
-  write_file(folder / "a.txt", "v 0 0 0\n");
-  EXPECT_EQ(MappedFile(folder / "a.txt").bytes(), "v 0 0 0\n");
-  write_file(folder / "empty.txt", "");
-  EXPECT_TRUE(MappedFile(folder / "empty.txt").bytes().empty());
-  EXPECT_THROW(MappedFile(folder / "none"), Error);
-}
-
-TEST(RunProgram, gives_output_and_exit_code) {
+TEST(RunProgram, gives_output_and_exit_code_and_takes_words_as_they_are) {
   const Ran ran = run_program({"sh", "-c", "echo out; echo err >&2; exit 3"});
   EXPECT_EQ(ran.exit_code, 3);
   EXPECT_EQ(ran.output, "out\n");
@@ -117,9 +100,6 @@ TEST(RunProgram, gives_output_and_exit_code) {
   EXPECT_EQ(run_program({"cat"}).output, "") << "it reads nothing";
   // More than a pipe holds.
   EXPECT_EQ(run_program({"head", "-c", "1000000", "/dev/zero"}).output.size(), 1000000U);
-}
-
-TEST(RunProgram, takes_words_as_they_are_and_says_what_is_missing) {
   EXPECT_EQ(run_program({"printf", "%s", "a b; $HOME"}).output, "a b; $HOME");
   EXPECT_THROW(run_program({"no_such_program_anywhere"}), Error);
 }
@@ -151,21 +131,14 @@ TEST(InParallel, does_everything_once_whatever_the_number_of_threads) {
   in_parallel(3, 0, [](std::size_t) { FAIL() << "there is nothing to do"; });
 }
 
-TEST(InParallel, throws_what_one_of_them_threw) {
-  const auto fail = [](std::size_t i) {
-    if (i == 40) throw Error::failed("the fortieth");
-  };
-  for (const unsigned threads : {1U, 3U})
-    EXPECT_EQ(error_of([&] { in_parallel(threads, 100, fail); }), "the fortieth");
-}
-
 TEST(InParallel, throws_the_same_of_several_whichever_comes_first) {
   const auto fail = [](std::size_t i) {
-    if (i == 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    throw Error::failed(i == 0 ? "the first" : "another");
+    if (i == 40) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    if (i >= 40) throw Error::failed(i == 40 ? "the fortieth" : "another");
   };
   for (const unsigned threads : {1U, 2U, 4U})
-    EXPECT_EQ(error_of([&] { in_parallel(threads, 10, fail); }), "the first") << threads;
+    for (const std::size_t count : {std::size_t{41}, std::size_t{50}})
+      EXPECT_EQ(error_of([&] { in_parallel(threads, count, fail); }), "the fortieth") << threads;
 }
 
 /// What a stage has taken so far, milliseconds on the wall.
@@ -212,14 +185,11 @@ TEST(ScratchFolder, is_new_and_goes_with_all_that_is_in_it) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-TEST(PlainText, lines_end_with_any_line_feed_and_the_last_one_needs_none) {
+TEST(PlainText, has_lines_that_end_with_any_line_feed_and_breaks_them_at_blanks) {
   const std::vector<std::string> lines = {"a", "", "b", "c"};
   EXPECT_EQ(lines_of("a\r\n\nb\nc"), lines);
   EXPECT_EQ(lines_of("a\n\nb\nc\n"), lines);
   EXPECT_TRUE(lines_of("").empty());
-}
-
-TEST(Wrapped, breaks_lines_at_blanks_and_keeps_what_a_line_begins_with) {
   EXPECT_EQ(wrapped("one two three\n  four five", 9), "one two\nthree\n  four\nfive\n");
   EXPECT_EQ(wrapped("see a/path/that/is/long.cpp:1: no", 10, 2),
             "  see\n  a/path/that/is/long.cpp:1:\n  no\n");

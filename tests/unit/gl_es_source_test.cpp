@@ -7,14 +7,14 @@
 #include <algorithm>
 #include <string>
 
+#include "../support/said.hpp"
+
 namespace texel::gl {
 namespace {
 
 constexpr int kFine = kEnoughSubpixelBits, kCoarse = 4;
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using test::has;
 
 std::string fragment(const std::string& body, int bits = kFine) {
   return es_source("#version 330 core\n#line 100001\n" + body, true, bits);
@@ -51,16 +51,12 @@ TEST(EsSource, LinesKeepTheirNumbers) {
   EXPECT_EQ(line_of(vertex, "marked"), 100003);
 }
 
-TEST(EsSource, AColorIsDecodedWhereBytesAreKept) {
-  EXPECT_TRUE(has(fragment("out vec4 picture;\nvoid main() {}\n"), kKeepsBytes));
+TEST(EsSource, AColorIsDecodedWhereBytesAreKeptOrEncodedForATargetThatDoesNot) {
+  const std::string body = "out vec4 picture;\nvoid main() {}\n", decoded = fragment(body);
+  EXPECT_TRUE(has(decoded, "if (texel_keeps_bytes) {") && has(decoded, "vec3(2.4)")) << decoded;
   EXPECT_FALSE(has(fragment("out vec4 other;\nvoid main() {}\n"), kKeepsBytes));
-}
-
-TEST(EsSource, AColorIsEncodedForATargetThatDoesNot) {
-  const std::string body = "out vec4 picture;\nvoid main() {}\n";
   const std::string encoded = es_source("#version 330 core\n" + body, true, kFine, true);
   EXPECT_TRUE(has(encoded, "if (!texel_keeps_bytes) {") && has(encoded, "vec3(1.0 / 2.4)")) << encoded;
-  EXPECT_TRUE(has(fragment(body), "if (texel_keeps_bytes) {") && has(fragment(body), "vec3(2.4)"));
 }
 
 TEST(EsSource, InputsAreMovedBackOnlyWhereVerticesAreRoundedCoarsely) {
@@ -77,18 +73,15 @@ std::string guarded(const std::string& line) {
   return text.substr(at, text.find('\n', at) - at);
 }
 
-TEST(EsSource, EachLoopIsCounted) {
-  EXPECT_EQ(guarded("while (a < f(b)) b++;"), "while (texel_goes_on() && (a < f(b))) b++;");
-  EXPECT_EQ(guarded("do { b++; } while(a);"), "do { b++; } while(texel_goes_on() && (a));");
-  EXPECT_EQ(guarded("for (int i = 0; i < f(4); ++i) {}"),
-            "for (int i = 0;texel_goes_on() && ( i < f(4)); ++i) {}");
-  EXPECT_EQ(guarded("for (;;) {}"), "for (;texel_goes_on();) {}");
-  EXPECT_EQ(guarded("for (; ; ) while (a) {}"),
-            "for (;texel_goes_on() ; ) while (texel_goes_on() && (a)) {}");
-  EXPECT_EQ(guarded("while /* ( */ (a || b) {}"), "while /* ( */ (texel_goes_on() && (a || b)) {}");
-}
-
-TEST(EsSource, WhatIsNoLoopStays) {
+TEST(EsSource, EachLoopIsCountedAndWhatIsNoneStays) {
+  const std::pair<std::string, std::string> rows[] = {
+      {"while (a < f(b)) b++;", "while (texel_goes_on() && (a < f(b))) b++;"},
+      {"do { b++; } while(a);", "do { b++; } while(texel_goes_on() && (a));"},
+      {"for (int i = 0; i < f(4); ++i) {}", "for (int i = 0;texel_goes_on() && ( i < f(4)); ++i) {}"},
+      {"for (;;) {}", "for (;texel_goes_on();) {}"},
+      {"for (; ; ) while (a) {}", "for (;texel_goes_on() ; ) while (texel_goes_on() && (a)) {}"},
+      {"while /* ( */ (a || b) {}", "while /* ( */ (texel_goes_on() && (a || b)) {}"}};
+  for (const auto& [line, expected] : rows) EXPECT_EQ(guarded(line), expected);
   for (const std::string line :
        {"// while (a) {}", "/* for (;;) */ a;", "#define M while (a)", "forward(a; b);", "meanwhile(a);",
         "while (bool go = f()) {}", "while (a", "for (a; b) {}"})
@@ -102,15 +95,12 @@ TEST(EsSource, APixelWhoseLoopsWereEndedIsMarked) {
   EXPECT_TRUE(has(text, "picture = vec4(1.0, 0.0, 1.0, 0.5);")) << text;
 }
 
-TEST(EsMessage, SaysWhatToDoWhereAnIntDoesNotBecomeAFloat) {
-  const std::string log =
-      "ERROR: 0:100004: '*' : wrong operand types - no operation '*' exists that takes 'const int' and "
-      "'float'";
-  EXPECT_TRUE(has(es_message(log), "write 2.0 in place of 2"));
+TEST(EsMessage, SaysWhatToDoAndNamesTheInputsAsTheStudentDoes) {
+  EXPECT_TRUE(
+      has(es_message("ERROR: 0:100004: '*' : wrong operand types - no operation '*' exists that takes "
+                     "'const int' and 'float'"),
+          "write 2.0 in place of 2"));
   EXPECT_EQ(es_message("ERROR: 0:3: 'x' : undeclared identifier"), "ERROR: 0:3: 'x' : undeclared identifier");
-}
-
-TEST(EsMessage, NamesTheInputsAsTheStudentDoes) {
   EXPECT_EQ(es_message("'texel_at_st' : cannot"), "'st' : cannot");
 }
 

@@ -15,8 +15,6 @@
 namespace texel::judge {
 namespace {
 
-using image::ImageF;
-
 /// Three cases of step 1.1, and what the solution, two mistakes and a student draw for them.
 class Mistakes : public testing::Test {
  protected:
@@ -32,7 +30,7 @@ class Mistakes : public testing::Test {
   /// A ramp, of which `wrong` rows from the bottom are off by `by`, in each second column by `odd` if given.
   [[nodiscard]] std::string picture(const std::string& name, int wrong, float by,
                                     std::optional<float> odd = {}) const {
-    ImageF image(16, 16, 3);
+    image::ImageF image(16, 16, 3);
     for (int y = 0; y < 16; ++y)
       for (int x = 0; x < 16; ++x) {
         const float here = x % 2 == 1 ? odd.value_or(by) : by;
@@ -60,18 +58,21 @@ TEST_F(Mistakes, are_known_by_their_pictures_and_not_by_others) {
   const std::vector<Mistake> mistakes = {{"off by a half", "1.1", "", {{"a", samples(8, 0.5F)}}},
                                          {"off by a third", "1.1", "", {{"a", samples(8, 0.333F)}}},
                                          {"of another step", "1.2", "", {{"a", samples(8, 0.25F)}}}};
-  EXPECT_EQ(known(mistakes, {{"a", {picture("s", 8, 0.5F), ""}}}), "off by a half");
-  EXPECT_EQ(known(mistakes, {{"a", {picture("s", 8, 0.333F), ""}}}), "off by a third");
-  EXPECT_EQ(known(mistakes, {{"a", {picture("s", 8, 0.25F), ""}}}), "");
-  EXPECT_EQ(known(mistakes, {{"a", {picture("s", 16, 0.5F), ""}}}), "") << "where the mistake is right";
+  struct Row {
+    int wrong;
+    float by;
+    const char* name;
+  };
+  for (const auto& [wrong, by, name] : {Row{8, 0.5F, "off by a half"},
+                                        {8, 0.333F, "off by a third"},
+                                        {8, 0.25F, ""},
+                                        {16, 0.5F, ""}})  // also wrong where the mistake is right
+    EXPECT_EQ(known(mistakes, {{"a", {picture("s", wrong, by), ""}}}), name) << wrong << " by " << by;
   EXPECT_EQ(known(mistakes, {}), "");
-}
-
-/// Each twelfth of 240 pixels would be in the columns 2, 6, 10 and 14 alone.
-TEST_F(Mistakes, are_told_apart_by_all_columns) {
-  const std::vector<Mistake> mistakes = {{"everywhere", "1.1", "", {{"a", samples(15, 0.5F)}}}};
-  EXPECT_EQ(known(mistakes, {{"a", {picture("s", 15, 0.5F), ""}}}), "everywhere");
-  EXPECT_EQ(known(mistakes, {{"a", {picture("s", 15, 0.5F, 0.25F), ""}}}), "");
+  // Told apart by all columns: each twelfth of 240 pixels would be in the columns 2, 6, 10 and 14 alone.
+  const std::vector<Mistake> everywhere = {{"everywhere", "1.1", "", {{"a", samples(15, 0.5F)}}}};
+  EXPECT_EQ(known(everywhere, {{"a", {picture("s", 15, 0.5F), ""}}}), "everywhere");
+  EXPECT_EQ(known(everywhere, {{"a", {picture("s", 15, 0.5F, 0.25F), ""}}}), "");
 }
 
 TEST_F(Mistakes, that_would_have_spoilt_more_than_what_failed_are_not_meant) {

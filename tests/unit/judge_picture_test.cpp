@@ -37,20 +37,39 @@ class JudgeOfPictures : public testing::Test {
     image::save_pfm(folder_.path() / "a.pfm", picture);
     return read_file(folder_.path() / "a.pfm");
   }
-  [[nodiscard]] std::string grey(int value) const {
+  /// Grey; in the object's rows the columns from `left` to `right` have the value `there`.
+  [[nodiscard]] std::string grey(int value, int left = 0, int right = 0, int there = 0) const {
     image::Image8 picture(kSide, kSide, 3);
-    std::fill(picture.samples.begin(), picture.samples.end(), static_cast<std::uint8_t>(value));
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x)
+        for (int c = 0; c < 3; ++c)
+          picture.at(x, y, c) =
+              static_cast<std::uint8_t>(x >= left && x < right && y >= 10 && y < 30 ? there : value);
+    return bytes_of(picture);
+  }
+  /// R and G as functions of the pixel.
+  template <class Values>
+  [[nodiscard]] std::string values(const Values& of, int height = kSide) const {
+    image::ImageF picture(kSide, height, 3);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < kSide; ++x) {
+        const std::pair<double, double> value = of(x, y);
+        picture.at(x, y, 0) = static_cast<float>(value.first);
+        picture.at(x, y, 1) = static_cast<float>(value.second);
+      }
     return bytes_of(picture);
   }
   /// Directions in the plane of x and y, at an angle to x.
   [[nodiscard]] std::string directions(double degrees) const {
-    image::ImageF picture(kSide, kSide, 3);
-    for (int y = 0; y < kSide; ++y)
-      for (int x = 0; x < kSide; ++x) {
-        picture.at(x, y, 0) = static_cast<float>(std::cos(degrees * std::acos(-1.0) / 180));
-        picture.at(x, y, 1) = static_cast<float>(std::sin(degrees * std::acos(-1.0) / 180));
-      }
-    return bytes_of(picture);
+    const double angle = degrees * std::acos(-1.0) / 180;
+    return values([=](int, int) { return std::pair(std::cos(angle), std::sin(angle)); });
+  }
+  /// Coordinates that bend, with a slope of 0.01 to 0.09 a pixel.
+  [[nodiscard]] std::string coordinates(double moved) const {
+    return values([=](int x, int y) {
+      const double at = x + moved;
+      return std::pair(0.01 * at + 0.001 * at * at, 0.02 * y);
+    });
   }
   [[nodiscard]] Verdict judged(course::View view, double limit, const std::string& right,
                                const std::string& picture) const {
@@ -59,58 +78,73 @@ class JudgeOfPictures : public testing::Test {
     return judge(one, {right, mask_}, picture);
   }
 
- private:
   ScratchFolder folder_;
   std::string mask_;
 };
 
-TEST_F(JudgeOfPictures, passes_colors_up_to_the_limit_in_steps) {
-  const std::string right = grey(100);
-  EXPECT_TRUE(judged(course::View::color, 3, right, grey(103)).passed);
-  const Verdict beyond = judged(course::View::color, 3, right, grey(104));
-  EXPECT_FALSE(beyond.passed);
-  EXPECT_EQ(beyond.error, 4);
-}
-
-TEST_F(JudgeOfPictures, passes_directions_up_to_the_limit_in_degrees) {
-  const std::string right = directions(0);
-  EXPECT_TRUE(judged(course::View::normal, 2, right, directions(1.9)).passed);
-  const Verdict beyond = judged(course::View::normal, 2, right, directions(2.1));
-  EXPECT_FALSE(beyond.passed);
-  EXPECT_NEAR(beyond.error, 2.1, 1e-4);  // float32 keeps directions to a few 1e-6 degrees
-}
-
-TEST_F(JudgeOfPictures, fails_numbers_that_are_not_finite_also_where_the_bytes_are_the_references) {
-  image::ImageF picture(kSide, kSide, 3);
-  EXPECT_TRUE(judged(course::View::texcoord, 1, bytes_of(picture), bytes_of(picture)).passed);
-  for (const float value : {std::nanf(""), std::numeric_limits<float>::infinity()}) {
-    picture.at(20, 20, 1) = value;
-    EXPECT_FALSE(judged(course::View::texcoord, 1, bytes_of(picture), bytes_of(picture)).passed) << value;
+TEST_F(JudgeOfPictures, passes_up_to_the_limit_and_what_a_gpu_rounds_and_no_further) {
+  using course::View;
+  constexpr double kPasses = -1;
+  struct Row {
+    const char* what;
+    View view;
+    double limit;
+    std::string right, picture;
+    double error;  ///< of one that fails
+  };
+  const Row rows[] = {
+      {"steps", View::color, 3, grey(100), grey(103), kPasses},
+      {"steps beyond", View::color, 3, grey(100), grey(104), 4},
+      // Columns 9 and 10 lie on both sides of the object's edge, where renderers differ.
+      {"the object's edge", View::color, 3, grey(100), grey(100, 9, 11, 200), kPasses},
+      {"within the edge", View::color, 3, grey(100), grey(100, 11, 13, 200), 100},
+      {"degrees", View::normal, 2, directions(0), directions(1.9), kPasses},
+      {"degrees beyond", View::normal, 2, directions(0), directions(2.1), 2.1},
+      {"a flat picture", View::normal, 0.05, directions(0), directions(0.06), 0.06},
+      {"moved by a 256th", View::texcoord, 1e-4, coordinates(0), coordinates(1.0 / 256), kPasses},
+      {"moved by a 100th", View::texcoord, 1e-4, coordinates(0), coordinates(-1.0 / 100), kPasses},
+      // The whole of it counts.
+      {"moved too far", View::texcoord, 1e-4, coordinates(0), coordinates(1.0 / 40),
+       (0.01 + 0.002 * 39) / 40}};
+  for (const Row& row : rows) {
+    const Verdict verdict = judged(row.view, row.limit, row.right, row.picture);
+    EXPECT_EQ(verdict.passed, row.error == kPasses) << row.what << ": " << verdict.message;
+    // float32 keeps directions to a few 1e-6 degrees.
+    if (row.error != kPasses) {
+      EXPECT_NEAR(verdict.error, row.error, 1e-4) << row.what;
+    }
   }
 }
 
-TEST_F(JudgeOfPictures, passes_a_right_picture_that_is_moved_by_what_a_gpu_rounds_and_by_no_more) {
-  // Coordinates that bend, with a slope of 0.01 to 0.09 a pixel.
-  const auto coordinates = [&](float moved) {
-    image::ImageF picture(kSide, kSide, 3);
-    for (int y = 0; y < kSide; ++y)
-      for (int x = 0; x < kSide; ++x) {
-        const float at = static_cast<float>(x) + moved;
-        picture.at(x, y, 0) = 0.01F * at + 0.001F * at * at;
-        picture.at(x, y, 1) = 0.02F * static_cast<float>(y);
-      }
-    return bytes_of(picture);
-  };
-  const std::string right = coordinates(0);
-  EXPECT_TRUE(judged(course::View::texcoord, 1e-4, right, coordinates(1.0F / 256)).passed);
-  EXPECT_TRUE(judged(course::View::texcoord, 1e-4, right, coordinates(-1.0F / 100)).passed);
-  const Verdict beyond = judged(course::View::texcoord, 1e-4, right, coordinates(1.0F / 40));
-  EXPECT_FALSE(beyond.passed);
-  EXPECT_NEAR(beyond.error, (0.01 + 0.002 * 39) / 40, 1e-4) << "the whole of it";
+TEST_F(JudgeOfPictures, sees_a_wrong_background_of_one_pixel) {
+  image::Image8 mask(kSide, kSide, 1), wrong(kSide, kSide, 3);
+  std::fill(mask.samples.begin(), mask.samples.end(), std::uint8_t{255});
+  for (const auto& [x, y] : {std::pair{0, 0}, {0, 1}, {1, 0}, {1, 1}}) mask.at(x, y) = 0;
+  mask_ = bytes_of(mask);
+  wrong.at(0, 0, 0) = 99;  // the only one that is not at an edge
+  EXPECT_EQ(judged(course::View::color, 3, grey(0), bytes_of(wrong)).error, 99);
 }
 
-TEST_F(JudgeOfPictures, forgives_nothing_where_the_right_picture_is_flat) {
-  EXPECT_FALSE(judged(course::View::normal, 0.05, directions(0), directions(0.06)).passed);
+TEST_F(JudgeOfPictures, fails_what_has_another_size_or_numbers_that_are_not_finite) {
+  const auto zero = [](int, int) { return std::pair(0.0, 0.0); };
+  const std::string right = values(zero);
+  EXPECT_TRUE(judged(course::View::texcoord, 1, right, right).passed);
+  const Verdict low = judged(course::View::texcoord, 1, right, values(zero, kSide - 1));
+  EXPECT_FALSE(low.passed);
+  EXPECT_EQ(low.message, "The picture is 40x39 pixels, not 40x40");
+  for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    const std::string picture =
+        values([=](int x, int y) { return std::pair(0.0, x == 20 && y == 20 ? value : 0.0); });
+    EXPECT_FALSE(judged(course::View::texcoord, 1, right, picture).passed) << value;
+    EXPECT_FALSE(judged(course::View::texcoord, 1, picture, picture).passed) << "the reference's own bytes";
+  }
+}
+
+TEST(Score, is_half_just_past_the_limit_and_nothing_from_five_times_on) {
+  for (const auto& [times_limit, expected] :
+       {std::pair{0.0, 1.0}, {1, 1}, {2, 0.375}, {3, 0.25}, {5, 0}, {7, 0}, {1e9, 0}})
+    EXPECT_DOUBLE_EQ(score(times_limit), expected) << times_limit;
+  EXPECT_EQ(score(std::nan("")), 0);
 }
 
 TEST_F(JudgeOfPictures, names_a_pixel_that_has_the_error_that_is_told) {

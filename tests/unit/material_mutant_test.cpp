@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "../support/picture_files.hpp"
+#include "../support/said.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "material/mutant_file.hpp"
@@ -9,10 +10,12 @@
 namespace texel::material {
 namespace {
 
+using test::replaced;
+
 /// A catalogue of two files.
 class MutantFile : public testing::Test {
  protected:
-  /// What reading `text` as a file says from the line on, or that it was read.
+  /// What reading `text` as a file says from the line on, or "".
   std::string refusal(const std::string& text) {
     write_file(first_, text);
     return message([&] { read_mutants(first_); });
@@ -20,15 +23,9 @@ class MutantFile : public testing::Test {
 
   template <class Read>
   static std::string message(Read read) {
-    try {
-      read();
-    } catch (const Error& error) {
-      EXPECT_EQ(error.exit_code(), Exit::failed);
-      const std::string text = error.what();
-      const std::size_t name = text.find(".toml:");
-      return name == std::string::npos ? text : text.substr(name + 6);
-    }
-    return "it was read";
+    const std::string text = test::error_of(read);
+    const std::size_t name = text.find(".toml:");
+    return name == std::string::npos ? text : text.substr(name + 6);
   }
 
   test::TemporaryFolder folder_{"mutant_file"};
@@ -72,38 +69,32 @@ survives = "Neither does anything."
   EXPECT_EQ(mutants[1].place.file, first_.string());
 }
 
-TEST_F(MutantFile, refuses_what_is_missing_empty_or_unknown) {
-  EXPECT_EQ(refusal("[[mutant]]\nname = \"a\"\n"), "1:1: 'file' is missing or empty");
-  EXPECT_EQ(refusal("[[mutant]]\nname = \"a\"\nfile = \"b\"\nwhat = \"\"\n"),
-            "1:1: 'what' is missing or empty");
-  EXPECT_EQ(refusal("[[mutant]]\nname = \"a\"\nfile = \"b\"\nwhat = \"c\"\n"),
-            "1:1: 'by' is missing; write by = \"\" to remove the text");
-  EXPECT_EQ(refusal(kMutant + "stop = \"5.1\"\n"), "7:8: there is no key 'stop'; did you mean 'step'?");
-  EXPECT_EQ(refusal(kMutant + "[[mutants]]\n"), "7:1: there is no key 'mutants'; did you mean 'mutant'?");
-}
-
-TEST_F(MutantFile, refuses_a_wrong_type) {
-  EXPECT_EQ(refusal(kMutant + "step = 5.1\n"), "7:8: 'step' is a text in quotes");
-  EXPECT_EQ(refusal("mutant = 1\n"), "1:10: mutants are written as [[mutant]] tables");
-  EXPECT_EQ(refusal("mutant = [1]\n"), "1:11: mutants are written as [[mutant]] tables");
-}
-
-TEST_F(MutantFile, refuses_a_value_that_cannot_be) {
+TEST_F(MutantFile, is_refused_with_place_and_remedy) {
   const auto with = [](const std::string& key, const std::string& value) {
     std::string text = kMutant;
     const std::size_t at = text.find(key + " = ");
     return text.replace(at, text.find('\n', at) - at, key + " = \"" + value + "\"");
   };
-  EXPECT_EQ(refusal(with("name", "No factor")),
-            "2:8: 'No factor' is not a valid mutant name; use lower-case letters, digits and '-'");
-  for (const char* file : {"/etc/passwd", "../other", "shaders/../../other"})
-    EXPECT_EQ(refusal(with("file", file)), "3:8: '" + std::string(file) +
-                                               "' is not a path below the project's root; write it as "
-                                               "shaders/lib/light.glsl");
-  for (const char* step : {"5", "5.", ".1", "5.1.2", "5.a"})
-    EXPECT_EQ(refusal(kMutant + "step = \"" + step + "\"\n"),
-              "7:8: '" + std::string(step) + "' is not a step; write it as 5.1");
-  EXPECT_EQ(refusal(with("by", "2.0 * x")), "5:6: the replacement changes nothing");
+  std::vector<std::pair<std::string, std::string>> rows = {
+      {"[[mutant]]\nname = \"a\"\n", "1:1: 'file' is missing or empty"},
+      {with("what", ""), "1:1: 'what' is missing or empty"},
+      {replaced(kMutant, "by = \"x\"\n", ""), "1:1: 'by' is missing; write by = \"\" to remove the text"},
+      {kMutant + "stop = \"5.1\"\n", "7:8: there is no key 'stop'; did you mean 'step'?"},
+      {kMutant + "[[mutants]]\n", "7:1: there is no key 'mutants'; did you mean 'mutant'?"},
+      {kMutant + "step = 5.1\n", "7:8: 'step' is a text in quotes"},
+      {"mutant = 1\n", "1:10: mutants are written as [[mutant]] tables"},
+      {"mutant = [1]\n", "1:11: mutants are written as [[mutant]] tables"},
+      {with("name", "No factor"),
+       "2:8: 'No factor' is not a valid mutant name; use lower-case letters, digits and '-'"},
+      {with("by", "2.0 * x"), "5:6: the replacement changes nothing"}};
+  for (const std::string file : {"/etc/passwd", "../other", "shaders/../../other"})
+    rows.emplace_back(
+        with("file", file),
+        "3:8: '" + file + "' is not a path below the project's root; write it as shaders/lib/light.glsl");
+  for (const std::string step : {"5", "5.", ".1", "5.1.2", "5.a"})
+    rows.emplace_back(kMutant + "step = \"" + step + "\"\n",
+                      "7:8: '" + step + "' is not a step; write it as 5.1");
+  for (const auto& [text, expected] : rows) EXPECT_EQ(refusal(text), expected) << text;
 }
 
 TEST_F(MutantFile, refuses_a_name_that_is_taken_in_its_file_or_another) {
@@ -116,10 +107,8 @@ TEST_F(MutantFile, refuses_a_name_that_is_taken_in_its_file_or_another) {
 }
 
 TEST_F(MutantFile, has_equivalents_too) {
-  std::string equivalent = kMutant;
-  equivalent.replace(equivalent.find("mutant"), 6, "equivalent");
-  const std::string renamed = std::string(kMutant).replace(kMutant.find("no-factor"), 9, "no-sum");
-  write_file(first_, equivalent + renamed);
+  const std::string equivalent = replaced(kMutant, "mutant", "equivalent");
+  write_file(first_, equivalent + replaced(kMutant, "no-factor", "no-sum"));
   const std::vector<Mutant> both = read_mutants(first_);
   ASSERT_EQ(both.size(), 2U);
   EXPECT_EQ(both[0].name, "no-sum");
@@ -133,18 +122,16 @@ TEST_F(MutantFile, has_equivalents_too) {
   EXPECT_EQ(read_catalogue(first_.parent_path()).size(), 1U) << "a catalogue of equivalents alone is one";
   EXPECT_EQ(refusal(equivalent + "survives = \"No.\"\n"),
             "7:12: there is no key 'survives'; the keys are name, file, what, by, step, says");
-  EXPECT_EQ(refusal(equivalent + equivalent),
-            "7:1: two equivalents are called 'no-factor'; the other one is at " + first_.string() + ":1");
-  EXPECT_EQ(refusal(kMutant + equivalent),
-            "7:1: two equivalents are called 'no-factor'; the other one is at " + first_.string() + ":1");
-  EXPECT_EQ(refusal(equivalent.replace(equivalent.find("no-f"), 4, "No f")),
+  for (const std::string& other : {equivalent, kMutant})
+    EXPECT_EQ(refusal(other + equivalent),
+              "7:1: two equivalents are called 'no-factor'; the other one is at " + first_.string() + ":1");
+  EXPECT_EQ(refusal(replaced(equivalent, "no-f", "No f")),
             "2:8: 'No factor' is not a valid equivalent name; use lower-case letters, digits and '-'");
 }
 
 TEST_F(MutantFile, refuses_a_catalogue_without_mutants) {
-  EXPECT_NE(message([&] { read_catalogue(first_.parent_path()); }).find("holds no mutants"),
-            std::string::npos);
-  EXPECT_NE(message([&] { read_catalogue(folder_ / "none"); }).find("holds no mutants"), std::string::npos);
+  for (const auto& folder : {first_.parent_path(), folder_ / "none"})
+    EXPECT_TRUE(test::has(message([&] { read_catalogue(folder); }), "holds no mutants"));
 }
 
 TEST_F(MutantFile, changes_the_one_place_that_it_names) {

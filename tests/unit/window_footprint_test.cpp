@@ -39,27 +39,18 @@ glm::dvec3 sheared(double x, double y) {
   return {0.3 + 0.02 * x + 0.004 * y, 0.6 - 0.01 * x + 0.03 * y, 0};
 }
 
-TEST(Footprint, is_the_parallelogram_of_the_coordinates) {
+TEST(Footprint, is_the_parallelogram_of_the_coordinates_by_the_neighbours_that_are_there) {
   const Footprint f = *footprint_of_texcoords(around(sheared));
   expect_near(f.place, {0.3, 0.6}, kExact);
   expect_near(f.dx, {0.02, -0.01}, kExact);
   expect_near(f.dy, {0.004, 0.03}, kExact);
   expect_near(f.at(0.5, -0.5), {0.308, 0.58}, kExact);
-}
-
-TEST(Footprint, takes_the_neighbour_that_is_there) {
   for (const unsigned missing : {kLeft, kRight})
     expect_near(footprint_of_texcoords(around(sheared, missing))->dx, {0.02, -0.01}, kExact);
   EXPECT_EQ(footprint_of_texcoords(around(sheared, kLeft | kRight))->dx, glm::dvec2(0));
   EXPECT_FALSE(footprint_of_texcoords(around(sheared, kMiddle)));
-}
-
-TEST(Footprint, does_not_cross_a_seam) {
-  const auto seam = [](double x, double y) {
-    glm::dvec3 value = sheared(x, y);
-    if (x > 0) value.x -= 1;  // the coordinate begins again
-    return value;
-  };
+  // It does not cross a seam, where the coordinate begins again.
+  const auto seam = [](double x, double y) { return sheared(x, y) - glm::dvec3(x > 0 ? 1 : 0, 0, 0); };
   expect_near(footprint_of_texcoords(around(seam))->dx, {0.02, -0.01}, kExact);
 }
 

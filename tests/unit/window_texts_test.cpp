@@ -13,15 +13,14 @@ namespace texel::window {
 namespace {
 
 TEST(StepText, formulas_become_unicode) {
-  EXPECT_EQ(without_markdown("the normal: $n = 2c − 1$. `DECODE` says **which**"),
-            "the normal: n = 2c − 1. DECODE says which");
-  EXPECT_EQ(without_markdown("$$E_1 = Δs_1\\ T \\qquad E_2 = 0$$"), "   E₁ = Δs₁ T \n   E₂ = 0");
-  EXPECT_EQ(without_markdown("$\\mathrm{atan}(\\sqrt{n_x^2 + 1}, \\lvert a \\rvert)$"),
-            "atan(√(n_x² + 1), | a |)");
-  EXPECT_EQ(without_markdown("the [Slides] and [a page](https://example.org/a) cost $5"),
-            "the Slides and a page cost $5");
-  EXPECT_EQ(without_markdown("a *unit*, an *ear* and 2 * 3; `*p`"), "a unit, an ear and 2 * 3; *p");
-  EXPECT_EQ(without_markdown("$p = V^{-1} P^{-1} c$"), "p = V⁻¹ P⁻¹ c");
+  const std::pair<const char*, const char*> rows[] = {
+      {"the normal: $n = 2c − 1$. `DECODE` says **which**", "the normal: n = 2c − 1. DECODE says which"},
+      {"$$E_1 = Δs_1\\ T \\qquad E_2 = 0$$", "   E₁ = Δs₁ T \n   E₂ = 0"},
+      {"$\\mathrm{atan}(\\sqrt{n_x^2 + 1}, \\lvert a \\rvert)$", "atan(√(n_x² + 1), | a |)"},
+      {"the [Slides] and [a page](https://example.org/a) cost $5", "the Slides and a page cost $5"},
+      {"a *unit*, an *ear* and 2 * 3; `*p`", "a unit, an ear and 2 * 3; *p"},
+      {"$p = V^{-1} P^{-1} c$", "p = V⁻¹ P⁻¹ c"}};
+  for (const auto& [markdown, text] : rows) EXPECT_EQ(without_markdown(markdown), text);
 }
 
 TEST(StepText, has_the_steps_lines_and_the_handouts_task) {
@@ -64,13 +63,11 @@ TEST(ErrorMessage, has_the_first_message_its_line_and_how_many_follow) {
   EXPECT_EQ(message.line, 2);
   EXPECT_EQ(message.column, 7);
   EXPECT_EQ(message.others, 2);
-}
-
-TEST(ErrorMessage, of_another_kind_stays_as_it_is) {
-  const ErrorMessage message = read_message("brick.png: is cut off; restore it", "/nowhere");
-  EXPECT_EQ(message.first, "brick.png: is cut off; restore it");
-  EXPECT_TRUE(message.file.empty());
-  EXPECT_EQ(message.others, 0);
+  // One of another kind stays as it is.
+  const ErrorMessage other = read_message("brick.png: is cut off; restore it", "/nowhere");
+  EXPECT_EQ(other.first, "brick.png: is cut off; restore it");
+  EXPECT_TRUE(other.file.empty());
+  EXPECT_EQ(other.others, 0);
 }
 
 TEST(History, goes_back_and_forth_and_forgets_what_was_undone) {

@@ -37,9 +37,8 @@ struct Image {
   bool operator==(const Image&) const = default;
 };
 
-using Image8 = Image<std::uint8_t>;    ///< 0..255, sRGB-encoded colour or linear data: the caller knows which
-using Image16 = Image<std::uint16_t>;  ///< 0..65535
-using ImageF = Image<float>;           ///< any value, linear
+using Image8 = Image<std::uint8_t>;  ///< 0..255, sRGB-encoded colour or linear data: the caller knows which
+using ImageF = Image<float>;         ///< any value, linear
 
 /// The same picture upside down.
 template <class Sample>

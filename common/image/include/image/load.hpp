@@ -29,9 +29,6 @@ Info info(const std::filesystem::path& path);
 /// or of another format or variant, which it names.
 Image8 load8(const std::filesystem::path& path, int channels = 0);
 
-/// The same with 16 bits a sample: 8-bit values v become 257 v, so that 255 becomes 65535.
-Image16 load16(const std::filesystem::path& path, int channels = 0);
-
 /// A PNG of exactly this size as RGB, as `load8` gives it (of 16 bits the upper 8), by libspng: it never
 /// unpacks more than the size needs, and it checks the file's checksums. For pictures that strangers made.
 /// Throws Error (exit 3) with `name` for any other size, and when it is broken or cut short.
