@@ -31,6 +31,9 @@ class Random {
   int whole(int least, int most) {
     return least + static_cast<int>(bits() % static_cast<std::uint64_t>(most - least + 1));
   }
+  std::size_t index(std::size_t least, std::size_t most) {
+    return least + static_cast<std::size_t>(bits() % (most - least + 1));
+  }
   bool one_in(int n) { return whole(1, n) == 1; }
   template <class Value>
   void shuffle(std::vector<Value>& values) {
@@ -74,19 +77,11 @@ class ObjText {
     text_ += fmt::format("vn {:.6f} {:.6f} {:.6f}\n", n.x, n.y, n.z);
     return ++normals_;
   }
-
-  void face(const std::vector<Corner>& corners) {
-    write_face(corners, [](int index, int) { return index; });
-  }
-  /// Counts each second index, by chance, backwards from the list's latest entry.
-  void face_counted_both_ways(const std::vector<Corner>& corners, Random& random) {
-    write_face(corners, [&](int index, int count) { return random.one_in(2) ? index - count - 1 : index; });
-  }
-  std::string take() { return std::move(text_); }
-
- private:
-  template <class Written>
-  void write_face(const std::vector<Corner>& corners, Written written) {
+  /// With `both_ways` each second index, by chance, is counted backwards from the list's latest entry.
+  void face(const std::vector<Corner>& corners, Random* both_ways = nullptr) {
+    const auto written = [&](int index, int count) {
+      return both_ways != nullptr && both_ways->one_in(2) ? index - count - 1 : index;
+    };
     text_ += 'f';
     for (const Corner& corner : corners) {
       const int v = written(corner.v, positions_);
@@ -95,171 +90,155 @@ class ObjText {
     }
     text_ += '\n';
   }
+  void faces(const std::vector<std::vector<Corner>>& all) {
+    for (const std::vector<Corner>& corners : all) face(corners);
+  }
+  std::string take() { return std::move(text_); }
 
+ private:
   std::string text_;
   int positions_ = 0, texcoords_ = 0, normals_ = 0;
 };
 
-std::vector<int> up_to(int count) {
-  std::vector<int> numbers(static_cast<std::size_t>(count));
-  std::iota(numbers.begin(), numbers.end(), 0);
+/// So many numbers from `first` on.
+std::vector<std::size_t> numbers_from(std::size_t first, std::size_t count) {
+  std::vector<std::size_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), first);
   return numbers;
 }
 
 /// Points in columns and rows, uneven, facing +z.
 struct Relief {
-  int columns, rows;  ///< of points
+  std::size_t columns, rows;  ///< of points
   std::vector<glm::dvec3> points;
   std::vector<glm::dvec2> texcoords;  ///< t is 0 in the first row
   std::vector<glm::dvec3> normals;
 
-  explicit Relief(Random& random) : columns(random.whole(5, 10)), rows(random.whole(5, 10)) {
-    for (int j = 0; j < rows; ++j)
-      for (int i = 0; i < columns; ++i) {
-        const double x = (i + random.between(0.35, 0.65)) / columns,
-                     y = (j + random.between(0.35, 0.65)) / rows;
+  explicit Relief(Random& random) : columns(random.index(5, 10)), rows(random.index(5, 10)) {
+    for (std::size_t j = 0; j < rows; ++j)
+      for (std::size_t i = 0; i < columns; ++i) {
+        const double x = (static_cast<double>(i) + random.between(0.35, 0.65)) / static_cast<double>(columns),
+                     y = (static_cast<double>(j) + random.between(0.35, 0.65)) / static_cast<double>(rows);
         points.emplace_back(x, y, random.between(0.47, 0.53));
         texcoords.emplace_back(x, j == 0 ? 0 : y);
         normals.push_back(glm::normalize(glm::dvec3(random.point(-0.2, 0.2), 1)));
       }
   }
-  [[nodiscard]] int at(int i, int j) const { return j * columns + i; }
 
-  /// The two triangles of the cell above and to the right of (i, j), counter-clockwise.
-  [[nodiscard]] std::array<std::array<int, 3>, 2> cell(int i, int j) const {
-    const int a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
-    return {{{a, b, c}, {a, c, d}}};
+  /// Calls visit(i, a, b, c) for the two triangles of each cell of a row, whose lower left point is in column
+  /// i; counter-clockwise.
+  template <class Visit>
+  void triangles(std::size_t row, Visit visit) const {
+    for (std::size_t i = 0; i + 1 < columns; ++i) {
+      const std::size_t a = row * columns + i, b = a + 1, c = b + columns, d = a + columns;
+      visit(i, a, b, c);
+      visit(i, a, c, d);
+    }
   }
 };
 
 /// Where each point's entry of a list stands, the list being written in an order of its own.
 template <class Write>
-void write_shuffled(std::vector<int> points, Random& random, std::vector<int>& index_of, Write write) {
+void write_shuffled(std::vector<std::size_t> points, Random& random, std::vector<Corner>& corners,
+                    int Corner::*index, Write write) {
   random.shuffle(points);
-  for (const int point : points) index_of[static_cast<std::size_t>(point)] = write(point);
+  for (const std::size_t point : points) corners[point].*index = write(point);
 }
-
-/// A relief's points as they have come into the file.
-class WrittenRelief {
- public:
-  explicit WrittenRelief(std::size_t points) : v_(points), vt_(points), vn_(points) {}
-
-  template <class WritePosition, class WriteTexcoord, class WriteNormal>
-  void write(const std::vector<int>& points, Random& random, WritePosition position, WriteTexcoord texcoord,
-             WriteNormal normal) {
-    write_shuffled(points, random, v_, position);
-    write_shuffled(points, random, vt_, texcoord);
-    write_shuffled(points, random, vn_, normal);
-  }
-  [[nodiscard]] std::vector<Corner> triangle(const std::array<int, 3>& points) const {
-    std::vector<Corner> corners;
-    for (const int point : points) {
-      const auto at = static_cast<std::size_t>(point);
-      corners.push_back({v_[at], vt_[at], vn_[at]});
-    }
-    return corners;
-  }
-
- private:
-  std::vector<int> v_, vt_, vn_;
-};
 
 std::string numbers(Random& random) {
   const Relief relief(random);
-  const auto at = [](const auto& list, int point) { return list[static_cast<std::size_t>(point)]; };
   ObjText text;
-  const auto position = [&](int point) {
+  std::vector<Corner> corners(relief.points.size());
+  const std::vector<std::size_t> all = numbers_from(0, corners.size());
+  write_shuffled(all, random, corners, &Corner::v, [&](std::size_t point) {
     const std::string weight = random.one_in(2) ? " 1.000000" : "";
     std::string color;
     if (random.one_in(2)) {
       const glm::dvec3 rgb = random.vector(0, 1);
       color = fmt::format(" {:.6f} {:.6f} {:.6f}", rgb.r, rgb.g, rgb.b);
     }
-    return text.position(at(relief.points, point), weight + color);
-  };
-  const auto texcoord = [&](int point) {
-    const glm::dvec2 st = at(relief.texcoords, point);
+    return text.position(relief.points[point], weight + color);
+  });
+  write_shuffled(all, random, corners, &Corner::vt, [&](std::size_t point) {
+    const glm::dvec2 st = relief.texcoords[point];
     if (st.t == 0) return text.texcoord(fmt::format("{:.6f}", st.s));
     const std::string third = random.one_in(2) ? fmt::format(" {:.6f}", random.between(0, 1)) : "";
     return text.texcoord(fmt::format("{:.6f} {:.6f}{}", st.s, st.t, third));
-  };
-  const auto normal = [&](int point) { return text.normal(at(relief.normals, point)); };
-  WrittenRelief written(relief.points.size());
-  written.write(up_to(relief.columns * relief.rows), random, position, texcoord, normal);
-  for (int j = 0; j + 1 < relief.rows; ++j)
-    for (int i = 0; i + 1 < relief.columns; ++i)
-      for (const auto& triangle : relief.cell(i, j)) text.face(written.triangle(triangle));
+  });
+  write_shuffled(all, random, corners, &Corner::vn,
+                 [&](std::size_t point) { return text.normal(relief.normals[point]); });
+  for (std::size_t j = 0; j + 1 < relief.rows; ++j)
+    relief.triangles(j, [&](std::size_t, std::size_t a, std::size_t b, std::size_t c) {
+      text.face({corners[a], corners[b], corners[c]});
+    });
   return text.take();
 }
 
 std::string negative(Random& random) {
   const Relief relief(random);
-  const auto at = [](const auto& list, int point) { return list[static_cast<std::size_t>(point)]; };
   ObjText text;
-  const auto position = [&](int point) { return text.position(at(relief.points, point)); };
-  const auto texcoord = [&](int point) { return text.texcoord(at(relief.texcoords, point)); };
-  const auto normal = [&](int point) { return text.normal(at(relief.normals, point)); };
-  WrittenRelief written(relief.points.size());
-  for (int j = 0; j < relief.rows; ++j) {
-    std::vector<int> row = up_to(relief.columns);
-    for (int& point : row) point += j * relief.columns;
-    written.write(row, random, position, texcoord, normal);
-    for (int i = 0; j > 0 && i + 1 < relief.columns; ++i)
-      for (const auto& triangle : relief.cell(i, j - 1))
-        text.face_counted_both_ways(written.triangle(triangle), random);
+  std::vector<Corner> corners(relief.points.size());
+  for (std::size_t j = 0; j < relief.rows; ++j) {
+    const std::vector<std::size_t> row = numbers_from(j * relief.columns, relief.columns);
+    write_shuffled(row, random, corners, &Corner::v,
+                   [&](std::size_t point) { return text.position(relief.points[point]); });
+    write_shuffled(row, random, corners, &Corner::vt,
+                   [&](std::size_t point) { return text.texcoord(relief.texcoords[point]); });
+    write_shuffled(row, random, corners, &Corner::vn,
+                   [&](std::size_t point) { return text.normal(relief.normals[point]); });
+    if (j > 0)
+      relief.triangles(j - 1, [&](std::size_t, std::size_t a, std::size_t b, std::size_t c) {
+        text.face({corners[a], corners[b], corners[c]}, &random);
+      });
   }
   return text.take();
 }
 
 /// Two cuts through a relief make four patches, each with entries of its own along the cuts.
 struct Patches {
-  int column, row;
-  [[nodiscard]] int of(int i, int j) const { return (i < column ? 0 : 1) + (j < row ? 0 : 2); }
+  std::size_t column, row;
+  [[nodiscard]] std::size_t of(std::size_t i, std::size_t j) const {
+    return (i < column ? 0U : 1U) + (j < row ? 0U : 2U);
+  }
 };
 
 std::string shared(Random& random) {
   const Relief relief(random);
   // The two pairs of cuts differ, so that there are corners with another vt, another vn, and both.
-  const Patches by_texcoord{random.whole(1, relief.columns / 2 - 1), random.whole(1, relief.rows / 2 - 1)};
-  const Patches by_normal{random.whole(relief.columns / 2, relief.columns - 2),
-                          random.whole(relief.rows / 2, relief.rows - 2)};
+  const Patches by_texcoord{random.index(1, relief.columns / 2 - 1), random.index(1, relief.rows / 2 - 1)};
+  const Patches by_normal{random.index(relief.columns / 2, relief.columns - 2),
+                          random.index(relief.rows / 2, relief.rows - 2)};
   ObjText text;
-  std::vector<int> v(relief.points.size());
-  write_shuffled(up_to(static_cast<int>(v.size())), random, v,
-                 [&](int point) { return text.position(relief.points[static_cast<std::size_t>(point)]); });
+  std::vector<Corner> places(relief.points.size());
+  write_shuffled(numbers_from(0, places.size()), random, places, &Corner::v,
+                 [&](std::size_t point) { return text.position(relief.points[point]); });
 
   std::array<glm::dvec2, 4> offsets;
   std::array<glm::dvec3, 4> tilts;
   for (glm::dvec2& offset : offsets) offset = random.point(0, 0.4);
   for (glm::dvec3& tilt : tilts) tilt = glm::dvec3(random.point(-0.3, 0.3), 0);
-  std::map<std::pair<int, int>, int> vt, vn;  // of a patch and a point
+  std::map<std::pair<std::size_t, std::size_t>, int> vt, vn;  // of a patch and a point
+  const auto corner = [&](std::size_t point, std::size_t texture, std::size_t side) {
+    const auto [texcoord, is_new_texcoord] = vt.try_emplace({texture, point});
+    if (is_new_texcoord)
+      texcoord->second = text.texcoord(0.6 * glm::dvec2(relief.points[point]) + offsets[texture]);
+    const auto [normal, is_new_normal] = vn.try_emplace({side, point});
+    if (is_new_normal) normal->second = text.normal(glm::normalize(relief.normals[point] + tilts[side]));
+    return Corner{places[point].v, texcoord->second, normal->second};
+  };
   std::vector<std::vector<Corner>> faces;
-  for (int j = 0; j + 1 < relief.rows; ++j)
-    for (int i = 0; i + 1 < relief.columns; ++i)
-      for (const auto& triangle : relief.cell(i, j)) {
-        faces.emplace_back();
-        for (const int point : triangle) {
-          const auto at = static_cast<std::size_t>(point);
-          const int texture = by_texcoord.of(i, j), side = by_normal.of(i, j);
-          const auto [texcoord, new_texcoord] = vt.try_emplace({texture, point});
-          if (new_texcoord)
-            texcoord->second = text.texcoord(0.6 * glm::dvec2(relief.points[at]) +
-                                             offsets[static_cast<std::size_t>(texture)]);
-          const auto [normal, new_normal] = vn.try_emplace({side, point});
-          if (new_normal)
-            normal->second =
-                text.normal(glm::normalize(relief.normals[at] + tilts[static_cast<std::size_t>(side)]));
-          faces.back().push_back({v[at], texcoord->second, normal->second});
-        }
-      }
+  for (std::size_t j = 0; j + 1 < relief.rows; ++j)
+    relief.triangles(j, [&](std::size_t i, std::size_t a, std::size_t b, std::size_t c) {
+      const std::size_t texture = by_texcoord.of(i, j), side = by_normal.of(i, j);
+      faces.push_back({corner(a, texture, side), corner(b, texture, side), corner(c, texture, side)});
+    });
   // One triangle once more, above: only v tells its corners from the first one's.
   faces.push_back(faces.front());
-  const auto above = relief.cell(0, 0).front();
+  const std::array<std::size_t, 3> above = {0, 1, relief.columns + 1};
   for (std::size_t k = 0; k < 3; ++k)
-    faces.back()[k].v =
-        text.position(relief.points[static_cast<std::size_t>(above[k])] + glm::dvec3(0, 0, 0.3));
+    faces.back()[k].v = text.position(relief.points[above[k]] + glm::dvec3(0, 0, 0.3));
   random.shuffle(faces);  // equal corners lie far apart
-  for (const std::vector<Corner>& face : faces) text.face(face);
+  text.faces(faces);
   return text.take();
 }
 
@@ -331,10 +310,10 @@ void fill_disc(Outline& outline) {
 }
 
 /// A simple polygon that fills the unit disc, which a fan gets wrong from the fourth corner on.
-Outline any_outline(Random& random, int corners) {
+Outline any_outline(Random& random, std::size_t corners) {
   while (true) {
     Outline outline;
-    while (outline.size() < static_cast<std::size_t>(corners)) {
+    while (outline.size() < corners) {
       const glm::dvec2 p = random.point(-1, 1);
       if (glm::length(p) < 1) outline.push_back(p);
     }
@@ -345,28 +324,25 @@ Outline any_outline(Random& random, int corners) {
 }
 
 std::string polygons(Random& random) {
-  constexpr int side = 4;  // cells along each edge of the cube, a polygon in each
+  constexpr std::size_t side = 4;  // cells along each edge of the cube, a polygon in each
   constexpr double radius = 0.49 / side;
-  std::vector<int> cells = up_to(side * side * side);
+  std::vector<std::size_t> cells = numbers_from(0, side * side * side);
   random.shuffle(cells);
-  cells.resize(static_cast<std::size_t>(random.whole(40, side * side * side)));
+  cells.resize(random.index(40, side * side * side));
   ObjText text;
-  for (const int cell : cells) {
+  for (const std::size_t cell : cells) {
     const glm::dvec3 center =
         (glm::dvec3(cell % side, cell / side % side, cell / side / side) + 0.5) / double{side};
     const glm::dvec3 normal = random.direction();
     const glm::dvec3 x = glm::normalize(glm::cross(normal, random.direction()));
     const glm::dvec3 y = glm::cross(normal, x);
     const int vn = text.normal(normal);
-    const Outline outline = any_outline(random, random.whole(3, 9));
+    const Outline outline = any_outline(random, random.index(3, 9));
     std::vector<Corner> corners;
     for (const glm::dvec2& p : outline)
       corners.push_back({text.position(center + radius * (p.x * x + p.y * y)), 0, vn});
-    std::vector<int> vt(corners.size());
-    write_shuffled(up_to(static_cast<int>(vt.size())), random, vt, [&](int corner) {
-      return text.texcoord(0.5 + 0.45 * outline[static_cast<std::size_t>(corner)]);
-    });
-    for (std::size_t i = 0; i < corners.size(); ++i) corners[i].vt = vt[i];
+    write_shuffled(numbers_from(0, corners.size()), random, corners, &Corner::vt,
+                   [&](std::size_t corner) { return text.texcoord(0.5 + 0.45 * outline[corner]); });
     text.face(corners);
   }
   return text.take();
@@ -408,7 +384,7 @@ std::string no_vt(Random& random) {
       }
   }
   random.shuffle(faces);
-  for (const std::vector<Corner>& face : faces) text.face(face);
+  text.faces(faces);
   return text.take();
 }
 

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "material/mutant_file.hpp"
 #include "wording.hpp"
 
 namespace texel::reports {
@@ -23,45 +24,78 @@ std::string allowed(const Embedded& text) {
   return fmt::format("'sha256-{}'", base64(bytes));
 }
 
-}  // namespace
-
-std::string page(const std::string& title, const std::string& body, const Embedded& script) {
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
-      "style-src {}; script-src {}; base-uri 'none'; form-action 'none'\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"referrer\" content=\"no-referrer\">\n"
-      "<link rel=\"icon\" href=\"data:,\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}"
-      "<script>{}</script>\n</body>\n</html>\n",
-      allowed(kStyle), allowed(script), escaped(title), kStyle.text, body, script.text);
+void clean_texts(Json& value) {
+  if (value.is_string()) value = clean(value.get_ref<const std::string&>());
+  if (value.is_structured())
+    for (Json& part : value) clean_texts(part);
 }
 
-std::string command_line(const std::string& command) {
-  std::string html = "<span>" + escaped(command) + "</span>";
-  for (std::size_t at = html.find(" --"); at != std::string::npos; at = html.find(" --", at + 15))
-    html.replace(at, 1, "</span> <span>");
-  return fmt::format(
-      "<div class=\"command\"><code>{}</code><button type=\"button\" class=\"copy\" "
-      "aria-label=\"Copy the command\">Copy</button></div>\n",
-      html);
+/// JSON as it may stand in a <script>: no text in it can end the element, or begin another.
+std::string within_script(const Json& data) {
+  std::string text;
+  for (const char c : to_text(data)) text += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  return text;
 }
 
-std::string facts_list(const std::map<std::string, std::string>& facts, bool with_command) {
-  std::string html;
-  for (const auto& [name, value] : facts)
-    if (name != "command") html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(name), escaped(value));
-  if (!html.empty()) html = "<dl class=\"facts\">\n" + html + "</dl>\n";
-  if (const auto found = facts.find("command"); with_command && found != facts.end())
-    html += "<p>This command grades the same again:</p>\n" + command_line(found->second);
-  return html;
-}
+constexpr const char* kPage = R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src {style_hash}; script-src {script_hash}; base-uri 'none'; form-action 'none'">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="referrer" content="no-referrer">
+<link rel="icon" href="data:,">
+<title>{title}</title>
+<style>{style}</style>
+</head>
+<body>
+<noscript><p>This page is shown by a script of its own: allow JavaScript for it.</p></noscript>
+<script type="application/json" id="data">{data}</script>
+<script>{script}</script>
+</body>
+</html>
+)";
+
+/// How a step stands: the class of its color, a symbol that tells it without colors, and a word.
+struct Standing {
+  const char *style, *symbol, *word;
+};
 
 Standing standing(const judge::StepResult& step) {
   if (step.status == judge::Status::passed) return {"passed", "✓", "passed"};
   if (step.cases.empty()) return {"skipped", "·", "not judged"};
   if (step.is_untouched()) return {"skipped", "–", "not begun"};
   return step.score > 0 ? Standing{"partial", "◐", "not yet, in part"} : Standing{"failed", "✗", "not yet"};
+}
+
+}  // namespace
+
+std::string page(const std::string& title, const Json& data, const Embedded& script) {
+  Json cleaned = data;
+  clean_texts(cleaned);
+  return fmt::format(kPage, fmt::arg("style_hash", allowed(kStyle)), fmt::arg("script_hash", allowed(script)),
+                     fmt::arg("title", escaped(title)), fmt::arg("style", kStyle.text),
+                     fmt::arg("data", within_script(cleaned)), fmt::arg("script", script.text));
+}
+
+Json step_data(const judge::StepResult& step) {
+  const auto [style, symbol, word] = standing(step);
+  return {{"id", step.id},
+          {"title", step.title},
+          {"style", style},
+          {"symbol", symbol},
+          {"word", word},
+          {"score", step.score},
+          {"earned", number(step.points * step.score)},
+          {"points", number(step.points)},
+          {"mistake", mistake_data(step.mistake, step.mistake_says)},
+          {"overridden", step.overridden}};
+}
+
+Json mistake_data(const std::string& name, const std::string& says) {
+  if (name.empty()) return nullptr;
+  const std::string title = material::title_of(says);
+  return {{"name", name}, {"title", title}, {"rest", says.substr(title.size())}};
 }
 
 }  // namespace texel::reports

@@ -42,16 +42,6 @@ std::string escaped(std::string_view text) {
   return html_escaped(cleaned);
 }
 
-std::string with_code(std::string_view text) {
-  std::string html = escaped(text);
-  for (std::size_t open = html.find('`'); open != html.npos; open = html.find('`', open)) {
-    const std::size_t close = html.find('`', open + 1);
-    if (close == html.npos) break;
-    html.replace(close, 1, "</code>").replace(open, 1, "<code>");
-  }
-  return html;
-}
-
 std::string base64(std::string_view bytes) {
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string result;
@@ -123,14 +113,6 @@ std::size_t count_failed(const std::vector<judge::CaseResult>& cases, bool hidde
   return static_cast<std::size_t>(std::count_if(
       cases.begin(), cases.end(),
       [&](const judge::CaseResult& result) { return result.hidden == hidden && !result.passed(); }));
-}
-
-const judge::StepResult* first_failing(const store::StudentResult& student) {
-  for (const bool begun : {true, false})
-    for (const judge::LabResult& lab : student.labs)
-      for (const judge::StepResult& step : lab.steps)
-        if (step.status == judge::Status::failed && step.is_untouched() != begun) return &step;
-  return nullptr;
 }
 
 }  // namespace texel::reports

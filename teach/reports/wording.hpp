@@ -19,9 +19,6 @@ std::string shortened(const std::string& text, std::size_t bytes);
 /// Cleaned text as it stands in HTML or XML, within elements and within quoted attributes.
 std::string escaped(std::string_view text);
 
-/// The same, with what stands between backquotes as code.
-std::string with_code(std::string_view text);
-
 std::string base64(std::string_view bytes);
 
 /// A number with at most so many decimals, without zeros at its end: "2.5".
@@ -49,9 +46,6 @@ std::string command(const judge::CaseResult& result);
 
 std::size_t count_failed(const std::vector<judge::CaseResult>& cases, bool hidden);
 std::size_t count(const std::vector<judge::CaseResult>& cases, bool hidden);
-
-/// The first step that was begun and did not pass; else the first that was not begun; or null.
-const judge::StepResult* first_failing(const store::StudentResult& student);
 
 /// What is said of a student whom the grader failed.
 inline constexpr const char* kIncident =

@@ -207,6 +207,9 @@ class ClassMaker {
   }
 
   [[nodiscard]] Json nothing() const { return {{"passes", Json::array()}, {"zero", all_steps()}}; }
+  [[nodiscard]] Json unreadable() const {
+    return {{"passes", Json::array()}, {"zero", all_steps()}, {"fault", true}};
+  }
 
   void starters() {
     for (const char* name : {"1", "2"}) put("starter", name, starter(), nothing());
@@ -309,16 +312,13 @@ class ClassMaker {
       fs::create_directories((links / path).parent_path());
       fs::create_symlink(options_.root / path, links / path);
     }
-    Json fault = nothing();
-    fault["fault"] = true;
-    expect("files-links", "files", "links", fault);
     const fs::path linked = options_.out / "files-linked-folders";
     fs::create_directories(linked);
     for (const char* folder : {"common", "labs", "shaders"})
       fs::create_directory_symlink(options_.root / folder, linked / folder);
-    expect("files-linked-folders", "files", "linked-folders", fault);
     fs::create_directory_symlink(options_.root, options_.out / "files-link");
-    expect("files-link", "files", "link", fault);
+    for (const std::string name : {"links", "linked-folders", "link"})
+      expect("files-" + name, "files", name, unreadable());
 
     const std::string mark = options_.out.string() + "/texel_threat_was_here";
     const std::string cmake = fmt::format(
@@ -370,7 +370,7 @@ class ClassMaker {
       if (i % 8 == 0)
         put_file("files", entries[i] + ".zip", packed(Format::zip, names), {{"passes", all_steps()}});
       else
-        put_file("files", entries[i] + ".zip", "nothing that can be read", fault);
+        put_file("files", entries[i] + ".zip", "nothing that can be read", unreadable());
 
     // Folders with names in other encodings than the grader's.
     const std::vector<std::string> folders = {"\u00dcbung 9 \u2013 L\u00f6sung", "\u4f5c\u4e1a\u4e5d",
@@ -398,34 +398,19 @@ class ClassMaker {
     // One name, two students: each keeps their own work.
     write_folder(options_.out / "Jane Doe", solution());
     expect("Jane Doe", "files", "one-name", {{"passes", all_steps()}});
-    put_file("files", "Jane Doe.zip", packed(Format::zip, starter()), nothing());
     put_file("files", "jane doe.tar.gz", packed(Format::tar_gz, solution()), {{"passes", all_steps()}});
-    put_file("files", "Jane Doe_77_assignsubmission_file_labs.zip", packed(Format::zip, starter()),
-             nothing());
-    put_file("files", "Jane Doe_78_assignsubmission_file_labs.zip", packed(Format::zip, solution()),
-             {{"passes", all_steps()}});
+    for (const auto& [entry, is_solved] : {std::pair("Jane Doe.zip", false),
+                                           {"Jane Doe_77_assignsubmission_file_labs.zip", false},
+                                           {"Jane Doe_78_assignsubmission_file_labs.zip", true}})
+      put_file("files", entry, packed(Format::zip, is_solved ? solution() : starter()),
+               is_solved ? Json{{"passes", all_steps()}} : nothing());
   }
 
   void broken() {
-    Json fault = nothing();
-    fault["fault"] = true;
     const std::string zip = packed(Format::zip, solution()), tar = packed(Format::tar_gz, solution());
-    put_file("broken", "broken-cut.zip", zip.substr(0, zip.size() / 2), fault);
-    put_file("broken", "broken-cut.tar.gz", tar.substr(0, tar.size() / 2), fault);
-    put_file("broken", "broken-empty.zip", "", fault);
-    put_file("broken", "broken-empty.tar.gz", "", fault);
-    put_file("broken", "broken-text.zip", "I could not get it to work, sorry.\n", fault);
-    put_file("broken", "broken-essay.docx", "My solution", fault);
-    put_file("broken", "broken-without-files.zip", pack(Format::zip, {}), fault);
-    std::vector<Packed> bomb = {{"bomb", std::string(64U << 20U, '\0')}};
+    std::vector<Packed> bomb = {{"bomb", std::string(64U << 20U, '\0')}}, many;
     for (const auto& [path, text] : solution()) bomb.push_back({path, text});
-    put_file("broken", "broken-bomb.zip", pack(Format::zip, bomb), fault);
-    put_file("broken", "broken-bomb.tar.gz", pack(Format::tar_gz, bomb), fault);
-    put_file("broken", "broken-archive-in-archive.zip", pack(Format::zip, {{"labs.zip", zip}}), fault);
-    std::vector<Packed> many;
     for (int i = 0; i < 20'000; ++i) many.push_back({fmt::format("{}.txt", i), ""});
-    put_file("broken", "broken-many.zip", pack(Format::zip, many), fault);
-
     std::vector<Packed> absolute, above, links, hard_links, devices, pipes;
     for (const auto& [path, text] : solution()) {
       absolute.push_back({"/" + path, text});
@@ -435,15 +420,27 @@ class ClassMaker {
       devices.push_back({path, "", AE_IFCHR});
       pipes.push_back({path, "", AE_IFIFO});
     }
-    put_file("broken", "broken-absolute.zip", pack(Format::zip, absolute), fault);
-    put_file("broken", "broken-above.tar.gz", pack(Format::tar_gz, above), fault);
-    put_file("broken", "broken-links.zip", pack(Format::zip, links), fault);
-    put_file("broken", "broken-links.tar.gz", pack(Format::tar_gz, links), fault);
-    put_file("broken", "broken-hard-links.tar", pack(Format::tar, hard_links), fault);
-    put_file("broken", "broken-devices.tar.gz", pack(Format::tar_gz, devices), fault);
-    put_file("broken", "broken-pipes.tar", pack(Format::tar, pipes), fault);
+    for (const auto& [name, bytes] : Files{{"cut.zip", zip.substr(0, zip.size() / 2)},
+                                           {"cut.tar.gz", tar.substr(0, tar.size() / 2)},
+                                           {"empty.zip", ""},
+                                           {"empty.tar.gz", ""},
+                                           {"text.zip", "I could not get it to work, sorry.\n"},
+                                           {"essay.docx", "My solution"},
+                                           {"without-files.zip", pack(Format::zip, {})},
+                                           {"bomb.zip", pack(Format::zip, bomb)},
+                                           {"bomb.tar.gz", pack(Format::tar_gz, bomb)},
+                                           {"archive-in-archive.zip", pack(Format::zip, {{"labs.zip", zip}})},
+                                           {"many.zip", pack(Format::zip, many)},
+                                           {"absolute.zip", pack(Format::zip, absolute)},
+                                           {"above.tar.gz", pack(Format::tar_gz, above)},
+                                           {"links.zip", pack(Format::zip, links)},
+                                           {"links.tar.gz", pack(Format::tar_gz, links)},
+                                           {"hard-links.tar", pack(Format::tar, hard_links)},
+                                           {"devices.tar.gz", pack(Format::tar_gz, devices)},
+                                           {"pipes.tar", pack(Format::tar, pipes)}})
+      put_file("broken", "broken-" + name, bytes, unreadable());
     fs::create_directories(options_.out / "broken-empty-folder");
-    expect("broken-empty-folder", "broken", "empty-folder", fault);
+    expect("broken-empty-folder", "broken", "empty-folder", unreadable());
   }
 
   /// DIR.json, by the ids that the grader will give.

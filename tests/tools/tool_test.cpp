@@ -15,12 +15,14 @@
 #include "core/files.hpp"
 #include "core/json.hpp"
 #include "course/lab_file.hpp"
+#include "course/markers.hpp"
 #include "gallery.hpp"
 #include "image/difference.hpp"
 #include "image/flip.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
 #include "image/ssim.hpp"
+#include "student/report.hpp"
 
 namespace texel {
 namespace {
@@ -59,6 +61,11 @@ class Compare : public testing::Test {
     return texel(fmt::format("compare '{}' '{}' {}", file(a), file(b), rest));
   }
 
+  /// What it says in JSON of the two pictures.
+  [[nodiscard]] Json json_of(const std::string& rest) const {
+    return parse_json(compare("a.png", "b.png", "--json " + rest).output);
+  }
+
   /// A picture of one vector everywhere.
   void save_vector(const std::string& name, float x, float y, float z) const {
     ImageF picture(4, 4, 3);
@@ -74,116 +81,109 @@ class Compare : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
-TEST_F(Compare, holds_when_the_pictures_are_the_same) {
-  const Result result = compare("a.png", "a.png", "--json");
-  EXPECT_EQ(result.exit_code, 0);
-  EXPECT_EQ(result.output,
-            "{\"width\": 10, \"height\": 10, \"max\": 0, \"mean\": 0, \"p99\": 0, \"flip_mean\": 0, "
-            "\"flip_p99\": 0, "
-            "\"ssim\": 1, \"non_finite\": 0, \"flip_weighted_quartiles\": [0, 0, 0], \"forgiven\": 0, "
-            "\"unit\": \"8-bit steps\"}\n");
-}
+/// What is compared, the exit code, and words of the answer.
+struct Row {
+  std::string a, b, rest;
+  int exit_code;
+  std::string says = {};
+};
 
-TEST_F(Compare, differs_when_no_limit_is_given) {
-  const Result result = compare("a.png", "b.png", "--json");
-  EXPECT_EQ(result.exit_code, 1);
-  // (60 + 15) steps over 300 samples; the pixel of rank 99 of 100 is the one of 15 steps.
-  EXPECT_TRUE(has(result.output, "\"max\": 60, \"mean\": 0.25, \"p99\": 15,")) << result.output;
-}
-
-TEST_F(Compare, holds_up_to_its_limits) {
-  EXPECT_EQ(compare("a.png", "b.png", "--max 60 --mean 0.25 --p99 15").exit_code, 0);
-  EXPECT_EQ(compare("a.png", "b.png", "--mean 0.25").exit_code, 0);
-  for (const char* limit : {"--max 59", "--mean 0.24", "--p99 14", "--max 60 --p99 14"})
-    EXPECT_EQ(compare("a.png", "b.png", limit).exit_code, 1) << limit;
-  EXPECT_TRUE(has(compare("a.png", "b.png", "--max 59").output, "max is 60, over the limit 59"));
-}
-
-TEST_F(Compare, looks_only_where_the_mask_is_light) {
-  const Result result = compare("a.png", "b.png", fmt::format("--json --mask '{}'", file("mask.png")));
-  EXPECT_TRUE(has(result.output, "\"max\": 15,")) << result.output;
-}
-
-TEST_F(Compare, writes_a_heat_map) {
-  static_cast<void>(compare("a.png", "b.png", fmt::format("--heatmap '{}'", file("heat.png"))));
-  const Image8 heat = image::load8(file("heat.png"));
-  EXPECT_EQ(heat.width, 10);
-  EXPECT_NE(heat.at(3, 4), heat.at(0, 0));
-}
-
-TEST_F(Compare, measures_directions_in_degrees) {
+TEST_F(Compare, says_how_far_pictures_are_apart_and_whether_that_is_within_the_limits) {
   save_vector("x.pfm", 1, 0, 0);
   save_vector("y.pfm", 0, 1, 0);
-  EXPECT_TRUE(has(compare("x.pfm", "y.pfm", "--json").output, "\"max\": 90, \"mean\": 90, \"p99\": 90, "));
-  EXPECT_TRUE(has(compare("x.pfm", "y.pfm", "--json --unit own").output, "\"max\": 1, "));
   save_vector("long.pfm", 3, 0, 0);
-  EXPECT_TRUE(has(compare("long.pfm", "y.pfm", "--json").output, "\"max\": 3, "));
-  EXPECT_TRUE(has(compare("long.pfm", "y.pfm", "--json --unit degrees").output, "\"max\": 90, "));
-}
-
-TEST_F(Compare, measures_texture_coordinates_in_texels) {
+  save_vector("nan.pfm", 1, std::numeric_limits<float>::quiet_NaN(), 0);
   save_vector("here.pfm", 0.25F, 0.5F, 0);
   save_vector("there.pfm", 0.25F + 3.0F / 512, 0.5F + 4.0F / 512, 0);
-  const Result square = compare("here.pfm", "there.pfm", "--json --unit texels --texels 512");
-  EXPECT_TRUE(has(square.output, "\"max\": 5, ")) << square.output;
-  EXPECT_TRUE(has(square.output, "\"unit\": \"texels\"")) << square.output;
-  // 3 texels of 512 and 4 / 512 of 1024
-  EXPECT_TRUE(has(compare("here.pfm", "there.pfm", "--json --unit texels --texels 512x1024").output,
-                  fmt::format("\"max\": {}, ", std::hypot(3.0, 8.0))));
+  image::save_png(file("small.png"), Image8(5, 10, 3));
+  write_file(file("cut.png"), read_file(file("a.png")).substr(0, 40));
+  write_file(file("empty.png"), "");
+  const std::string mask = fmt::format("--mask '{}'", file("mask.png"));
+  std::vector<Row> rows = {
+      {"a.png", "a.png", "--json", 0,
+       "{\"width\": 10, \"height\": 10, \"max\": 0, \"mean\": 0, \"p99\": 0, \"flip_mean\": 0, \"flip_p99\": "
+       "0, "
+       "\"ssim\": 1, \"non_finite\": 0, \"flip_weighted_quartiles\": [0, 0, 0], \"forgiven\": 0, \"unit\": "
+       "\"8-bit "
+       "steps\"}\n"},
+      // (60 + 15) steps over 300 samples; the pixel of rank 99 of 100 is the one of 15 steps.
+      {"a.png", "b.png", "--json", 1, "\"max\": 60, \"mean\": 0.25, \"p99\": 15,"},
+      {"a.png", "b.png", "--max 60 --mean 0.25 --p99 15", 0},
+      {"a.png", "b.png", "--mean 0.25", 0},
+      {"a.png", "b.png", "--max 59", 1, "max is 60, over the limit 59"},
+      {"a.png", "b.png", "--mean 0.24", 1},
+      {"a.png", "b.png", "--p99 14", 1},
+      {"a.png", "b.png", "--max 60 --p99 14", 1},
+      {"a.png", "b.png", "--flip 1", 0},
+      {"a.png", "b.png", "--flip 1 --max 59", 1},
+      {"a.png", "b.png", "--flip 0.001", 1, "texel: flip is "},
+      {"a.png", "b.png", "--flip 0.001", 1, ", over the limit 0.001"},
+      {"a.png", "b.png", "--json " + mask, 1, "\"max\": 15,"},
+      {"x.pfm", "y.pfm", "--json", 1, "\"max\": 90, \"mean\": 90, \"p99\": 90, "},
+      {"x.pfm", "y.pfm", "--json --unit own", 1, "\"max\": 1, "},
+      {"long.pfm", "y.pfm", "--json", 1, "\"max\": 3, "},
+      {"long.pfm", "y.pfm", "--json --unit degrees", 1, "\"max\": 90, "},
+      {"here.pfm", "there.pfm", "--json --unit texels --texels 512", 1, "\"max\": 5, "},
+      {"here.pfm", "there.pfm", "--json --unit texels --texels 512", 1, "\"unit\": \"texels\""},
+      // 3 texels of 512 and 4 / 512 of 1024
+      {"here.pfm", "there.pfm", "--json --unit texels --texels 512x1024", 1,
+       fmt::format("\"max\": {}, ", std::hypot(3.0, 8.0))},
+      // Whatever the limit.
+      {"x.pfm", "nan.pfm", "--json --max 180", 1, "\"non_finite\": 16"},
+      {"x.pfm", "x.pfm", "--json", 0, "\"flip_mean\": null, \"flip_p99\": null, \"ssim\": null,"},
+      {"x.pfm", "x.pfm", "--json", 0, "\"flip_weighted_quartiles\": null"},
+      {"a.png", "a.png", fmt::format("--mask '{}'", file("small.png")), 3},
+      {"a.png", "b.png", fmt::format("--heatmap '{}'", file("none/heat.png")), 3}};
+  for (const char* other : {"small.png", "cut.png", "empty.png", "none.png", "x.pfm", ""})
+    rows.push_back({"a.png", other, "", 3, "texel: "});
+  for (const char* usage :
+       {"--max", "--max red", "--unit radians", "--unit degrees", "--unit texels", "--texels 512",
+        "--maximum 3", "--heatmap a.jpg", "--flip-heatmap a.jpg", "--flip", "--ppd 0", "--ppd nan", "third"})
+    rows.push_back({"a.png", "a.png", usage, 2});
+  for (const char* of_colors : {"--flip 1", "--ppd 60", "--flip-heatmap f.png"})
+    rows.push_back({"x.pfm", "x.pfm", of_colors, 2});
+  for (const auto& [a, b, rest, exit_code, says] : rows) {
+    const Result result = compare(a, b, rest);
+    EXPECT_EQ(result.exit_code, exit_code) << a << " " << b << " " << rest << ": " << result.output;
+    EXPECT_TRUE(has(result.output, says)) << result.output;
+    if (exit_code == 3) {
+      EXPECT_EQ(std::count(result.output.begin(), result.output.end(), '\n'), 1) << result.output;
+    }
+  }
+  EXPECT_FALSE(has(compare("x.pfm", "x.pfm").output, "FLIP"));
+  EXPECT_EQ(texel("compare").exit_code, 2);
 }
 
-TEST_F(Compare, prints_flip_and_ssim) {
+TEST_F(Compare, prints_and_draws_flip_and_ssim) {
   const Result text = compare("a.png", "b.png");
   for (const char* name : {"FLIP mean", "FLIP p99", "SSIM"})
     EXPECT_TRUE(has(text.output, name)) << text.output;
-  const auto json = parse_json(compare("a.png", "b.png", "--json").output);
-  const image::ImageF errors = image::flip_errors(image::load8(file("a.png")), image::load8(file("b.png")));
+  const Image8 a = image::load8(file("a.png")), b = image::load8(file("b.png"));
+  const image::ImageF errors = image::flip_errors(a, b);
+  const Json json = json_of("");
   EXPECT_EQ(json["flip_mean"], image::flip_figures(errors).mean);
   EXPECT_EQ(json["flip_p99"], image::flip_figures(errors).p99);
   EXPECT_EQ(json["flip_weighted_quartiles"][1], image::flip_figures(errors).median);
-  EXPECT_EQ(json["ssim"], image::ssim(image::load8(file("a.png")), image::load8(file("b.png"))));
+  EXPECT_EQ(json["ssim"], image::ssim(a, b));
   // From farther away less is seen of two pixels.
-  const auto far = parse_json(compare("a.png", "b.png", "--json --ppd 300").output);
-  EXPECT_LT(far["flip_p99"], json["flip_p99"]);
-}
-
-TEST_F(Compare, has_no_flip_of_float_pictures) {
-  save_vector("x.pfm", 1, 0, 0);
-  const auto json = parse_json(compare("x.pfm", "x.pfm", "--json").output);
-  for (const char* key : {"flip_mean", "flip_p99", "flip_weighted_quartiles", "ssim"})
-    EXPECT_TRUE(json.at(key).is_null()) << key;
-  EXPECT_FALSE(has(compare("x.pfm", "x.pfm").output, "FLIP"));
-  for (const std::string rest : {"--flip 1", "--ppd 60", "--flip-heatmap f.png"})
-    EXPECT_EQ(compare("x.pfm", "x.pfm", rest).exit_code, 2) << rest;
-}
-
-TEST_F(Compare, holds_up_to_the_limit_of_flip) {
-  EXPECT_EQ(compare("a.png", "b.png", "--flip 1").exit_code, 0);
-  const Result over = compare("a.png", "b.png", "--flip 0.001");
-  EXPECT_EQ(over.exit_code, 1);
-  EXPECT_TRUE(has(over.output, "texel: flip is ")) << over.output;
-  EXPECT_TRUE(has(over.output, ", over the limit 0.001")) << over.output;
-  EXPECT_EQ(compare("a.png", "b.png", "--flip 1 --max 59").exit_code, 1);
-}
-
-TEST_F(Compare, pools_flip_and_ssim_within_the_mask) {
+  EXPECT_LT(json_of("--ppd 300")["flip_p99"], json["flip_p99"]);
+  // Within a mask of one pixel, 6 from the nearest difference: the filters still reach it.
   Image8 corner(10, 10, 1);
   corner.at(0, 9) = 255;
   image::save_png(file("corner.png"), corner);
-  const auto whole = parse_json(compare("a.png", "b.png", "--json").output);
-  const auto masked =
-      parse_json(compare("a.png", "b.png", fmt::format("--json --mask '{}'", file("corner.png"))).output);
-  // One pixel, 6 from the nearest difference: the filters still reach it.
+  const Json masked = json_of(fmt::format("--mask '{}'", file("corner.png")));
   EXPECT_GT(masked["flip_mean"], 0);
-  EXPECT_LT(masked["flip_mean"], whole["flip_mean"]);
+  EXPECT_LT(masked["flip_mean"], json["flip_mean"]);
   EXPECT_EQ(masked["flip_mean"], masked["flip_p99"]);
-  EXPECT_GT(masked["ssim"], whole["ssim"]);
-}
+  EXPECT_GT(masked["ssim"], json["ssim"]);
 
-TEST_F(Compare, writes_the_heat_map_of_flip) {
-  static_cast<void>(compare("a.png", "b.png", fmt::format("--flip-heatmap '{}'", file("flip.png"))));
-  const image::ImageF errors = image::flip_errors(image::load8(file("a.png")), image::load8(file("b.png")));
+  static_cast<void>(
+      compare("a.png", "b.png",
+              fmt::format("--flip-heatmap '{}' --heatmap '{}'", file("flip.png"), file("heat.png"))));
   EXPECT_EQ(image::load8(file("flip.png")), image::flip_heatmap(errors));
+  const Image8 heat = image::load8(file("heat.png"));
+  EXPECT_EQ(heat.width, 10);
+  EXPECT_NE(heat.at(3, 4), heat.at(0, 0));
 }
 
 TEST_F(Compare, forgives_edges_when_asked) {
@@ -199,43 +199,15 @@ TEST_F(Compare, forgives_edges_when_asked) {
   EXPECT_TRUE(has(tolerant.output, "forgiven    1 pixels at edges")) << tolerant.output;
 }
 
-TEST_F(Compare, never_holds_when_a_pixel_is_not_finite) {
-  save_vector("x.pfm", 1, 0, 0);
-  save_vector("nan.pfm", 1, std::numeric_limits<float>::quiet_NaN(), 0);
-  const Result result = compare("x.pfm", "nan.pfm", "--json --max 180");
-  EXPECT_EQ(result.exit_code, 1);
-  EXPECT_TRUE(has(result.output, "\"non_finite\": 16")) << result.output;
-}
-
-TEST_F(Compare, fails_when_the_pictures_cannot_be_compared) {
-  image::save_png(file("small.png"), Image8(5, 10, 3));
-  write_file(file("cut.png"), read_file(file("a.png")).substr(0, 40));
-  write_file(file("empty.png"), "");
-  save_vector("x.pfm", 1, 0, 0);
-  for (const char* other : {"small.png", "cut.png", "empty.png", "none.png", "x.pfm", ""}) {
-    const Result result = compare("a.png", other);
-    EXPECT_EQ(result.exit_code, 3) << other;
-    EXPECT_TRUE(has(result.output, "texel: ")) << result.output;
-    EXPECT_EQ(std::count(result.output.begin(), result.output.end(), '\n'), 1) << result.output;
-  }
-  EXPECT_EQ(compare("a.png", "a.png", fmt::format("--mask '{}'", file("small.png"))).exit_code, 3);
-  EXPECT_EQ(compare("a.png", "b.png", fmt::format("--heatmap '{}'", file("none/heat.png"))).exit_code, 3);
-}
-
-TEST_F(Compare, refuses_wrong_usage) {
-  for (const char* rest :
-       {"--max", "--max red", "--unit radians", "--unit degrees", "--unit texels", "--texels 512",
-        "--maximum 3", "--heatmap a.jpg", "--flip-heatmap a.jpg", "--flip", "--ppd 0", "--ppd nan", "third"})
-    EXPECT_EQ(compare("a.png", "a.png", rest).exit_code, 2) << rest;
-  EXPECT_EQ(texel("compare").exit_code, 2);
-}
-
-TEST(Texel, suggests_the_nearest_command) {
-  const Result result = texel("galery");
-  EXPECT_EQ(result.exit_code, 2);
-  EXPECT_EQ(result.output, "texel: there is no command 'galery'; did you mean 'gallery'?\n");
-  EXPECT_EQ(texel("").exit_code, 2);
-  EXPECT_EQ(texel("--help").exit_code, 0);
+TEST(Texel, says_what_is_wrong_with_a_command) {
+  EXPECT_EQ(texel("galery").output, "texel: there is no command 'galery'; did you mean 'gallery'?\n");
+  for (const auto& [line, exit_code] : {std::pair("galery", 2),
+                                        {"", 2},
+                                        {"--help", 0},
+                                        {"gallery --lab 1 --out /dev/null/page", 3},
+                                        {"gallery --lab 12", 2},
+                                        {"gallery --lab one", 2}})
+    EXPECT_EQ(texel(line).exit_code, exit_code) << line;
 }
 
 TEST(List, names_each_lab_as_its_program_does) {
@@ -279,10 +251,35 @@ TEST(Gallery, draws_a_lab_once_and_again_only_when_it_changed) {
   EXPECT_TRUE(has(texel(command).output, "pictures drawn"));
 }
 
-TEST(Gallery, fails_when_it_cannot_write) {
-  EXPECT_EQ(texel("gallery --lab 1 --out /dev/null/page").exit_code, 3);
-  EXPECT_EQ(texel("gallery --lab 12").exit_code, 2);
-  EXPECT_EQ(texel("gallery --lab one").exit_code, 2);
+TEST(Report, says_once_why_several_steps_wait) {
+  judge::LabResult lab;
+  for (const char* id : {"7.1", "7.2", "7.3", "7.4"}) {
+    judge::StepResult step;
+    step.id = step.title = id;
+    step.cases.emplace_back();
+    if (!lab.steps.empty()) step.status = judge::Status::skipped, step.message = "because";
+    lab.steps.push_back(step);
+  }
+  lab.steps.back().message = "for another reason";
+  const std::string text = tools::report(lab, false);
+  EXPECT_TRUE(has(text, "7.2: because")) << text;
+  EXPECT_EQ(text.find("because"), text.rfind("because")) << text;
+  EXPECT_TRUE(has(text, "7.4: for another reason")) << text;
+}
+
+/// An editor that saves with other line ends or tabs, and comments alone, begin no step, in any file of the
+/// course.
+TEST(Steps, are_not_begun_by_line_ends_tabs_blank_lines_and_comments) {
+  for (const std::string& file : course::step_files(".")) {
+    const std::string first = course::with_steps(read_file(file), file, [](const auto&) { return false; });
+    for (const std::string& text :
+         {std::regex_replace(first, std::regex("\n"), "\r\n"),
+          std::regex_replace(first, std::regex("\n +"), "\n\t"),
+          std::regex_replace(first, std::regex("\n( *//@end)"), "\n\n  // it's my plan\n$1")}) {
+      ASSERT_NE(text, first);
+      EXPECT_EQ(course::untouched_steps(text, first).size(), course::step_texts(first).size()) << file;
+    }
+  }
 }
 
 }  // namespace

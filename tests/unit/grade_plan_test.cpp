@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "grade/hidden_cases.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 
+#include "../../teach/grade/judged_alone.hpp"
 #include "core/files.hpp"
 #include "core/json.hpp"
 #include "course/batch.hpp"
@@ -77,6 +80,8 @@ TEST_F(Plan, draws_hidden_values_from_the_seed_within_their_range) {
   EXPECT_EQ(secret.settings[0].parameter, "turn");
   EXPECT_LE(std::abs(std::stod(secret.settings[0].value)), 90);
   EXPECT_NE(secret.settings[0].value, "10");
+  // The text is the same as a float: it has four digits at most.
+  EXPECT_EQ(secret.settings[0].value, fmt::format("{:.4g}", std::stod(secret.settings[0].value)));
   EXPECT_EQ(secret.settings[1].value, "1");
   EXPECT_NE(std::string("abc").find(secret.settings[2].value), std::string::npos);
   EXPECT_EQ(plan_of(lab_, "a seed").front().cases, plan.cases);
@@ -115,6 +120,15 @@ TEST_F(Plan, shows_the_command_that_repeats_a_picture) {
   const judge::LabPlan plan = plan_of(lab_, "s").front();
   EXPECT_EQ(judge::command(plan.lab, plan.cases[0]),
             "./run lab 1 --turn 10 --samples 1 --size 128x128 --snapshot open.png");
+}
+
+TEST(Coarse, marks_are_rounded_down_and_errors_to_two_digits) {
+  for (const auto& [score, coarse] :
+       {std::pair(0.0, 0.0), {0.999, 0.99}, {0.123, 0.12}, {0.128, 0.12}, {1.0, 1.0}})
+    EXPECT_EQ(coarse_score(score), coarse);
+  for (const auto& [error, coarse] : {std::pair(0.01234, 0.012), {0.0168, 0.017}, {179.4, 180.0}, {0.0, 0.0}})
+    EXPECT_EQ(coarse_error(error), coarse);
+  EXPECT_TRUE(std::isnan(coarse_error(NAN)));
 }
 
 TEST(WithNeeded, adds_the_labs_whose_steps_are_needed_through_others_too) {

@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "../support/said.hpp"
 #include "core/error.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/vectors.hpp"
@@ -21,7 +22,7 @@ constexpr std::uint64_t seeds = 100;
 
 /// A file's lists and faces as they are written.
 struct Lines {
-  std::vector<glm::dvec3> positions, normals;
+  std::vector<glm::dvec3> positions;
   std::map<std::string, std::vector<std::string>> words;  ///< by keyword, without it
   std::vector<std::vector<std::size_t>> faces;            ///< positions from 0
 };
@@ -36,10 +37,9 @@ Lines read(const std::string& text) {
     std::getline(words, rest);
     lines.words[keyword].push_back(rest);
     std::istringstream values(rest);
-    if (keyword == "v" || keyword == "vn") {
-      glm::dvec3 p;
+    if (keyword == "v") {
+      glm::dvec3& p = lines.positions.emplace_back();
       values >> p.x >> p.y >> p.z;
-      (keyword == "v" ? lines.positions : lines.normals).push_back(p);
     }
     if (keyword != "f") continue;
     lines.faces.emplace_back();
@@ -66,12 +66,6 @@ glm::dvec3 normal_of(const std::vector<glm::dvec3>& corners) {
   return normal;
 }
 
-std::vector<glm::dvec3> corners_of(const Lines& lines, const std::vector<std::size_t>& face) {
-  std::vector<glm::dvec3> corners;
-  for (const std::size_t v : face) corners.push_back(lines.positions[v]);
-  return corners;
-}
-
 Outline flattened(const std::vector<glm::dvec3>& corners) {
   const glm::dvec3 normal = glm::normalize(normal_of(corners));
   const glm::dvec3 x = glm::normalize(corners[1] - corners[0]), y = glm::cross(normal, x);
@@ -96,47 +90,29 @@ bool is_simple(const Outline& outline) {
 
 class EachKind : public testing::TestWithParam<std::string> {};
 
-TEST_P(EachKind, is_the_same_for_the_same_seed_and_another_for_another) {
+TEST_P(EachKind, is_sound_and_follows_from_the_seed) {
   std::set<std::string> texts;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    SCOPED_TRACE(seed);
     const std::string text = unseen_model(GetParam(), seed);
     EXPECT_EQ(text, unseen_model(GetParam(), seed));
-    texts.insert(text);
-  }
-  EXPECT_EQ(texts.size(), seeds);
-}
-
-TEST_P(EachKind, is_read_without_a_word_and_lies_in_the_unit_cube) {
-  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-    const std::string text = unseen_model(GetParam(), seed);
+    EXPECT_TRUE(texts.insert(text).second);
+    // No two lines are equal, so that equal values are equal indices.
+    for (const auto& [keyword, rest] : read(text).words)
+      EXPECT_EQ(std::set<std::string>(rest.begin(), rest.end()).size(), rest.size()) << keyword;
     const mesh::ObjData data = mesh::parse_obj(text, GetParam());
     EXPECT_TRUE(data.report.warnings.empty()) << data.report.warnings[0];
-    EXPECT_EQ(data.report.approximate_polygons, 0U) << "seed " << seed;
+    EXPECT_EQ(data.report.approximate_polygons, 0U);
     EXPECT_GE(data.report.faces, 30U);
     EXPECT_LE(data.report.faces, 200U);
     EXPECT_EQ(data.texcoords.empty(), GetParam() == "no_vt");
-    EXPECT_FALSE(data.normals.empty());
     for (const glm::vec3& p : data.positions)
       for (int c = 0; c < 3; ++c) EXPECT_TRUE(p[c] >= 0 && p[c] <= 1) << p[c];
-  }
-}
-
-TEST_P(EachKind, has_no_two_equal_lines_so_that_equal_values_are_equal_indices) {
-  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-    const Lines lines = read(unseen_model(GetParam(), seed));
-    for (const auto& [keyword, rest] : lines.words)
-      EXPECT_EQ(std::set<std::string>(rest.begin(), rest.end()).size(), rest.size())
-          << keyword << ' ' << seed;
-  }
-}
-
-TEST_P(EachKind, faces_the_side_to_which_its_normals_point) {
-  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-    const mesh::ObjData data = mesh::parse_obj(unseen_model(GetParam(), seed), "unseen");
+    // Faces show the side to which their normals point.
     for (std::size_t i = 0; i < data.corners.size(); i += 3) {
       const auto at = [&](std::size_t k) { return glm::dvec3(data.positions[data.corners[i + k].position]); };
       const glm::dvec3 normal = glm::cross(at(1) - at(0), at(2) - at(0));
-      EXPECT_GT(glm::dot(normal, glm::dvec3(data.normals[data.corners[i].normal])), 0) << "seed " << seed;
+      EXPECT_GT(glm::dot(normal, glm::dvec3(data.normals[data.corners[i].normal])), 0);
     }
   }
 }
@@ -149,7 +125,8 @@ TEST(UnseenPolygons, are_planar_simple_and_mostly_not_what_a_fan_makes_of_them) 
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     const Lines lines = read(unseen_model("polygons", seed));
     for (const std::vector<std::size_t>& face : lines.faces) {
-      const std::vector<glm::dvec3> points = corners_of(lines, face);
+      std::vector<glm::dvec3> points;
+      for (const std::size_t v : face) points.push_back(lines.positions[v]);
       const glm::dvec3 normal = glm::normalize(normal_of(points));
       // Six decimals: each coordinate is off by half a millionth, and the polygon by that over its width.
       for (const glm::dvec3& p : points) EXPECT_NEAR(glm::dot(p - points[0], normal), 0, 1e-5);
@@ -240,13 +217,8 @@ TEST(UnseenNumbers, has_every_count_of_numbers) {
 }
 
 TEST(UnseenModel, of_an_unknown_kind_is_an_error_that_names_a_near_one) {
-  try {
-    unseen_model("polygon", 1);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.exit_code(), Exit::usage);
-    EXPECT_NE(std::string(error.what()).find("'polygons'"), std::string::npos) << error.what();
-  }
+  EXPECT_TRUE(
+      test::has(test::error_of([] { unseen_model("polygon", 1); }, Exit::usage), "did you mean 'polygons'?"));
 }
 
 }  // namespace

@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""What an edit builds anew, as ninja would: an edit in one lab that lab, an edit in a shader nothing. rebuild_test.py BUILD"""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+BUILD = pathlib.Path(sys.argv.pop())
+
+
+class Rebuild(unittest.TestCase):
+    def setUp(self):
+        # Under another name the file is not made anew before anything else.
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.ninja = shutil.copy(BUILD / "build.ninja", pathlib.Path(folder.name) / "copy.ninja")
+        self.assertEqual(self.built(), set(), "there is something to build before any edit")
+
+    def built(self):
+        """What a build would make now, by the names of its outputs."""
+        said = subprocess.run(["ninja", "-n", "-v", "-C", BUILD, "-f", self.ninja], capture_output=True, text=True, check=True).stdout
+        words = said.split()
+        outputs = {word for before, word in zip(words, words[1:]) if before == "-o"}
+        self.assertEqual(not outputs, "no work to do" in said, said)
+        return outputs
+
+    def built_after_saving(self, file):
+        """The same while a file seems to be saved this moment; then it is as old as it was."""
+        before = file.stat()
+        os.utime(file)
+        try:
+            return self.built()
+        finally:
+            os.utime(file, ns=(before.st_atime_ns, before.st_mtime_ns))
+
+    def test_of_one_lab_when_a_file_of_it_is_saved(self):
+        edits = 0
+        for lab in pathlib.Path("labs").glob("*/lab.cpp"):
+            name = lab.parent.name
+            for file in (file for file in lab.parent.rglob("*") if file.suffix in (".cpp", ".hpp")):
+                self.assertEqual(self.built_after_saving(file), {f"labs/CMakeFiles/lab{name}.dir/{name}/lab.cpp.o", f"bin/lab{name}.new"}, file)
+                edits += 1
+        self.assertGreaterEqual(edits, 2 * 9)
+
+    def test_of_nothing_when_a_shader_is_saved(self):
+        shaders = [file for file in pathlib.Path("shaders").rglob("*") if file.is_file()]
+        self.assertGreaterEqual(len(shaders), 3 * 9)
+        for file in shaders:
+            self.assertEqual(self.built_after_saving(file), set(), file)
+
+
+if __name__ == "__main__":
+    unittest.main()
