@@ -125,11 +125,26 @@ function(texel_program name)
   install(TARGETS ${name} DESTINATION bin)
 endfunction()
 
-# texel_lab(05_normal_map): labs/05_normal_map/lab.cpp becomes the program lab05_normal_map.
-# It has no loop over pixels, and is compiled after each save.
+# texel_lab(05_normal_map): labs/05_normal_map/lab.cpp becomes the program lab05_normal_map. The other .cpp files there, which
+# students write, become the objects steps05_normal_map; in a student's tree only those that were there at first, so that a
+# copy of one does no harm. lab.cpp has no loop over pixels, and is compiled after each save.
 function(texel_lab folder)
   texel_program(lab${folder} LIGHT SOURCES ${folder}/lab.cpp DEPENDS texel_start)
   target_include_directories(lab${folder} PRIVATE ${folder})
+  set(given ${CMAKE_SOURCE_DIR}/.starter/labs/${folder})
+  if(NOT IS_DIRECTORY ${given})
+    set(given ${CMAKE_CURRENT_SOURCE_DIR}/${folder})
+  endif()
+  file(GLOB steps RELATIVE ${given} ${given}/*.cpp)
+  list(REMOVE_ITEM steps lab.cpp)
+  if(steps)
+    list(TRANSFORM steps PREPEND ${folder}/)
+    add_library(steps${folder} OBJECT ${steps})
+    target_include_directories(steps${folder} PUBLIC ${folder})
+    target_link_libraries(steps${folder} PRIVATE texel_mesh)
+    texel_own(steps${folder})
+    target_link_libraries(lab${folder} PRIVATE steps${folder})
+  endif()
 endfunction()
 
 # texel_test_program(name SOURCES … DEPENDS …): a GoogleTest program; who calls says what of it is a test.

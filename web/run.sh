@@ -18,7 +18,7 @@ compile_engine() { # tree, build folder
 }
 
 # The steps that are written in C++: a page draws them as solved, and they are done on the desktop.
-cpp_steps() { grep -rhoE '//@step [0-9]+\.[0-9]+' "$root/labs" "$root/common" --include='*.[ch]pp' | cut -d' ' -f2 | sort -uV | paste -sd,; }
+cpp_steps() { grep -rhoE '//@step [0-9]+\.[0-9]+' "$root/labs" --include='*.[ch]pp' | cut -d' ' -f2 | sort -uV | paste -sd,; }
 
 web() { # --serve [PORT], --starter
   local serve='' port=8080 kind=course tree=$root program=$root build=$root/build/web out=$root/out/web

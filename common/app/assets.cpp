@@ -102,6 +102,13 @@ std::array<image::Image8, 6> Assets::cube_map(const std::string& name) const {
   return faces;
 }
 
+fs::path Assets::mesh(const std::string& name) const {
+  const fs::path read = root_ / "assets" / "models" / (name + ".ply");
+  if (!is_bundled_name(name) || !fs::exists(read)) return model(name);
+  remember(read);
+  return read;
+}
+
 fs::path Assets::model(const std::string& name) const {
   fs::path path = find("models", name, ".obj");
   remember(path);

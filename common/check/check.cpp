@@ -243,7 +243,7 @@ std::vector<judge::LabResult> check(const OwnTree& tree, const std::vector<cours
   fs::create_directories(memory.parent_path());
   {
     const FileLock lock(memory.string() + ".lock");
-    skip_those_that_wait(results, changed_since_it_passed(memory, texts, places, results));
+    skip_those_that_wait(results, changed_since_it_passed(memory, texts, results));
   }
   std::erase_if(results, [&](const judge::LabResult& result) {
     return std::none_of(labs.begin(), labs.end(),

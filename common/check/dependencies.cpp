@@ -48,11 +48,6 @@ void write_memory(const fs::path& file, const Memory& memory) {
   write_file(file, to_text(json, 1) + "\n");
 }
 
-/// A file that several labs use.
-bool is_shared(const std::string& file) {
-  return file.starts_with("common/") || file.starts_with("shaders/lib/");
-}
-
 /// What those that need a step have to know of it.
 struct Before {
   bool is_passed = false;
@@ -70,7 +65,6 @@ void skip(judge::StepResult& step, const std::vector<std::string>& because_of, c
 
 std::map<std::string, Changed> changed_since_it_passed(const fs::path& file,
                                                        const std::map<std::string, std::string>& texts,
-                                                       const std::map<std::string, Place>& places,
                                                        const std::vector<judge::LabResult>& labs) {
   Memory memory = read_memory(file);
   bool is_saved = false;
@@ -83,21 +77,15 @@ std::map<std::string, Changed> changed_since_it_passed(const fs::path& file,
   }
   if (is_saved) ++memory.saves;
 
-  std::vector<course::Lab> known;
-  for (const judge::LabResult& lab : labs) known.push_back(lab.lab);
-  const judge::Needs needs(known);
   std::map<std::string, Changed> changed;
   for (const judge::LabResult& lab : labs)
     for (const judge::StepResult& step : lab.steps) {
       Remembered& own = memory.steps[step.id];
       if (step.status == judge::Status::passed) own.passed = memory.saves;
       if (own.passed == memory.saves || own.passed < own.changed) continue;
-      const std::vector<std::string> needed = needs.of(step.id);
       Changed found{{}, true};
-      for (const auto& [id, place] : places) {
-        const bool matters = std::stoi(id) == lab.lab.number || is_shared(place.file) ||
-                             std::find(needed.begin(), needed.end(), id) != needed.end();
-        if (!matters || memory.steps[id].changed <= own.passed) continue;
+      for (const auto& [id, text] : texts) {
+        if (std::stoi(id) != lab.lab.number || memory.steps[id].changed <= own.passed) continue;
         found.steps.push_back(id);
         found.by_last_save &= memory.steps[id].changed == memory.saves;
       }

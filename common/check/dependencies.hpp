@@ -18,12 +18,11 @@ struct Changed {
 
 /// Compares the checked steps with what `file` remembers of earlier checks, and remembers them there.
 /// Returns, by step, what changed since it passed: of steps that fail now, passed once, and have the same
-/// text since. Steps of another lab's own files are left out, unless the step needs them. `texts` has what
+/// text since. Steps of other labs do not matter: each lab stands alone. `texts` has what
 /// stands between each step's markers. A memory that is missing or broken is empty. Throws Error (exit 3)
 /// when it cannot be written.
 std::map<std::string, Changed> changed_since_it_passed(const std::filesystem::path& file,
                                                        const std::map<std::string, std::string>& texts,
-                                                       const std::map<std::string, Place>& places,
                                                        const std::vector<judge::LabResult>& labs);
 
 /// Skips failed steps before which others come, and says why: those that passed before another one changed;

@@ -30,7 +30,9 @@ bool is_step(std::string_view id) {
          id.find_first_not_of("0123456789.") == std::string_view::npos && id.find('.', point + 1) == id.npos;
 }
 
-constexpr const char* kRemedy = "a step stands between the lines '//@step 5.1 begin' and '//@end'";
+std::string remedy() {
+  return fmt::format("a step stands between the lines '{}' and '//@end'", begin_marker("5.1"));
+}
 
 /// What a line says as a marker, if it is one: the markers' own words and nothing else.
 std::optional<Line> marker_of(std::string_view line) {
@@ -53,7 +55,7 @@ std::optional<Line> strict_marker_of(std::string_view line, const Place& place) 
   const std::string_view rest = line.substr(std::min(line.find_first_not_of(" \t"), line.size()));
   if (!marker && rest.starts_with("//@"))
     throw Error::failed(fmt::format("there is no marker '{}'", rest.substr(0, rest.find_first_of("\r\n"))),
-                        place, kRemedy);
+                        place, remedy());
   return marker;
 }
 
@@ -76,12 +78,12 @@ std::vector<std::string> whole_texts(const std::string& text, const std::string&
     if (part.step != step) continue;
     if (!part.is_whole())
       throw Error::failed(fmt::format("step {} has no '//@end' of its own", step), {file, part.line},
-                          kRemedy);
+                          remedy());
     texts.push_back(part.of(text));
   }
   const std::string remedy = fmt::format("copy the lines with its markers from {}/{}", kFirstTexts, file);
   if (texts.empty())
-    throw Error::failed(fmt::format("the marker '//@step {} begin' is missing", step), {file}, remedy);
+    throw Error::failed(fmt::format("the marker '{}' is missing", begin_marker(step)), {file}, remedy);
   if (texts.size() != expected)
     throw Error::failed(fmt::format("step {} has its markers in {} places, but {} are expected", step,
                                     texts.size(), expected),
@@ -128,28 +130,32 @@ void walk(const std::string& text, const std::string& file, MarkerLine on_marker
       throw Error::failed(marker->kind == Kind::begin     ? "a step begins inside another step"
                           : marker->kind == Kind::starter ? "'starter' does not follow 'begin'"
                                                           : "'//@end' without a 'begin' before it",
-                          place, kRemedy);
+                          place, remedy());
     part = marker->kind;
     if (part == Kind::begin) begun = place;
     on_marker(line, *marker, number);
   });
-  if (part != Kind::end) throw Error::failed("this step has no end", begun, kRemedy);
+  if (part != Kind::end) throw Error::failed("this step has no end", begun, remedy());
 }
-
-constexpr std::string_view kMarker = "//@step";
 
 bool has_marker(std::string_view text) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string_view line = text.substr(0, end);
     const std::size_t begin = line.find_first_not_of(" \t");
-    if (begin != std::string_view::npos && line.substr(begin).starts_with(kMarker)) return true;
+    if (begin != std::string_view::npos && line.substr(begin).starts_with("//@") &&
+        line.substr(begin + 3).starts_with("step"))
+      return true;
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return false;
 }
 
 }  // namespace
+
+std::string begin_marker(const std::string& step) {
+  return fmt::format("//@{} {} begin", "step", step);
+}
 
 bool is_marker(std::string_view line) {
   return marker_of(line).has_value();
@@ -219,7 +225,7 @@ std::string with_steps(const std::string& text, const std::string& file,
         }
         has_starter = has_starter || marker.kind == Kind::starter;
         if (marker.kind == Kind::end && !has_starter)
-          throw Error::failed("this step has no '//@starter' part", {file, number}, kRemedy);
+          throw Error::failed("this step has no '//@starter' part", {file, number}, remedy());
         if (marker.kind != Kind::starter) result += line;
       },
       [&](Kind part, std::string_view line) {
@@ -301,10 +307,10 @@ std::map<std::string, Place> step_places(const std::filesystem::path& tree) {
     int number = 0;
     for (const std::string& line : lines_of(read_file(tree / file))) {
       ++number;
-      constexpr std::string_view kBegin = "@step ";
-      const std::size_t begin = line.find(kBegin), end = line.find(" begin", begin);
-      if (end != std::string::npos)
-        places.emplace(line.substr(begin + kBegin.size(), end - begin - kBegin.size()), Place{file, number});
+      constexpr std::string_view kStep = "step ";
+      const std::size_t begin = line.find('@') + 1, end = line.find(" begin", begin);
+      if (begin > 0 && end != std::string::npos && line.substr(begin).starts_with(kStep))
+        places.emplace(line.substr(begin + kStep.size(), end - begin - kStep.size()), Place{file, number});
     }
   }
   places.merge(first_places(tree));
@@ -317,7 +323,7 @@ std::vector<std::string> step_files(const std::filesystem::path& tree) {
   std::vector<std::string> files;
   std::error_code missing;
   using Folders = std::filesystem::recursive_directory_iterator;
-  for (const char* folder : {"common", "labs", "shaders"})
+  for (const char* folder : {"labs", "shaders"})
     for (Folders at(root / folder, missing); at != Folders(); ++at) {
       const std::filesystem::directory_entry& entry = *at;
       if (entry.path().filename() == "expected") at.disable_recursion_pending();  // pictures
@@ -327,7 +333,7 @@ std::vector<std::string> step_files(const std::filesystem::path& tree) {
         files.push_back(entry.path().lexically_relative(root).generic_string());
     }
   if (files.empty())
-    throw Error::failed("contains no file with steps (//@step)", {tree.string()},
+    throw Error::failed("contains no file with a step's markers", {tree.string()},
                         "name the folder that contains labs and shaders");
   std::sort(files.begin(), files.end());
   return files;

@@ -6,16 +6,9 @@
 #include "mesh/distinct.hpp"
 #include "mesh/vectors.hpp"
 #include "mesh/weld.hpp"
+#include "newell.hpp"
 
 namespace texel::mesh {
-
-glm::vec3 face_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-  //@step 4.3 begin
-  return unit_or_zero(glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a)));
-  //@starter
-  // return {};
-  //@end
-}
 
 namespace {
 
@@ -38,7 +31,7 @@ std::vector<std::uint32_t> number_values(const std::vector<glm::vec3>& values) {
 /// Adds up the normals of the triangles at each key. `position(i)` and `key(i)` are those of the i-th corner.
 template <class Position, class Key>
 std::vector<glm::vec3> sum_normals(std::size_t corner_count, std::size_t key_count, Weighting weighting,
-                                   Position position, Key key) {
+                                   FaceNormal face_normal, Position position, Key key) {
   std::vector<glm::dvec3> sums(key_count, glm::dvec3(0.0));
   for (std::size_t i = 0; i + 2 < corner_count; i += 3) {
     const std::array<glm::vec3, 3> p{position(i), position(i + 1), position(i + 2)};
@@ -89,7 +82,8 @@ std::vector<std::uint32_t> smoothing_keys(const ObjData& data, std::uint32_t& co
 
 }  // namespace
 
-void flat_normals(Mesh& mesh) {
+void flat_normals(Mesh& mesh, FaceNormal face_normal) {
+  if (face_normal == nullptr) face_normal = newell_unit;
   mesh.tangents.clear();
   mesh.bitangents.clear();
   std::vector<glm::vec3> of_triangle;
@@ -110,12 +104,13 @@ void flat_normals(Mesh& mesh) {
   for (const std::uint32_t n : label) mesh.normals.push_back(n == no_index ? fallback_normal : by_number[n]);
 }
 
-void smooth_normals(Mesh& mesh, Weighting weighting) {
+void smooth_normals(Mesh& mesh, Weighting weighting, FaceNormal face_normal) {
+  if (face_normal == nullptr) face_normal = newell_unit;
   mesh.tangents.clear();
   mesh.bitangents.clear();
   const std::vector<std::uint32_t> place = number_values(mesh.positions);
   const std::vector<glm::vec3> normals = sum_normals(
-      mesh.indices.size(), mesh.vertex_count(), weighting,
+      mesh.indices.size(), mesh.vertex_count(), weighting, face_normal,
       [&](std::size_t i) { return mesh.positions[mesh.indices[i]]; },
       [&](std::size_t i) { return place[mesh.indices[i]]; });
   mesh.normals.resize(mesh.vertex_count());
@@ -132,7 +127,7 @@ std::size_t generate_missing_normals(ObjData& data, Weighting weighting) {
   std::uint32_t key_count = 0;
   const std::vector<std::uint32_t> keys = smoothing_keys(data, key_count);
   const std::vector<glm::vec3> generated = sum_normals(
-      data.corners.size(), key_count, weighting,
+      data.corners.size(), key_count, weighting, newell_unit,
       [&](std::size_t i) { return data.positions[data.corners[i].position]; },
       [&](std::size_t i) { return keys[i]; });
   const auto first = static_cast<std::uint32_t>(data.normals.size());

@@ -17,33 +17,6 @@
 namespace texel::mesh {
 namespace {
 
-//@step 3.1 begin
-/// The position of a `v` line from its numbers, of which there are at least 3.
-glm::vec3 position_from(std::span<const float> numbers) {
-  return {numbers[0], numbers[1], numbers[2]};
-}
-
-/// The texture coordinate of a `vt` line from its numbers, of which there are 1 to 3: u, then v, then w.
-glm::vec2 texcoord_from(std::span<const float> numbers) {
-  return {numbers[0], numbers.size() > 1 ? numbers[1] : 0.0f};
-}
-//@starter
-// // The model's shadow on the ground, drawn upright, and one point of the picture all over it.
-// glm::vec3 position_from(std::span<const float> numbers) { return {numbers[0], numbers[2], 0.0f}; }
-//
-// glm::vec2 texcoord_from(std::span<const float> numbers) { return {}; }
-//@end
-
-/// The place, from 0, that an OBJ index means in a list of `count` entries so far: 1 is the first entry, -1
-/// the last one. `written` is not 0; the caller refuses a result outside the list.
-std::int64_t resolve_index(std::int64_t written, std::int64_t count) {
-  //@step 3.2 begin
-  return written > 0 ? written - 1 : count + written;
-  //@starter
-  // return written - 1;  // the files that count backwards are refused
-  //@end
-}
-
 /// Beyond it float32 has no fractions: a texture coordinate there tells nothing of a place in the picture,
 /// and differences of larger ones could overflow.
 constexpr float greatest_texcoord = 16777216.0f;

@@ -1,27 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/polygon.hpp"
 
-#include <numeric>
-
 #include "mesh/vectors.hpp"
+#include "newell.hpp"
 
 namespace texel::mesh {
 namespace {
-
-/// Twice the signed area of the triangle a b c: positive when counter-clockwise.
-double area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-/// Newell's normal: its length is twice the area, and it is right for concave and slightly bent polygons.
-glm::dvec3 newell_normal(std::span<const glm::vec3> corners) {
-  const glm::dvec3 origin(corners[0]);  // relative to a corner: far from the origin no digits are lost
-  glm::dvec3 normal(0.0);
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    normal +=
-        glm::cross(glm::dvec3(corners[i]) - origin, glm::dvec3(corners[(i + 1) % corners.size()]) - origin);
-  return normal;
-}
 
 /// The corners in the polygon's plane, seen from the side from which they run counter-clockwise.
 std::vector<glm::dvec2> flatten(std::span<const glm::vec3> corners, const glm::vec3& normal) {
@@ -34,10 +18,6 @@ std::vector<glm::dvec2> flatten(std::span<const glm::vec3> corners, const glm::v
     flat.emplace_back(glm::dot(p, x), glm::dot(p, y));
   }
   return flat;
-}
-
-void fan(std::size_t corners, std::vector<Triangle>& triangles) {
-  for (std::uint32_t i = 1; i + 1 < corners; ++i) triangles.push_back({0, i, i + 1});
 }
 
 /// Whether each triangle of the fan turns the right way: then the fan covers a simple polygon exactly once.
@@ -62,8 +42,21 @@ bool fan_fits_clearly(std::span<const glm::vec3> corners, const glm::dvec3& norm
   return true;
 }
 
-/// Whether some corner of the rest of the polygon lies inside or on the triangle a b c, which is then no ear.
-/// Corners at the same place as a, b or c do not count: a polygon with a bridge to a hole has such.
+}  // namespace
+
+glm::dvec3 newell_normal(std::span<const glm::vec3> corners) {
+  const glm::dvec3 origin(corners[0]);  // relative to a corner: far from the origin no digits are lost
+  glm::dvec3 normal(0.0);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    normal +=
+        glm::cross(glm::dvec3(corners[i]) - origin, glm::dvec3(corners[(i + 1) % corners.size()]) - origin);
+  return normal;
+}
+
+void fan(std::size_t corners, std::vector<Triangle>& triangles) {
+  for (std::uint32_t i = 1; i + 1 < corners; ++i) triangles.push_back({0, i, i + 1});
+}
+
 bool holds_a_corner(const std::vector<glm::dvec2>& flat, const std::vector<std::uint32_t>& rest,
                     const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   for (const std::uint32_t i : rest) {
@@ -73,41 +66,6 @@ bool holds_a_corner(const std::vector<glm::dvec2>& flat, const std::vector<std::
   }
   return false;
 }
-
-/// Cuts a simple polygon in the plane into triangles (ear clipping; Meisters 1975: each simple polygon has
-/// two ears). False when it found a place without an ear and cut a corner all the same.
-bool clip_ears(const std::vector<glm::dvec2>& flat, std::vector<Triangle>& triangles) {
-  //@step 3.3 begin
-  std::vector<std::uint32_t> rest(flat.size());  // the corners not yet cut off, in order
-  std::iota(rest.begin(), rest.end(), 0u);
-  bool simple = true;
-  std::size_t tip = 0, refused = 0;
-  while (rest.size() > 3) {
-    tip %= rest.size();
-    const std::size_t before = (tip + rest.size() - 1) % rest.size();
-    const Triangle ear{rest[before], rest[tip], rest[(tip + 1) % rest.size()]};
-    const glm::dvec2 &a = flat[ear[0]], &b = flat[ear[1]], &c = flat[ear[2]];
-    const bool stuck = refused >= rest.size();  // went all the way round and found none
-    if (!stuck && (area(a, b, c) <= 0.0 || holds_a_corner(flat, rest, a, b, c))) {
-      ++tip, ++refused;
-      continue;
-    }
-    simple = simple && !(stuck && area(a, b, c) != 0.0);
-    triangles.push_back(ear);
-    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(tip));
-    refused = 0;
-    tip = tip == 0 ? rest.size() - 1 : tip - 1;  // cutting may have made the corner before an ear
-  }
-  triangles.push_back({rest[0], rest[1], rest[2]});
-  return simple;
-  //@starter
-  // // Cut off one ear after the other: a corner that turns left and whose triangle holds no other corner.
-  // fan(flat.size(), triangles);
-  // return true;
-  //@end
-}
-
-}  // namespace
 
 Cut triangulate(std::span<const glm::vec3> corners, std::vector<Triangle>& triangles) {
   triangles.clear();

@@ -11,6 +11,7 @@
 #include "mesh/normals.hpp"
 #include "mesh/tangents.hpp"
 #include "mesh/vectors.hpp"
+#include "newell.hpp"
 
 namespace texel::mesh {
 namespace {
@@ -83,7 +84,7 @@ NormalDeviation measure_normals(const Mesh& mesh) {
   double surface = 0;
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
     const auto p = corners_of(mesh, mesh.positions, i);
-    const glm::vec3 face = face_normal(p[0], p[1], p[2]);
+    const glm::vec3 face = newell_unit(p[0], p[1], p[2]);
     if (is_zero(face)) continue;
     const double area = area_of(p);
     surface += area;

@@ -12,54 +12,7 @@
 
 namespace texel::mesh {
 
-TriangleFrame triangle_frame(const std::array<glm::vec3, 3>& positions,
-                             const std::array<glm::vec2, 3>& texcoords) {
-  //@step 5.2 begin
-  const glm::vec3 e1 = positions[1] - positions[0];
-  const glm::vec3 e2 = positions[2] - positions[1];
-  const glm::vec2 d1 = texcoords[1] - texcoords[0];  // (ds1, dt1)
-  const glm::vec2 d2 = texcoords[2] - texcoords[1];
-  const float determinant = d1.s * d2.t - d2.s * d1.t;
-  return {(d2.t * e1 - d1.t * e2) / determinant, (d1.s * e2 - d2.s * e1) / determinant};
-  //@starter
-  // // Solve E1 = ds1 T + dt1 B, E2 = ds2 T + dt2 B for T and B. Return {T, B}.
-  // return {};
-  //@end
-}
-
-glm::vec4 orthonormalize(const glm::vec3& normal, const glm::vec3& tangent, const glm::vec3& bitangent) {
-  //@step 5.4 begin
-  const glm::vec3 in_plane = unit_or_zero(tangent - normal * glm::dot(normal, tangent));
-  const float side = glm::dot(glm::cross(normal, in_plane), bitangent) < 0.0f ? -1.0f : 1.0f;
-  return {in_plane, side};
-  //@starter
-  // // Take away the part along the normal, then find on which side the bitangent lies.
-  // return {tangent, 1.0f};
-  //@end
-}
-
-double texture_area(const std::array<glm::vec2, 3>& texcoords) {
-  const glm::dvec2 a = glm::dvec2(texcoords[1]) - glm::dvec2(texcoords[0]);
-  const glm::dvec2 b = glm::dvec2(texcoords[2]) - glm::dvec2(texcoords[0]);
-  const double area = a.x * b.y - a.y * b.x;
-  return std::abs(area) > 1e-7 * glm::length(a) * glm::length(b) ? area : 0.0;
-}
-
 namespace {
-
-/// Adds a triangle's T and B to each of its three vertices' sums.
-void add_to_corners(const std::array<std::uint32_t, 3>& corners, const TriangleFrame& frame,
-                    std::vector<TriangleFrame>& sums) {
-  //@step 5.3 begin
-  for (const std::uint32_t corner : corners) {
-    sums[corner].tangent += frame.tangent;
-    sums[corner].bitangent += frame.bitangent;
-  }
-  //@starter
-  // // Each triangle overwrites what the ones before it left at its vertices.
-  // sums[corners[0]] = sums[corners[1]] = sums[corners[2]] = frame;
-  //@end
-}
 
 std::array<std::uint32_t, 3> corners_of(const Mesh& mesh, std::size_t triangle) {
   return {mesh.indices[3 * triangle], mesh.indices[3 * triangle + 1], mesh.indices[3 * triangle + 2]};

@@ -10,20 +10,9 @@
 #include "mesh/distinct.hpp"
 #include "mesh/normals.hpp"
 #include "mesh/weld.hpp"
+#include "newell.hpp"
 
 namespace texel::mesh {
-
-glm::vec2 spherical_texcoord(const glm::vec3& from_center) {
-  //@step 3.5 begin
-  const glm::dvec3 d(from_center);
-  const double longitude = std::atan2(d.x, d.z);                  // -pi..pi, 0 at +z
-  const double latitude = std::atan2(d.y, std::hypot(d.x, d.z));  // -pi/2..pi/2
-  const double s = longitude / (2.0 * std::numbers::pi);
-  return {s < 0.0 ? s + 1.0 : s, latitude / std::numbers::pi + 0.5};
-  //@starter
-  // return {};
-  //@end
-}
 
 namespace {
 
@@ -33,7 +22,7 @@ using TrianglePositions = std::array<glm::vec3, 3>;  // from the box's centre
 /// The texture coordinates of a face seen straight from outside along its main axis, upright: the one with
 /// the greatest part in the normal.
 TriangleTexcoords box_texcoords(const TrianglePositions& p, float size) {
-  const glm::vec3 normal = face_normal(p[0], p[1], p[2]);
+  const glm::vec3 normal = newell_unit(p[0], p[1], p[2]);
   const glm::vec3 part = glm::abs(normal);
   TriangleTexcoords texcoords;
   for (std::size_t k = 0; k < 3; ++k) {

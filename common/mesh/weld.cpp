@@ -6,41 +6,13 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "mesh/corner_numbers.hpp"
 #include "mesh/distinct.hpp"
 #include "mesh/normals.hpp"
 #include "mesh/vectors.hpp"
 
 namespace texel::mesh {
 namespace {
-
-std::uint64_t hash_of(const Corner& corner) {
-  return mix(mix(std::uint64_t{corner.position} << 32 | corner.texcoord) ^ corner.normal);
-}
-
-/// Numbers the vertices of the stream, each a corner unlike the ones before.
-class CornerNumbers {
- public:
-  explicit CornerNumbers(std::size_t expected) : table_(expected) { distinct_.reserve(expected); }
-
-  /// The vertex of a corner: that of an equal corner (the same v, vt and vn), or a new one.
-  std::uint32_t number(const Corner& corner) {
-    //@step 3.4 begin
-    const std::uint32_t vertex =
-        table_.number(hash_of(corner), [&](std::uint32_t known) { return distinct_[known] == corner; });
-    if (vertex == distinct_.size()) distinct_.push_back(corner);
-    return vertex;
-    //@starter
-    // // A new vertex for each corner: the picture is right, but the stream is several times too long.
-    // distinct_.push_back(corner);
-    // return static_cast<std::uint32_t>(distinct_.size() - 1);
-    //@end
-  }
-  [[nodiscard]] const std::vector<Corner>& distinct() const { return distinct_; }
-
- private:
-  DistinctTable table_;
-  std::vector<Corner> distinct_;
-};
 
 /// The part of a linear colour that the sRGB-encoded value means (IEC 61966-2-1). Finite for 1e30 too.
 float linear_from_srgb(float encoded) {
@@ -83,29 +55,6 @@ std::vector<Value> gather(const std::vector<Value>& values, const std::vector<st
   gathered.reserve(at.size());
   for (const std::uint32_t i : at) gathered.push_back(values[i]);
   return gathered;
-}
-
-/// Calls `visit` with each of the mesh's attribute vectors by which two vertices can differ, empty ones too.
-template <class Visit>
-void for_each_difference(const Mesh& mesh, Visit visit) {
-  //@step 4.2 begin
-  for_each_attribute(mesh, visit);
-  //@starter
-  // visit(mesh.positions);  // one vertex for each place cannot hold two texture coordinates or normals
-  //@end
-}
-
-/// The mesh with only these vertices, in this order; its indices are left empty.
-Mesh take_vertices(const Mesh& mesh, const std::vector<std::uint32_t>& vertices) {
-  Mesh taken;
-  taken.positions = gather(mesh.positions, vertices);
-  taken.normals = gather(mesh.normals, vertices);
-  taken.texcoords = gather(mesh.texcoords, vertices);
-  taken.tangents = gather(mesh.tangents, vertices);
-  taken.bitangents = gather(mesh.bitangents, vertices);
-  taken.colors = gather(mesh.colors, vertices);
-  taken.groups = mesh.groups;
-  return taken;
 }
 
 }  // namespace
@@ -151,30 +100,16 @@ Mesh weld(ObjData data) {
   return mesh;
 }
 
-Mesh weld(const Mesh& mesh) {
-  std::vector<std::uint32_t> vertices;  // the first of each kind
-  std::vector<std::uint32_t> indices;
-  indices.reserve(mesh.indices.size());
-  DistinctTable table(mesh.vertex_count());
-  for (const std::uint32_t vertex : mesh.indices) {
-    std::uint64_t hash = 0;
-    for_each_difference(mesh, [&](const auto& values) {
-      if (values.empty()) return;
-      for (int k = 0; k < values[vertex].length(); ++k) hash = mix(hash ^ value_bits(values[vertex][k]));
-    });
-    const std::uint32_t n = table.number(hash, [&](std::uint32_t known) {
-      bool same = true;
-      for_each_difference(mesh, [&](const auto& values) {
-        same = same && (values.empty() || values[vertices[known]] == values[vertex]);
-      });
-      return same;
-    });
-    if (n == vertices.size()) vertices.push_back(vertex);
-    indices.push_back(n);
-  }
-  Mesh welded = take_vertices(mesh, vertices);
-  welded.indices = std::move(indices);
-  return welded;
+Mesh take_vertices(const Mesh& mesh, const std::vector<std::uint32_t>& vertices) {
+  Mesh taken;
+  taken.positions = gather(mesh.positions, vertices);
+  taken.normals = gather(mesh.normals, vertices);
+  taken.texcoords = gather(mesh.texcoords, vertices);
+  taken.tangents = gather(mesh.tangents, vertices);
+  taken.bitangents = gather(mesh.bitangents, vertices);
+  taken.colors = gather(mesh.colors, vertices);
+  taken.groups = mesh.groups;
+  return taken;
 }
 
 Mesh split(const Mesh& mesh) {

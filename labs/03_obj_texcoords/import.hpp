@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// From an OBJ file to a mesh that can be drawn. The steps' own functions lie in common/mesh: parsing
-// (obj.cpp), triangulation (polygon.cpp), the vertex stream (weld.cpp), projections (texcoords.cpp).
+// From an OBJ file to a mesh that can be drawn. The steps have files of their own beside this one: the numbers of a
+// line (line_numbers.cpp), an index of a face (face_index.cpp), triangulation (clip_ears.cpp), the vertex stream
+// (corner_numbers.cpp), round projections (spherical_texcoord.cpp).
 #pragma once
 #include <fmt/format.h>
 

@@ -4,15 +4,18 @@
 // of the picture, nor its own light. Either the picture is stretched over them, or the vertices are split.
 #include <fmt/format.h>
 
+#include <complex>
+#include <numbers>
+
 #include "app/lab.hpp"
 #include "app/models.hpp"
+#include "cube.hpp"
 #include "gl/upload.hpp"
-#include "mesh/cube.hpp"
 #include "mesh/normals.hpp"
 #include "mesh/stretch.hpp"
-#include "mesh/texcoords.hpp"
 #include "mesh/weld.hpp"
 #include "parameters.hpp"
+#include "steps.hpp"
 
 namespace texel::cube_wrap {
 
@@ -20,20 +23,29 @@ namespace {
 
 constexpr float kHalfSize = 0.577F;  // the corners at distance 1
 
+/// Longitude and latitude of a direction, as parts of a full and of a half turn: the angles of two points in
+/// the plane. Lab 3 teaches another way.
+glm::vec2 round_texcoord(const glm::vec3& direction) {
+  const glm::dvec3 d(direction);
+  const double turn = std::arg(std::complex<double>(d.z, d.x)) / (2.0 * std::numbers::pi);
+  const double rise = std::arg(std::complex<double>(std::hypot(d.x, d.z), d.y)) / std::numbers::pi;
+  return {turn < 0.0 ? turn + 1.0 : turn, rise + 0.5};
+}
+
 /// Any model with one vertex for each point in space. Of its faces' texture coordinates the last one is kept
 /// (before), or one copy is drawn around the whole model by longitude and latitude (stretched).
 mesh::Mesh shared_vertices(const mesh::Mesh& model, Method method) {
   mesh::Mesh shared;
   shared.positions = model.positions;
   shared.indices = model.indices;
-  shared = mesh::weld(shared);  // vertices have only positions now: equal positions become one vertex
+  shared = weld(shared);  // vertices have only positions now: equal positions become one vertex
   shared.texcoords.resize(shared.vertex_count());
   for (std::size_t i = 0; i < shared.indices.size(); ++i) {
     const std::uint32_t vertex = shared.indices[i];
     shared.texcoords[vertex] = method == Method::before ? model.texcoords[model.indices[i]]
-                                                        : mesh::spherical_texcoord(shared.positions[vertex]);
+                                                        : round_texcoord(shared.positions[vertex]);
   }
-  mesh::smooth_normals(shared, mesh::Weighting::angle);
+  mesh::smooth_normals(shared, mesh::Weighting::angle, face_normal);
   return shared;
 }
 
@@ -41,7 +53,7 @@ mesh::Mesh shared_vertices(const mesh::Mesh& model, Method method) {
 /// share a vertex; other triangles do not.
 mesh::Mesh split_cube() {
   //@step 4.4 begin
-  const mesh::ObjData data = mesh::cube_by_face(kHalfSize);
+  const mesh::ObjData data = cube_by_face(kHalfSize);
   mesh::Mesh cube;
   for (std::size_t i = 0; i < data.corners.size(); ++i) {
     const mesh::Corner& corner = data.corners[i];
@@ -58,13 +70,13 @@ mesh::Mesh split_cube() {
   }
   return cube;
   //@starter
-  // return mesh::cube_shared({}, kHalfSize);  // nothing is split yet
+  // return cube_shared({}, kHalfSize);  // nothing is split yet
   //@end
 }
 
 mesh::Mesh wrapped_cube(Method method) {
-  if (method == Method::before) return mesh::cube_shared(mesh::cube_before, kHalfSize);
-  if (method == Method::stretched) return mesh::cube_shared(mesh::cube_stretched, kHalfSize);
+  if (method == Method::before) return cube_shared(cube_before, kHalfSize);
+  if (method == Method::stretched) return cube_shared(cube_stretched, kHalfSize);
   return split_cube();
 }
 
@@ -123,8 +135,8 @@ struct CubeWrap : app::Lab<CubeWrapParameters> {
   Drawn& drawn(const Parameters& p) {
     return meshes_.get({p.model, p.method, p.normals}, [&] {
       app::Model model = wrap(p);
-      if (p.normals == Normals::shared) mesh::smooth_normals(model.mesh, mesh::Weighting::angle);
-      if (p.normals == Normals::face) mesh::flat_normals(model.mesh);
+      if (p.normals == Normals::shared) mesh::smooth_normals(model.mesh, mesh::Weighting::angle, face_normal);
+      if (p.normals == Normals::face) mesh::flat_normals(model.mesh, face_normal);
       for (std::string& figure : figures(model.mesh)) model.notes.facts.push_back(std::move(figure));
       return Drawn{gl::MeshBuffers(std::move(model.mesh)), std::move(model.notes)};
     });
@@ -137,7 +149,7 @@ struct CubeWrap : app::Lab<CubeWrapParameters> {
       model.mesh = shared_vertices(model.mesh, p.method);
     } else {
       model.mesh = mesh::split(model.mesh);
-      if (p.method == Method::weld) model.mesh = mesh::weld(model.mesh);
+      if (p.method == Method::weld) model.mesh = weld(model.mesh);
     }
     return model;
   }

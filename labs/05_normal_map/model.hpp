@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The model of lab 5 before its tangents are made. Nothing to do for you here: the tangents' steps are in
-// common/mesh/tangents.cpp.
+// triangle_frame.cpp, add_to_corners.cpp and orthonormalize.cpp.
 #pragma once
 #include <fmt/format.h>
 

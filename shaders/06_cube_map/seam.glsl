@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Where a pixel reads the picture on the sphere, and how large an area. The area decides the mipmap level. At the back
 // of the sphere u jumps from -1/2 to 1/2: there neighbours seem to be a whole picture apart.
-#include "lib/sphere_coordinates.glsl"
+#include "sphere_texcoord.glsl"
+#include "lib/sphere_differences.glsl"
 
 struct Footprint {
   vec2 texcoord;

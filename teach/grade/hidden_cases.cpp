@@ -9,6 +9,10 @@
 #include "core/files.hpp"
 #include "fingerprint.hpp"
 #include "grade/unseen_model.hpp"
+#include "mesh/bounds.hpp"
+#include "mesh/obj.hpp"
+#include "mesh/ply.hpp"
+#include "mesh/weld.hpp"
 
 namespace texel::grade {
 namespace {
@@ -24,14 +28,25 @@ std::string drawn(const course::Hidden& hidden, std::uint64_t number) {
   return fmt::format("{:.4g}", hidden.least + share * (hidden.most - hidden.least));
 }
 
-/// Writes the model that stands for `unseen:kind` and returns its place.
+/// An OBJ text as the bundled models' meshes are: read by the course, so that the student's reader does not
+/// matter.
+std::string mesh_of(const std::string& obj, const std::string& name) {
+  mesh::Mesh mesh = mesh::weld(mesh::parse_obj(obj, name));
+  mesh::normalize_to_unit(mesh);
+  return mesh::to_ply(mesh);
+}
+
+/// Writes the model that stands for `unseen:kind`, or its mesh for `unseen:kind.ply`, and returns its place.
 std::string write_unseen(const std::string& kind, std::uint64_t number, const fs::path& models) {
   std::error_code error;
   fs::create_directories(models, error);
   if (error)
     throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {models.string()});
-  const fs::path file = models / fmt::format("{}_{:016x}.obj", kind, number);
-  write_file(file, unseen_model(kind, number));
+  const fs::path named(kind);
+  const std::string shape = named.stem().string(), obj = unseen_model(shape, number);
+  const bool is_mesh = named.extension() == ".ply";
+  const fs::path file = models / fmt::format("{}_{:016x}.{}", shape, number, is_mesh ? "ply" : "obj");
+  write_file(file, is_mesh ? mesh_of(obj, file.string()) : obj);
   return file.string();
 }
 

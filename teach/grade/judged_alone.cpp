@@ -25,8 +25,7 @@ constexpr std::string_view kShaders = "shaders/";
 
 /// Whether a file is another lab's alone.
 bool is_of_another_lab(const std::string& path, const course::Lab& lab) {
-  return !path.starts_with("common/") && !path.starts_with("shaders/lib/") &&
-         path.find("/" + lab.folder + "/") == path.npos;
+  return path.find("/" + lab.folder + "/") == path.npos;
 }
 
 /// All files with steps: the solution's, but the student's step in its own; none where that cannot be put

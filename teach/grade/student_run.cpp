@@ -57,9 +57,8 @@ StudentRun::StudentRun(const ClassSetup& setup, const GradeOptions& options, con
     : setup_(setup),
       options_(options),
       folder_(std::move(folder)),
-      submission_(unpack(entry, setup.allowed, {}, begun_since([&](const std::string& file) {
-                           return read_file(setup.starter.source / file);
-                         }))) {
+      submission_(unpack(entry, setup.allowed, {},
+                         [&](const std::string& file) { return read_file(setup.starter.source / file); })) {
   for (const auto& [path, text] : submission_.files) begun_.merge(begun(setup, path, text));
   std::map<std::string, std::string> shaders;
   for (const auto& [path, text] : submission_.files) {
@@ -112,7 +111,8 @@ JudgedLab StudentRun::judge(const judge::LabPlan& plan, const std::vector<Case>&
                             const std::function<void(const JudgedCase&)>& keep) const {
   std::map<std::string, std::string> sources;
   for (const auto& [path, text] : submission_.files)
-    if (path.ends_with(".cpp")) sources[path] = text;
+    if (path.ends_with(".cpp") && path.starts_with(fmt::format("labs/{}/", plan.lab.folder)))
+      sources[path] = text;
   const Program program = setup_.workshop->make(plan.lab.program(), sources, &budget_);
 
   const fs::path out = folder_ / plan.lab.folder;

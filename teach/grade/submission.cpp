@@ -12,6 +12,7 @@
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
 #include "course/markers.hpp"
+#include "older_files.hpp"
 #include "submission_source.hpp"
 
 namespace texel::grade {
@@ -33,9 +34,13 @@ std::vector<std::string_view> endings_of(std::string_view path) {
 /// stands for none.
 class Endings {
  public:
-  explicit Endings(const std::vector<std::string>& allowed) {
+  /// An older file needs its folder: by its name alone it may be one of today.
+  Endings(const std::vector<std::string>& allowed, const std::vector<std::string>& older) {
     for (const std::string& file : allowed)
       for (const std::string_view ending : endings_of(file)) files_[lower_case(ending)].push_back(file);
+    for (const std::string& file : older)
+      for (const std::string_view ending : endings_of(file))
+        if (ending.find('/') != ending.npos) files_[lower_case(ending)].push_back(file);
   }
   [[nodiscard]] const std::vector<std::string>& find(std::string_view ending) const {
     static const std::vector<std::string> none;
@@ -204,9 +209,11 @@ void make_folder(const fs::path& folder) {
 
 }  // namespace
 
-BegunSteps begun_since(const std::function<std::string(const std::string&)>& first_text) {
+BegunSteps begun_since(const FirstText& first_text) {
   return [first_text](const std::string& file, const std::string& text) {
-    const std::string first = first_text(file);
+    std::string first;
+    for (const MovedStep& one : moved_steps(file)) first += first_text(one.to);
+    if (first.empty()) first = first_text(file);
     const std::set<std::string> untouched = course::untouched_steps(text, first);
     const std::map<std::string, std::string> given = course::step_texts(first);
     std::set<std::string> steps;
@@ -217,14 +224,14 @@ BegunSteps begun_since(const std::function<std::string(const std::string&)>& fir
 }
 
 Submission unpack(const Entry& entry, const std::vector<std::string>& allowed, const UnpackLimits& limits,
-                  const BegunSteps& begun) {
+                  const FirstText& first_text) {
   Submission submission;
   Listing listing = list(entry, limits);
   submission.fault = listing.fault;
   if (!submission.fault.empty()) return submission;
-  const Endings endings(allowed);
+  const Endings endings(allowed, first_text ? older_files(allowed) : std::vector<std::string>());
   Found found = find_roots(listing.items, endings);
-  if (begun && found.has_choice()) count_begun(entry, limits, begun, found);
+  if (first_text && found.has_choice()) count_begun(entry, limits, begun_since(first_text), found);
   Root root;
   for (const auto& [folder, one] : found.roots)
     if (is_better(one, root)) root = one;
@@ -270,6 +277,7 @@ Submission unpack(const Entry& entry, const std::vector<std::string>& allowed, c
       submission.ignored.push_back({item->path, "is saved as UTF-16; save it as UTF-8"});
       submission.files.erase(read);
     }
+  if (first_text) take_older_steps(submission, first_text);
   if (submission.files.empty() && submission.fault.empty())
     submission.fault = fmt::format(
         "contains no file with steps, so nothing was taken ({} not used); hand in the folder that contains "

@@ -98,21 +98,6 @@ void drop(Words& words, const std::string& option, std::ptrdiff_t count) {
   if (found != words.end()) words.erase(found, found + count);
 }
 
-/// The library, relative to the build folder, in which CMake puts the object "common/mesh/CMakeFiles/
-/// texel_mesh.dir/weld.cpp.o"; "" for an object of another form.
-std::string library_of(const std::string& object) {
-  const std::size_t folder = object.find("/CMakeFiles/"), end = object.find(".dir/");
-  if (folder == object.npos || end == object.npos) return {};
-  const std::size_t name = folder + std::string_view("/CMakeFiles/").size();
-  return fmt::format("{}/lib{}.a", object.substr(0, folder), object.substr(name, end - name));
-}
-
-/// Copies libraries, puts objects into the copies, and becomes what follows: LIBRARY COPY OBJECT … --
-/// COMMAND. A program then links of the libraries what it needs, as it does with the starter's.
-constexpr const char* kExchange =
-    "while [ \"$1\" != -- ]; do [ -e \"$2\" ] || cp \"$1\" \"$2\"; ar rD \"$2\" \"$3\"; shift 3; done; "
-    "shift; exec \"$@\"";
-
 /// Measured: lab.cpp takes 4 s, 325 MB resident; a machine under load ten times as long.
 constexpr double kProcessorSeconds = 60, kWallSeconds = 240;
 
@@ -266,31 +251,16 @@ std::string Workshop::link(const Recipe& recipe, const std::string& program,
   const fs::path out = new_folder("link");
   Words command = recipe.link;
   std::vector<fs::path> folders;
-  // Each library with changed objects, its copy, and an object: the copy gets the object in place of its own.
-  Words exchanged;
   for (const auto& [path, object] : objects) {
     Words compiled = recipe.compile.at(path);
     const std::string own = after(compiled, "-o");
-    const std::string library = library_of(own);
-    if (const auto found = std::find(command.begin(), command.end(), own); found != command.end()) {
-      *found = object.file.string();
-    } else {
-      const std::string copy = (out / fs::path(library).filename()).string();
-      const bool is_new = std::find(exchanged.begin(), exchanged.end(), copy) == exchanged.end();
-      const auto place = std::find(command.begin(), command.end(), library);
-      if (is_new && place == command.end())
-        throw Error::failed(fmt::format("does not find '{}' among what '{}' links", library, program));
-      if (is_new) *place = copy;
-      exchanged.insert(exchanged.end(), {library, copy, object.file.string()});
-    }
+    const auto place = std::find(command.begin(), command.end(), own);
+    if (place == command.end())
+      throw Error::failed(fmt::format("does not find '{}' among what '{}' links", own, program));
+    *place = object.file.string();
     folders.push_back(object.file.parent_path());
   }
   after(command, "-o") = (out / program).string();
-  if (!exchanged.empty()) {
-    exchanged.emplace_back("--");
-    command.insert(command.begin(), exchanged.begin(), exchanged.end());
-    command.insert(command.begin(), {"/bin/sh", "-ec", kExchange, "sh"});
-  }
   const Outcome outcome = run(command, folders, out, kWallSeconds);
   std::string log;
   if (!outcome.succeeded() || !fs::is_regular_file(out / program)) {

@@ -36,8 +36,8 @@ class Workshop {
   /// when the build folder is none of Ninja's.
   Workshop(BuiltTree tree, std::filesystem::path cache, Run how);
 
-  /// The lab's program with the changed C++ files, by path in the tree; others are passed over. A file of a
-  /// library counts only where the program needs it. A file that does not compile or link is left out alone.
+  /// The lab's program with the changed C++ files, by path in the tree; others are passed over. A file that
+  /// does not compile or link is left out alone.
   /// Each file is compiled once for all labs, also one at which the compiler had to be stopped. The compiler
   /// may use up `budget`. Throws Error (exit 3) for faults of the machine.
   Program make(const std::string& program, const std::map<std::string, std::string>& files,

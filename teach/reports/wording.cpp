@@ -8,6 +8,7 @@
 
 #include "core/html.hpp"
 #include "core/plain_text.hpp"
+#include "course/markers.hpp"
 
 namespace texel::reports {
 
@@ -84,10 +85,9 @@ std::string distance(const judge::CaseResult& result) {
 std::string judging(const judge::StepResult& step) {
   if (step.any(judge::Judged::markers_lost))
     return fmt::format(
-        "{0} was not judged alone, since its line //@step {0} begin or its //@end is missing or changed: "
-        "copy "
-        "both from the folder .starter.",
-        step.id);
+        "{} was not judged alone, since its line {} or its //@end is missing or changed: copy both from the "
+        "folder .starter.",
+        step.id, course::begin_marker(step.id));
   if (!step.any(judge::Judged::alone)) return "";
   const std::string others = step.spoilt_by.empty() ? "the other lines" : judge::listed(step.spoilt_by);
   if (step.status == judge::Status::passed)

@@ -110,6 +110,16 @@ holds 'shaders/a step.glsl' new
 lacks '.before-update/shaders/a step.glsl' new
 [[ $(stat -c %a 'mine/shaders/a step.glsl') == 600 ]]
 
+# A file that has no step any more becomes the teacher's; what the student wrote there is kept.
+both
+solve 's/^two/mine/'
+rm 'new/.starter/shaders/a step.glsl'
+sed -i 's/^two/new/' 'new/shaders/a step.glsl'
+update 0 '1 files are new; 0 of'
+lacks 'shaders/a step.glsl' mine
+holds '.before-update/shaders/a step.glsl' mine
+[[ ! -e 'mine/.starter/shaders/a step.glsl' ]]
+
 # The same change by both is none, also beside others.
 both
 solve 's/^two/alike/; s/^eight/mine/'

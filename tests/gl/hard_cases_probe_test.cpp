@@ -168,18 +168,21 @@ TEST_F(HardCaseOfCoordinates, two_angles_are_exact_up_to_the_poles_and_on_both_s
   std::vector<vec3> directions = test::hard_directions();
   for (const float z : {-1.0F, -1e-3F, -1e-20F})
     for (const float x : {-1e-6F, -1e-30F, -0.0F, 0.0F, 1e-30F, 1e-6F}) directions.emplace_back(x, 0.3F, z);
-  const Table texcoords = values_of("lib/sphere_coordinates.glsl", "vec4(sphere_texcoord(a.xyz), 0.0, 1.0)",
-                                    {}, {column_of(directions)});
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    const vec3 n = directions[i];
-    const dvec2 got(texcoords[i]), expected = truth::worksheet_texcoord(n);
-    ASSERT_LE(std::abs(got.x), 0.5 + 1e-7) << n.x << " " << n.y << " " << n.z;
-    // llvmpipe's arc tangent is a polynomial: measured 1.2e-6 and 6e-7, a thousandth of a texel of the
-    // pictures.
-    ASSERT_WITHIN(got.y, expected.y, 2e-6) << n.x << " " << n.y << " " << n.z;
-    // At the poles any u will do; beside the seam, -1/2 and 1/2 are the same place.
-    if (std::hypot(double{n.x}, double{n.z}) < 1e-18) continue;
-    ASSERT_WITHIN(std::remainder(got.x - expected.x, 1), 0, 1e-6) << n.x << " " << n.y << " " << n.z;
+  // Lab 6's, and the one that the labs after it have.
+  for (const char* file : {"06_cube_map/sphere_texcoord.glsl", "lib/sphere_coordinates.glsl"}) {
+    const Table texcoords =
+        values_of(file, "vec4(sphere_texcoord(a.xyz), 0.0, 1.0)", {}, {column_of(directions)});
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      const vec3 n = directions[i];
+      const dvec2 got(texcoords[i]), expected = truth::worksheet_texcoord(n);
+      ASSERT_LE(std::abs(got.x), 0.5 + 1e-7) << n.x << " " << n.y << " " << n.z;
+      // llvmpipe's arc tangent is a polynomial: measured 1.2e-6 and 6e-7, a thousandth of a texel of the
+      // pictures.
+      ASSERT_WITHIN(got.y, expected.y, 2e-6) << n.x << " " << n.y << " " << n.z;
+      // At the poles any u will do; beside the seam, -1/2 and 1/2 are the same place.
+      if (std::hypot(double{n.x}, double{n.z}) < 1e-18) continue;
+      ASSERT_WITHIN(std::remainder(got.x - expected.x, 1), 0, 1e-6) << n.x << " " << n.y << " " << n.z;
+    }
   }
 }
 
@@ -191,7 +194,7 @@ TEST_F(HardCaseOfCoordinates, their_derivative_has_no_seam_and_is_finite_at_the_
     steps.emplace_back(vec3(dvec3(std::cos(angle), std::sin(angle), std::cos(2 * angle))) * 0.004F, 0);
   }
   const Table gradients =
-      values_of("lib/sphere_coordinates.glsl", "vec4(sphere_gradient(a.xyz, b.xyz), 0.0, 1.0)", {},
+      values_of("lib/sphere_differences.glsl", "vec4(sphere_gradient(a.xyz, b.xyz), 0.0, 1.0)", {},
                 {column_of(directions), steps});
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const vec3 n = directions[i];

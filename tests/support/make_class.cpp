@@ -387,8 +387,8 @@ class ClassMaker {
       put_file("files", fmt::format("files-folder-{}.zip", i), zip, {{"passes", all_steps()}});
     }
 
-    // A library's file that does not link costs its own steps, and no lab that does without it.
-    const std::string tangents = "common/mesh/tangents.cpp";
+    // A file that does not link costs its own steps, and no others of its lab.
+    const std::string tangents = "labs/05_normal_map/triangle_frame.cpp";
     Files unlinked = solution();
     unlinked[tangents] += "int missing_function();\nint unlinked = missing_function();\n";
     Json own = steps([&](const std::string& step) { return has_step(sources_.at(tangents), step); });

@@ -12,7 +12,10 @@
 #include "core/files.hpp"
 #include "core/json.hpp"
 #include "course/batch.hpp"
+#include "mesh/bounds.hpp"
 #include "mesh/obj.hpp"
+#include "mesh/ply.hpp"
+#include "mesh/weld.hpp"
 
 namespace texel::grade {
 namespace {
@@ -101,6 +104,21 @@ TEST_F(Plan, writes_models_that_nobody_has_seen) {
   EXPECT_EQ(file.parent_path(), models_);
   EXPECT_FALSE(mesh::load_obj(file).corners.empty());
   EXPECT_NE(read_file(file), read_file(plan_of(lab_, "t").front().cases[2].settings[0].value));
+}
+
+/// So the student's reader of OBJ files does not matter.
+TEST_F(Plan, writes_the_mesh_of_such_a_model_where_a_lab_does_not_teach_the_reader) {
+  const auto model = [&](const char* value) -> fs::path {
+    const Lab lab =
+        lab_of(1, {step_of("1.1")}, {case_of("unseen", {{"model", value}}, {}, course::View::mesh)});
+    return plan_of(lab, "s").front().cases[0].settings[0].value;
+  };
+  const fs::path obj = model("unseen:shared"), ply = model("unseen:shared.ply");
+  EXPECT_EQ(obj.extension(), ".obj");
+  EXPECT_EQ(ply.extension(), ".ply");
+  mesh::Mesh read = mesh::weld(mesh::load_obj(obj));
+  mesh::normalize_to_unit(read);
+  EXPECT_TRUE(read_file(ply) == mesh::to_ply(read));
 }
 
 TEST_F(Plan, lists_what_the_programs_batch_option_takes) {

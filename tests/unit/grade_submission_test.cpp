@@ -2,6 +2,7 @@
 // Class folders, and submissions sound and hostile.
 #include "grade/submission.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -30,7 +31,7 @@ using Texts = std::map<std::string, std::string>;
 
 const std::string kQuad = "labs/01_texture_quad/lab.cpp", kLab = "labs/05_normal_map/lab.cpp",
                   kDecode = "shaders/05_normal_map/decode_normal.glsl",
-                  kFrame = "shaders/05_normal_map/tangent_frame.glsl", kWeld = "common/mesh/weld.cpp";
+                  kFrame = "shaders/05_normal_map/tangent_frame.glsl", kWeld = "labs/04_cube_wrap/weld.cpp";
 const std::vector<std::string> allowed = {kWeld, kQuad, kLab, kDecode, kFrame};
 const std::string kMebibyte(1U << 20U, '/');
 
@@ -40,10 +41,10 @@ fs::path path_of(const test::TemporaryFolder& folder) {
 
 /// What an archive of that name holds, alone in a class.
 Submission unpacked(Format name, const std::string& bytes, const UnpackLimits& limits = {},
-                    const BegunSteps& begun = {}) {
+                    const FirstText& first_text = {}) {
   const test::TemporaryFolder folder("submission");
   write_file(folder / (name == Format::zip ? "jane.zip" : "jane.tar.gz"), bytes);
-  return unpack(read_class(path_of(folder)).at(0), allowed, limits, begun);
+  return unpack(read_class(path_of(folder)).at(0), allowed, limits, first_text);
 }
 
 std::string reason_of(const Submission& submission, const std::string& path) {
@@ -144,6 +145,93 @@ TEST(StepFiles, are_the_files_of_the_tree_with_a_marker) {
   EXPECT_EQ(course::step_files(path_of(tree)),
             (std::vector<std::string>{"labs/01_a/lab.cpp", "shaders/lib/light.glsl"}));
   EXPECT_THROW(course::step_files(tree / "tests"), Error);
+}
+
+/// What labs 3 and 4 of a starter have of four steps.
+std::string first_text(const std::string& file) {
+  const std::string step = has(file, "corner_numbers") ? "3.4"
+                           : has(file, "face_index")   ? "3.2"
+                           : has(file, "lab.cpp")      ? "4.4"
+                                                       : "4.2";
+  return fmt::format("#include \"new\"\n//@step {} begin\nfirst();\n//@end\n", step);
+}
+
+std::string with(const std::string& file, const std::string& code) {
+  std::string text = first_text(file);
+  return text.replace(text.find("first();"), 8, code);
+}
+
+TEST(Unpack, takes_steps_out_of_the_files_that_an_older_starter_had_them_in) {
+  const std::string numbers = "labs/03_obj_texcoords/corner_numbers.cpp", weld = "labs/04_cube_wrap/weld.cpp",
+                    index = "labs/03_obj_texcoords/face_index.cpp", older = "common/mesh/weld.cpp",
+                    lab = "labs/04_cube_wrap/lab.cpp";
+  const std::vector<std::string> files = {index, lab, numbers, weld};
+  const auto step = [](const std::string& id, const std::string& code) {
+    return fmt::format("//@step {} begin\n{}\n//@end\n", id, code);
+  };
+  struct Row {
+    const char* name;
+    std::vector<Packed> handed;
+    Texts taken;
+    std::string path, reason;  ///< of an ignored file
+  };
+  const Row rows[] = {
+      {"both steps of one file",
+       {{"tree/" + older, "#include \"old\"\n" + step("3.4", "mine();") + step("4.2", "own();")}},
+       {{numbers, with(numbers, "mine();")}, {weld, with(weld, "own();")}},
+       older,
+       "is a file of an older starter; taken out of it: step 3.4, now in " + numbers + ", step 4.2, now in " +
+           weld},
+      {"a step that is not begun",
+       {{older, step("3.4", "first();") + step("4.2", "own();")}},
+       {{weld, with(weld, "own();")}},
+       older,
+       "is a file of an older starter; taken out of it: step 4.2, now in " + weld},
+      {"a step that is begun in both",
+       {{older, step("4.2", "old();")}, {weld, with(weld, "new();")}},
+       {{weld, with(weld, "new();")}},
+       older,
+       "is a file of an older starter; not taken: step 4.2, since it is begun in " + weld},
+      {"a step that is begun in the older file alone",
+       {{older, step("4.2", "old();")}, {weld, first_text(weld)}},
+       {{weld, with(weld, "old();")}},
+       older,
+       "is a file of an older starter; taken out of it: step 4.2, now in " + weld},
+      {"markers in too many places",
+       {{older, step("4.2", "one();") + step("4.2", "two();")}, {index, with(index, "i();")}},
+       {{index, with(index, "i();")}},
+       older,
+       "is a file of an older starter; not taken: step 4.2, since its markers are damaged"},
+      {"the course's own file of that name",
+       {{older, "int weld();\n"}, {index, with(index, "i();")}},
+       {{index, with(index, "i();")}},
+       older,
+       "is not a file with steps"},
+      {"no step that is begun",
+       {{older, step("4.2", "first();")}, {index, with(index, "i();")}},
+       {{index, with(index, "i();")}},
+       older,
+       "is a file of an older starter without a step that is begun"},
+      {"a file of today that includes what is gone",
+       {{lab, "#include \"mesh/cube.hpp\"\n" + step("4.4", "mesh::cube_by_face(); mesh::cube_split();")}},
+       {{lab, with(lab, "cube_by_face(); mesh::cube_split();")}},
+       lab,
+       "is of an older starter; taken out of it: step 4.4"},
+      {"a name alone is that of a file of today",
+       {{"weld.cpp", with(weld, "own();")}},
+       {{weld, with(weld, "own();")}},
+       "weld.cpp",
+       "not ignored"},
+  };
+  for (const Row& row : rows) {
+    SCOPED_TRACE(row.name);
+    const test::TemporaryFolder folder("older");
+    write_file(folder / "jane.zip", pack(Format::zip, row.handed));
+    const Submission submission = unpack(read_class(path_of(folder)).at(0), files, {}, first_text);
+    EXPECT_EQ(submission.fault, "");
+    EXPECT_EQ(submission.files, row.taken);
+    EXPECT_EQ(reason_of(submission, row.path), row.reason);
+  }
 }
 
 /// An archive, and what becomes of its files.
@@ -294,19 +382,18 @@ TEST(Unpack, takes_no_path_that_leaves_the_submission_and_no_strange_name) {
 }
 
 TEST(Unpack, takes_of_two_copies_the_one_with_more_steps_begun) {
-  const BegunSteps begun = [](const std::string&, const std::string& text) {
-    return text == "work" ? std::set<std::string>{"5.1", "5.2"} : std::set<std::string>{};
-  };
+  const std::string given = "//@step 5.1 begin\n//@end\n//@step 5.2 begin\n//@end\n",
+                    done = "//@step 5.1 begin\na();\n//@end\n//@step 5.2 begin\nb();\n//@end\n";
   for (const Format format : {Format::zip, Format::tar_gz})
     // The name does not decide, nor which one has more files.
     for (const auto& [work, backup] : std::vector<std::pair<std::string, std::string>>{
              {"labs-new/", "labs-backup/"}, {"a/", "b/"}, {"x/old/", ""}, {"", "old/"}}) {
       const std::string bytes =
-          pack(format, {{backup + kLab, "given"}, {backup + kFrame, "given"}, {work + kLab, "work"}});
-      const Submission submission = unpacked(format, bytes, {}, begun);
+          pack(format, {{backup + kLab, given}, {backup + kFrame, given}, {work + kLab, done}});
+      const Submission submission = unpacked(format, bytes, {}, [&](const std::string&) { return given; });
       EXPECT_EQ(submission.root, work);
       // Of the other file there is one copy alone.
-      EXPECT_EQ(submission.files, (Texts{{kLab, "work"}, {kFrame, "given"}}));
+      EXPECT_EQ(submission.files, (Texts{{kLab, done}, {kFrame, given}}));
       ASSERT_EQ(submission.copies.size(), 1U);
       EXPECT_EQ(submission.copies[0].path, backup.empty() ? "/" : backup);
       EXPECT_TRUE(has(submission.copies[0].reason, "0 steps are begun in it, and 2 in "));

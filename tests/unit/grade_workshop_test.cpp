@@ -36,26 +36,19 @@ Outcome counting(const Confines& confines, const std::vector<std::string>& comma
 class WorkshopTest : public testing::Test {
  protected:
   WorkshopTest() : folder_("workshop"), tree_{folder_ / "tree", folder_ / "tree/build", "this tree"} {
-    write("common/mesh/a.cpp", "int a() { return 1; }\n");
-    write("common/mesh/b.cpp", "int b() { return 2; }\n");
+    write("labs/03_obj/a.cpp", "int a() { return 1; }\n");
+    write("labs/03_obj/b.cpp", "int b() { return 2; }\n");
     write("labs/one.cpp", "int a();\nint main() { return a(); }\n");
     write("labs/two.cpp", "int b();\nint main() { return b(); }\n");
-    const std::string source = tree_.source.string(), library = "common/mesh/libtexel_mesh.a";
+    const std::string source = tree_.source.string();
     std::string ninja =
         "rule cxx\n command = c++ -o $out -c $in\n"
-        "rule ar\n command = ar qc $out $in\n"
-        "rule link\n command = : && c++ $in -o $out.new " +
-        library + " && mv $out.new $out && :\n";
-    for (const char* name : {"a", "b"})
-      ninja +=
-          fmt::format("build common/mesh/CMakeFiles/texel_mesh.dir/{1}.cpp.o: cxx {0}/common/mesh/{1}.cpp\n",
-                      source, name);
+        "rule link\n command = : && c++ $in -o $out.new && mv $out.new $out && :\n";
+    for (const char* file : {"03_obj/a", "03_obj/b", "one", "two"})
+      ninja += fmt::format("build labs/{1}.o: cxx {0}/labs/{1}.cpp\n", source, file);
     ninja +=
-        "build " + library +
-        ": ar common/mesh/CMakeFiles/texel_mesh.dir/a.cpp.o common/mesh/CMakeFiles/texel_mesh.dir/b.cpp.o\n";
-    for (const char* name : {"one", "two"})
-      ninja += fmt::format("build labs/{1}.o: cxx {0}/labs/{1}.cpp\nbuild bin/{1}: link labs/{1}.o | {2}\n",
-                           source, name, library);
+        "build bin/one: link labs/one.o labs/03_obj/a.o\nbuild bin/two: link labs/two.o labs/03_obj/b.o\n"
+        "build bin/both: link labs/two.o labs/03_obj/a.o labs/03_obj/b.o\n";
     write("build/build.ninja", ninja);
     EXPECT_EQ(test::shell("ninja -C " + tree_.build.string()).exit_code, 0);
     compiled = 0;
@@ -78,7 +71,7 @@ class WorkshopTest : public testing::Test {
 };
 
 TEST_F(WorkshopTest, puts_changed_files_in_place_of_the_trees) {
-  const Program one = workshop_->make("one", {{"common/mesh/a.cpp", "int a() { return 5; }\n"}});
+  const Program one = workshop_->make("one", {{"labs/03_obj/a.cpp", "int a() { return 5; }\n"}});
   EXPECT_EQ(refused(one), "");
   EXPECT_EQ(exit_code(one), 5);
   EXPECT_EQ(exit_code(workshop_->make("one", {})), 1);
@@ -86,11 +79,11 @@ TEST_F(WorkshopTest, puts_changed_files_in_place_of_the_trees) {
 
 TEST_F(WorkshopTest, lets_a_file_that_does_not_link_cost_only_what_links_it) {
   const std::map<std::string, std::string> files = {
-      {"common/mesh/a.cpp", "int missing();\nint unlinked = missing();\nint a() { return 5; }\n"},
+      {"labs/03_obj/a.cpp", "int missing();\nint unlinked = missing();\nint a() { return 5; }\n"},
       {"labs/one.cpp", "int a();\nint main() { return 10 + a(); }\n"},
       {"labs/two.cpp", "int b();\nint main() { return 20 + b(); }\n"}};
   const Program one = workshop_->make("one", files), two = workshop_->make("two", files);
-  EXPECT_EQ(refused(one), "common/mesh/a.cpp ");
+  EXPECT_EQ(refused(one), "labs/03_obj/a.cpp ");
   EXPECT_TRUE(has(one.refused[0].text, "missing"));
   EXPECT_EQ(exit_code(one), 11) << "the lab's own file is the student's, a.cpp is the tree's";
   EXPECT_EQ(refused(two), "");
@@ -101,23 +94,23 @@ TEST_F(WorkshopTest, compiles_a_file_once_for_all_labs_and_remembers_where_the_c
   for (const char* text : {"int a() { return 6; }\n", "int a() { return 7; }  // SLOW\n"}) {
     compiled = 0;
     std::vector<std::thread> labs;
-    for (const char* lab : {"one", "two", "one", "two"})
-      labs.emplace_back([&, lab] { workshop_->make(lab, {{"common/mesh/a.cpp", text}}); });
+    for (const char* lab : {"one", "both", "one", "both"})
+      labs.emplace_back([&, lab] { workshop_->make(lab, {{"labs/03_obj/a.cpp", text}}); });
     for (std::thread& lab : labs) lab.join();
     EXPECT_EQ(compiled, 1) << text;
   }
-  const Program slow = workshop_->make("one", {{"common/mesh/a.cpp", "int a() { return 7; }  // SLOW\n"}});
-  ASSERT_EQ(refused(slow), "common/mesh/a.cpp ");
+  const Program slow = workshop_->make("one", {{"labs/03_obj/a.cpp", "int a() { return 7; }  // SLOW\n"}});
+  ASSERT_EQ(refused(slow), "labs/03_obj/a.cpp ");
   EXPECT_TRUE(has(slow.refused[0].text, "used too much processor time"));
 }
 
 TEST_F(WorkshopTest, compiles_nothing_more_when_the_time_is_used_up) {
   TimeBudget budget(60);
-  EXPECT_EQ(refused(workshop_->make("one", {{"common/mesh/a.cpp", "// SLOW\n"}}, &budget)),
-            "common/mesh/a.cpp ");
+  EXPECT_EQ(refused(workshop_->make("one", {{"labs/03_obj/a.cpp", "// SLOW\n"}}, &budget)),
+            "labs/03_obj/a.cpp ");
   EXPECT_EQ(budget.left(), 0);
-  const Program late = workshop_->make("one", {{"common/mesh/a.cpp", "int a() { return 8; }\n"}}, &budget);
-  ASSERT_EQ(refused(late), "common/mesh/a.cpp ");
+  const Program late = workshop_->make("one", {{"labs/03_obj/a.cpp", "int a() { return 8; }\n"}}, &budget);
+  ASSERT_EQ(refused(late), "labs/03_obj/a.cpp ");
   EXPECT_TRUE(has(late.refused[0].text, "used up its time"));
   EXPECT_EQ(compiled, 1);
 }

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/cube.hpp"
+#include "cube.hpp"
 #include "mesh/primitives.hpp"
 
 namespace texel::mesh {

@@ -11,6 +11,7 @@
 #include "mesh/ply.hpp"
 #include "mesh/texcoords.hpp"
 #include "mesh/weld.hpp"
+#include "steps.hpp"
 
 namespace texel::mesh {
 namespace {
@@ -42,14 +43,14 @@ TEST(Weld, keeps_vertices_apart_that_differ_in_one_attribute_alone) {
   full.bitangents.assign(4, {0, 1, 0});
   full.colors.assign(4, {1, 1, 1});
   full.indices = {0, 1, 2, 3, 1, 2};
-  EXPECT_EQ(weld(full).vertex_count(), 3U);
+  EXPECT_EQ(texel::weld(full).vertex_count(), 3U);
   for (int attribute = 0; attribute < 6; ++attribute) {
     Mesh mesh = full;
     int at = 0;
     for_each_attribute(mesh, [&](auto& values) {
       if (at++ == attribute) values[3][0] += 0.5F;
     });
-    EXPECT_EQ(weld(mesh).vertex_count(), 4U) << attribute;
+    EXPECT_EQ(texel::weld(mesh).vertex_count(), 4U) << attribute;
   }
 }
 

@@ -11,6 +11,7 @@
 #include "mesh/primitives.hpp"
 #include "mesh/vectors.hpp"
 #include "mesh/weld.hpp"
+#include "steps.hpp"
 
 namespace texel::mesh {
 namespace {
@@ -26,9 +27,32 @@ double worst_degrees(const std::vector<glm::vec3>& a, const std::vector<glm::vec
 }
 
 TEST(Normals, of_a_face_points_to_its_counter_clockwise_side_at_any_size) {
-  for (const float size : {1e-30f, 1e-6f, 1.0f, 1e6f, 1e30f})
-    EXPECT_EQ(face_normal({0, 0, 0}, {size, 0, 0}, {0, size, 0}), glm::vec3(0, 0, 1)) << size;
+  // By the library, and by lab 4.
+  for (const FaceNormal by : {FaceNormal{}, FaceNormal{face_normal}}) {
+    const auto normal_of = [&](std::vector<glm::vec3> corners) {
+      Mesh triangle;
+      triangle.positions = std::move(corners);
+      triangle.indices = {0, 1, 2};
+      flat_normals(triangle, by);
+      return triangle.normals[0];
+    };
+    for (const float size : {1e-30f, 1e-6f, 1.0f, 1e6f, 1e30f})
+      EXPECT_EQ(normal_of({{0, 0, 0}, {size, 0, 0}, {0, size, 0}}), glm::vec3(0, 0, 1)) << size;
+    EXPECT_EQ(normal_of({{1, 2, 3}, {2, 2, 5}, {1, 6, 4}}), normal_of({{2, 2, 5}, {1, 6, 4}, {1, 2, 3}}));
+    EXPECT_EQ(normal_of({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}), fallback_normal) << "no area";
+  }
   EXPECT_EQ(face_normal({0, 0, 0}, {1, 1, 1}, {2, 2, 2}), glm::vec3(0.0f)) << "no area";
+}
+
+TEST(Normals, are_those_of_the_given_function) {
+  const FaceNormal forward = [](const glm::vec3&, const glm::vec3&, const glm::vec3&) {
+    return glm::vec3(0, 0, 1);
+  };
+  Mesh flat = cube_split(), smooth = cube_split();
+  flat_normals(flat, forward);
+  smooth_normals(smooth, Weighting::angle, forward);
+  for (const Mesh& mesh : {flat, smooth})
+    for (const glm::vec3& normal : mesh.normals) EXPECT_EQ(normal, glm::vec3(0, 0, 1));
 }
 
 TEST(Normals, smooth_ones_come_near_the_exact_ones) {
@@ -78,7 +102,7 @@ TEST(Normals, by_angle_do_not_depend_on_how_a_face_is_cut) {
 TEST(Normals, flat_ones_split_only_where_faces_differ) {
   Mesh cube =
       weld(parse_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\nf 1 5 2\n", "a.obj"));
-  flat_normals(cube);
+  flat_normals(cube, face_normal);
   EXPECT_EQ(cube.vertex_count(), 7u);  // the two triangles of the square share, the third one does not
   for (std::size_t i = 0; i < cube.indices.size(); i += 3)
     for (std::size_t k = 0; k < 3; ++k)

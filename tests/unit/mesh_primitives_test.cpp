@@ -14,6 +14,7 @@
 #include "mesh/tangents.hpp"
 #include "mesh/vectors.hpp"
 #include "mesh/weld.hpp"
+#include "steps.hpp"
 
 namespace texel::mesh {
 namespace {
@@ -40,7 +41,7 @@ void expect_closed(const Mesh& mesh) {
   Mesh bare;
   bare.positions = mesh.positions;
   bare.indices = mesh.indices;
-  bare = weld(bare);
+  bare = texel::weld(bare);
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (std::size_t i = 0; i < bare.indices.size(); ++i) {
     const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;

@@ -7,7 +7,7 @@
 
 #include "../support/meshes.hpp"
 #include "core/error.hpp"
-#include "mesh/cube.hpp"
+#include "cube.hpp"
 #include "mesh/normals.hpp"
 #include "mesh/primitives.hpp"
 #include "mesh/weld.hpp"

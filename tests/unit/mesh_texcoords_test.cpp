@@ -10,6 +10,7 @@
 #include "mesh/primitives.hpp"
 #include "mesh/tangents.hpp"
 #include "mesh/weld.hpp"
+#include "steps.hpp"
 
 namespace texel::mesh {
 namespace {
@@ -22,7 +23,7 @@ Mesh bare(const Mesh& mesh) {
   Mesh result;
   result.positions = mesh.positions;
   result.indices = mesh.indices;
-  return weld(result);
+  return texel::weld(result);
 }
 
 std::array<glm::vec2, 3> texcoords_of(const Mesh& mesh, std::size_t triangle) {

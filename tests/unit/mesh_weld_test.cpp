@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "mesh/cube.hpp"
+#include "cube.hpp"
 #include "mesh/distinct.hpp"
 #include "mesh/normals.hpp"
 #include "mesh/primitives.hpp"
@@ -14,6 +14,8 @@
 
 namespace texel::mesh {
 namespace {
+
+using texel::weld;  // of lab 4
 
 ObjData obj_data(const std::string& text) {
   return parse_obj(text, "test.obj");

@@ -8,16 +8,16 @@ source "$(dirname "${BASH_SOURCE[0]}")/window.bash"
 export TEXEL_ROOT=$work/root
 build=$TEXEL_ROOT/build/release
 mkdir -p "$build/bin" "$work/programs"
-cp -r "$source_root"/{shaders,labs,common} "$TEXEL_ROOT"
+cp -r "$source_root"/{shaders,labs} "$TEXEL_ROOT"
 ln -s "$source_root/assets" "$TEXEL_ROOT/assets"
 cp "$bin"/{lab05_normal_map,texel} "$build/bin"
 printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\n' "$TEXEL_ROOT" >"$build/CMakeCache.txt"
-text=$TEXEL_ROOT/common/mesh/tangents.cpp
+text=$TEXEL_ROOT/labs/05_normal_map/triangle_frame.cpp
 cat >"$work/programs/cmake" <<END
 #!/bin/sh
 echo "\$@" >>$work/asked
 if line=\$(grep -n broken $text); then
-  echo "../../common/mesh/tangents.cpp:\${line%%:*}:1: error: 'broken' does not name a type"
+  echo "../../labs/05_normal_map/triangle_frame.cpp:\${line%%:*}:1: error: 'broken' does not name a type"
   exit 1
 fi
 cmp -s $text $work/built && exit

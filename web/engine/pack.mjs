@@ -17,7 +17,7 @@ function* files(folder) {
   }
 }
 const has = (folder) => statSync(join(tree, folder), { throwIfNoEntry: false })?.isDirectory();
-const all = ["shaders", "labs", "common", ".starter", "assets/textures", "assets/normal_maps", "assets/cube_maps", "assets/models"]
+const all = ["shaders", "labs", ".starter", "assets/textures", "assets/normal_maps", "assets/cube_maps", "assets/models"]
   .filter(has).flatMap((folder) => [...files(folder)]);
 
 const listing = { kind, labs: [], texts: {}, files: {}, packed: [] };

@@ -67,7 +67,7 @@ export class Session {
     if (view !== "color") await tried(this.call("view", view));
     if (split) await tried(this.call("split", split.parameter, split.value, split.position));
     for (const step of this.work.steps()) {
-      if (!(await this.#concerns(step))) continue;
+      if (!this.#concerns(step)) continue;
       const text = this.work.text(step);
       this.#lastWritten = { step, text };
       await tried(this.#put(this.#engine, step, text));
@@ -101,9 +101,9 @@ export class Session {
     return report;
   }
 
-  /** The text of a step of another lab, which another tab changed. */
+  /** The text of a step that another tab changed. */
   async follow(step) {
-    if (await this.#concerns(step)) await this.#bring(this.#engine, step);
+    if (this.#concerns(step)) await this.#bring(this.#engine, step);
     if (this.#judgeStarts) await this.#bring(await this.#started(), step);
   }
 
@@ -137,11 +137,9 @@ export class Session {
     this.on.restarted();
   }
 
-  /** Whether a step changes this lab's pictures: its own, and those in the library of all labs. */
-  async #concerns(step) {
-    if (step.startsWith(`${this.lab}.`)) return true;
-    const { file } = await this.call("read", step).catch(() => ({ file: "" }));
-    return file.startsWith("shaders/lib/");
+  /** Whether a step changes this lab's pictures. */
+  #concerns(step) {
+    return step.startsWith(`${this.lab}.`);
   }
 
   async #startJudge() {

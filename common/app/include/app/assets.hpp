@@ -28,6 +28,8 @@ class Assets {
   [[nodiscard]] std::array<image::Image8, 6> cube_map(const std::string& name) const;
   /// The path of an OBJ file.
   [[nodiscard]] std::filesystem::path model(const std::string& name) const;
+  /// The path of the mesh (PLY) that a bundled OBJ file was read to; of the OBJ file where there is none.
+  [[nodiscard]] std::filesystem::path mesh(const std::string& name) const;
 
   /// Every file that was read so far, for hot reload.
   [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }

@@ -10,7 +10,7 @@
 
 namespace texel::app {
 
-/// The built-in models, for a parameter `model`; the path of an OBJ file works too.
+/// The built-in models, for a parameter `model`; the path of an OBJ or PLY file works too.
 inline constexpr params::Item kModels[] = {{"cube", "Six faces, each with its own copy of the texture"},
                                            {"sphere", "64 x 32 quads, exact normals"},
                                            {"torus", "96 x 48 quads, exact normals"},
@@ -39,9 +39,11 @@ struct Tessellation {
 /// the picture is blank, and a snapshot has no panel that would show the notes.
 void warn_of_lost_shape(const mesh::Mesh& mesh, const std::string& file, Notes& notes);
 
-/// A built-in model or an OBJ file, centred, its farthest vertex at distance 1. Normals (smooth, by angle)
-/// and texture coordinates (box projection) are generated where the file has none; its triangles stay as they
-/// are. Errors as mesh::load_obj.
+/// A built-in model or a file, centred, its farthest vertex at distance 1. Bundled files are meshes (PLY)
+/// that the course has read already, so they do not depend on what a student has of the OBJ reader. A file
+/// that is named goes through that reader: normals (smooth, by angle) and texture coordinates (box
+/// projection) are generated where it has none; its triangles stay as they are. A PLY file is taken as it is.
+/// Errors as mesh::load_obj and mesh::parse_ply.
 Model load_model(const Assets& assets, const std::string& name, Tessellation tessellation = {});
 
 }  // namespace texel::app

@@ -12,14 +12,14 @@
 
 /// The places in the sources where a student writes. Solution and starter are one text:
 ///
-///     //@step 5.1 begin
+///     //@STEP begin
 ///     return color * 2.0 - 1.0;
 ///     //@starter
 ///     // return color;
 ///     //@end
 ///
-/// Each marker is alone in its line. Between the first two is the solution; between the last two, in
-/// comments, is the starter's code.
+/// STEP is the word step and its number (begin_marker). Each marker is alone in its line. Between the first
+/// two is the solution; between the last two, in comments, is the starter's code.
 namespace texel::course {
 
 /// A step's place in a file.
@@ -27,6 +27,9 @@ struct Marker {
   std::string step;  ///< "5.1"
   int line = 0;      ///< of its first marker, from 1
 };
+
+/// The line with which a step's text begins.
+std::string begin_marker(const std::string& step);
 
 /// The markers of a text of the course, in its order. Throws Error (exit 3) with file and line for a marker
 /// that is unknown, unpaired, nested or not alone in its line.
@@ -79,8 +82,8 @@ std::string with_step_from(const std::string& text, const std::string& file, con
 std::string with_step_alone(const std::string& text, const std::string& file, const std::string& step,
                             const std::string& solution);
 
-/// The files that a student may change, as paths in the tree: every file below labs, shaders and common with
-/// a line that begins with `//@step`. In a student's tree they are those that its starter had: a copy that
+/// The files that a student may change, as paths in the tree: every file below labs and shaders with a
+/// begin_marker. In a student's tree they are those that its starter had: a copy that
 /// lies beside one is no other step. Sorted. Throws Error (exit 3) when there is none.
 std::vector<std::string> step_files(const std::filesystem::path& tree);
 

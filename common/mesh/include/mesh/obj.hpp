@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <glm/glm.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -118,5 +119,17 @@ std::vector<Material> parse_mtl(std::string_view text, const std::string& name,
 
 /// The material of this name, or nullptr.
 const Material* find_material(const ObjData& data, std::string_view name);
+
+// What lab 3 teaches of it. The reader calls these functions, and files in labs/03_obj_texcoords define them.
+
+/// The position of a `v` line from its numbers, of which there are at least 3.
+glm::vec3 position_from(std::span<const float> numbers);
+
+/// The texture coordinate of a `vt` line from its numbers, of which there are 1 to 3: u, then v, then w.
+glm::vec2 texcoord_from(std::span<const float> numbers);
+
+/// The place, from 0, that an OBJ index means in a list of `count` entries so far: 1 is the first entry, -1
+/// the last one. `written` is not 0; the caller refuses a result outside the list.
+std::int64_t resolve_index(std::int64_t written, std::int64_t count);
 
 }  // namespace texel::mesh

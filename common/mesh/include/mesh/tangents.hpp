@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
 
 #include "mesh/mesh.hpp"
 
@@ -46,6 +49,9 @@ struct TriangleFrame {
   glm::vec3 bitangent{0.0f};
 };
 
+// What lab 5 teaches of it. compute_tangents calls these functions, and files in labs/05_normal_map define
+// them.
+
 /// T and B of a triangle from E1 = P2 - P1, E2 = P3 - P2 and the same differences of its texture coordinates,
 /// by the inverse of the 2x2 matrix (Slides, "Normal Mapping"). The texture area must not be zero.
 TriangleFrame triangle_frame(const std::array<glm::vec3, 3>& positions,
@@ -55,9 +61,18 @@ TriangleFrame triangle_frame(const std::array<glm::vec3, 3>& positions,
 /// is w * cross(normal, xyz). Zero in xyz when T has no part in the normal's plane.
 glm::vec4 orthonormalize(const glm::vec3& normal, const glm::vec3& tangent, const glm::vec3& bitangent);
 
+/// Adds a triangle's T and B to each of its three vertices' sums.
+void add_to_corners(const std::array<std::uint32_t, 3>& corners, const TriangleFrame& frame,
+                    std::vector<TriangleFrame>& sums);
+
 /// Twice the signed area in texture space: positive when the texture is not mirrored, and exactly 0 when the
 /// three texture coordinates lie on a line up to rounding (area below 1e-7 of the product of two edges).
-double texture_area(const std::array<glm::vec2, 3>& texcoords);
+inline double texture_area(const std::array<glm::vec2, 3>& texcoords) {
+  const glm::dvec2 a = glm::dvec2(texcoords[1]) - glm::dvec2(texcoords[0]);
+  const glm::dvec2 b = glm::dvec2(texcoords[2]) - glm::dvec2(texcoords[0]);
+  const double area = a.x * b.y - a.y * b.x;
+  return std::abs(area) > 1e-7 * glm::length(a) * glm::length(b) ? area : 0.0;
+}
 
 /// How many of the mesh's triangles have none. It needs texture coordinates.
 std::size_t without_texture_area(const Mesh& mesh);

@@ -18,7 +18,8 @@ enum class Projection {
 
 /// Where the direction from the centre meets the unit square: s = longitude / 2 pi in [0, 1), 0 at +z and 1/4
 /// at +x; t = latitude / pi + 1/2. The texture reads the right way round from outside (as on sphere() of
-/// primitives.hpp). (0, 1/2) at the centre itself.
+/// primitives.hpp). (0, 1/2) at the centre itself. Lab 3 teaches it:
+/// labs/03_obj_texcoords/spherical_texcoord.cpp.
 glm::vec2 spherical_texcoord(const glm::vec3& from_center);
 
 /// Replaces the texture coordinates. Vertices are duplicated where triangles need different ones: in `box`

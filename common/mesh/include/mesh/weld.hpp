@@ -17,9 +17,8 @@ namespace texel::mesh {
 /// time. Pass the data with std::move to spare a copy.
 Mesh weld(ObjData data);
 
-/// Merges vertices that are equal in every attribute (by value: -0 is +0), in order of first use; vertices
-/// that no triangle uses are removed. Expected linear time.
-Mesh weld(const Mesh& mesh);
+/// The mesh with only these vertices, in this order; its indices are left empty.
+Mesh take_vertices(const Mesh& mesh, const std::vector<std::uint32_t>& vertices);
 
 /// Gives each triangle three vertices of its own, in order: positions[i] belongs to the i-th index.
 Mesh split(const Mesh& mesh);

@@ -53,12 +53,15 @@ struct UnpackLimits {
   std::size_t entries = 10'000;          ///< files and folders
 };
 
+/// The text of an allowed file in the starter.
+using FirstText = std::function<std::string(const std::string& file)>;
+
 /// The steps that a student began in the text of an allowed file.
 using BegunSteps = std::function<std::set<std::string>(const std::string& file, const std::string& text)>;
 
 /// Those whose markers the text has and whose code is not that of `first_text(file)`: one without a marker
-/// may be another file of that name.
-BegunSteps begun_since(const std::function<std::string(const std::string& file)>& first_text);
+/// may be another file of that name. Knows the files of older starters too (older_files.hpp).
+BegunSteps begun_since(const FirstText& first_text);
 
 struct Submission {
   std::map<std::string, std::string> files;    ///< by path in the tree: what was taken
@@ -77,21 +80,24 @@ struct Submission {
 /// **Root.** Students pack the tree, the folder around it, or only a lab's folder. Below a root, a file
 /// stands for an allowed one when its path is the last part of that one's path and of no other's:
 /// `labs/05_normal_map/lab.cpp` below the whole tree, `05_normal_map/lab.cpp` below `labs`, `fresnel.glsl`
-/// alone. The root is the folder with the most steps begun in such files, as `begun` says where several files
-/// stand for one; of several the one with the most such files, then the least deep, then the first by bytes.
-/// What stands for a file alone in the whole submission is taken wherever it lies. Of several below the root
-/// the longer path is taken, and of equal paths the later, as tar does. Each other copy of the labs is
-/// in `copies`, with the number of its steps begun.
+/// alone. The root is the folder with the most steps begun in such files, as `first_text` tells where several
+/// files stand for one; of several the one with the most such files, then the least deep, then the first by
+/// bytes. What stands for a file alone in the whole submission is taken wherever it lies. Of several below
+/// the root the longer path is taken, and of equal paths the later, as tar does. Each other copy of the labs
+/// is in `copies`, with the number of its steps begun.
 ///
 /// **Names** may be in any encoding, and the locale does not matter: bytes that are no UTF-8 become U+FFFD in
 /// the text of a path. Files with steps have ASCII names.
+///
+/// **Older starters** had steps in other files too: in `common/mesh` and `shaders/lib`. With `first_text`,
+/// such a file is read, and its steps are taken into the files that have them now; `ignored` says so.
 ///
 /// **Never taken**: links, devices, encrypted files, paths that are absolute or contain `..`, names with
 /// control characters, files over the limit, hidden folders, archives in the archive. Capitals do not matter
 /// where one file alone is meant. Each that is not taken is in `ignored`. Nothing is followed. In a folder, a
 /// hard link is a file as any other.
 Submission unpack(const Entry& entry, const std::vector<std::string>& allowed,
-                  const UnpackLimits& limits = {}, const BegunSteps& begun = {});
+                  const UnpackLimits& limits = {}, const FirstText& first_text = {});
 
 /// Makes the tree `to` out of the trusted tree with the files laid over it. The trusted files are hard links
 /// where the file system can, else copies: mount `to` read-only. The trusted tree must be a starter, never a
