@@ -12,8 +12,18 @@
 #include "core/files.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/ply.hpp"
+#include "mesh/tangents.hpp"
+#include "mesh/vectors.hpp"
 
 namespace texel::test {
+
+inline constexpr mesh::TangentMethod tangent_methods[] = {
+    mesh::TangentMethod::averaged, mesh::TangentMethod::gram_schmidt, mesh::TangentMethod::angle_weighted,
+    mesh::TangentMethod::mikktspace};
+
+inline double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
+  return glm::degrees(mesh::angle_between(a, b));
+}
 
 /// A sphere of nearly equal triangles: an icosahedron split `subdivisions` times, 20 * 4^n triangles, 10 *
 /// 4^n + 2 vertices; normals, and no texture coordinates.
@@ -47,12 +57,6 @@ inline mesh::Mesh icosphere(int subdivisions, float radius = 1.0F) {
     mesh.normals.emplace_back(point);
   }
   return mesh;
-}
-
-/// Fills the exact tangents of quad and grid: T = +x, w = +1.
-inline void plane_tangents(mesh::Mesh& mesh) {
-  mesh.bitangents.clear();
-  mesh.tangents.assign(mesh.vertex_count(), {1.0F, 0.0F, 0.0F, 1.0F});
 }
 
 inline mesh::Mesh read_ply(const std::filesystem::path& path) {

@@ -8,10 +8,16 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "procedural/noise.hpp"
 #include "truth/basis.hpp"
 #include "truth/surface.hpp"
 
 namespace texel::test {
+
+/// The i-th of a list of numbers in [0, 1) that stays the same; each axis has its own.
+inline double number(int i, int axis) {
+  return procedural::random(i, axis, 9);
+}
 
 /// The angle between two directions of any length, 0 to pi radians: atan2(|a x b|, a . b), which keeps its
 /// accuracy at 0 and at pi, where the arc cosine loses half of its digits (Kahan, "How Futile are Mindless
@@ -23,6 +29,12 @@ inline double angle(glm::dvec3 a, glm::dvec3 b) {
 
 inline double angle_in_degrees(glm::dvec3 a, glm::dvec3 b) {
   return glm::degrees(angle(a, b));
+}
+
+/// The central difference of f around 0: its derivative, but for the step squared and rounding over the step.
+template <class Function>
+auto difference(double step, Function f) {
+  return (f(step) - f(-step)) / (2 * step);
 }
 
 /// How far three columns are from unit length and right angles: the largest entry of |G - I|, where G is the

@@ -3,11 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "../support/said.hpp"
 #include "cube.hpp"
 #include "mesh/primitives.hpp"
+#include "steps.hpp"
 
 namespace texel::mesh {
 namespace {
+
+using cube_wrap::cube_before;
+using cube_wrap::cube_shared;
 
 /// A cube of so many units a side, moved along x.
 Mesh cube_at(float x, float half_size) {
@@ -16,40 +23,58 @@ Mesh cube_at(float x, float half_size) {
   return cube;
 }
 
-bool says(const Mesh& mesh, const char* part) {
-  return lost_shape(mesh).find(part) != std::string::npos;
-}
-
 TEST(LostShape, is_none_for_models_of_any_size_that_floats_can_tell_apart) {
   for (const float size : {1e-37f, 1e-3f, 1.0f, 1e18f, 1.5e38f})
     EXPECT_EQ(lost_shape(cube_at(0.0f, size)), "") << size;
   EXPECT_EQ(lost_shape(cube_at(1e3f, 0.1f)), "");
+  EXPECT_EQ(lost_shape(cube_at(1e6f, 50.0f)), "") << "1600 floats along it are finer than pixels";
   EXPECT_EQ(lost_shape(torus(0.7f, 0.001f, 48, 24)), "") << "a thin ring";
 }
 
-TEST(LostShape, says_that_all_is_one_point) {
-  Mesh mesh = cube_at(0.0f, 1e-3f);
-  for (glm::vec3& position : mesh.positions) position += 1e6f;
-  EXPECT_TRUE(says(mesh, "one point, 1000000 1000000 1000000,")) << lost_shape(mesh);
+TEST(LostShape, says_why_nothing_would_be_seen) {
+  Mesh point = cube_at(0.0f, 1e-3f), far_vertex = cube_at(0.0f, 1e-30f);
+  for (glm::vec3& position : point.positions) position += 1e6f;
+  far_vertex.positions.emplace_back(1e30f, 0.0f, 0.0f);
+  far_vertex.indices.insert(far_vertex.indices.end(), {0, 1, 8});
+  Mesh line = far_vertex;
+  for (std::size_t i = 0; i < line.positions.size(); ++i)
+    line.positions[i] = static_cast<float>(i) * glm::vec3(1.0f, 0.5f, 0.25f);
+  const std::pair<Mesh, const char*> rows[] = {
+      {point, "one point, 1000000 1000000 1000000,"},
+      // At 1e6 floats are 1/16 apart: 160 of them along 10.
+      {cube_at(1e6f, 5.0f), "10 long and lies 1e+06 from the origin, where 32-bit floats are 0.0625 apart"},
+      {cube_at(1e6f, 1e-3f), "0.002 long"},  // flat now, since x is lost
+      {far_vertex, "size of 1e+30 its triangles are points and lines"},
+      {line, "points and lines"}};
+  for (const auto& [mesh, part] : rows) EXPECT_TRUE(test::has(lost_shape(mesh), part)) << lost_shape(mesh);
 }
 
-TEST(LostShape, says_how_far_apart_floats_are_far_from_the_origin) {
-  // At 1e6 that is 1/16: 160 of them along 10.
-  EXPECT_TRUE(says(cube_at(1e6f, 5.0f),
-                   "10 long and lies 1e+06 from the origin, where 32-bit floats are 0.0625 apart"))
-      << lost_shape(cube_at(1e6f, 5.0f));
-  EXPECT_EQ(lost_shape(cube_at(1e6f, 50.0f)), "") << "1600 are finer than pixels";
-  EXPECT_TRUE(says(cube_at(1e6f, 1e-3f), "0.002 long")) << "flat now, since x is lost";
+void expect_unit(Mesh mesh) {
+  normalize_to_unit(mesh);
+  EXPECT_LT(glm::length(bounds(mesh).center()), 1e-6f);  // float32 offsets of three radii
+  float farthest = 0.0f;
+  for (const glm::vec3& p : mesh.positions) farthest = std::max(farthest, glm::length(p));
+  EXPECT_NEAR(farthest, 1.0f, 1e-6f);
 }
 
-TEST(LostShape, says_that_triangles_have_no_area_beside_the_size) {
-  Mesh mesh = cube_at(0.0f, 1e-30f);
-  mesh.positions.emplace_back(1e30f, 0.0f, 0.0f);
-  mesh.indices.insert(mesh.indices.end(), {0, 1, 8});
-  EXPECT_TRUE(says(mesh, "size of 1e+30 its triangles are points and lines")) << lost_shape(mesh);
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-    mesh.positions[i] = static_cast<float>(i) * glm::vec3(1.0f, 0.5f, 0.25f);
-  EXPECT_TRUE(says(mesh, "points and lines")) << "collinear: " << lost_shape(mesh);
+TEST(Bounds, center_and_unit_size_hold_for_models_of_any_size_and_place) {
+  for (const float size : {1e-6f, 1.0f, 1e6f}) {
+    Mesh mesh = sphere(16, 32, size);
+    for (glm::vec3& p : mesh.positions) p += glm::vec3(3.0f * size, -size, 0.0f);
+    expect_unit(mesh);
+  }
+  Mesh mesh;
+  for (int axis = 0; axis < 3; ++axis) {  // the farthest vertex in any direction
+    mesh.positions = {{0, 0, 0}, {1, 1, 1}};
+    mesh.positions[1][axis] = 10;
+    expect_unit(mesh);
+  }
+  mesh.positions = {{5.0f, 5.0f, 5.0f}};
+  normalize_to_unit(mesh);
+  EXPECT_EQ(mesh.positions[0], glm::vec3(0.0f));
+  Mesh empty;
+  normalize_to_unit(empty);
+  EXPECT_EQ(bounds(empty).extent(), glm::vec3(0.0f));
 }
 
 }  // namespace

@@ -4,27 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <string>
 
 #include "../support/meshes.hpp"
 #include "mesh/primitives.hpp"
-#include "mesh/vectors.hpp"
-#include "mesh/weld.hpp"
 #include "steps.hpp"
 
 namespace texel::mesh {
 namespace {
 
-using test::icosphere;
+using cube_wrap::face_normal;
 
-/// The largest angle between two lists of directions.
-double worst_degrees(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) {
-  double worst = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    worst = std::max(worst, glm::degrees(angle_between(glm::dvec3(a[i]), glm::dvec3(b[i]))));
-  return worst;
-}
+using test::degrees_between;
 
 TEST(Normals, of_a_face_points_to_its_counter_clockwise_side_at_any_size) {
   // By the library, and by lab 4.
@@ -68,94 +58,61 @@ TEST(Normals, smooth_ones_come_near_the_exact_ones) {
       {"sphere by angle", sphere(32, 64), Weighting::angle, 0.09},
       {"torus by area", torus(1.0f, 0.4f, 64, 32), Weighting::area, 0.18},
       {"torus by angle", torus(1.0f, 0.4f, 64, 32), Weighting::angle, 0.18},
-      {"icosphere by angle", icosphere(4), Weighting::angle, 0.15},
+      {"icosphere by angle", test::icosphere(4), Weighting::angle, 0.15},
   };
   for (const Row& row : rows) {
     Mesh mesh = row.mesh;
     smooth_normals(mesh, row.weighting);
-    const double worst = worst_degrees(mesh.normals, row.mesh.normals);
+    double worst = 0.0;
+    for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
+      worst = std::max(worst, degrees_between(mesh.normals[v], row.mesh.normals[v]));
     EXPECT_LT(worst, row.limit) << row.name;
     EXPECT_GT(worst, 0.0) << row.name << ": the exact normals were left as they are";
   }
 }
 
-TEST(Normals, smooth_ones_are_the_same_on_both_sides_of_a_seam) {
-  Mesh mesh = torus(1.0f, 0.4f, 12, 8);
-  smooth_normals(mesh, Weighting::angle);
-  for (std::size_t row = 0; row <= 8; ++row) EXPECT_EQ(mesh.normals[row * 13], mesh.normals[row * 13 + 12]);
-}
-
-TEST(Normals, by_angle_do_not_depend_on_how_a_face_is_cut) {
-  // A cube's corner: by area a face whose diagonal ends there counts twice.
-  Mesh cube = cube_split();
-  smooth_normals(cube, Weighting::angle);
-  for (std::size_t v = 0; v < 24; ++v)
-    EXPECT_LT(glm::degrees(angle_between(glm::dvec3(cube.normals[v]), glm::dvec3(cube.positions[v]))), 1e-4);
-  smooth_normals(cube, Weighting::area);
-  double worst = 0.0;
-  for (std::size_t v = 0; v < 24; ++v)
-    worst = std::max(worst,
-                     glm::degrees(angle_between(glm::dvec3(cube.normals[v]), glm::dvec3(cube.positions[v]))));
-  EXPECT_GT(worst, 10.0);  // acos(5 / sqrt(27)) = 15.8 where one face counts twice, 13.3 at other corners
-}
-
-TEST(Normals, flat_ones_split_only_where_faces_differ) {
-  Mesh cube =
-      weld(parse_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\nf 1 5 2\n", "a.obj"));
-  flat_normals(cube, face_normal);
-  EXPECT_EQ(cube.vertex_count(), 7u);  // the two triangles of the square share, the third one does not
-  for (std::size_t i = 0; i < cube.indices.size(); i += 3)
-    for (std::size_t k = 0; k < 3; ++k)
-      EXPECT_EQ(cube.normals[cube.indices[i + k]],
-                face_normal(cube.positions[cube.indices[i]], cube.positions[cube.indices[i + 1]],
-                            cube.positions[cube.indices[i + 2]]));
-}
-
-TEST(Normals, of_triangles_without_area_fall_back) {
-  Mesh mesh;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 1}, {1, 0, 1}};
-  mesh.indices = {0, 1, 2, 3, 3, 4};
-  smooth_normals(mesh, Weighting::angle);
-  for (const glm::vec3& normal : mesh.normals) EXPECT_EQ(normal, fallback_normal);
-  flat_normals(mesh);
-  for (const glm::vec3& normal : mesh.normals) EXPECT_EQ(normal, fallback_normal);
-}
-
-TEST(Normals, degenerate_neighbours_add_nothing) {
-  Mesh mesh;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}};
-  mesh.indices = {0, 1, 2, 0, 1, 3};
-  smooth_normals(mesh, Weighting::area);
-  EXPECT_EQ(mesh.normals[0], glm::vec3(0, 0, 1));
-  EXPECT_EQ(mesh.normals[3], fallback_normal);
-}
-
-/// A roof of two triangles at a right angle along the edge 1-2.
-std::string roof(const std::string& first, const std::string& second) {
-  return "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 -1\n" + first + "f 1 2 3\n" + second + "f 2 1 4\n";
-}
-
-TEST(Normals, respect_smoothing_groups) {
+// Of an OBJ file: which faces share a normal, and by how much each of them counts, worked out by hand.
+TEST(Normals, of_a_file_follow_weights_positions_and_smoothing_groups) {
+  // Two triangles along the x axis at right angles: one lies in z = 0 and has area 1/2, the other stands in
+  // y = 0; it has area 3/2, or 1/2 with its tip at vertex 5.
+  const std::string fold = "v 0 0 0\nv 1 0 0\nv 0 -1 0\nv 0 0 3\nv 0 0 1\nv 1 0 1\n", flat = "f 1 3 2\n";
+  const glm::dvec3 up(0, 0, 1), front(0, -1, 0), between(0, -1, 1);
+  const auto area = Weighting::area, angle = Weighting::angle;
   struct Row {
-    const char* first;
-    const char* second;
-    std::size_t vertices;
+    std::string faces;
+    Weighting weighting;
+    std::vector<std::pair<std::size_t, glm::dvec3>> normals;  // of some corners
+    std::size_t vertices;                                     // after welding
   };
   const Row rows[] = {
-      {"", "", 4},            // never switched on: all smooth
-      {"s 1\n", "", 4},       // one group
-      {"s 1\n", "s 2\n", 6},  // a crease
-      {"s 1\n", "s off\n", 6},
-      {"s off\n", "s 3\n", 6},
-      {"s 1\n", "s 1\n", 4},
+      {flat + "f 1 2 4\n", area, {{0, {0, -1.5, 0.5}}}, 4},
+      {flat + "f 1 2 4\n", angle, {{0, between}}, 4},  // both corners have 90 degrees
+      // The second face is a square, whose diagonal ends at vertex 1: by area it counts twice.
+      {flat + "f 1 2 6\nf 1 6 5\n", area, {{0, {0, -2, 1}}}, 5},
+      {flat + "f 1 2 6\nf 1 6 5\n", angle, {{0, between}}, 5},
+      // The second triangle has lines of its own for the two points that it shares.
+      {flat + "v 0 0 0\nv 1 0 0\nf 7 8 5\n", angle, {{0, between}, {3, between}}, 6},
+      // One group, or never switched on: all smooth.
+      {"s 1\n" + flat + "f 1 2 5\n", angle, {{0, between}, {3, between}}, 4},
+      {"s 1\n" + flat + "s 1\nf 1 2 5\n", angle, {{0, between}, {3, between}}, 4},
+      // Creases.
+      {"s 1\n" + flat + "s 2\nf 1 2 5\n", angle, {{0, up}, {3, front}}, 6},
+      {"s off\n" + flat + "s 3\nf 1 2 5\n", angle, {{0, up}, {3, front}}, 6},
+      // Off, two triangles share an edge and no normal.
+      {"s 1\n" + flat + "s off\nf 1 2 5\nf 1 5 2\n", angle, {{0, up}, {3, front}, {6, -front}}, 9},
+      // What stands before the first s line is off too.
+      {flat + "f 1 2 5\ns 1\nf 1 2 5\n", angle, {{0, up}, {3, front}, {6, front}}, 9},
   };
   for (const Row& row : rows) {
-    ObjData data = parse_obj(roof(row.first, row.second), "roof.obj");
-    EXPECT_EQ(generate_missing_normals(data, Weighting::angle), 6u);
-    const Mesh mesh = weld(data);
-    EXPECT_EQ(mesh.vertex_count(), row.vertices) << row.first << row.second;
-    const glm::vec3 expected = row.vertices == 4 ? glm::normalize(glm::vec3(0, -1, 1)) : glm::vec3(0, 0, 1);
-    EXPECT_LT(glm::distance(mesh.normals[0], expected), 1e-6f) << row.first << row.second;
+    SCOPED_TRACE(row.faces);
+    ObjData data = parse_obj(fold + row.faces, "a.obj");
+    EXPECT_EQ(generate_missing_normals(data, row.weighting), data.corners.size());
+    for (const auto& [corner, direction] : row.normals)
+      EXPECT_LT(
+          glm::distance(glm::dvec3(data.normals[data.corners[corner].normal]), glm::normalize(direction)),
+          1e-6)
+          << "corner " << corner;
+    EXPECT_EQ(weld(data).vertex_count(), row.vertices);
   }
 }
 
@@ -165,6 +122,30 @@ TEST(Normals, of_a_file_can_be_taken_away_and_made_anew) {
   remove_normals(data);
   EXPECT_EQ(generate_missing_normals(data, Weighting::angle), 3u);
   EXPECT_EQ(weld(data).normals[0], glm::vec3(0, 0, 1));
+}
+
+TEST(Normals, flat_ones_split_only_where_faces_differ) {
+  Mesh cube =
+      weld(parse_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\nf 1 5 2\n", "a.obj"));
+  flat_normals(cube, face_normal);
+  EXPECT_EQ(cube.vertex_count(), 7u);  // the two triangles of the square share, the third one does not
+  for (std::size_t i = 0; i < cube.indices.size(); ++i)
+    EXPECT_EQ(cube.normals[cube.indices[i]], i < 6 ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0)) << i;
+}
+
+TEST(Normals, of_triangles_without_area_fall_back_and_add_nothing_to_their_neighbours) {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 1}, {1, 0, 1}};
+  mesh.indices = {0, 1, 2, 3, 3, 4};
+  smooth_normals(mesh, Weighting::angle);
+  for (const glm::vec3& normal : mesh.normals) EXPECT_EQ(normal, fallback_normal);
+  flat_normals(mesh);
+  for (const glm::vec3& normal : mesh.normals) EXPECT_EQ(normal, fallback_normal);
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}};
+  mesh.indices = {0, 1, 2, 0, 1, 3};
+  smooth_normals(mesh, Weighting::area);
+  EXPECT_EQ(mesh.normals[0], glm::vec3(0, 0, 1));
+  EXPECT_EQ(mesh.normals[3], fallback_normal);
 }
 
 }  // namespace

@@ -10,73 +10,28 @@
 #include "cube.hpp"
 #include "mesh/normals.hpp"
 #include "mesh/primitives.hpp"
-#include "mesh/weld.hpp"
+#include "steps.hpp"
 
 namespace texel::mesh {
 namespace {
 
+using cube_wrap::cube_before;
+using cube_wrap::cube_by_face;
+using cube_wrap::cube_shared;
+using cube_wrap::cube_stretched;
+
 using test::icosphere;
 
-// Figures of a few exact float coordinates, computed in double: what is left is the last digit of a root.
-constexpr double rounding = 1e-12;
-
 /// The square of half-size 1 whose texture coordinates are (x, y) times the matrix with these columns.
-Mesh square(glm::vec2 by_x, glm::vec2 by_y) {
+Mesh textured_square(const glm::mat2& texture) {
   Mesh mesh = quad(1.0f);
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i)
-    mesh.texcoords[i] = mesh.positions[i].x * by_x + mesh.positions[i].y * by_y;
+    mesh.texcoords[i] = texture * glm::vec2(mesh.positions[i]);
   return mesh;
 }
 
-TEST(Stretch, is_one_when_the_texture_lies_evenly_at_any_scale) {
-  for (const float scale : {1.0f, 0.125f, 64.0f}) {
-    const Stretch stretch = measure_stretch(square({scale, 0}, {0, scale}));
-    EXPECT_NEAR(stretch.l2, 1, rounding) << scale;
-    EXPECT_NEAR(stretch.l_infinity, 1, rounding) << scale;
-    EXPECT_NEAR(stretch.max_shear, 0, rounding) << scale;
-    EXPECT_EQ(stretch.zero_area_triangles, 0u);
-    EXPECT_EQ(stretch.mirrored_triangles, 0u);
-  }
-}
-
-TEST(Stretch, follows_sander_when_one_side_is_four_times_as_long) {
-  // One step in s reaches 4, one in t 1; spread evenly both would reach 2.
-  const Stretch stretch = measure_stretch(square({0.25f, 0}, {0, 1}));
-  EXPECT_NEAR(stretch.l2, std::sqrt((16 + 1) / 2.0) / 2, rounding);
-  EXPECT_NEAR(stretch.l_infinity, 2, rounding);
-  EXPECT_NEAR(stretch.max_shear, 0, rounding);
-}
-
-TEST(Stretch, tells_the_shear_in_degrees) {
-  // s = x + y, t = y: a step in t at equal s goes along (-1, 1).
-  const Stretch stretch = measure_stretch(square({1, 0}, {1, 1}));
-  EXPECT_NEAR(stretch.mean_shear, 45, rounding);
-  EXPECT_NEAR(stretch.max_shear, 45, rounding);
-  EXPECT_NEAR(stretch.l2, std::sqrt((1 + 2) / 2.0), rounding);
-  EXPECT_NEAR(stretch.l_infinity, (1 + std::sqrt(5.0)) / 2, rounding);  // singular values of a shear by 1
-}
-
-TEST(Stretch, counts_smeared_and_mirrored_triangles_of_the_reports_cubes) {
-  const Stretch before = measure_stretch(cube_shared(cube_before));
-  EXPECT_EQ(before.zero_area_triangles, 8u);  // the four sides
-  EXPECT_EQ(before.mirrored_triangles, 2u);   // the back
-  EXPECT_NEAR(before.l2, 1, rounding);        // of what is left, front and back
-
-  const Stretch stretched = measure_stretch(cube_shared(cube_stretched));
-  EXPECT_EQ(stretched.zero_area_triangles, 0u);
-  EXPECT_EQ(stretched.mirrored_triangles, 6u);  // the back, and one triangle of each of the other four
-  EXPECT_NEAR(stretched.l2, std::sqrt((4 * 1 + 8 * 1.5) / 12),
-              rounding);  // 8 of 12 triangles are sheared by 45 degrees
-  EXPECT_NEAR(stretched.max_shear, 45, rounding);
-
-  const Stretch split = measure_stretch(weld(cube_by_face()));
-  EXPECT_EQ(split.zero_area_triangles + split.mirrored_triangles, 0u);
-  EXPECT_NEAR(split.l_infinity, 1, rounding);
-}
-
-TEST(Stretch, weighs_triangles_by_their_area_in_space) {
-  // The same texture area on squares of half-size 1 and 3: steps of 2 and 6; spread evenly sqrt((4 + 36) /
-  // 2).
+/// Squares of half-size 1 and 3, each with the whole texture.
+Mesh two_squares() {
   Mesh mesh = quad(1.0f);
   const Mesh big = quad(3.0f);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -85,26 +40,54 @@ TEST(Stretch, weighs_triangles_by_their_area_in_space) {
     mesh.texcoords.push_back(big.texcoords[i]);
   }
   for (const std::uint32_t index : big.indices) mesh.indices.push_back(index + 4);
-  const double even = std::sqrt(20.0);
-  const Stretch stretch = measure_stretch(mesh);
-  EXPECT_NEAR(stretch.l2, std::sqrt((4.0 * 4 + 36.0 * 36) / 40) / even, rounding);
-  EXPECT_NEAR(stretch.l_infinity, 6 / even, rounding);
+  return mesh;
 }
 
-TEST(Stretch, is_finite_without_any_area) {
+Mesh smeared_square(bool in_space_too) {
   Mesh mesh = quad(1.0f);
-  for (glm::vec2& st : mesh.texcoords) st = {0.5f, 0.5f};
-  const Stretch smeared = measure_stretch(mesh);
-  EXPECT_EQ(smeared.zero_area_triangles, 2u);
-  EXPECT_EQ(smeared.l2, 0);
-  for (glm::vec3& position : mesh.positions) position = {1, 2, 3};
-  const Stretch point = measure_stretch(mesh);
-  EXPECT_EQ(point.zero_area_triangles, 0u);  // of no area in space: not on the surface at all
-  EXPECT_EQ(point.l_infinity, 0);
+  mesh.texcoords.assign(4, {0.5f, 0.5f});
+  if (in_space_too) mesh.positions.assign(4, {1, 2, 3});
+  return mesh;
 }
 
-TEST(Stretch, is_an_error_without_texture_coordinates) {
-  EXPECT_THROW(measure_stretch(icosphere(0)), Error);
+TEST(Stretch, is_what_sander_s_formulas_give_by_hand) {
+  struct Row {
+    const char* name;
+    Mesh mesh;
+    double l2, l_infinity, mean_shear, max_shear;
+    std::uint32_t smeared, mirrored;
+  };
+  const double phi = (1 + std::sqrt(5.0)) / 2, even = std::sqrt(20.0);
+  const Row rows[] = {
+      {"even", textured_square({{1, 0}, {0, 1}}), 1, 1, 0, 0, 0, 0},
+      {"fine", textured_square({{64, 0}, {0, 64}}), 1, 1, 0, 0, 0, 0},
+      {"coarse", textured_square({{0.125f, 0}, {0, 0.125f}}), 1, 1, 0, 0, 0, 0},
+      // One step in s reaches 4, one in t 1; spread evenly both would reach 2.
+      {"4 to 1", textured_square({{0.25f, 0}, {0, 1}}), std::sqrt((16 + 1) / 2.0) / 2, 2, 0, 0, 0, 0},
+      // s = x + y, t = y: a step in t at equal s goes along (-1, 1). Singular values of a shear by 1.
+      {"sheared", textured_square({{1, 0}, {1, 1}}), std::sqrt((1 + 2) / 2.0), phi, 45, 45, 0, 0},
+      // Of the report's cube the four sides are smeared and the back is mirrored; what is left is even.
+      {"cube before", cube_shared(cube_before), 1, 1, 0, 0, 8, 2},
+      // Mirrored are the back, and one triangle of each other side; 8 of 12 triangles are sheared.
+      {"cube stretched", cube_shared(cube_stretched), std::sqrt((4 * 1 + 8 * 1.5) / 12), phi, 30, 45, 0, 6},
+      {"cube by face", weld(cube_by_face()), 1, 1, 0, 0, 0, 0},
+      // Triangles weigh by their area in space: steps of 2 and 6, spread evenly sqrt((4 + 36) / 2).
+      {"two squares", two_squares(), std::sqrt((4.0 * 4 + 36.0 * 36) / 40) / even, 6 / even, 0, 0, 0, 0},
+      {"no area in the texture", smeared_square(false), 0, 0, 0, 0, 2, 0},
+      {"none in space either: not on the surface at all", smeared_square(true), 0, 0, 0, 0, 0, 0},
+  };
+  for (const Row& row : rows) {
+    SCOPED_TRACE(row.name);
+    const Stretch stretch = measure_stretch(row.mesh);
+    // Of a few exact float coordinates, computed in double: what is left is the last digit of a root.
+    EXPECT_NEAR(stretch.l2, row.l2, 1e-12);
+    EXPECT_NEAR(stretch.l_infinity, row.l_infinity, 1e-12);
+    EXPECT_NEAR(stretch.mean_shear, row.mean_shear, 1e-12);
+    EXPECT_NEAR(stretch.max_shear, row.max_shear, 1e-12);
+    EXPECT_EQ(stretch.zero_area_triangles, row.smeared);
+    EXPECT_EQ(stretch.mirrored_triangles, row.mirrored);
+  }
+  EXPECT_THROW(measure_stretch(icosphere(0)), Error) << "no texture coordinates";
 }
 
 TEST(NormalDeviation, is_that_of_the_cubes_corner_when_eight_vertices_share_normals) {
@@ -114,6 +97,9 @@ TEST(NormalDeviation, is_that_of_the_cubes_corner_when_eight_vertices_share_norm
   EXPECT_NEAR(shared.mean, corner, 1e-5);
   EXPECT_NEAR(shared.max, corner, 1e-5);
   EXPECT_EQ(measure_normals(weld(cube_by_face())).max, 0);
+  Mesh mesh = quad();
+  mesh.normals.clear();
+  EXPECT_THROW(measure_normals(mesh), Error);
 }
 
 TEST(NormalDeviation, vanishes_for_flat_normals_and_shrinks_with_finer_spheres) {
@@ -126,18 +112,12 @@ TEST(NormalDeviation, vanishes_for_flat_normals_and_shrinks_with_finer_spheres) 
 }
 
 TEST(Stretch, is_described_in_lines_with_the_figures) {
-  const std::vector<std::string> lines = describe_stretch(cube_shared(cube_stretched));
-  ASSERT_EQ(lines.size(), 4u);
-  EXPECT_EQ(lines[0], "0 of 12 triangles are smeared (no texture area), 6 mirrored");
-  EXPECT_NE(lines[1].find("1.155 on average (L2), 1.618 at most"), std::string::npos) << lines[1];
-  EXPECT_EQ(lines[2], "shear: 30.0 degrees on average, 45.0 at most");
-  EXPECT_EQ(lines[3], "normals: 54.7 degrees from their triangle's on average, 54.7 at most");
-}
-
-TEST(NormalDeviation, is_an_error_without_normals) {
-  Mesh mesh = quad();
-  mesh.normals.clear();
-  EXPECT_THROW(measure_normals(mesh), Error);
+  EXPECT_EQ(describe_stretch(cube_shared(cube_stretched)),
+            (std::vector<std::string>{
+                "0 of 12 triangles are smeared (no texture area), 6 mirrored",
+                "stretch of the others: 1.155 on average (L2), 1.618 at most (L infinity); 1 is even",
+                "shear: 30.0 degrees on average, 45.0 at most",
+                "normals: 54.7 degrees from their triangle's on average, 54.7 at most"}));
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // Wrong declarations do not compile: see tests/compile_fail.
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
+#include "../support/said.hpp"
 #include "params/set.hpp"
 
 namespace texel::params {
@@ -34,20 +34,8 @@ struct Look {
   }
 };
 
-std::string refusal(Parameter& parameter, std::string_view value) {
-  const std::string before = parameter.text();
-  try {
-    parameter.set(value);
-  } catch (const Error& error) {
-    EXPECT_EQ(error.exit_code(), Exit::usage);
-    EXPECT_EQ(parameter.text(), before) << "a refused value must leave the old one";
-    return error.what();
-  }
-  return "it was taken";
-}
-
-TEST(Parameters, start_at_their_defaults) {
-  const Look look;
+TEST(Parameters, start_at_their_defaults_and_set_the_variable_that_they_stand_for) {
+  Look look;
   EXPECT_TRUE(look.normal_map);
   EXPECT_EQ(look.count, 8);
   EXPECT_EQ(look.tilt, 60.0F);
@@ -56,13 +44,10 @@ TEST(Parameters, start_at_their_defaults) {
   EXPECT_EQ(look.texture, "brick");
   EXPECT_EQ(look.set.key(), "");
   EXPECT_EQ(look.set.flags(), "");
-}
 
-TEST(Parameters, set_the_variable_that_they_stand_for) {
-  Look look;
   look.set.at("normal_map").set("off");
   look.set.at("count").set("12");
-  look.set.at("tilt").set("-12.5");
+  look.set.at("tilt").set("-12.5");  // in degrees: radians are made where a shader's uniform is set
   look.set.at("method").set("mikktspace");
   look.set.at("texture").set("photos/wall.png");
   EXPECT_FALSE(look.normal_map);
@@ -74,21 +59,18 @@ TEST(Parameters, set_the_variable_that_they_stand_for) {
   EXPECT_EQ(look.set.key(), "");
 }
 
-TEST(Parameters, give_their_value_as_a_number) {
+TEST(Parameters, have_a_section_a_unit_and_a_value_as_a_number) {
   Look look;
   look.set.at("method").set_value(2);
   EXPECT_EQ(look.method, Method::mikktspace);
   EXPECT_EQ(look.set.at("method").value(), 2);
   EXPECT_EQ(look.set.at("method").most, 2);
   EXPECT_EQ(look.set.at("normal_map").value(), 1);
+  EXPECT_EQ(look.set.at("normal_map").flag(), "normal-map");
   EXPECT_EQ(look.set.at("tilt").value(), 60);
-}
-
-TEST(Parameters, keep_angles_in_degrees) {
-  Look look;
-  look.set.at("tilt").set("45");
-  EXPECT_EQ(look.tilt, 45.0F);  // radians are made where a shader's uniform is set
   EXPECT_EQ(look.set.at("tilt").unit, "degrees");
+  EXPECT_EQ(look.set.at("count").section, "Surface");
+  EXPECT_EQ(look.set.at("tilt").section, "View");
 }
 
 TEST(Parameters, take_the_ends_of_their_range) {
@@ -99,66 +81,48 @@ TEST(Parameters, take_the_ends_of_their_range) {
   EXPECT_NO_THROW(look.set.at("scale").set("1e-1"));
 }
 
-TEST(Parameters, name_range_and_unit_when_a_number_is_refused) {
-  Look look;
-  Parameter& tilt = look.set.at("tilt");
-  EXPECT_EQ(refusal(tilt, "90"), "--tilt takes a number from -89 to 89 degrees, not '90'");
-  Parameter& count = look.set.at("count");
-  EXPECT_EQ(refusal(count, "7.5"), "--count takes a whole number from 3 to 64 segments, not '7.5'");
+TEST(Parameters, keep_their_value_and_say_what_they_take_when_one_is_refused) {
+  struct Row {
+    const char *name, *value;
+    std::string message;
+  };
+  const std::string choices = "--method takes one of nearest, gram-schmidt, mikktspace, not ";
+  std::vector<Row> rows = {{"tilt", "90", "--tilt takes a number from -89 to 89 degrees, not '90'"},
+                           {"count", "7.5", "--count takes a whole number from 3 to 64 segments, not '7.5'"},
+                           {"method", "gram-schmit", choices + "'gram-schmit'; did you mean 'gram-schmidt'?"},
+                           {"method", "zzz", choices + "'zzz'"},
+                           {"normal_map", "yes", "--normal-map takes on or off, not 'yes'"},
+                           {"texture", "", "--texture takes one of brick, wood, or a path"}};
   for (const char* bad : {"", "nan", "-nan", "inf", "1e999", "12x", " 12", "0x10", "++5", "1,5"})
-    EXPECT_NE(refusal(tilt, bad), "it was taken") << bad;
-}
-
-TEST(Parameters, suggest_the_nearest_choice) {
-  Look look;
-  EXPECT_EQ(refusal(look.set.at("method"), "gram-schmit"),
-            "--method takes one of nearest, gram-schmidt, mikktspace, not 'gram-schmit'; did you mean "
-            "'gram-schmidt'?");
-  EXPECT_EQ(refusal(look.set.at("method"), "zzz"),
-            "--method takes one of nearest, gram-schmidt, mikktspace, not 'zzz'");
-  EXPECT_EQ(refusal(look.set.at("normal_map"), "yes"), "--normal-map takes on or off, not 'yes'");
-  EXPECT_NE(refusal(look.set.at("texture"), ""), "it was taken");
-}
-
-TEST(Parameters, suggest_the_nearest_name) {
-  Look look;
-  try {
-    static_cast<void>(look.set.at("texure"));
-    FAIL() << "an unknown name was found";
-  } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "there is no parameter 'texure'; did you mean 'texture'?");
+    rows.push_back({"tilt", bad, "--tilt takes a number"});
+  for (const Row& row : rows) {
+    Look look;
+    Parameter& parameter = look.set.at(row.name);
+    const std::string message = test::error_of([&] { parameter.set(row.value); }, Exit::usage);
+    EXPECT_EQ(message.substr(0, row.message.size()), row.message) << row.value;
+    EXPECT_TRUE(row.message.ends_with("number") || message == row.message) << message;
+    EXPECT_EQ(look.set.key(), "") << row.value;
   }
+}
+
+TEST(Parameters, have_names_of_their_own_and_the_nearest_is_suggested) {
+  Look look;
+  EXPECT_EQ(test::error_of([&] { static_cast<void>(look.set.at("texure")); }, Exit::usage),
+            "there is no parameter 'texure'; did you mean 'texture'?");
   EXPECT_EQ(look.set.find("texure"), nullptr);
-}
-
-TEST(Parameters, stand_below_their_section) {
-  Look look;
-  EXPECT_EQ(look.set.at("count").section, "Surface");
-  EXPECT_EQ(look.set.at("tilt").section, "View");
-}
-
-TEST(Parameters, refuse_two_of_one_name) {
-  Look look;
   bool again{};
   EXPECT_THROW(look.set.add(again, {"tilt", true, "Once more"}), std::logic_error);
 }
 
-TEST(Key, holds_what_is_not_the_default_in_declaration_order) {
+TEST(Key, and_flags_hold_what_is_not_the_default_in_declaration_order) {
   Look look;
   look.set.at("texture").set("wood");
   look.set.at("tilt").set("1.25");
   look.set.at("normal_map").set("off");
   EXPECT_EQ(look.set.key(), "normal_map=off tilt=1.25 texture=wood");
+  EXPECT_EQ(look.set.flags(), "--normal-map off --tilt 1.25 --texture wood");
   look.set.at("tilt").set("60.0");
   EXPECT_EQ(look.set.key(), "normal_map=off texture=wood");
-}
-
-TEST(Flags, set_the_same_look_again) {
-  Look look;
-  look.set.at("scale").set("0.3");
-  look.set.at("method").set("nearest");
-  EXPECT_EQ(look.set.flags(), "--scale 0.3 --method nearest");
-  EXPECT_EQ(look.set.at("normal_map").flag(), "normal-map");
 }
 
 TEST(Flags, are_quoted_where_a_shell_needs_it) {
