@@ -142,19 +142,6 @@ std::vector<Case> parse_batch(const std::string& list) {
   });
 }
 
-std::string to_json(const BenchList& list) {
-  Json json = {{"seconds", list.seconds}, {"cases", Json::array()}};
-  for (const BenchCase& one : list.cases) {
-    Json vary = Json::object();
-    for (const Variation& variation : one.variations) vary[variation.parameter] = Json(variation.values);
-    json["cases"].push_back({{"case", one.name},
-                             {"size", course::as_text(one.size)},
-                             {"set", to_json(one.settings)},
-                             {"vary", vary}});
-  }
-  return to_text(json, 2) + "\n";
-}
-
 BenchList parse_bench(const std::string& list) {
   const Json json = parse(list);
   if (!json.is_object() || !json.contains("cases"))

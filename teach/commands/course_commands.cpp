@@ -16,22 +16,18 @@ struct GradeCommands {
   GradeReportCommand report;
 };
 
-void add_bench(CLI::App& app, BenchOptions& options) {
-  CLI::App* command =
-      app.add_subcommand("bench", "Measure every method's error and cost, and plot one against the other");
-  command->footer(
-      "Exit codes: 0 holds, 1 an error differs from --against, 2 wrong usage, 3 could not measure.");
-  command->add_option("LAB", options.labs, "Numbers of labs [all]")->check(CLI::Range(1, 99));
-  command->add_option("--out", options.out, "Folder for the page with the plots [out/bench]");
-  command->add_option("--json", options.json, "Write all figures as JSON");
-  command->add_option(
-      "--markdown", options.markdown,
-      "Write the tables as Markdown, and the plots into a folder with the file's name beside it");
-  command->add_option("--from", options.from, "Measure nothing: read the figures of an earlier --json");
-  command->add_option("--gpu", options.gpu,
-                      "Show the ratios of this --json too, which a graphics card measured");
-  command->add_option("--against", options.against, "Compare the errors with those of an earlier --json");
-  command->add_flag("--errors-only", options.errors_only, "Measure errors, but no times");
+/// Commands that are scripts: all that follows the name is theirs, --help too.
+struct Script {
+  const char *name, *file, *help;
+};
+constexpr Script kScripts[] = {
+    {"bench", "bench.py", "Measure every method's error and cost, and plot one against the other"},
+    {"marks", "marks.py", "Check that each mistake of the catalogue loses marks, and no right answer"},
+    {"renderers", "renderers.py", "Compare each case's limit with the spread between renderers"}};
+
+void add_scripts(CLI::App& app) {
+  for (const Script& script : kScripts)
+    app.add_subcommand(script.name, script.help)->prefix_command()->set_help_flag();
 }
 
 void add_starter(CLI::App& app, StarterOptions& options) {
@@ -72,45 +68,21 @@ void add_expected(CLI::App& app, ExpectedCommand& command) {
   expected->add_option("--cache", command.cache, "Folder for starter, references and programs [build/grade]");
 }
 
-void add_marks(CLI::App& app, MarksCommand& command) {
-  CLI::App* marks = app.add_subcommand(
-      "marks", "Check that each mistake of the catalogue loses marks, and no right answer");
-  marks->add_option("LAB", command.labs, "Numbers of labs [all]")->check(CLI::Range(1, 99));
-  marks->add_option("--seeds", command.seeds, "With so many seeds of the hidden cases [3]")
-      ->check(CLI::Range(1, 1000));
-  marks->add_flag("--places", command.places,
-                  "Only check that no place of a step may stay as in the starter");
-  marks->add_flag("--list", command.list, "Print each solution");
-  marks->add_option("--markdown", command.markdown, "Write the table, as in docs/marks.md");
-  marks->add_option("--cache", command.cache, "Folder for starter, references and programs [build/grade]");
-  marks->footer(
-      "Exit codes: 0 holds, 1 a mistake passes, a right answer fails, or they are less than three times "
-      "apart,\n2 wrong usage, 3 could not draw.");
-}
-
-void add_renderers(CLI::App& app, RenderersCommand& command) {
-  CLI::App* renderers =
-      app.add_subcommand("renderers", "Compare each case's limit with the spread between renderers");
-  renderers->add_option("--out", command.out,
-                        "Folder of the pictures, one for each renderer [out/renderers]");
-  renderers->add_option("--only", command.only, "Names of renderers separated by commas [all]")
-      ->delimiter(',');
-  renderers->add_option("--json", command.json, "Write the figures as JSON, as in docs/renderers.json");
-  renderers->add_option("--markdown", command.markdown,
-                        "Write the table at the end of this file again, as in docs/accuracy.md");
-  renderers->add_option("--reference", command.reference,
-                        "Folder with which hidden cases are compared [mesa22_llvmpipe_osmesa]");
-  renderers->footer(
-      "Exit codes: 0 every limit is three times the spread, 1 one is not or a mutant passes, 2 wrong "
-      "usage,\n3 could not draw.");
-  renderers->add_flag("--judge-only", command.judge_only, "Draw nothing: judge the pictures that are there");
-  CLI::Option* mutants = renderers->add_flag("--mutants", command.mutants,
-                                             "Check that mutants and starters fail on each renderer");
-  renderers->add_option("LAB", command.labs, "Numbers of labs, with --mutants [all]")
-      ->check(CLI::Range(1, 99))
-      ->needs(mutants);
-  renderers->add_option("--cache", command.cache,
-                        "Folder for starter, references and programs [build/grade]");
+void add_cases(CLI::App& app, CasesCommand& command) {
+  CLI::App* cases = app.add_subcommand("cases", "What scripts ask of the grader");
+  cases->add_option("WHAT", command.what)
+      ->required()
+      ->check(CLI::IsMember({"renderer", "draw", "batch", "mutants", "spreads", "marks"}));
+  cases->add_option("--out", command.out,
+                    "Folder for the pictures of draw and the lists of batch, else a file for JSON");
+  cases->add_option("--seed", command.seed, "For batch: of the hidden cases");
+  cases->add_option("--drawn", command.drawn, "For spreads: a folder with one of draw for each renderer");
+  cases->add_option("--reference", command.reference, "The one of them that is right in hidden cases");
+  cases->add_option("--labs", command.labs, "Numbers of labs, as 1,5 [all]")->delimiter(',');
+  cases->add_option("--seeds", command.seeds, "For marks: with so many seeds of the hidden cases [3]");
+  cases->add_flag("--places", command.places, "For marks: only what the starter has in each place");
+  cases->add_option("--cache", command.cache, "Folder for starter, references and programs [build/grade]");
+  tools::add_context(cases, command.context);
 }
 
 void add_formats(CLI::App* command, std::vector<std::string>& formats) {
@@ -140,6 +112,8 @@ void add_grade(CLI::App& app, GradeCommands& all) {
       ->check(CLI::Range(1, 99));
   grade->add_option("--jobs", g.jobs, "Jobs at the same time [one per processor]")
       ->check(CLI::Range(1, 1024));
+  grade->add_flag("--judge-once", g.judge_once,
+                  "Do not draw failed steps once more alone: to measure what that costs");
   grade->add_option("--shard", g.shard, "Grade one part of the class: 2/8 is the second of eight parts");
   grade->add_flag("--resume", g.resume,
                   "Continue an earlier run that was interrupted; nothing is judged twice");
@@ -196,36 +170,34 @@ Exit run_grade(const CLI::App& app, const GradeCommands& all) {
 class CourseCommands final : public tools::MoreCommands {
  public:
   explicit CourseCommands(CLI::App& app) : app_(app) {
-    add_bench(app, bench_);
+    add_scripts(app);
     add_starter(app, starter_);
     add_grade(app, grade_);
     add_expected(app, expected_);
-    add_marks(app, marks_);
-    add_renderers(app, renderers_);
+    add_cases(app, cases_);
     app.add_subcommand("course", "classroom, gradebook, gradescope, similar: see docs/course.md")
         ->prefix_command();
   }
 
   [[nodiscard]] std::optional<Exit> run() const override {
-    if (app_.got_subcommand("bench")) return bench(bench_);
+    for (const Script& script : kScripts)
+      if (const CLI::App* command = app_.get_subcommand(script.name); command->parsed())
+        return run_script(script.file, command->remaining());
     if (app_.got_subcommand("starter")) return starter(starter_);
     if (app_.got_subcommand("grade")) return run_grade(app_, grade_);
     if (app_.got_subcommand("expected")) return expected(expected_);
-    if (app_.got_subcommand("marks")) return marks(marks_);
-    if (app_.got_subcommand("renderers")) return renderers(renderers_);
+    if (app_.got_subcommand("cases")) return cases(cases_);
     if (const CLI::App* course = app_.get_subcommand("course"); course->parsed())
-      return run_script(course->remaining());
+      return run_box(course->remaining());
     return {};
   }
 
  private:
   CLI::App& app_;
-  BenchOptions bench_;
   StarterOptions starter_;
   GradeCommands grade_;
   ExpectedCommand expected_;
-  MarksCommand marks_;
-  RenderersCommand renderers_;
+  CasesCommand cases_;
 };
 
 const bool known = [] {

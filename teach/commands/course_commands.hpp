@@ -9,19 +9,6 @@
 /// The commands of `texel` for who makes or teaches the course. A student's tree does not have them.
 namespace texel::commands {
 
-struct BenchOptions {
-  std::vector<int> labs;                    ///< numbers; none for all
-  std::filesystem::path out = "out/bench";  ///< folder for the page and the labs' own figures
-  std::filesystem::path json, markdown;     ///< more files to write, or none
-  std::filesystem::path from;               ///< an earlier --json to show instead of measuring
-  std::filesystem::path gpu;                ///< another renderer's --json, whose ratios are shown too
-  std::filesystem::path against;            ///< an earlier --json whose errors must be the same
-  bool errors_only = false;                 ///< no clock
-};
-
-/// `texel bench`: error against cost of every method. Differs when an error is not that of `against`.
-Exit bench(const BenchOptions& options);
-
 struct ExpectedCommand {
   std::vector<int> labs;        ///< numbers; none for all
   std::filesystem::path cache;  ///< empty: build/grade of the course
@@ -30,32 +17,18 @@ struct ExpectedCommand {
 /// `texel expected`: draws what `check` compares with.
 Exit expected(const ExpectedCommand& command);
 
-struct MarksCommand {
+struct CasesCommand {
+  std::string what;                  ///< renderer, draw, batch, mutants, spreads or marks
+  std::filesystem::path out, drawn;  ///< a folder or a file for JSON; the renderers' folders
+  std::string context = "auto", reference, seed;
   std::vector<int> labs;  ///< numbers; none for all
-  int seeds = 3;
-  bool places = false;                    ///< no catalogue: only the steps' places as the starter has them
-  bool list = false;                      ///< every solution, not only each step's nearest
-  std::filesystem::path markdown, cache;  ///< a file to write, or none; empty: build/grade of the course
+  int seeds = 3;          ///< of the hidden cases, for marks
+  bool places = false;    ///< marks without the catalogue: only the steps' places as the starter has them
+  std::filesystem::path cache;  ///< empty: build/grade of the course
 };
 
-/// `texel marks`: what right and wrong solutions of each step get. Differs when a mistake passes, a right
-/// answer fails, or they are less than three times apart.
-Exit marks(const MarksCommand& command);
-
-struct RenderersCommand {
-  std::filesystem::path out = "out/renderers";  ///< folder of the pictures, one for each renderer
-  std::filesystem::path cache;                  ///< empty: build/grade of the course
-  std::vector<std::string> only;                ///< names of renderers; none for all
-  std::filesystem::path json, markdown;         ///< files to write: docs/renderers.json and docs/accuracy.md
-  std::string reference = "mesa22_llvmpipe_osmesa";  ///< the folder by which hidden cases are judged
-  bool judge_only = false, mutants = false;
-  std::vector<int> labs;  ///< whose mutants are drawn: numbers; none for all
-};
-
-/// `texel renderers`: how far the renderers of this machine, and of others whose folders lie in `out`, are
-/// from what is expected. Differs when a limit is below three times that; with `mutants`, when a mutant or
-/// the starter passes a step by one.
-Exit renderers(const RenderersCommand& command);
+/// `texel cases WHAT`: what the scripts of this folder ask of the grader.
+Exit cases(const CasesCommand& command);
 
 struct StarterOptions {
   std::filesystem::path out, root;  ///< root empty: the course's own
@@ -81,7 +54,7 @@ struct GradeCommand {
   unsigned jobs = 0;                       ///< 0: one for each processor
   std::string shard = "1/1", context = "auto", walls = "namespaces";
   std::vector<std::string> formats;
-  bool resume = false, unsafe = false, print_steps = false;
+  bool resume = false, unsafe = false, print_steps = false, judge_once = false;
 };
 
 /// `texel grade CLASS --print-steps`: prints as JSON what grading takes from each submission: the text of
@@ -123,8 +96,11 @@ struct GradeReportCommand {
 /// `texel grade report`: writes the reports again.
 Exit grade_report(const GradeReportCommand& command);
 
-/// `texel course NAME …`: a script of teach/commands/scripts, in place of this process. Returns only by an
-/// Error: exit 2 for a name that there is not, 3 when the script cannot be started.
-Exit run_script(const std::vector<std::string>& words);
+/// Runs a script of teach/commands in place of this process, which the script finds in the variable TEXEL.
+/// Returns only by an Error (exit 3), when it cannot be started.
+Exit run_script(const std::filesystem::path& name, const std::vector<std::string>& arguments);
+
+/// `texel course NAME …`: one of teach/commands/scripts. Throws Error (exit 2) for a name that there is not.
+Exit run_box(const std::vector<std::string>& words);
 
 }  // namespace texel::commands

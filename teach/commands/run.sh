@@ -80,11 +80,11 @@ build_tests() {
   build release all
 }
 
-# The tests that name this lab: Labs/Drawing…/lab05, HardCaseOfLab5…, accuracy.of_lab_5…, MarksOfLab…/5.
+# The tests that name this lab: Labs/Drawing…/lab05, HardCaseOfLab5…, accuracy.of_lab_5…, tools.marks_of_lab_5.
 test_lab() { # number
   need "${packages[@]}" "${test_packages[@]}"
   build_tests
-  run_tests release --no-tests=error --tests-regex "[Ll]abs?_?0?$1([^0-9]|\$)|MarksOfLab.*/$1\$"
+  run_tests release --no-tests=error --tests-regex "[Ll]abs?_?0?$1([^0-9]|\$)"
   say "The tests of lab $1 passed after $SECONDS s"
 }
 
@@ -124,14 +124,14 @@ run_bench() { # arguments of texel bench
 run_performance() { # arguments of performance
   need "${packages[@]}" "${bench_packages[@]}"
   configure release -D TEXEL_BENCH=ON
-  build release labs/all tests/bench/all
+  build release labs/all tests/bench/all texel
   if [[ " $* " != *" --only "* || " $* " == *" --only peers "* ]]; then
     "$root/run" web
     (cd "$root/tests/bench/peers" && npm ci --no-audit --no-fund --loglevel=error) || fail 3 "three.js cannot be installed"
   fi
   say "Measuring"
   # Without -noreset the display restarts after its last window, and the next window must wait.
-  xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' "$root/build/release/bin/performance" "$@"
+  xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' "$root/teach/commands/performance.py" "$@"
 }
 
 run_mutants() { # arguments of mutants.py

@@ -80,6 +80,7 @@ Exit grade_class(const GradeCommand& command) {
   options.labs = command.labs;
   options.jobs = command.jobs;
   options.resume = command.resume;
+  options.judge_alone = !command.judge_once;
   options.run = command.unsafe            ? run_plainly
                 : command.walls == "user" ? sandbox::run_as_another_user
                                           : sandbox::run_locked_in;

@@ -48,9 +48,8 @@ struct BenchList {
   std::vector<BenchCase> cases;
 };
 
-/// `{"seconds", "cases": [{"case", "size", "set": {parameter: value}, "vary": {parameter: [values]}}]}`
-std::string to_json(const BenchList& list);
-/// Reads such a list. Throws Error (exit 2) that counts to the case that is wrong.
+/// Reads `{"seconds", "cases": [{"case", "size", "set": {parameter: value}, "vary": {parameter:
+/// [values]}}]}`. Throws Error (exit 2) that counts to the case that is wrong.
 BenchList parse_bench(const std::string& list);
 
 }  // namespace texel::course

@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: MIT
+"""Labs beside their floors (tests/bench/floor) and beside three.js: a first picture, one more, many in a batch, in the window."""
+import json
+import os
+import re
+
+from course import ROOT, Failure
+from performance_report import bench_file, check_same, compared, interleaved, output_of, run_process, time_of
+
+LABS = {"lab 1": ("lab01_texture_quad", "floor_lab01"), "lab 5": ("lab05_normal_map", "floor_lab05"), "lab 9": ("lab09_bump", "floor_lab09")}
+ASSETS = ROOT / "assets"
+# Of llvmpipe, as gl::Shaders sets it, for where both sides are to have the same.
+QUICK_TO_DRAW, QUICK_TO_COMPILE = {"GALLIVM_PERF": "no_aos_sampling"}, {"GALLIVM_PERF": "no_aos_sampling,nopt"}
+MORE, BATCH = 20, 36  # pictures
+SAME_CONTENT = 2  # 8-bit steps in the mean; 0.9 measured: mipmaps and the driver's filters differ
+
+
+def measure_snapshots(setting, report):
+    report.begin("A snapshot beside its floor", """
+        A floor (`tests/bench/floor`) is the same picture written by hand in one program without the framework: OSMesa, libspng,
+        the same files. From the start of the process to its end, 512x512 with 4 samples a pixel, nothing warmed up but the disk's
+        cache. A lab that draws one picture asks llvmpipe for shaders that are quick to compile (`gl::Shaders`), a floor leaves
+        the driver as it is; *quick too* is a floor that asks for the same.""", "lab", "floor")
+    ours, theirs = setting.work / "ours.png", setting.work / "floor.png"
+    for name, (lab, floor) in LABS.items():
+        runs = interleaved(setting.rounds, lambda: run_process(lab, "--snapshot", ours), lambda: run_process(floor, ASSETS, theirs))
+        check_same(ours, theirs)
+        report.add(f"{name}, time", "ms", [(own[0], other[0]) for own, other in runs], at_most=1.25)
+        report.add(f"{name}, memory", "MiB", [(own[1], other[1]) for own, other in runs], at_most=1.3)
+        report.add(f"{name}, the floor's shaders quick too", "ms",
+                   interleaved(setting.rounds, lambda: time_of(lab, "--snapshot", ours),
+                               lambda: time_of(floor, ASSETS, theirs, variables=QUICK_TO_COMPILE)), at_most=1.25)
+        stats = output_of(lab, "--snapshot", setting.work / "stats.png", "--stats", "-")
+        report.stages[name] = json.loads(stats)["milliseconds"]
+
+
+def one_more(setting, lab):
+    """Milliseconds of a picture more in a process that is under way: the difference of a batch of many and of one, shared."""
+
+    def batch(count):
+        file = setting.write_json(f"warm_{count}.json", [{"name": str(i)} for i in range(count)])
+        return time_of(lab, "--batch", file, "--out", setting.work / "warm", variables=QUICK_TO_DRAW)
+
+    return (batch(MORE + 1) - batch(1)) / MORE
+
+
+def measure_one_more(setting, report):
+    report.begin("One more picture", f"""
+        The same picture once more from a process that has drawn it already (a lab's `--batch`, which compresses it beside the
+        next one's drawing; the floor in a loop): the time of {MORE + 1} and of one, and the difference shared. Both have
+        optimised shaders.""", "lab", "floor")
+    for name, (lab, floor) in LABS.items():
+        picture = setting.work / "floor.png"
+        report.add(f"{name}, one more", "ms", interleaved(
+            setting.rounds, lambda: one_more(setting, lab),
+            lambda: (time_of(floor, ASSETS, picture, MORE + 1) - time_of(floor, ASSETS, picture, 1)) / MORE), at_most=1.15)
+        check_same(setting.work / f"warm/{MORE}.png", picture)
+
+
+def add_batch(setting, report, what, lab, entries, target):
+    """A batch beside a process for each of its entries."""
+    file = setting.write_json("list.json", entries)
+
+    def alone(entry):
+        settings = [word for name, value in entry["set"].items() for word in (f"--{name}", value)]
+        return time_of(lab, *settings, "--view", entry["view"], "--snapshot", setting.work / f"alone_{entry['name']}.png")
+
+    report.add(what, "ms", interleaved(setting.long_rounds, lambda: time_of(lab, "--batch", file, "--out", setting.work / "batch"),
+                                       lambda: sum(map(alone, entries))), at_least=target)
+    for entry in entries:
+        check_same(setting.work / f"alone_{entry['name']}.png", setting.work / f"batch/{entry['name']}.png")
+
+
+def measure_batches(setting, report):
+    report.begin("A batch beside a process each", """
+        36 snapshots of 512x512 by one process (`--batch`), which optimises its shaders where each draws much, and by 36, which do
+        not, one after the other.""", "one process", "36 processes")
+    for name, (lab, _) in LABS.items():
+        turned = [{"name": str(i), "view": "color", "set": {"yaw": 10 * i}} for i in range(BATCH)]
+        add_batch(setting, report, f"{name}, a turning camera", lab, turned, 5)
+    # All methods and views: each is a program of its own that the driver compiles.
+    lab = LABS["lab 5"][0]
+    parameters = json.loads(output_of(lab, "--list-parameters", "--json"))
+    methods = [choice["name"] for parameter in parameters if parameter["name"] == "method" for choice in parameter["choices"]]
+    views = ("color", "texcoord", "depth", "mask")
+    every = [{"name": str(i), "view": views[i // len(methods) % len(views)], "set": {"method": methods[i % len(methods)], "yaw": i}}
+             for i in range(BATCH)]
+    add_batch(setting, report, "lab 5, all methods, four views", lab, every, 0)
+
+
+def window_times(lab, frames, *arguments, variables=None):
+    """Milliseconds of the first picture, the panel, a frame, and of panel, statistics and parameters in it."""
+    text = output_of(lab, "--frames", frames, "--context", "window", *arguments, variables=variables)
+    found = [re.search(after + r"\s*([\d.]+)", text) for after in ("the first after ", "the panel after ", "median ", "parameters: ")]
+    if not all(found):
+        raise Failure(f"{lab}: prints no times: {text}")
+    return [float(time[1]) for time in found]
+
+
+def has_display():
+    if "DISPLAY" not in os.environ:
+        print("  skipped: there is no display; ./run performance has one")
+    return "DISPLAY" in os.environ
+
+
+def measure_frames(setting, report):
+    report.begin("The panel's share of a frame", """
+        A window of 960x720 with its panel on a software renderer. What panel, statistics and parameters take of the main thread's
+        processor, beside the whole frame: drawn, shown, answered by the X server.""", "panel, statistics, parameters", "frame")
+    for name, (lab, _) in LABS.items() if has_display() else ():
+        times = [window_times(lab, 60) for _ in range(setting.rounds)]
+        report.add(name, "ms", [(plumbing, frame) for _, _, frame, plumbing in times], at_most=0.02)
+
+
+def measure_window_start(setting, report):
+    report.begin("A window's first picture", """
+        From the start of the process until the first picture is on the screen, and until the panel is, which comes with the next;
+        beside the floor's snapshot, from the start of its process to its end. *Shaders kept*: both with the driver's cache of
+        shaders, as users have them from the second time on. Without it the driver translates the panel's shader after the
+        picture's. Both draw the plain look (`--view color`). With the best look, with which lab 5 opens, its picture comes 50 ms
+        later than with the plain one (16 rounds, alone). The panel comes 55 to 59 ms after the picture where its shader is
+        translated, and 13 to 14 where that is kept: so much the panels of labs 1 and 5 lack.""", "window", "floor")
+    for name, (lab, floor) in LABS.items() if has_display() else ():
+        for what, variables in (("", {}), (", shaders kept", setting.kept_shaders)):
+            times = [(window_times(lab, 1, "--view", "color", variables=variables),
+                      time_of(floor, ASSETS, setting.work / "floor.png", variables=variables)) for _ in range(setting.rounds + bool(variables))]
+            times = times[bool(variables):]  # the first one filled the cache
+            report.add(f"{name}, the picture{what}", "ms", [(own[0], other) for own, other in times], at_most=1.4)
+            report.add(f"{name}, the panel{what}", "ms", [(own[1], other) for own, other in times], at_most=1.4)
+
+
+def measure_peers(setting, report):
+    """Our page and our program beside three.js' page of the same ball, in the same rounds."""
+    report.begin("Beside three.js", """
+        Lab 9's ball by three.js (`tests/bench/peers`): the same cube map, normal map, mesh and filters, in headless Chromium,
+        which draws by SwiftShader. Pages: the first picture from navigation on, in a browser that has drawn both, is at rest, and
+        keeps no files; one of many pictures of 512x512 with 4 samples a pixel and with one; what is loaded, as brotli compresses
+        it. Our page comes with its handout, all labs and the judge, which the browser compiles and lays out while it waits for
+        the picture, and with its pictures as lossless WebP; three.js' page loads the tree's PNG files. Our program draws by
+        llvmpipe: one of many pictures with 4 samples; and one from the start of the process to its end, with the driver's cache
+        of shaders, beside three.js' first one from the start of Chromium, and beside a program in a window as a tutorial has it
+        (`tests/bench/peers/window.cpp`: GLFW, stb_image, `glGenerateMipmap`, one file after the other), which has the driver's
+        cache too.""",
+                 "ours", "three.js")
+    lab, own, other = LABS["lab 9"][0], setting.work / "peers.png", setting.work / "window.png"
+
+    def snapshot():
+        return time_of(lab, "--snapshot", own, variables=setting.kept_shaders)
+
+    def window():
+        return time_of("peer_window", ASSETS, other, variables=setting.kept_shaders)
+
+    snapshot(), window()  # fill the cache
+    if compared(own, other)["mean"] > SAME_CONTENT:
+        raise Failure("peer_window: draws another picture than lab 9")
+    pages, more, cold, windows = [], [], [], []
+    for _ in range(setting.rounds):
+        pages.append(json.loads(output_of("node", bench_file("peers/measure.mjs"), 1, "--json"))[0])
+        more.append((one_more(setting, lab), pages[-1]["theirs"]["antialiased_ms"]))
+        cold.append((snapshot(), pages[-1]["theirs"]["cold_ms"]))
+        windows.append((snapshot(), window()))
+    for what, name, unit, why in (
+            ("page, first picture", "first_picture_ms", "ms", """
+                by the worker's clock, milliseconds after navigation: it runs at 60, its WebGL context is there at 240, the lab is
+                open at 300, seven pictures are unpacked at 370. Mipmaps, uploads and shaders take until 515, the drawing until
+                590. Meanwhile the page lays out the handout. three.js draws on the page's own thread; our worker keeps the page
+                alive when a shader never ends. Tried, each within the noise: the context before the files, the files before the
+                context, no extensions but the four that are used, no question to the driver between uploads, textures and shaders
+                made before the page knows the picture's size, a handout that is laid out when it is scrolled to. With a graphics
+                card (NVIDIA H200, Vulkan, 16 processors) ours takes 345 ms and three.js' 164."""),
+            ("page, antialiased", "antialiased_ms", "ms", ""), ("page, one sample", "plain_ms", "ms", ""),
+            ("page, loaded", "bytes", "bytes", "")):
+        report.add(what, unit, [(page["ours"][name], page["theirs"][name]) for page in pages], at_most=1, why=why)
+    report.add("program, one more", "ms", more, at_most=0.6)
+    report.add("program, first picture", "ms", cold, at_most=0.07, why="""
+        of 150 ms by --stats, driver and context take 18, reading seven pictures 30, their mipmaps and upload 22, compressing the
+        picture 8. The first picture takes 65: one more takes 20, the rest loads the machine code that the driver kept.""")
+    report.add("program, first picture, beside a window's", "ms", windows, at_most=0.14, names=("ours", "window"), why="""
+        the window's program takes 0.3 s. The target is less than reading the pictures and drawing one take, which both programs
+        must do.""")

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: MIT
+"""What people wait for in this tree and in an earlier commit's: a student for the first ./run, and from a save to the verdict; who changes the
+course for its tests."""
+import itertools
+import pathlib
+import shlex
+import shutil
+import time
+
+from course import ROOT, Failure, captured
+from performance_report import interleaved, output_of
+
+
+def run_in(tree, arguments, most_code=0, environment=""):
+    """Milliseconds of `./run …` in a tree. It ends with at most this exit code. `environment` is as env takes it."""
+    begin = time.perf_counter()
+    ran = captured("sh", "-c", f"cd {shlex.quote(str(tree))} && env TEXEL_NO_APT=1 {environment} ./run {arguments}")
+    if ran.returncode > most_code:
+        raise Failure(f"{tree}: ./run {arguments} failed: {ran.stdout}")
+    return 1e3 * (time.perf_counter() - begin)
+
+
+def edit(file, number):
+    """A line that was never compiled, so that the compiler's cache does not have it, at the end of a file."""
+    mark = "\n// edited: "
+    line = f"const float edited_{number} = 0.0;"
+    if file.suffix == ".cpp":
+        line = f"namespace {{ [[maybe_unused]] constexpr int edited_{number} = 0; }}"
+    file.write_text(f"{file.read_text(encoding='utf-8').partition(mark)[0]}{mark}\n{line}\n", encoding="utf-8")
+
+
+def commit_of(tree):
+    return output_of("git", "-C", tree, "rev-parse", "--short", "HEAD").strip()
+
+
+class Tested:
+    """A course's tree as its last commit has it."""
+
+    def __init__(self, course, tree):
+        self.tree = tree
+        output_of("git", "clone", "--quiet", course, tree)
+
+    def run(self, arguments=""):
+        """The tests have their own display, and the driver's cache as ./run sets it."""
+        return run_in(self.tree, f"test {arguments}", 0, "--unset=DISPLAY --unset=MESA_SHADER_CACHE_DISABLE CCACHE_DISABLE=1")
+
+    def run_of_changed_lab(self, number):
+        edit(self.tree / "labs/05_normal_map/lab.cpp", number)
+        return self.run("5")
+
+
+class Starter:
+    """A starter that a course's tree made."""
+
+    def __init__(self, course, tree):
+        self.tree = tree
+        output_of(pathlib.Path(course) / "build/release/bin/texel", "starter", "--out", tree)
+
+    def first_run(self):
+        """Nothing is built, and the compiler's cache has nothing."""
+        for folder in ("build", "out"):
+            shutil.rmtree(self.tree / folder, ignore_errors=True)
+        return run_in(self.tree, "", 0, "CCACHE_DISABLE=1")
+
+    def save_to_verdict(self, files, number):
+        """Of the first of the files that this tree has: an older one may have the step elsewhere."""
+        edit(next(self.tree / file for file in files if (self.tree / file).exists()), number)
+        return run_in(self.tree, "check 5", 1)
+
+    def lines_of_cpp(self):
+        files = [file for folder in ("common", "labs", "tools") for file in (self.tree / folder).rglob("*.?pp")]
+        return sum(file.read_bytes().count(b"\n") for file in files)
+
+
+def measure_waits(setting, report):
+    if setting.first_run_before:
+        report.begin("A student's first ./run", f"""
+            In starters of this tree and of the earlier commit {commit_of(setting.first_run_before)}, in turn: with nothing built,
+            without the compiler's cache, all packages installed.""", "now", "before")
+        now, before = Starter(ROOT, setting.work / "now"), Starter(setting.first_run_before, setting.work / "before")
+        report.add("C++ in a student's tree", "lines", [(now.lines_of_cpp(), before.lines_of_cpp())], at_most=0.5, why="""
+            window 4000 lines, meshes 3300, OpenGL 2500, app 2500, pictures 2300, labs 2200, course 1800, command line 1600, judge
+            1300, core 1200, procedural 1100. The grader is left out already.""")
+        report.add("the first ./run", "ms", interleaved(setting.long_rounds, now.first_run, before.first_run), at_most=0.5, why="""
+            nearly all of it compiles: app takes 12 %, commands and judge 10 each, meshes and window 9 each, the nine labs 8,
+            pictures 7, start, course and precompiled headers 6 each. Files that nobody edits are compiled seven at a time, and
+            the window with few optimisations; before that the ratio was 0.93. Tried: no optimisation at all for the two files
+            with the command line's library saves 2 s of processor time of 92.""")
+    if not setting.saves_before:
+        return
+    report.begin("From a save to the verdict", f"""
+        `./run check 5` in starters of this tree and of the earlier commit {commit_of(setting.saves_before)}, in turn, after a
+        save of a file.""",
+                 "now", "before")
+    now, before = Starter(ROOT, setting.work / "saved_now"), Starter(setting.saves_before, setting.work / "saved_before")
+    edits = itertools.count()
+    for starter in (now, before):
+        run_in(starter.tree, "build")
+    for files, target, why in (
+            (("shaders/05_normal_map/decode_normal.glsl",), 0.8, ""),
+            (("labs/05_normal_map/lab.cpp",), 0.45, """
+                0.9 of 1.1 s of processor time compile and link it, 0.2 check. The file is compiled with few optimisations and
+                with precompiled headers."""),
+            (("labs/05_normal_map/triangle_frame.cpp", "common/mesh/tangents.cpp"), 0.5, "It is a small file, and the lab alone is linked.")):
+        report.add(files[0], "ms", interleaved(setting.rounds, lambda: now.save_to_verdict(files, next(edits)),
+                                               lambda: before.save_to_verdict(files, next(edits))), at_most=target, why=why)
+
+
+def measure_tests(setting, report):
+    if not setting.saves_before:
+        return
+    report.begin("The tests", f"""
+        `./run test` in clones of this commit and of the earlier commit {commit_of(setting.saves_before)}, once each, with nothing
+        built, without the compiler's cache, all packages installed; and `./run test 5` in the same clone after a line was added
+        to lab 5's `lab.cpp`.""", "now", "before")
+    now, before = Tested(ROOT, setting.work / "tests_now"), Tested(setting.saves_before, setting.work / "tests_before")
+    from_nothing = before.run()
+    report.add("./run test", "ms", [(now.run(), from_nothing)], at_most=0.7, why="""
+        37 tests more than before. Two changes are younger than this figure. The build for the sanitizers is not optimised any
+        more, and takes 127 s; it took 204. The grader does not draw the catalogue of mistakes any more, so the test of steps that
+        are judged alone takes 81 s; it took 236. In a bare root of another machine all tests took 939 s after both changes: the
+        tests themselves 594, those with the sanitizers 38, and nearly all of the rest compiles.""")
+    report.add("./run test 5, beside all from nothing", "ms", [(now.run_of_changed_lab(i), from_nothing) for i in range(setting.long_rounds)],
+               at_most=0.05)
