@@ -80,7 +80,7 @@ build_tests() {
   build release all
 }
 
-# The tests that name this lab: Labs/Drawing…/lab05, HardCaseOfLab5…, accuracy.of_lab_5…, tools.marks_of_lab_5.
+# The tests that name this lab: every_lab.….of_lab_5, figures.of_lab_5, HardCaseOfLab5…, accuracy.of_lab_5…, tools.marks_of_lab_5.
 test_lab() { # number
   need "${packages[@]}" "${test_packages[@]}"
   build_tests

@@ -9,6 +9,7 @@
 
 #include "../support/archives.hpp"
 #include "../support/picture_files.hpp"
+#include "../support/spoilt.hpp"
 #include "core/files.hpp"
 #include "grade/submission.hpp"
 
@@ -16,24 +17,10 @@ namespace texel::grade {
 namespace {
 
 using test::Format;
-
-/// SplitMix64 (G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators", 2014).
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  std::size_t below(std::size_t limit) {
-    std::uint64_t z = state_ += 0x9e3779b97f4a7c15U;
-    z = (z ^ z >> 30U) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ z >> 27U) * 0x94d049bb133111ebU;
-    return static_cast<std::size_t>((z ^ z >> 31U) % limit);
-  }
-
- private:
-  std::uint64_t state_;
-};
+using test::Random;
 
 /// One to four changes: bytes, signatures that the formats look for, cuts and copied pieces.
-std::string mutated(std::string bytes, Random& random) {
+std::string spoilt(std::string bytes, Random& random) {
   static const std::vector<std::string> pieces = {std::string("PK\x03\x04"),
                                                   std::string("PK\x01\x02"),
                                                   std::string("PK\x05\x06"),
@@ -92,7 +79,7 @@ TEST(ArchiveFuzz, gives_allowed_files_or_a_fault_when_bytes_are_spoilt) {
     Entry entry;
     entry.kind = is_zip ? Entry::Kind::zip : Entry::Kind::tar;
     entry.path = folder / ("spoilt" + std::to_string(i));
-    write_file(entry.path, mutated(is_zip ? zip : tar, random));
+    write_file(entry.path, spoilt(is_zip ? zip : tar, random));
     const Submission submission = unpack(entry, allowed);
     std::filesystem::remove(entry.path);
     EXPECT_TRUE(submission.fault.empty() || submission.files.empty());

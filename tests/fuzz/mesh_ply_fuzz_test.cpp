@@ -28,7 +28,11 @@ TEST(PlyFuzz, gives_a_sound_mesh_or_an_error_when_bytes_are_spoilt) {
       const Mesh read = parse_ply(test::mutated(seeds[i % 3], random), "spoilt");
       ++meshes;
       for (const std::uint32_t index : read.indices) ASSERT_LT(index, read.vertex_count());
-      for (const glm::vec3& position : read.positions) ASSERT_TRUE(std::isfinite(position.x));
+      for_each_attribute(read, [&](const auto& values) {
+        ASSERT_TRUE(values.empty() || values.size() == read.vertex_count());
+        for (const auto& value : values)
+          for (int k = 0; k < value.length(); ++k) ASSERT_TRUE(std::isfinite(value[k]));
+      });
     } catch (const Error& error) {
       ++errors;
       ASSERT_EQ(error.exit_code(), Exit::failed);

@@ -143,21 +143,6 @@ TEST_F(Frames, of_lab_5_bend_a_coarse_model_s_normals_as_each_method_interpolate
   }
 }
 
-TEST_F(Frames, of_lab_5_hold_the_map_that_matches_the_texture_unless_another_is_named) {
-  std::vector<Shot> shots;
-  const std::pair<std::string, std::string> maps[] = {
-      {"brick", "brick"}, {"wood", "wood"}, {"scales", "scales"}, {"smile", "flat"}};
-  for (const auto& [texture, map] : maps) {
-    shots.push_back({texture + " matching.pfm", {{"texture", texture}}, "normal"});
-    shots.push_back({texture + " named.pfm", {{"texture", texture}, {"normal_map", map}}, "normal"});
-  }
-  draw("lab05_normal_map", shots, folder_);
-  for (const auto& [texture, map] : maps)
-    EXPECT_TRUE(read_file(folder_ / (texture + " matching.pfm")) ==
-                read_file(folder_ / (texture + " named.pfm")))
-        << texture;
-}
-
 TEST_F(Frames, of_lab_4_wrap_a_model_by_its_own_coordinates_before_and_by_longitude_when_stretched) {
   const auto drawn = [&](const char* method) {
     const std::string file = (folder_ / "drawn.ply").string();

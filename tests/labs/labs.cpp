@@ -76,14 +76,6 @@ Pictures float_pictures(const std::string& lab, std::vector<Shot> shots) {
   return pictures;
 }
 
-int count_non_finite(const image::ImageF& picture) {
-  int count = 0;
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x)
-      if (!std::isfinite(picture.at(x, y, 0) + picture.at(x, y, 1) + picture.at(x, y, 2))) ++count;
-  return count;
-}
-
 std::string flags(const Settings& settings) {
   std::string result;
   for (auto [name, value] : settings) {
@@ -123,13 +115,6 @@ bool has_parameter(const std::string& lab, const std::string& name) {
                      [&](const Parameter& p) { return p.name == name; });
 }
 
-std::vector<std::string> views_of(const std::string& lab) {
-  std::istringstream lines(run_lab(lab, "--list-views").output);
-  std::vector<std::string> views;
-  for (std::string line; std::getline(lines, line);) views.push_back(line);
-  return views;
-}
-
 Stats stats_of(const std::string& lab, const std::string& arguments) {
   const Result result = run_lab(lab, "--stats - --size 128x128 " + arguments);
   EXPECT_EQ(result.exit_code, 0) << result.errors;
@@ -164,17 +149,6 @@ Stats stats_of(const std::string& lab, const std::string& arguments) {
 Settings operator+(Settings first, const Settings& then) {
   first.insert(first.end(), then.begin(), then.end());
   return first;
-}
-
-void expect_error(const Result& result, int exit_code, const std::string& lab,
-                  const std::vector<std::string>& parts) {
-  EXPECT_EQ(result.exit_code, exit_code) << result.errors;
-  EXPECT_EQ(result.output, "");
-  EXPECT_TRUE(result.errors.starts_with(lab + ": ")) << result.errors;
-  EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
-  EXPECT_TRUE(result.errors.ends_with('\n'));
-  for (const std::string& part : parts)
-    EXPECT_TRUE(has(result.errors, part)) << part << "\n" << result.errors;
 }
 
 }  // namespace texel::test

@@ -65,9 +65,6 @@ void draw(const std::string& lab, const std::vector<Shot>& shots, const Temporar
 /// The float pictures of the shots, whose names need no ".pfm", by name; drawn from one process.
 using Pictures = std::map<std::string, image::ImageF>;
 Pictures float_pictures(const std::string& lab, std::vector<Shot> shots);
-/// Pixels of which a component is NaN or infinite.
-int count_non_finite(const image::ImageF& picture);
-
 /// The settings as flags of the command line.
 std::string flags(const Settings& settings);
 
@@ -81,9 +78,6 @@ struct Parameter {
 std::vector<Parameter> parameters_of(const std::string& lab);
 bool has_parameter(const std::string& lab, const std::string& name);
 
-/// What --list-views prints.
-std::vector<std::string> views_of(const std::string& lab);
-
 /// What --stats - prints of a look.
 struct Stats {
   std::string lab, renderer, version;
@@ -92,10 +86,5 @@ struct Stats {
   std::map<std::string, double> stages;  ///< milliseconds
 };
 Stats stats_of(const std::string& lab, const std::string& arguments = {});
-
-/// Expects that the program ended with `exit_code`, printed nothing but one line of error that begins with
-/// its name and contains each of `parts`.
-void expect_error(const Result& result, int exit_code, const std::string& lab,
-                  const std::vector<std::string>& parts);
 
 }  // namespace texel::test

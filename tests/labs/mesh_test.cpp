@@ -62,17 +62,6 @@ TEST_P(Models, come_from_a_file_that_is_named_alone) {
   EXPECT_TRUE(has(stats.notes[1], "no texture coordinates")) << stats.notes[1];
 }
 
-TEST_P(Models, of_which_nothing_is_seen_are_warned_of) {
-  // Seen along its plane the triangle is drawn and reaches no pixel.
-  write_file(folder_ / "plane.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  for (const char* view : {"color", "texcoord"}) {
-    const Stats stats = stats_of(lab(), fmt::format("{} --yaw 90 --pitch 0 --view {}",
-                                                    shell_word((folder_ / "plane.obj").string()), view));
-    EXPECT_EQ(stats.triangles, 1);
-    EXPECT_TRUE(has(fmt::format("{}", fmt::join(stats.warnings, "\n")), "nothing is visible")) << view;
-  }
-}
-
 TEST(Tangents, are_written_by_the_methods_of_lab_5_that_store_them) {
   const TemporaryFolder folder(fmt::format("tangents_{}", ::getpid()));
   const std::string file = (folder / "a.ply").string();

@@ -52,26 +52,6 @@ TEST_P(Views, depth_is_the_distance_along_the_view_axis_in_wide_pictures_too) {
   EXPECT_GT(seen, depth.height * depth.height / 8);
 }
 
-TEST(TexcoordView, of_lab_1_is_scaled_first_and_then_moved) {
-  const TemporaryFolder folder(fmt::format("texcoords_{}", ::getpid()));
-  // At this distance the square of half-size 0.7 fills 0.7 of the picture's half height.
-  draw("lab01_texture_quad",
-       {{"texcoord.pfm",
-         {{"distance", "2.4142135"},
-          {"field_of_view", "45"},
-          {"texture_scale", "2"},
-          {"texture_offset", "5.25"}},
-         "texcoord"}},
-       folder);
-  const ImageF texcoord = image::load_pfm(folder / "texcoord.pfm");
-  for (int y = 32; y < 96; y += 16)
-    for (int x = 32; x < 96; x += 16)
-      for (int i = 0; i < 2; ++i) {
-        const double place = ((i == 0 ? x : y) + 0.5 - 64) / 64 / 0.7;  // -1 to 1 on the square
-        EXPECT_WITHIN(texcoord.at(x, y, i), 2 * (0.5 + 0.5 * place) + 5.25, 1e-5) << x << " " << y;
-      }
-}
-
 class LevelView : public EveryLab {};
 INSTANTIATE_TEST_SUITE_P(Labs, LevelView,
                          testing::Values("lab01_texture_quad", "lab02_multi_texture", "lab03_obj_texcoords",
@@ -117,20 +97,6 @@ TEST_P(LevelView, is_the_logarithm_of_how_many_texels_a_pixel_covers) {
       ASSERT_WITHIN(level.at(x, y), level_between(texcoord, x, y, 512), 6e-3) << x << " " << y;
     }
   EXPECT_GT(seen, 64 * 64 / 8);
-}
-
-TEST(LevelView, of_lab_2_is_that_of_the_second_picture_when_it_is_alone_and_0_without_any) {
-  const TemporaryFolder folder(fmt::format("levels_{}", ::getpid()));
-  const Settings look = {{"texture0", "brick"}, {"texture1", "brick_32"}};
-  draw("lab02_multi_texture",
-       {{"both.pfm", look, "lod"},
-        {"second.pfm", look + Settings{{"unit0_on", "off"}}, "lod"},
-        {"none.pfm", look + Settings{{"unit0_on", "off"}, {"unit1_on", "off"}}, "lod"}},
-       folder);
-  const auto middle = [&](const char* file) { return image::load_pfm(folder / file).at(64, 64); };
-  // 512 and 32 texels: 4 levels apart.
-  EXPECT_WITHIN(middle("both.pfm") - middle("second.pfm"), 4, 1e-4);
-  EXPECT_EQ(middle("none.pfm"), 0);
 }
 
 }  // namespace
