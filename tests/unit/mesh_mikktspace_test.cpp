@@ -14,6 +14,7 @@
 #include "mesh/normals.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/primitives.hpp"
+#include "mesh/weld.hpp"
 
 namespace texel::mesh {
 namespace {

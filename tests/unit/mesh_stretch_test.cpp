@@ -10,6 +10,7 @@
 #include "cube.hpp"
 #include "mesh/normals.hpp"
 #include "mesh/primitives.hpp"
+#include "mesh/weld.hpp"
 #include "steps.hpp"
 
 namespace texel::mesh {

@@ -12,6 +12,7 @@
 #include "mesh/distinct.hpp"
 #include "mesh/primitives.hpp"
 #include "mesh/texcoords.hpp"
+#include "mesh/weld.hpp"
 #include "truth/surface.hpp"
 
 namespace texel::mesh {
