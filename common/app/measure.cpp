@@ -59,12 +59,6 @@ void add_truth_rows(image::ImageF& picture, const Truth& truth, int first, int e
   });
 }
 
-image::ImageF truth_picture(const Truth& truth, glm::ivec2 size) {
-  image::ImageF picture(size.x, size.y, 4);
-  add_truth_rows(picture, truth, 0, size.y);
-  return picture;
-}
-
 double error_of(const glm::dvec3& value, const glm::dvec3& truth, const Measure& measure) {
   switch (measure.unit) {
     case Unit::degrees:

@@ -469,10 +469,4 @@ ObjData load_obj(const std::filesystem::path& path, const ObjOptions& options) {
   return data;
 }
 
-const Material* find_material(const ObjData& data, std::string_view name) {
-  const auto found = std::find_if(data.materials.begin(), data.materials.end(),
-                                  [&](const Material& material) { return material.name == name; });
-  return found == data.materials.end() ? nullptr : &*found;
-}
-
 }  // namespace texel::mesh

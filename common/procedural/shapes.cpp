@@ -125,14 +125,6 @@ double distance_to_segment(double x, double y, double x0, double y0, double x1, 
   return std::hypot(x - x0 - along * dx, y - y0 - along * dy);
 }
 
-double distance_to_text(std::string_view text, double x, double y) {
-  double nearest = 1e9;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    nearest = std::min(nearest, distance_to_character(text[i], x - 6.0 * static_cast<double>(i), y));
-  }
-  return nearest;
-}
-
 bool in_text(std::string_view text, double x, double y, double half_stroke) {
   if (y < -half_stroke || y > 6 + half_stroke) return false;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -25,7 +25,6 @@ bool is_below_root(const fs::path& file) {
 /// The names of the tables, which are also the words for what is in them.
 constexpr const char* kMutant = "mutant";
 constexpr const char* kEquivalent = "equivalent";
-constexpr const char* kThreat = "threat";
 
 Mutant read_mutant(const toml::table& table, const std::string& file, const std::string& kind) {
   course::Reader reader(table, file);
@@ -68,7 +67,7 @@ void add(std::vector<Mutant>& mutants, Mutant mutant, const std::string& kind) {
 }
 
 /// The tables of these kinds in a file, one kind after the other.
-std::vector<Mutant> read_kinds(const fs::path& file, const std::vector<std::string>& kinds) {
+std::vector<Mutant> read_file_of(const fs::path& file, const std::vector<std::string>& kinds) {
   const toml::table table = course::read_toml(file);
   course::Reader reader(table, file.string());
   std::vector<Mutant> mutants;
@@ -79,7 +78,9 @@ std::vector<Mutant> read_kinds(const fs::path& file, const std::vector<std::stri
   return mutants;
 }
 
-std::vector<Mutant> read_folder(const fs::path& folder, const std::vector<std::string>& kinds) {
+}  // namespace
+
+std::vector<Mutant> read_catalogue(const fs::path& folder, const std::vector<std::string>& kinds) {
   std::vector<fs::path> files;
   std::error_code missing;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, missing))
@@ -87,7 +88,7 @@ std::vector<Mutant> read_folder(const fs::path& folder, const std::vector<std::s
   std::sort(files.begin(), files.end());
   std::vector<Mutant> mutants;
   for (const fs::path& file : files)
-    for (Mutant& mutant : read_kinds(file, kinds)) {
+    for (Mutant& mutant : read_file_of(file, kinds)) {
       const std::string kind = kinds.size() == 1 ? kinds[0] : mutant.is_right ? kEquivalent : kMutant;
       add(mutants, std::move(mutant), kind);
     }
@@ -95,20 +96,6 @@ std::vector<Mutant> read_folder(const fs::path& folder, const std::vector<std::s
     throw Error::failed(fmt::format("holds no {}s", fmt::join(kinds, "s and no ")), {folder.string()},
                         "name another catalogue");
   return mutants;
-}
-
-}  // namespace
-
-std::vector<Mutant> read_mutants(const fs::path& file) {
-  return read_kinds(file, {kMutant, kEquivalent});
-}
-
-std::vector<Mutant> read_catalogue(const fs::path& folder) {
-  return read_folder(folder, {kMutant, kEquivalent});
-}
-
-std::vector<Mutant> read_threats(const fs::path& folder) {
-  return read_folder(folder, {kThreat});
 }
 
 std::string title_of(const std::string& says) {

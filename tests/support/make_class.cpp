@@ -286,7 +286,7 @@ class ClassMaker {
 
   void threats(const std::string& kind) {
     const std::string asked = read_file(options_.root / "tests/threats/asked.hpp");
-    for (material::Mutant threat : material::read_threats(options_.root / "tests/threats")) {
+    for (material::Mutant threat : material::read_catalogue(options_.root / "tests/threats", {"threat"})) {
       const bool is_slow = fs::path(threat.place.file).stem() == "slow";
       if (is_slow != (kind == "slow")) continue;
       const int lab = threat.step.empty() ? lab_of_file(threat.file) : lab_of(threat.step);

@@ -51,12 +51,14 @@ TEST(ErrorPicture, is_known_only_where_both_have_a_value) {
 }
 
 TEST(TruthPicture, asks_at_the_middle_of_each_pixel) {
-  const image::ImageF picture = truth_picture(
+  image::ImageF picture(3, 3, 4);
+  add_truth_rows(
+      picture,
       [](glm::dvec2 window) -> std::optional<glm::dvec3> {
         if (window.x > 2) return std::nullopt;
         return glm::dvec3(window, window.y > 2 ? NAN : 0.0);
       },
-      {3, 3});
+      0, 3);
   EXPECT_EQ(picture.at(0, 0, 0), 0.5F);
   EXPECT_EQ(picture.at(1, 1, 1), 1.5F);
   EXPECT_EQ(picture.at(1, 1, 3), 1);

@@ -18,7 +18,7 @@ class MutantFile : public testing::Test {
   /// What reading `text` as a file says from the line on, or "".
   std::string refusal(const std::string& text) {
     write_file(first_, text);
-    return message([&] { read_mutants(first_); });
+    return message([&] { read_catalogue(first_.parent_path()); });
   }
 
   template <class Read>
@@ -54,7 +54,7 @@ step = "5.1"
 says = "Both are needed."
 survives = "Neither does anything."
 )");
-  const std::vector<Mutant> mutants = read_mutants(first_);
+  const std::vector<Mutant> mutants = read_catalogue(first_.parent_path());
   ASSERT_EQ(mutants.size(), 2U);
   EXPECT_EQ(mutants[0].name, "no-factor");
   EXPECT_EQ(mutants[0].step, "");
@@ -109,7 +109,7 @@ TEST_F(MutantFile, refuses_a_name_that_is_taken_in_its_file_or_another) {
 TEST_F(MutantFile, has_equivalents_too) {
   const std::string equivalent = replaced(kMutant, "mutant", "equivalent");
   write_file(first_, equivalent + replaced(kMutant, "no-factor", "no-sum"));
-  const std::vector<Mutant> both = read_mutants(first_);
+  const std::vector<Mutant> both = read_catalogue(first_.parent_path());
   ASSERT_EQ(both.size(), 2U);
   EXPECT_EQ(both[0].name, "no-sum");
   EXPECT_FALSE(both[0].is_right);

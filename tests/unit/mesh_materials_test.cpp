@@ -2,6 +2,8 @@
 // Material libraries: what is read of them, and how they, their names and their pictures are found.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <filesystem>
 
 #include "../support/said.hpp"
@@ -10,6 +12,12 @@
 
 namespace texel::mesh {
 namespace {
+
+/// The material of that name; null for none.
+const Material* find_material(const ObjData& data, std::string_view name) {
+  const auto found = std::ranges::find(data.materials, name, &Material::name);
+  return found == data.materials.end() ? nullptr : &*found;
+}
 
 using test::has;
 

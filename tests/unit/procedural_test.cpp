@@ -165,16 +165,25 @@ TEST(Cube, labels_read_the_right_way_round_from_inside) {
 }
 
 TEST(Shapes, text_has_strokes_where_its_letters_have_and_a_star_has_a_point_upwards) {
-  EXPECT_EQ(distance_to_text("L", 0, 3), 0);         // the stem
-  EXPECT_EQ(distance_to_text("L", 2, 0), 0);         // the foot
-  EXPECT_DOUBLE_EQ(distance_to_text("L", 4, 6), 4);  // nothing upper right
-  EXPECT_EQ(distance_to_text("AL", 6, 3), 0);        // the next letter stands 6 further right
-  EXPECT_GT(distance_to_text(" ", 2, 3), 100);
-  for (const char* text : {"TEXEL", "LABS", "A1", "s", "+ Q."})
-    for (double y = -2; y < 9; y += 0.113)
-      for (double x = -2; x < 32; x += 0.117)
-        ASSERT_EQ(in_text(text, x, y, 0.75), distance_to_text(text, x, y) < 0.75)
-            << text << ' ' << x << ' ' << y;
+  struct Row {
+    const char* text;
+    double x, y, half_stroke;
+    bool is_in;
+  };
+  for (const auto& [text, x, y, half_stroke, is_in] :
+       std::vector<Row>{{"L", 0, 3, 1e-9, true},   // the stem
+                        {"L", 2, 0, 1e-9, true},   // the foot
+                        {"L", 4, 6, 3.99, false},  // nothing upper right
+                        {"L", 4, 6, 4.01, true},
+                        {"L", -0.74, 3, 0.75, true},
+                        {"L", -0.76, 3, 0.75, false},
+                        {"L", 2, -0.74, 0.75, true},
+                        {"L", 4.74, 0, 0.75, true},
+                        {"T", 2, 6.74, 0.75, true},
+                        {"T", 2, 6.76, 0.75, false},
+                        {"AL", 6, 3, 1e-9, true},  // the next letter stands 6 further right
+                        {" ", 2, 3, 100, false}})
+    EXPECT_EQ(in_text(text, x, y, half_stroke), is_in) << text << ' ' << x << ' ' << y;
   EXPECT_TRUE(in_star(0, 0.99, 5, 1, 0.4));
   EXPECT_FALSE(in_star(0, -0.5, 5, 1, 0.4));
   EXPECT_TRUE(in_star(0, -0.39, 5, 1, 0.4));

@@ -30,9 +30,8 @@ struct Measure {
 /// An empty function if there is no analytic answer (an OBJ file).
 using Truth = std::function<std::optional<glm::dvec3>(glm::dvec2 window)>;
 
-/// The truth at the middle of each pixel: RGBA, alpha 1 where there is one and it is finite.
-image::ImageF truth_picture(const Truth& truth, glm::ivec2 size);
-/// Its rows from `first` to before `end`, into a picture that is black and transparent there.
+/// The truth at the middle of each pixel, RGBA, alpha 1 where there is one and it is finite: the rows from
+/// `first` to before `end`, into a picture that is black and transparent there.
 void add_truth_rows(image::ImageF& picture, const Truth& truth, int first, int end);
 
 /// Mean, root mean square, 99th percentile (nearest rank) and largest value of an error picture.

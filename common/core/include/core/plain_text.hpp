@@ -13,9 +13,6 @@ std::string plain_text(std::string_view bytes);
 /// The same line by line: line feeds stay, tabs become spaces.
 std::string plain_lines(std::string_view bytes);
 
-/// Whether `plain_text` would change nothing.
-bool is_plain_text(std::string_view bytes);
-
 /// A text's lines, without the LF or CR LF that ends each. Behind the last one begins no line.
 std::vector<std::string> lines_of(std::string_view text);
 

@@ -117,9 +117,6 @@ ObjData load_obj(const std::filesystem::path& path, const ObjOptions& options = 
 std::vector<Material> parse_mtl(std::string_view text, const std::string& name,
                                 std::vector<std::string>& warnings);
 
-/// The material of this name, or nullptr.
-const Material* find_material(const ObjData& data, std::string_view name);
-
 // What lab 3 teaches of it. The reader calls these functions, and files in labs/03_obj_texcoords define them.
 
 /// The position of a `v` line from its numbers, of which there are at least 3.

@@ -4,13 +4,9 @@
 
 namespace texel::procedural {
 
-/// Distance from (x, y) to the nearest stroke of a line of text. A capital is 6 high and 4 wide, the next
-/// one begins 6 further right; the line's lower left corner is the origin. Known are A-Z, 0-9, point, + and
-/// -, and the small letters s, t, u and v; anything else is a space.
-double distance_to_text(std::string_view text, double x, double y);
-
-/// Whether (x, y) lies on a line of text whose strokes reach this far to each side of their middle. Much
-/// faster than the distance: most points are near no character.
+/// Whether (x, y) lies on a line of text whose strokes reach this far to each side of their middle. A capital
+/// is 6 high and 4 wide, the next one begins 6 further right; the line's lower left corner is the origin.
+/// Known are A-Z, 0-9, point, + and -, and the small letters s, t, u and v; anything else is a space.
 bool in_text(std::string_view text, double x, double y, double half_stroke);
 
 /// Distance from (x, y) to the line segment from (x0, y0) to (x1, y1), which must differ.

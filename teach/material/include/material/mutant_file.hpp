@@ -40,12 +40,6 @@ struct Mutant {
   Place place;           ///< where the catalogue has it
 };
 
-/// Reads one file of a catalogue, the mutants before the equivalents. Throws Error (exit 3) with file and
-/// line for broken TOML, an unknown key, a wrong type, a missing or empty text, a name that is used twice or
-/// has other signs, a file that is no path below the root, a step that is not like 5.1, and a replacement
-/// that changes nothing.
-std::vector<Mutant> read_mutants(const std::filesystem::path& file);
-
 /// What a mistake's sentences begin with, up to a colon or a full stop, as a title: "Green is inverted" of
 /// "Green is inverted: in these maps green points up (+Y)."
 std::string title_of(const std::string& says);
@@ -54,14 +48,14 @@ std::string title_of(const std::string& says);
 /// read_catalogue, and when `same` names no other mutant of the step.
 std::vector<Mutant> read_mistakes(const std::filesystem::path& tree);
 
-/// Every .toml file of the folder, by name. Throws Error (exit 3) when there is nothing in them, when two
-/// files have entries of the same name, or as read_mutants.
-std::vector<Mutant> read_catalogue(const std::filesystem::path& folder);
-
-/// The catalogue of threats, `tests/threats/*.toml`: changes that do harm or cheat, in tables [[threat]],
-/// which read_mutants refuses: nobody can run them outside the grader's sandbox by mistake. They have no
-/// `survives`; `says` is what must happen. Otherwise as read_catalogue.
-std::vector<Mutant> read_threats(const std::filesystem::path& folder);
+/// The tables of these kinds in every .toml file of the folder, by file, then by kind. Throws Error (exit 3)
+/// with file and line for broken TOML, an unknown key, a wrong type, a missing or empty text, a name that is
+/// used twice or has other signs, a file that is no path below the root, a step that is not like 5.1, and a
+/// replacement that changes nothing; and when there is nothing in them. Threats, `tests/threats/*.toml`, are
+/// changes that do harm or cheat: they are asked for by their kind, so that nobody runs them outside the
+/// grader's sandbox by mistake. They have no `survives`; `says` is what must happen.
+std::vector<Mutant> read_catalogue(const std::filesystem::path& folder,
+                                   const std::vector<std::string>& kinds = {"mutant", "equivalent"});
 
 /// The text of the mutant's file with the mutant's change. Throws Error (exit 3) with the mutant's place when
 /// `what` does not occur in it exactly once.

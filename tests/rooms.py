@@ -21,7 +21,7 @@ def sources():
     """{path: text} of all C++ files."""
     listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-z", "*.cpp", "*.hpp"], capture_output=True, text=True, check=False)
     if listed.returncode != 0:
-        sys.exit(f"tree.py: git lists no files in {ROOT}: {listed.stderr.strip()}")
+        sys.exit(f"rooms.py: git lists no files in {ROOT}: {listed.stderr.strip()}")
     paths = [path for path in listed.stdout.split("\0") if path and (ROOT / path).exists()]
     return {path: (ROOT / path).read_text(encoding="utf-8") for path in paths}
 
@@ -88,7 +88,7 @@ def main():
     files = sources()
     faults = line_faults(files) + step_faults(files) + namespace_faults(files) + caller_faults(files)
     for fault in faults:
-        print(f"tree.py: {fault}", file=sys.stderr)
+        print(f"rooms.py: {fault}", file=sys.stderr)
     return 1 if faults else 0
 
 
