@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// From an OBJ file to a mesh that can be drawn. The steps have files of their own beside this one: the numbers of a
-// line (line_numbers.cpp), an index of a face (face_index.cpp), triangulation (clip_ears.cpp), the vertex stream
-// (corner_numbers.cpp), round projections (spherical_texcoord.cpp).
+// From an OBJ file to a mesh that can be drawn. The steps have files of their own beside this one: the
+// numbers of a line (line_numbers.cpp), an index of a face (face_index.cpp), triangulation (clip_ears.cpp),
+// the vertex stream (corner_numbers.cpp), round projections (spherical_texcoord.cpp).
 #pragma once
 #include <fmt/format.h>
 

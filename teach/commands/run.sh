@@ -49,11 +49,11 @@ grade_solutions() {
   say "Grading the solutions"
   rm -rf "$root/out/solutions" "$root/out/grades"
   mkdir -p "$root/out/solutions/solution"
-  cp -r "$root"/{common,labs,shaders} "$root/out/solutions/solution"
+  cp -r "$root"/{labs,shaders} "$root/out/solutions/solution"
   texel grade "$root/out/solutions" --out "$root/out/grades" --unsafe
 }
 
-sources() { find "$root"/{cmake,common,labs,tools,tests,assets} -name '*.?pp' -print0; }
+sources() { find "$root"/{cmake,common,labs,teach,tools,tests,web/engine} -name '*.?pp' -print0; }
 
 # Each version of clang-format breaks some lines differently.
 check_format() {
