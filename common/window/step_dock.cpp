@@ -23,7 +23,7 @@ using Shown = CasePictures::Shown;
 Action text_part(WindowState& state) {
   Action action = Action::none;
   const CasePictures& pictures = *state.case_pictures;
-  const StepText& text = pictures.text;
+  const course::StepText& text = pictures.text;
   if (ImGui::SmallButton("Open in editor")) action = Action::open_in_editor;
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", "By $VISUAL, else by code -g (E)");
   ImGui::SameLine();
@@ -146,7 +146,8 @@ Action draw_step(WindowState& state, glm::vec2 window, float scale) {
   const auto from_the_top = [&] {
     if (is_new) ImGui::SetScrollY(0);
   };
-  ImGui::Begin(fmt::format("{} {}: {}###case", p.step, without_markdown(p.title), p.name).c_str(), &is_open,
+  ImGui::Begin(fmt::format("{} {}: {}###case", p.step, course::without_markdown(p.title), p.name).c_str(),
+               &is_open,
                ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoResize);
   from_the_top();

@@ -141,7 +141,7 @@ CasePictures load_case(const fs::path& root, const std::string& lab, const judge
   CasePictures pictures;
   pictures.step = step.id, pictures.name = one.name, pictures.title = step.title;
   pictures.result = one;
-  pictures.text = read_step_text(root, lab, step.id, step.file, step.line);
+  pictures.text = course::read_step_text(root, lab, step.id, step.file, step.line);
   try {
     const image::Compared all = check::compared(one);
     pictures.width = all.own.width, pictures.height = all.own.height;

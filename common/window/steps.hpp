@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "app/lab.hpp"
+#include "course/step_text.hpp"
 #include "image/difference.hpp"
 #include "judge/results.hpp"
-#include "step_text.hpp"
 
 namespace texel::window {
 
@@ -59,7 +59,7 @@ struct CasePictures {
   double full_scale = 0;  ///< the heat map's hottest colour
   judge::CaseResult result;
   std::string title;  ///< of the step
-  StepText text;
+  course::StepText text;
 };
 
 /// Loads a case's pictures, and the step's text from the tree `root` and its folder `lab`. Files that are

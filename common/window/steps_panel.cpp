@@ -17,7 +17,7 @@ using judge::Status;
 
 /// A text that marks code with `, without these marks.
 void wrapped_plain(const ImVec4& color, const std::string& text) {
-  wrapped_text(color, without_markdown(text));
+  wrapped_text(color, course::without_markdown(text));
 }
 
 /// "off by 12.3 degrees (limit 0.05)".
@@ -78,7 +78,7 @@ void steps_section(app::AnyLab& lab, WindowState& state) {
     const bool is_done = step.status == Status::passed, is_open = step.status == Status::failed;
     const bool is_next = is_open && !has_next;
     has_next = has_next || is_next;
-    const std::string title = without_markdown(step.title);
+    const std::string title = course::without_markdown(step.title);
     const ImVec4& color = is_done ? theme().good : is_next ? theme().next : theme().dim;
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     if (state.step_to_open == step.id) {

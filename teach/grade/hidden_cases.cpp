@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "fingerprint.hpp"
-#include "grade/unseen_model.hpp"
+#include "material/unseen_model.hpp"
 #include "mesh/bounds.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/ply.hpp"
@@ -43,7 +43,7 @@ std::string write_unseen(const std::string& kind, std::uint64_t number, const fs
   if (error)
     throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {models.string()});
   const fs::path named(kind);
-  const std::string shape = named.stem().string(), obj = unseen_model(shape, number);
+  const std::string shape = named.stem().string(), obj = material::unseen_model(shape, number);
   const bool is_mesh = named.extension() == ".ply";
   const fs::path file = models / fmt::format("{}_{:016x}.{}", shape, number, is_mesh ? "ply" : "obj");
   write_file(file, is_mesh ? mesh_of(obj, file.string()) : obj);

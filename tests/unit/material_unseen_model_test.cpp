@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // OBJ files that nobody has seen.
-#include "grade/unseen_model.hpp"
+#include "material/unseen_model.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 #include "mesh/vectors.hpp"
 #include "mesh/weld.hpp"
 
-namespace texel::grade {
+namespace texel::material {
 namespace {
 
 constexpr std::uint64_t seeds = 100;
@@ -222,4 +222,4 @@ TEST(UnseenModel, of_an_unknown_kind_is_an_error_that_names_a_near_one) {
 }
 
 }  // namespace
-}  // namespace texel::grade
+}  // namespace texel::material

@@ -6,7 +6,7 @@
 #include <vector>
 
 /// OBJ files that nobody has seen: whoever writes out what the bundled models look like fails with these.
-namespace texel::grade {
+namespace texel::material {
 
 /// What unseen_model() can make:
 /// - `numbers`: a relief whose lines have all counts of numbers that OBJ knows: `v` with 3, 4, 6 or 7, `vt`
@@ -26,4 +26,4 @@ const std::vector<std::string>& unseen_kinds();
 /// that does not exist.
 std::string unseen_model(std::string_view kind, std::uint64_t seed);
 
-}  // namespace texel::grade
+}  // namespace texel::material

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "step_text.hpp"
+#include "course/step_text.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
 
-namespace texel::window {
+namespace texel::course {
 namespace {
 
 constexpr std::size_t kMostLines = 200;  // of a step whose last marker is gone
@@ -167,4 +167,4 @@ StepText read_step_text(const std::filesystem::path& root, const std::string& la
   return text;
 }
 
-}  // namespace texel::window
+}  // namespace texel::course

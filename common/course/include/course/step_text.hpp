@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace texel::window {
+namespace texel::course {
 
 /// What a student needs beside the picture: the step's own lines, and what the handout says of it.
 struct StepText {
@@ -24,4 +24,4 @@ StepText read_step_text(const std::filesystem::path& root, const std::string& la
 /// A handout's text without Markdown's marks; formulas in Unicode: "$T_1 = \sqrt{a^2}$" is "T₁ = √(a²)".
 std::string without_markdown(std::string_view text);
 
-}  // namespace texel::window
+}  // namespace texel::course

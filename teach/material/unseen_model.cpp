@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sums, products and square roots only: they are the same on every machine, and sines are not.
-#include "grade/unseen_model.hpp"
+#include "material/unseen_model.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 #include "core/error.hpp"
 #include "mesh/distinct.hpp"
 
-namespace texel::grade {
+namespace texel::material {
 namespace {
 
 /// Numbers that look like chance and follow from the seed.
@@ -417,4 +417,4 @@ std::string unseen_model(std::string_view kind, std::uint64_t seed) {
                      near.empty() ? "" : fmt::format("did you mean '{}'?", near));
 }
 
-}  // namespace texel::grade
+}  // namespace texel::material
