@@ -58,10 +58,11 @@ void renew(Submission& submission, const FirstText& first_text, const OlderText&
       taken.push_back("step " + step);
     } catch (const Error&) {  // damaged markers: the step stays as it is in the starter
     }
-  submission.sizes[older.file] = found->second.size();
+  submission.sizes[submission.root + older.file] = found->second.size();
   submission.ignored.insert(
       submission.ignored.begin(),
-      {older.file, fmt::format("is of an older starter; taken out of it: {}", fmt::join(taken, ", "))});
+      {submission.root + older.file,
+       fmt::format("is of an older starter; taken out of it: {}", fmt::join(taken, ", "))});
   found->second = fresh;
 }
 
@@ -121,8 +122,9 @@ void take_older_steps(Submission& submission, const FirstText& first_text) {
         lost.push_back(fmt::format("step {}, since its markers are damaged", one.step));
       }
     }
-    submission.sizes[path] = text.size();
-    notes.push_back({path, has_steps ? told(taken, lost) : "is not a file with steps"});
+    const std::string handed_in = submission.root + path;
+    submission.sizes[handed_in] = text.size();
+    notes.push_back({handed_in, has_steps ? told(taken, lost) : "is not a file with steps"});
     file = submission.files.erase(file);
   }
   submission.ignored.insert(submission.ignored.begin(), notes.begin(), notes.end());

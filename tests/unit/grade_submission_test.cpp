@@ -179,7 +179,7 @@ TEST(Unpack, takes_steps_out_of_the_files_that_an_older_starter_had_them_in) {
       {"both steps of one file",
        {{"tree/" + older, "#include \"old\"\n" + step("3.4", "mine();") + step("4.2", "own();")}},
        {{numbers, with(numbers, "mine();")}, {weld, with(weld, "own();")}},
-       older,
+       "tree/" + older,
        "is a file of an older starter; taken out of it: step 3.4, now in " + numbers + ", step 4.2, now in " +
            weld},
       {"a step that is not begun",
