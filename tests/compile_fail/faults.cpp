@@ -16,6 +16,7 @@
 // lab_with_misspelt_draw | DRAW=drawn | override
 // lab_with_misspelt_mesh | MESH=meshes | override
 // lab_with_misspelt_preparation | PREPARATION=preparations | override
+// lab_with_the_view_error | VIEW=error | a lab has the view error by its answer
 // answer_with_misspelt_declare | DECLARE=declares | override
 // answer_with_misspelt_measure | MEASURE=measures | override
 // answer_with_misspelt_truth | TRUTH=truths | override
@@ -72,6 +73,9 @@
 #ifndef TRUTH
 #define TRUTH truth
 #endif
+#ifndef VIEW
+#define VIEW color
+#endif
 #ifndef DECLARE
 #define DECLARE declare
 #endif
@@ -96,7 +100,7 @@ struct SmallParameters {
 };
 
 struct SmallLab : app::Lab<SmallParameters> {
-  static constexpr app::View kViews[] = {app::View::color};
+  static constexpr app::View kViews[] = {app::View::VIEW};
   static constexpr app::Info info{10, "small", "Small", "As small as a lab can be.", kViews};
   explicit SmallLab(const app::Assets&) {}
   void DRAW(const Parameters&, app::Frame&) override {}

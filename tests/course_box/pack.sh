@@ -20,7 +20,7 @@ spoil() { # folder: what teachers leave there
 }
 pack() { # folder
   "$1/teach/commands/scripts/gradescope" --labs 5 --seed-file seed.txt --out "$1.zip" >"$1.said" 2>&1
-  cmake -E tar tf "$1.zip" | grep -v '^course/tools/' | LC_ALL=C sort -u
+  cmake -E tar tf "$1.zip" | grep -v '^course/teach/' | LC_ALL=C sort -u
 }
 
 make_course plain && spoil plain
@@ -28,7 +28,7 @@ pack plain | diff expected -
 
 make_course tracked
 git -C tracked -c init.defaultBranch=main init --quiet
-git -C tracked add run CMakeLists.txt labs tools
+git -C tracked add run CMakeLists.txt labs teach
 spoil tracked
 mkdir tracked/labs/class && touch tracked/labs/class/doe.cpp
 pack tracked | diff expected -

@@ -26,7 +26,7 @@ struct LevelParameters {
 };
 /// Fills the picture with a level of detail.
 struct Level : app::Lab<LevelParameters> {
-  static constexpr app::View kViews[] = {app::View::color, app::View::lod, app::View::error};
+  static constexpr app::View kViews[] = {app::View::color, app::View::lod};
   static constexpr app::Info info{1, "level", "Level", "One level.", kViews};
   explicit Level(const app::Assets&) {}
   void draw(const Parameters& p, app::Frame&) override {
@@ -35,13 +35,18 @@ struct Level : app::Lab<LevelParameters> {
     glClearColor(p.method == Method::right ? p.level : p.level + wrong, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
   }
-  static app::Measure measure(const Parameters&) { return {app::View::lod, app::Unit::levels, "the level"}; }
-  static app::Truth truth(const Parameters& p, glm::ivec2) {
+  static inline int draws = 0;
+};
+struct LevelAnswer final : app::Answer<LevelParameters> {
+  [[nodiscard]] app::Measure measure(const LevelParameters& /*parameters*/) const override {
+    return {app::View::lod, app::Unit::levels, "the level"};
+  }
+  [[nodiscard]] app::Truth truth(const LevelParameters& p, glm::ivec2 /*size*/) const override {
     if (p.level > 9) return {};
     return [level = p.level](glm::dvec2) { return glm::dvec3(level, 0, 0); };
   }
-  static inline int draws = 0;
 };
+const bool known = app::know<LevelParameters, LevelAnswer>();
 
 class MethodPlots : public testing::Test {
  protected:

@@ -135,6 +135,8 @@ class AnyLab {
 template <class TheLab>
 class LabOf final : public AnyLab {
   using Parameters = typename TheLab::Parameters;
+  static_assert(std::count(TheLab::info.views.begin(), TheLab::info.views.end(), View::error) == 0,
+                "a lab has the view error by its answer (app/answer.hpp)");
 
  public:
   LabOf() {
