@@ -252,8 +252,8 @@ class ClassMaker {
     };
     add("decodes-to-minus-0.9", "5.1", "shaders/05_normal_map/decode_normal.glsl", "color * 2.0 - 1.0",
         "color * 2.0 - 0.9");
-    add("draws-nothing", "5.7", "labs/05_normal_map/lab.cpp", "return texel::app::run<texel::normal_map::NormalMap>(argc, argv);",
-        "return argc + argv[0][0];");
+    add("draws-nothing", "5.7", "labs/05_normal_map/lab.cpp",
+        "return texel::app::run<texel::normal_map::NormalMap>(argc, argv);", "return argc + argv[0][0];");
     add("reflects-with-a-wrong-sign", "8.1", "shaders/08_reflection/rays.glsl", "incident - 2.0 *",
         "incident + 2.0 *");
     return chosen;
