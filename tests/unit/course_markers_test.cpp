@@ -34,10 +34,6 @@ bool nothing(const std::string&) {
   return false;
 }
 
-bool everything(const std::string&) {
-  return true;
-}
-
 TEST(Markers, give_the_solution_or_the_starter_with_the_markers_around_it) {
   const std::string starter =
       "int before;\n  //@step 5.1 begin\n  return c;  // as it is\n\n  //@end\nint after;\n";
