@@ -20,29 +20,25 @@ double wrapped(double s, Wrap wrap) {
   return wrap == Wrap::mirrored && std::fmod(tile, 2) != 0 ? 1 - within : within;
 }
 
-/// Colours in 8-bit levels, as in the view `color` with one sample in each pixel. Empty for other
-/// pictures.
-app::Truth texture_quad_truth(const TextureQuadParameters& p, glm::ivec2 size) {
-  const auto texture = answers::texture_of(p.texture);
-  if (!texture) return {};
-  const auto look_up = [texture, wrap = p.wrap, flip_v = p.flip_v](glm::dvec2 texcoord) {
-    const double s = wrapped(texcoord.s, wrap), t = wrapped(texcoord.t, wrap);
-    return procedural::color(*texture, s, flip_v ? 1 - t : t);
-  };
-  const truth::QuadPicture picture{
-      .camera = answers::camera_of(p.camera, size),
-      .world_from_object = truth::tilted(p.tilt),
-      .texcoord_map = {.linear = glm::dmat2(p.texture_scale), .offset = glm::dvec2(p.texture_offset)},
-      .texture = look_up};
-  return answers::mean_in_steps([picture](glm::dvec2 window) { return picture.at(window); });
-}
-
 struct Answer final : app::Answer<TextureQuadParameters> {
   [[nodiscard]] app::Measure measure(const TextureQuadParameters& /*parameters*/) const override {
     return {app::View::color, app::Unit::steps, "the mean of the picture's function over the pixel"};
   }
+  /// Colours in 8-bit levels, as in the view `color` with one sample in each pixel. Empty for other
+  /// pictures.
   [[nodiscard]] app::Truth truth(const TextureQuadParameters& p, glm::ivec2 size) const override {
-    return texture_quad_truth(p, size);
+    const auto texture = answers::texture_of(p.texture);
+    if (!texture) return {};
+    const auto look_up = [texture, wrap = p.wrap, flip_v = p.flip_v](glm::dvec2 texcoord) {
+      const double s = wrapped(texcoord.s, wrap), t = wrapped(texcoord.t, wrap);
+      return procedural::color(*texture, s, flip_v ? 1 - t : t);
+    };
+    const truth::QuadPicture picture{
+        .camera = answers::camera_of(p.camera, size),
+        .world_from_object = truth::tilted(p.tilt),
+        .texcoord_map = {.linear = glm::dmat2(p.texture_scale), .offset = glm::dvec2(p.texture_offset)},
+        .texture = look_up};
+    return answers::mean_in_steps([picture](glm::dvec2 window) { return picture.at(window); });
   }
 };
 

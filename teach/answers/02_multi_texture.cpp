@@ -39,30 +39,26 @@ glm::dvec3 combined(const MultiTextureParameters& p, glm::dvec3 first, glm::dvec
   return (1.0 - second.a) * first + second.a * light;
 }
 
-/// Colours in 8-bit levels, as in the view `color` with one sample in each pixel. `method`, filters and
-/// mipmaps do not matter.
-app::Truth multi_texture_truth(const MultiTextureParameters& p, glm::ivec2 size) {
-  const truth::TextureFunction white = [](glm::dvec2) { return glm::dvec4(1); };
-  const auto first = p.unit0_on ? picture_function(p.texture0) : white;
-  const auto second = p.unit1_on ? picture_function(p.texture1) : white;
-  if (!first || !second) return {};
-  const auto look_up = [p, first = *first, second = *second](glm::dvec2 texcoord) {
-    const glm::dvec3 color = glm::dvec3(p.red, p.green, p.blue) * glm::dvec3(first(texcoord));
-    return glm::dvec4(p.unit1_on ? combined(p, color, second(texcoord)) : color, 1);
-  };
-  const truth::QuadPicture picture{.camera = answers::camera_of(p.camera, size),
-                                   .world_from_object = truth::tilted(p.tilt),
-                                   .texcoord_map = {.linear = glm::dmat2(p.texture_scale)},
-                                   .texture = look_up};
-  return answers::mean_in_steps([picture](glm::dvec2 window) { return picture.at(window); });
-}
-
 struct Answer final : app::Answer<MultiTextureParameters> {
   [[nodiscard]] app::Measure measure(const MultiTextureParameters& /*parameters*/) const override {
     return {app::View::color, app::Unit::steps, "the mean of the combined light over the pixel"};
   }
+  /// Colours in 8-bit levels, as in the view `color` with one sample in each pixel. `method`, filters and
+  /// mipmaps do not matter.
   [[nodiscard]] app::Truth truth(const MultiTextureParameters& p, glm::ivec2 size) const override {
-    return multi_texture_truth(p, size);
+    const truth::TextureFunction white = [](glm::dvec2) { return glm::dvec4(1); };
+    const auto first = p.unit0_on ? picture_function(p.texture0) : white;
+    const auto second = p.unit1_on ? picture_function(p.texture1) : white;
+    if (!first || !second) return {};
+    const auto look_up = [p, first = *first, second = *second](glm::dvec2 texcoord) {
+      const glm::dvec3 color = glm::dvec3(p.red, p.green, p.blue) * glm::dvec3(first(texcoord));
+      return glm::dvec4(p.unit1_on ? combined(p, color, second(texcoord)) : color, 1);
+    };
+    const truth::QuadPicture picture{.camera = answers::camera_of(p.camera, size),
+                                     .world_from_object = truth::tilted(p.tilt),
+                                     .texcoord_map = {.linear = glm::dmat2(p.texture_scale)},
+                                     .texture = look_up};
+    return answers::mean_in_steps([picture](glm::dvec2 window) { return picture.at(window); });
   }
 };
 

@@ -128,70 +128,63 @@ glm::dvec3 exact_light(const app::Light& light, glm::dvec3 albedo, glm::dvec3 no
   return everywhere + (1.0 - light.ambient) * cosine * albedo + light.specular * std::pow(facing, 48);
 }
 
-/// Degrees, texels or 8-bit levels, as the parameter `truth` says.
-app::Measure measure_of(Quantity quantity, const ObjTexcoordsParameters& p) {
-  constexpr double texels = 512;  // in the width and height of each bundled picture
-  switch (quantity) {
-    case Quantity::color:
-      return {app::View::color, app::Unit::steps, "the picture's function on the exact surface, lit"};
-    case Quantity::texcoord:
-      return {app::View::texcoord, app::Unit::texels, "the coordinate of the exact surface", texels,
-              goes_around(p)};
-    case Quantity::normal:
-      break;
-  }
-  return {app::View::normal, app::Unit::degrees, "the normal of the exact surface"};
-}
-
-/// What the measure's view should show. Empty for models and pictures that have no formula, and for the
-/// texture coordinate of triplanar, of which there are three, and for the vertices' colours.
-app::Truth truth_of(Quantity quantity, const ObjTexcoordsParameters& p, glm::ivec2 size) {
-  const auto model = exact_model(p.model);
-  const auto texture = answers::texture_of(p.texture == "material" ? "label_grid" : p.texture);
-  if (!model) return {};
-  const truth::Camera camera = answers::camera_of(p.camera, size);
-  const truth::Placement place{.linear = answers::about_y(p.turn)};
-  const auto meet_at = [=, model = *model](const truth::Ray& ray) {
-    return meet(model, truth::object_ray(ray, place));
-  };
-  if (quantity == Quantity::normal)
-    return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
-      const auto at = meet_at(truth::pixel_ray(camera, window).ray);
-      if (!at) return std::nullopt;
-      return place.linear * at->normal;
-    };
-  if (quantity == Quantity::texcoord) {
-    if (p.projection == Projection::triplanar) return {};
-    return [=, model = *model](glm::dvec2 window) -> std::optional<glm::dvec3> {
-      const auto at = meet_at(truth::pixel_ray(camera, window).ray);
-      if (!at) return std::nullopt;
-      return glm::dvec3(double{p.texture_scale} * exact_texcoord(model, p.projection, *at), 0);
-    };
-  }
-  if (!texture || p.tint == Tint::vertices) return {};
-  glm::dvec3 tint(1);
-  for (int c = 0; c < 3 && p.tint != Tint::none; ++c)
-    tint[c] = image::linear_from_srgb(double{part_color(0)[c]});  // these models have one part
-  return answers::mean_in_steps([=, model = *model, texture = *texture](glm::dvec2 window) {
-    const truth::Ray ray = truth::pixel_ray(camera, window).ray;
-    const auto at = meet_at(ray);
-    if (!at) return glm::dvec4(0);
-    const glm::dvec3 albedo = tint * exact_color(model, p, texture, *at);
-    return glm::dvec4(exact_light(p.light, albedo, place.linear * at->normal, -ray.direction), 1);
-  });
-}
-
 struct Answer final : app::Answer<ObjTexcoordsParameters> {
   void declare(params::Set& set) override {
     set.section("Error");
     set.add(quantity_,
             {"truth", Quantity::color, kQuantities, "What the view error compares with the exact answer"});
   }
+  /// Degrees, texels or 8-bit levels, as the parameter `truth` says.
   [[nodiscard]] app::Measure measure(const ObjTexcoordsParameters& p) const override {
-    return measure_of(quantity_, p);
+    constexpr double texels = 512;  // in the width and height of each bundled picture
+    switch (quantity_) {
+      case Quantity::color:
+        return {app::View::color, app::Unit::steps, "the picture's function on the exact surface, lit"};
+      case Quantity::texcoord:
+        return {app::View::texcoord, app::Unit::texels, "the coordinate of the exact surface", texels,
+                goes_around(p)};
+      case Quantity::normal:
+        break;
+    }
+    return {app::View::normal, app::Unit::degrees, "the normal of the exact surface"};
   }
+  /// What the measure's view should show. Empty for models and pictures that have no formula, and for the
+  /// texture coordinate of triplanar, of which there are three, and for the vertices' colours.
   [[nodiscard]] app::Truth truth(const ObjTexcoordsParameters& p, glm::ivec2 size) const override {
-    return truth_of(quantity_, p, size);
+    const Quantity quantity = quantity_;
+    const auto model = exact_model(p.model);
+    const auto texture = answers::texture_of(p.texture == "material" ? "label_grid" : p.texture);
+    if (!model) return {};
+    const truth::Camera camera = answers::camera_of(p.camera, size);
+    const truth::Placement place{.linear = answers::about_y(p.turn)};
+    const auto meet_at = [=, model = *model](const truth::Ray& ray) {
+      return meet(model, truth::object_ray(ray, place));
+    };
+    if (quantity == Quantity::normal)
+      return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
+        const auto at = meet_at(truth::pixel_ray(camera, window).ray);
+        if (!at) return std::nullopt;
+        return place.linear * at->normal;
+      };
+    if (quantity == Quantity::texcoord) {
+      if (p.projection == Projection::triplanar) return {};
+      return [=, model = *model](glm::dvec2 window) -> std::optional<glm::dvec3> {
+        const auto at = meet_at(truth::pixel_ray(camera, window).ray);
+        if (!at) return std::nullopt;
+        return glm::dvec3(double{p.texture_scale} * exact_texcoord(model, p.projection, *at), 0);
+      };
+    }
+    if (!texture || p.tint == Tint::vertices) return {};
+    glm::dvec3 tint(1);
+    for (int c = 0; c < 3 && p.tint != Tint::none; ++c)
+      tint[c] = image::linear_from_srgb(double{part_color(0)[c]});  // these models have one part
+    return answers::mean_in_steps([=, model = *model, texture = *texture](glm::dvec2 window) {
+      const truth::Ray ray = truth::pixel_ray(camera, window).ray;
+      const auto at = meet_at(ray);
+      if (!at) return glm::dvec4(0);
+      const glm::dvec3 albedo = tint * exact_color(model, p, texture, *at);
+      return glm::dvec4(exact_light(p.light, albedo, place.linear * at->normal, -ray.direction), 1);
+    });
   }
 
  private:

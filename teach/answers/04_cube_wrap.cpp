@@ -15,40 +15,33 @@ constexpr params::Item kQuantities[] = {
     {"texcoord", "The texture coordinate, in texels; right means a copy of the picture on each face"},
     {"normal", "The normal, in degrees from the face's normal"}};
 
-/// Texels or degrees, as the parameter `truth` says.
-app::Measure measure_of(Quantity quantity, const CubeWrapParameters& p) {
-  constexpr double texels = 512;  // in the width and height of each bundled picture
-  const bool closes = p.model == "sphere" || p.model == "torus";
-  if (quantity == Quantity::texcoord)
-    return {app::View::texcoord, app::Unit::texels, "a copy of the picture on each face", texels, closes};
-  return {app::View::normal, app::Unit::degrees, "the normal of the exact surface"};
-}
-
-/// What the measure's view should show. Empty for models from files: their formulas are not known.
-app::Truth truth_of(Quantity quantity, const CubeWrapParameters& p, glm::ivec2 size) {
-  const auto shape = answers::model_shape(p.model);
-  if (!shape) return {};
-  const truth::Camera camera = answers::camera_of(p.camera, size);
-  const truth::Placement place{.linear = answers::about_y(p.turn)};
-  return [=, repeats = p.texture_scale](glm::dvec2 window) -> std::optional<glm::dvec3> {
-    const auto hit = shape->hit(truth::object_ray(truth::pixel_ray(camera, window).ray, place));
-    if (!hit) return std::nullopt;
-    if (quantity == Quantity::normal) return place.linear * shape->at(*hit).normal;
-    return glm::dvec3(double{repeats} * hit->texcoord, 0);
-  };
-}
-
 struct Answer final : app::Answer<CubeWrapParameters> {
   void declare(params::Set& set) override {
     set.section("Error");
     set.add(quantity_,
             {"truth", Quantity::texcoord, kQuantities, "What the view error compares with the exact answer"});
   }
+  /// Texels or degrees, as the parameter `truth` says.
   [[nodiscard]] app::Measure measure(const CubeWrapParameters& p) const override {
-    return measure_of(quantity_, p);
+    constexpr double texels = 512;  // in the width and height of each bundled picture
+    const bool closes = p.model == "sphere" || p.model == "torus";
+    if (quantity_ == Quantity::texcoord)
+      return {app::View::texcoord, app::Unit::texels, "a copy of the picture on each face", texels, closes};
+    return {app::View::normal, app::Unit::degrees, "the normal of the exact surface"};
   }
+  /// What the measure's view should show. Empty for models from files: their formulas are not known.
   [[nodiscard]] app::Truth truth(const CubeWrapParameters& p, glm::ivec2 size) const override {
-    return truth_of(quantity_, p, size);
+    const Quantity quantity = quantity_;
+    const auto shape = answers::model_shape(p.model);
+    if (!shape) return {};
+    const truth::Camera camera = answers::camera_of(p.camera, size);
+    const truth::Placement place{.linear = answers::about_y(p.turn)};
+    return [=, repeats = p.texture_scale](glm::dvec2 window) -> std::optional<glm::dvec3> {
+      const auto hit = shape->hit(truth::object_ray(truth::pixel_ray(camera, window).ray, place));
+      if (!hit) return std::nullopt;
+      if (quantity == Quantity::normal) return place.linear * shape->at(*hit).normal;
+      return glm::dvec3(double{repeats} * hit->texcoord, 0);
+    };
   }
 
  private:

@@ -22,32 +22,6 @@ truth::TexcoordMap texcoord_map(const NormalMapParameters& p) {
           .offset = repeats * glm::dvec2(p.layout.mirror ? 1 : 0, 0)};
 }
 
-/// Unit vectors in the world, as the view `normal` has them. Empty for models and normal maps from files:
-/// their formulas are not known.
-app::Truth truth_of(answers::ReliefTruth relief_truth, const NormalMapParameters& p, glm::ivec2 size) {
-  const auto shape = answers::model_shape(p.model);
-  const auto gradient = answers::height_gradient(p.normal_mapping ? normal_map_name(p) : "flat");
-  if (!shape || !gradient) return {};
-  const truth::Camera camera = answers::camera_of(p.camera, size);
-  const truth::Placement place{.linear =
-                                   answers::about_y(p.turn) * glm::dmat3(1, 0, 0, 0, p.stretch, 0, 0, 0, 1)};
-  const truth::TexcoordMap map = texcoord_map(p);
-  // The relief is made for a texture that is as long as this one is along t: on all these models the same
-  // everywhere.
-  const double width = glm::length(shape->surface(procedural::Face::positive_z)(glm::dvec2(0.5)).dt);
-  const answers::Relief relief{relief_truth, *gradient, p.bump_strength, width / p.texture_scale};
-
-  return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
-    const truth::PixelRay pixel = truth::pixel_ray(camera, window);
-    const auto hit = shape->hit(truth::object_ray(pixel.ray, place));
-    if (!hit) return std::nullopt;
-    const truth::Surface surface =
-        truth::placed(truth::reparameterized(shape->surface(hit->face), map), place);
-    const glm::dvec2 texcoord = map.texcoord(hit->texcoord);
-    return relief.mean_normal(pixel, surface(texcoord), texcoord);
-  };
-}
-
 struct Answer final : app::Answer<NormalMapParameters> {
   void declare(params::Set& set) override {
     set.section("Error");
@@ -57,8 +31,30 @@ struct Answer final : app::Answer<NormalMapParameters> {
   [[nodiscard]] app::Measure measure(const NormalMapParameters& /*parameters*/) const override {
     return {app::View::normal, app::Unit::degrees, answers::name_of(relief_)};
   }
+  /// Unit vectors in the world, as the view `normal` has them. Empty for models and normal maps from files:
+  /// their formulas are not known.
   [[nodiscard]] app::Truth truth(const NormalMapParameters& p, glm::ivec2 size) const override {
-    return truth_of(relief_, p, size);
+    const auto shape = answers::model_shape(p.model);
+    const auto gradient = answers::height_gradient(p.normal_mapping ? normal_map_name(p) : "flat");
+    if (!shape || !gradient) return {};
+    const truth::Camera camera = answers::camera_of(p.camera, size);
+    const truth::Placement place{.linear = answers::about_y(p.turn) *
+                                           glm::dmat3(1, 0, 0, 0, p.stretch, 0, 0, 0, 1)};
+    const truth::TexcoordMap map = texcoord_map(p);
+    // The relief is made for a texture that is as long as this one is along t: on all these models the same
+    // everywhere.
+    const double width = glm::length(shape->surface(procedural::Face::positive_z)(glm::dvec2(0.5)).dt);
+    const answers::Relief relief{relief_, *gradient, p.bump_strength, width / p.texture_scale};
+
+    return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
+      const truth::PixelRay pixel = truth::pixel_ray(camera, window);
+      const auto hit = shape->hit(truth::object_ray(pixel.ray, place));
+      if (!hit) return std::nullopt;
+      const truth::Surface surface =
+          truth::placed(truth::reparameterized(shape->surface(hit->face), map), place);
+      const glm::dvec2 texcoord = map.texcoord(hit->texcoord);
+      return relief.mean_normal(pixel, surface(texcoord), texcoord);
+    };
   }
 
  private:

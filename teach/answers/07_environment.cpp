@@ -13,27 +13,24 @@
 namespace texel::environment {
 namespace {
 
-/// Unit vectors in the world, as the view `direction` has them. Where a sphere stands there is no answer:
-/// one sees its triangles' normals, which are tested in labs 6 and 8.
-app::Truth environment_truth(const EnvironmentParameters& p, glm::ivec2 size) {
-  const truth::Camera camera = answers::camera_of(p.camera, size);
-  return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
-    const truth::Ray ray = truth::pixel_ray(camera, window).ray;
-    // The triangles lie inside of the true sphere, so whatever passes the sphere passes them too.
-    const bool hidden = std::any_of(std::begin(kSpheres), std::end(kSpheres), [&](const glm::dvec4& sphere) {
-      return truth::hit_sphere({ray.origin - glm::dvec3(sphere), ray.direction}, sphere.w).has_value();
-    });
-    if (hidden) return std::nullopt;
-    return truth::background_direction(camera, window);
-  };
-}
-
 struct Answer final : app::Answer<EnvironmentParameters> {
   [[nodiscard]] app::Measure measure(const EnvironmentParameters& /*parameters*/) const override {
     return {app::View::direction, app::Unit::degrees, "the ray of the pixel, beside the spheres"};
   }
+  /// Unit vectors in the world, as the view `direction` has them. Where a sphere stands there is no answer:
+  /// one sees its triangles' normals, which are tested in labs 6 and 8.
   [[nodiscard]] app::Truth truth(const EnvironmentParameters& p, glm::ivec2 size) const override {
-    return environment_truth(p, size);
+    const truth::Camera camera = answers::camera_of(p.camera, size);
+    return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
+      const truth::Ray ray = truth::pixel_ray(camera, window).ray;
+      // The triangles lie inside of the true sphere, so whatever passes the sphere passes them too.
+      const bool hidden =
+          std::any_of(std::begin(kSpheres), std::end(kSpheres), [&](const glm::dvec4& sphere) {
+            return truth::hit_sphere({ray.origin - glm::dvec3(sphere), ray.direction}, sphere.w).has_value();
+          });
+      if (hidden) return std::nullopt;
+      return truth::background_direction(camera, window);
+    };
   }
 };
 

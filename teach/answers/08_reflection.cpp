@@ -11,28 +11,24 @@
 namespace texel::reflection {
 namespace {
 
-/// Unit vectors in the world, as the view `direction` has them: the refracted rays of surface "refraction",
-/// where there is one, and else the reflected ones.
-app::Truth reflection_truth(const ReflectionParameters& p, glm::ivec2 size) {
-  const truth::Camera camera = answers::camera_of(p.camera, size);
-  const truth::Placement ball{.linear = answers::about_y(p.turn) * answers::about_x(p.tilt) *
-                                        glm::dmat3(1, 0, 0, 0, p.stretch, 0, 0, 0, 1)};
-  return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
-    const auto seen = truth::mirror_point(truth::pixel_ray(camera, window), ball);
-    if (!seen) return std::nullopt;
-    if (p.surface != Surface::refraction) return seen->reflected;
-    const bool leaves = glm::dot(seen->incident, seen->surface.normal) > 0;  // the eye is inside
-    const double index = p.index, here = leaves ? index : 1, beyond = leaves ? 1 : index;
-    return truth::refracted(seen->incident, seen->surface.normal, here, beyond).value_or(seen->reflected);
-  };
-}
-
 struct Answer final : app::Answer<ReflectionParameters> {
   [[nodiscard]] app::Measure measure(const ReflectionParameters& /*parameters*/) const override {
     return {app::View::direction, app::Unit::degrees, "the ray of the exact ball"};
   }
+  /// Unit vectors in the world, as the view `direction` has them: the refracted rays of surface "refraction",
+  /// where there is one, and else the reflected ones.
   [[nodiscard]] app::Truth truth(const ReflectionParameters& p, glm::ivec2 size) const override {
-    return reflection_truth(p, size);
+    const truth::Camera camera = answers::camera_of(p.camera, size);
+    const truth::Placement ball{.linear = answers::about_y(p.turn) * answers::about_x(p.tilt) *
+                                          glm::dmat3(1, 0, 0, 0, p.stretch, 0, 0, 0, 1)};
+    return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
+      const auto seen = truth::mirror_point(truth::pixel_ray(camera, window), ball);
+      if (!seen) return std::nullopt;
+      if (p.surface != Surface::refraction) return seen->reflected;
+      const bool leaves = glm::dot(seen->incident, seen->surface.normal) > 0;  // the eye is inside
+      const double index = p.index, here = leaves ? index : 1, beyond = leaves ? 1 : index;
+      return truth::refracted(seen->incident, seen->surface.normal, here, beyond).value_or(seen->reflected);
+    };
   }
 };
 

@@ -16,32 +16,6 @@
 namespace texel::bump {
 namespace {
 
-/// Unit vectors in the world, as the view `direction` has them. Empty for a normal map from a file: its
-/// formula is not known.
-app::Truth truth_of(answers::ReliefTruth relief_truth, const BumpParameters& p, glm::ivec2 size) {
-  const auto gradient = answers::height_gradient(p.normal_mapping ? p.normal_map : "flat");
-  if (!gradient) return {};
-  const truth::Camera camera = answers::camera_of(p.camera, size);
-  const truth::Placement ball{.linear = answers::about_x(p.tilt) * answers::about_y(p.turn)};
-  // The worksheet's coordinates run against those of truth::sphere, u = -s and v = 1 - t, `repeats` times
-  // over.
-  const double repeats = p.repeats;
-  const truth::TexcoordMap worksheet{.linear = glm::dmat2(-repeats), .offset = {0, repeats}};
-  const truth::Surface surface = truth::placed(truth::reparameterized(truth::sphere(), worksheet), ball);
-  // The relief is as high as a map must be that fits the half meridian `repeats` times: no stretch along v.
-  const answers::Relief relief{relief_truth, *gradient, p.bump_strength, glm::pi<double>() / repeats};
-
-  return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
-    const truth::PixelRay pixel = truth::pixel_ray(camera, window);
-    const auto hit = truth::hit_sphere(truth::object_ray(pixel.ray, ball));
-    if (!hit) return std::nullopt;
-    const glm::dvec2 texcoord = worksheet.texcoord(hit->texcoord);
-    const auto normal = relief.mean_normal(pixel, surface(texcoord), texcoord);
-    if (!normal) return std::nullopt;
-    return truth::reflected(pixel.ray.direction, *normal);
-  };
-}
-
 /// The method's basis, at directions all around: the cost of a frame alone is too small to see in the time of
 /// a picture, so the benchmark runs the same function on the CPU many times.
 app::Preparation bases_around(Method method) {
@@ -76,8 +50,30 @@ struct Answer final : app::Answer<BumpParameters> {
   [[nodiscard]] app::Measure measure(const BumpParameters& /*parameters*/) const override {
     return {app::View::direction, app::Unit::degrees, answers::name_of(relief_)};
   }
+  /// Unit vectors in the world, as the view `direction` has them. Empty for a normal map from a file: its
+  /// formula is not known.
   [[nodiscard]] app::Truth truth(const BumpParameters& p, glm::ivec2 size) const override {
-    return truth_of(relief_, p, size);
+    const auto gradient = answers::height_gradient(p.normal_mapping ? p.normal_map : "flat");
+    if (!gradient) return {};
+    const truth::Camera camera = answers::camera_of(p.camera, size);
+    const truth::Placement ball{.linear = answers::about_x(p.tilt) * answers::about_y(p.turn)};
+    // The worksheet's coordinates run against those of truth::sphere, u = -s and v = 1 - t, `repeats` times
+    // over.
+    const double repeats = p.repeats;
+    const truth::TexcoordMap worksheet{.linear = glm::dmat2(-repeats), .offset = {0, repeats}};
+    const truth::Surface surface = truth::placed(truth::reparameterized(truth::sphere(), worksheet), ball);
+    // The relief is as high as a map must be that fits the half meridian `repeats` times: no stretch along v.
+    const answers::Relief relief{relief_, *gradient, p.bump_strength, glm::pi<double>() / repeats};
+
+    return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
+      const truth::PixelRay pixel = truth::pixel_ray(camera, window);
+      const auto hit = truth::hit_sphere(truth::object_ray(pixel.ray, ball));
+      if (!hit) return std::nullopt;
+      const glm::dvec2 texcoord = worksheet.texcoord(hit->texcoord);
+      const auto normal = relief.mean_normal(pixel, surface(texcoord), texcoord);
+      if (!normal) return std::nullopt;
+      return truth::reflected(pixel.ray.direction, *normal);
+    };
   }
   [[nodiscard]] std::optional<app::Preparation> preparation(const BumpParameters& p) const override {
     return bases_around(p.method);

@@ -320,5 +320,49 @@ TEST(HardCaseOfLab7, the_plane_at_0_999_hides_exactly_what_lies_beyond_its_dista
   }
 }
 
+// ---- Lab 8.
+
+TEST(HardCaseOfLab8, one_ray_for_all_is_9_7_degrees_off_over_pixels_and_11_8_over_the_visible_surface) {
+  // Both rays are mirrored at the same normal, so the error is the angle at the eye, 4 away, between the
+  // middle of the ball and the point that is seen: tan = sin t / (4 - cos t) for a point at the angle t from
+  // the middle. The visible surface ends at cos t = 1/4.
+  const double distance = 4;
+  constexpr int kSteps = 100000;
+  double over_surface = 0, over_pixels = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double share = (i + 0.5) / kSteps;
+    // The area of a sphere is even in cos t.
+    const double cosine = 1 / distance + (1 - 1 / distance) * share;
+    over_surface += std::atan2(std::sqrt(1 - cosine * cosine), distance - cosine) / kSteps;
+    // The picture's plane is even in the square of the angle's tangent, up to that of asin(1/4) at the rim.
+    over_pixels += std::atan(std::sqrt(share / (distance * distance - 1))) / kSteps;
+  }
+  EXPECT_WITHIN(glm::degrees(over_surface), 11.797, 1e-3);
+  EXPECT_WITHIN(glm::degrees(over_pixels), 9.735, 1e-3);
+
+  // The lab's picture, each pixel counted once, and as much as the surface that it shows.
+  const truth::Camera camera{.distance = distance, .field_of_view = 30, .width = 512, .height = 512};
+  const Settings look =
+      settings_of(camera) + Settings{{"method", "constant-eye"}, {"rings", "256"}, {"segments", "512"}};
+  const Pictures pictures = float_pictures(
+      "lab08_reflection", {{"direction", look, "direction", "512x512"}, {"mask", look, "mask", "512x512"}});
+  double pixels = 0, pixel_sum = 0, area = 0, area_sum = 0;
+  for_each_pixel(pictures.at("mask"), [&](int x, int y, dvec2 window) {
+    const truth::PixelRay pixel = truth::pixel_ray(camera, window);
+    const auto seen = truth::mirror_point(pixel);
+    if (!seen || pictures.at("mask").at(x, y, 0) == 0) return;
+    const double error = test::angle_in_degrees(value_at(pictures.at("direction"), x, y), seen->reflected);
+    const truth::PositionGradient step = truth::position_gradient(pixel, seen->surface);
+    const double shown = glm::length(glm::cross(step.dx, step.dy));
+    ++pixels;
+    pixel_sum += error;
+    area += shown;
+    area_sum += shown * error;
+  });
+  // Measured 9.734 and 11.794: the pixels' middles are a sum instead of the integral, coarse at the rim.
+  EXPECT_WITHIN(pixel_sum / pixels, glm::degrees(over_pixels), 0.02);
+  EXPECT_WITHIN(area_sum / area, glm::degrees(over_surface), 0.05);
+}
+
 }  // namespace
 }  // namespace texel::test
