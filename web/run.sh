@@ -54,6 +54,10 @@ web() { # --serve [PORT], --starter
     rm -rf "$build/fresh"
     texel starter --out "$build/fresh" --solve "$(cpp_steps)"
     mkdir -p "$program"
+    # A file that was renamed would be compiled under both names.
+    (cd "$program" && find . -type f -print0) | while IFS= read -r -d '' file; do
+      [[ -e $build/fresh/$file ]] || rm "$program/$file"
+    done
     (cd "$build/fresh" && find . -type f -print0) | while IFS= read -r -d '' file; do
       cmp -s "$build/fresh/$file" "$program/$file" || { mkdir -p "$(dirname "$program/$file")" && mv "$build/fresh/$file" "$program/$file"; }
     done

@@ -81,7 +81,7 @@ async function saved(of) {
   });
   return unzipSync(Uint8Array.from(bytes));
 }
-const badge = (wanted) => until((w) => document.querySelector(".badge").textContent === w, wanted);
+const badge = (wanted) => until((w) => document.querySelector(".badge")?.textContent === w, wanted);
 
 test("the panel is made from the declaration", async () => {
   await open("?look=default");
@@ -201,6 +201,7 @@ test("what an earlier version of the page kept is still there", async () => {
   await open("?look=default");
   await page.evaluate(() => localStorage.setItem(`texel-labs ${new URL("..", location.href).pathname}`, JSON.stringify({ "5.1": { text: "  return right;\n" } })));
   await page.reload();
+  await page.evaluate(() => texel.ready);  // what waits for the page looks at it while it is empty, too
   await badge("done");
 });
 
