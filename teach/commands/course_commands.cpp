@@ -188,7 +188,7 @@ class CourseCommands final : public tools::MoreCommands {
     if (app_.got_subcommand("expected")) return expected(expected_);
     if (app_.got_subcommand("cases")) return cases(cases_);
     if (const CLI::App* course = app_.get_subcommand("course"); course->parsed())
-      return run_box(course->remaining());
+      return run_course_script(course->remaining());
     return {};
   }
 

@@ -101,6 +101,6 @@ Exit grade_report(const GradeReportCommand& command);
 Exit run_script(const std::filesystem::path& name, const std::vector<std::string>& arguments);
 
 /// `texel course NAME …`: one of teach/commands/scripts. Throws Error (exit 2) for a name that there is not.
-Exit run_box(const std::vector<std::string>& words);
+Exit run_course_script(const std::vector<std::string>& words);
 
 }  // namespace texel::commands

@@ -26,7 +26,7 @@ Exit run_script(const std::filesystem::path& name, const std::vector<std::string
   throw Error::failed(fmt::format("cannot be started: {}", std::strerror(errno)), {script});
 }
 
-Exit run_box(const std::vector<std::string>& words) {
+Exit run_course_script(const std::vector<std::string>& words) {
   static const std::vector<std::string> known = {"classroom", "gradebook", "gradescope", "similar"};
   const std::string name = words.empty() ? "" : words.front();
   if (std::find(known.begin(), known.end(), name) == known.end())
