@@ -81,6 +81,7 @@ class Bench {
     const gl::Record record = canvas_.record(View::error, pixels(c.size), 1);
     const ErrorFigures& figures = *canvas_.error_figures();
     const Measure measure = *lab_.measure();
+    if (figures.pixels == 0) throw Error::failed(fmt::format("case '{}': {}", c.name, why_nothing(figures)));
     long long bytes = 0;
     for (const auto& use : record.attributes) bytes += use.bytes;
     for (const auto& use : record.textures) bytes += use.bytes;
@@ -95,6 +96,7 @@ class Bench {
                   {"p99", figures.p99},
                   {"max", figures.max},
                   {"pixels", figures.pixels},
+                  {"truth_pixels", figures.truth_pixels},
                   {"non_finite", figures.non_finite},
                   {"bytes", bytes}};
     if (const auto preparation = lab_.preparation(canvas_.assets()))

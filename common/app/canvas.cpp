@@ -24,22 +24,6 @@ const glm::vec4& background_of(const gl::Target& target) {
   return target.kind() == gl::Target::Kind::data ? kNothing : kBackground;
 }
 
-/// Whether the picture is that truth's already: another method has the same right answer, which takes long to
-/// work out. Every 64th pixel is asked; what changes a truth changes all of it, or a part that has many of
-/// them.
-bool agrees(const image::ImageF& picture, const Truth& truth, glm::ivec2 size) {
-  if (picture.width != size.x || picture.height != size.y) return false;
-  for (int y = 4; y < size.y; y += 8)
-    for (int x = 4; x < size.x; x += 8) {
-      const std::optional<glm::dvec3> value = truth(glm::dvec2(x + 0.5, y + 0.5));
-      const bool known = value && std::isfinite(value->x + value->y + value->z);
-      if (known != (picture.at(x, y, 3) != 0)) return false;
-      for (int c = 0; known && c < 3; ++c)
-        if (picture.at(x, y, c) != static_cast<float>((*value)[c])) return false;
-    }
-  return size.x > 64 && size.y > 64;  // of a small picture too few were asked
-}
-
 }  // namespace
 
 gl::Target& Canvas::fit(std::unique_ptr<gl::Target>& target, gl::Target::Kind kind, glm::ivec2 size,
@@ -187,17 +171,15 @@ image::ImageF Canvas::measured_picture(const Measure& measure, glm::ivec2 size) 
 double Canvas::work_on_truth(glm::ivec2 size, double milliseconds) {
   if (!lab_.measure()) throw Error::usage("this lab has no view 'error'");
   const Stopwatch stopwatch;
-  const std::string key = fmt::format("{} {}x{}", lab_.parameters().key(), size.x, size.y);
-  const bool is_known = key == truth_key_;
-  if (is_known && truth_rows_ == size.y) return 1;
+  const std::string key = fmt::format("{} {}x{}", lab_.truth_key(), size.x, size.y);
+  if (key == truth_key_ && truth_rows_ == size.y) return 1;
   const Truth truth = lab_.truth(size);
   if (!truth)
     throw Error::failed("there is no exact answer for these parameters", {},
                         "choose a built-in model, picture or cube map that has a formula");
-  if (!is_known) {
-    const bool is_same = truth_rows_ == truth_.height && agrees(truth_, truth, size);
-    if (!is_same) truth_ = image::ImageF(size.x, size.y, 4);
-    truth_rows_ = is_same ? size.y : 0;
+  if (key != truth_key_) {
+    truth_ = image::ImageF(size.x, size.y, 4);
+    truth_rows_ = 0;
     truth_key_ = key;
   }
   constexpr int kRows = 8;  // in one go
@@ -213,7 +195,7 @@ void Canvas::draw_error(glm::ivec2 size) {
   work_on_truth(size, std::numeric_limits<double>::infinity());
   const std::optional<Measure> measure = lab_.measure();
   error_ = error_picture(measured_picture(*measure, size), truth_, *measure);
-  figures_ = figures_of(*error_);
+  figures_ = figures_of(*error_, truth_);
   const double scale = error_scale_ > 0 ? error_scale_ : round_up(figures_->p99);
   fit(color_, gl::Target::Kind::color, size, 1).write8(error_map(*error_, scale, measure->unit));
   std::swap(picture_, color_);

@@ -97,11 +97,12 @@ image::ImageF error_picture(const image::ImageF& picture, const image::ImageF& t
   return error;
 }
 
-ErrorFigures figures_of(const image::ImageF& error) {
+ErrorFigures figures_of(const image::ImageF& error, const image::ImageF& truth) {
   ErrorFigures figures;
   std::vector<double> values;
   for (int y = 0; y < error.height; ++y)
     for (int x = 0; x < error.width; ++x) {
+      if (truth.at(x, y, 3) != 0) ++figures.truth_pixels;
       if (error.at(x, y, 3) == 0) continue;
       ++figures.pixels;
       const auto value = static_cast<double>(error.at(x, y, 0));
@@ -124,6 +125,14 @@ ErrorFigures figures_of(const image::ImageF& error) {
   figures.p99 = values[static_cast<std::size_t>(rank)];
   figures.max = *std::max_element(values.begin() + rank, values.end());
   return figures;
+}
+
+const char* why_nothing(const ErrorFigures& figures) {
+  if (figures.pixels > figures.non_finite) return nullptr;
+  if (figures.pixels > 0) return "no pixel is finite";
+  if (figures.truth_pixels > 0)
+    return "the picture has no pixel where the object must be: look whether the near plane cuts it off";
+  return "the object is not in the picture: look from another side, or from farther away";
 }
 
 double round_up(double value) {

@@ -80,7 +80,9 @@ std::string to_json(AnyLab& lab, const ErrorFigures& figures) {
   json["p99"] = figures.p99;
   json["max"] = figures.max;
   json["pixels"] = figures.pixels;
+  json["truth_pixels"] = figures.truth_pixels;
   json["non_finite"] = figures.non_finite;
+  if (const char* reason = why_nothing(figures)) json["reason"] = reason;
   return to_text(json, 2) + "\n";
 }
 

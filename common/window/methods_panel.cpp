@@ -128,6 +128,7 @@ void describe(const MethodPlot::Point& point, const char* unit) {
   const app::ErrorFigures& e = point.error;
   std::string text = fmt::format("{}\nerror: rms {:.3g}, mean {:.3g}, P99 {:.3g} {}\ncost: {:.3g} ms a frame",
                                  point.method, e.rms, e.mean, e.p99, unit, point.milliseconds);
+  if (e.coverage() < 1) text.append(fmt::format("\ncovers {:.1f} % of the truth", 100 * e.coverage()));
   if (e.non_finite > 0) text.append(fmt::format("\n{} pixels are not finite", e.non_finite));
   ImGui::SetTooltip("%s", text.c_str());
 }

@@ -133,8 +133,11 @@ void view_section(app::AnyLab& lab, WindowState& state) {
   if (state.figures) {
     const app::ErrorFigures& f = *state.figures;
     ImGui::PushTextWrapPos(0);
-    ImGui::Text("mean %.3g, P99 %.3g, most %.3g %s over %lld pixels", f.mean, f.p99, f.max,
-                name_of(lab.measure()->unit), f.pixels);
+    if (const char* reason = app::why_nothing(f))
+      ImGui::TextUnformatted(reason);
+    else
+      ImGui::Text("mean %.3g, P99 %.3g, most %.3g %s over %.1f %% of %lld pixels", f.mean, f.p99, f.max,
+                  name_of(lab.measure()->unit), 100 * f.coverage(), f.truth_pixels);
     ImGui::TextColored(f.non_finite == 0 ? theme().dim : theme().wrong, "%lld not finite; compared with %s",
                        f.non_finite, lab.measure()->truth);
     ImGui::PopTextWrapPos();

@@ -21,6 +21,9 @@ double wrapped(double s, Wrap wrap) {
 }
 
 struct Answer final : app::Answer<TextureQuadParameters> {
+  [[nodiscard]] std::vector<std::string_view> methods() const override {
+    return {"method", "minify", "magnify", "linear_light"};
+  }
   [[nodiscard]] app::Measure measure(const TextureQuadParameters& /*parameters*/) const override {
     return {app::View::color, app::Unit::steps, "the mean of the picture's function over the pixel"};
   }

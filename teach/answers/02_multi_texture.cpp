@@ -40,6 +40,9 @@ glm::dvec3 combined(const MultiTextureParameters& p, glm::dvec3 first, glm::dvec
 }
 
 struct Answer final : app::Answer<MultiTextureParameters> {
+  [[nodiscard]] std::vector<std::string_view> methods() const override {
+    return {"method", "minify", "magnify", "mipmaps", "second_unit"};
+  }
   [[nodiscard]] app::Measure measure(const MultiTextureParameters& /*parameters*/) const override {
     return {app::View::color, app::Unit::steps, "the mean of the combined light over the pixel"};
   }

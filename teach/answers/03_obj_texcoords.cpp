@@ -134,6 +134,9 @@ struct Answer final : app::Answer<ObjTexcoordsParameters> {
     set.add(quantity_,
             {"truth", Quantity::color, kQuantities, "What the view error compares with the exact answer"});
   }
+  [[nodiscard]] std::vector<std::string_view> methods() const override {
+    return {"method", "normals", "linear_light"};
+  }
   /// Degrees, texels or 8-bit levels, as the parameter `truth` says.
   [[nodiscard]] app::Measure measure(const ObjTexcoordsParameters& p) const override {
     constexpr double texels = 512;  // in the width and height of each bundled picture

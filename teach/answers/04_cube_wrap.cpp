@@ -21,6 +21,7 @@ struct Answer final : app::Answer<CubeWrapParameters> {
     set.add(quantity_,
             {"truth", Quantity::texcoord, kQuantities, "What the view error compares with the exact answer"});
   }
+  [[nodiscard]] std::vector<std::string_view> methods() const override { return {"method", "normals"}; }
   /// Texels or degrees, as the parameter `truth` says.
   [[nodiscard]] app::Measure measure(const CubeWrapParameters& p) const override {
     constexpr double texels = 512;  // in the width and height of each bundled picture

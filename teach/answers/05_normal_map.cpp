@@ -28,6 +28,9 @@ struct Answer final : app::Answer<NormalMapParameters> {
     set.add(relief_, {"truth", answers::ReliefTruth::baked_map, answers::kReliefTruths,
                       "What the view error compares with"});
   }
+  [[nodiscard]] std::vector<std::string_view> methods() const override {
+    return {"method", "decode", "filter", "segments", "jitter"};
+  }
   [[nodiscard]] app::Measure measure(const NormalMapParameters& /*parameters*/) const override {
     return {app::View::normal, app::Unit::degrees, answers::name_of(relief_)};
   }

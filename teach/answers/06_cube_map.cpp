@@ -94,6 +94,9 @@ struct Answer final : app::Answer<CubeMapParameters> {
     set.section("Error");
     set.add(truth_of_, {"truth", TruthOf::color, kTruths, "What the view error compares with"});
   }
+  [[nodiscard]] std::vector<std::string_view> methods() const override {
+    return {"method", "faces", "seam_method", "rings", "segments"};
+  }
   [[nodiscard]] app::Measure measure(const CubeMapParameters& /*parameters*/) const override {
     if (truth_of_ == TruthOf::level)
       return {app::View::lod, app::Unit::levels, "the formula's own derivative"};

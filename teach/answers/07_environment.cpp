@@ -14,6 +14,9 @@ namespace texel::environment {
 namespace {
 
 struct Answer final : app::Answer<EnvironmentParameters> {
+  [[nodiscard]] std::vector<std::string_view> methods() const override {
+    return {"method", "plane", "precision", "depth_method", "near", "far"};
+  }
   [[nodiscard]] app::Measure measure(const EnvironmentParameters& /*parameters*/) const override {
     return {app::View::direction, app::Unit::degrees, "the ray of the pixel, beside the spheres"};
   }

@@ -12,6 +12,9 @@ namespace texel::reflection {
 namespace {
 
 struct Answer final : app::Answer<ReflectionParameters> {
+  [[nodiscard]] std::vector<std::string_view> methods() const override {
+    return {"method", "normal_method", "evaluate", "normal_matrix", "lookup", "rings", "segments"};
+  }
   [[nodiscard]] app::Measure measure(const ReflectionParameters& /*parameters*/) const override {
     return {app::View::direction, app::Unit::degrees, "the ray of the exact ball"};
   }

@@ -47,6 +47,9 @@ struct Answer final : app::Answer<BumpParameters> {
     set.add(relief_, {"truth", answers::ReliefTruth::baked_map, answers::kReliefTruths,
                       "What the view error compares with"});
   }
+  [[nodiscard]] std::vector<std::string_view> methods() const override {
+    return {"method", "mip_filter", "incident", "rings", "segments"};
+  }
   [[nodiscard]] app::Measure measure(const BumpParameters& /*parameters*/) const override {
     return {app::View::direction, app::Unit::degrees, answers::name_of(relief_)};
   }

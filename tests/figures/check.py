@@ -113,7 +113,10 @@ def measured(what, look):
     said = look.said("--measure")
     if said.returncode != 0:
         raise AssertionError(said.stderr.strip())
-    return [json.loads(said.stdout)[what]]
+    found = json.loads(said.stdout)
+    if found[what] is None:
+        raise AssertionError(found["reason"])
+    return [found[what]]
 
 
 def stats(what, look):
@@ -284,7 +287,7 @@ class Lab:
             else:
                 share = number / other if found["sign"] == "<" else other / number if number else math.inf
             # A count, and what must be equal or 0, is no limit that a renderer comes near to.
-            if found["what"] not in ("pixels", "non_finite", "vertices", "triangles", "drawn") and (found["tolerance"] or found["sign"] != "=" and other != 0):
+            if found["what"] not in ("pixels", "truth_pixels", "non_finite", "vertices", "triangles", "drawn") and (found["tolerance"] or found["sign"] != "=" and other != 0):
                 use(line, share)
             if not (share < 1 or (found["sign"] == "=" and share <= 1)):
                 return f"it is {', '.join(f'{x:.6g}' for x in got)} beside {', '.join(f'{x:.6g}' for x in limit)}"

@@ -333,6 +333,21 @@ def test_flags_config_and_batch_draw_the_same(folder):
     expect((folder / "b1.png").read_bytes() == by_flags and (folder / "b2.png").read_bytes() == by_default, "batch")
 
 
+def test_an_error_is_that_of_its_own_truth_whatever_was_drawn_before(folder):
+    """A small object, seen from many sides: what another look has in few pixels only must not pass for its own."""
+    known = {"model": "sphere", "cube_map": "smooth", "distance": "100"}  # have an exact answer
+    far = {p["name"]: known[p["name"]] for p in PARAMETERS if p["name"] in known}
+    turned = [{p["name"]: "35"} for p in PARAMETERS if p["unit"] == "degrees" and p["max"] >= 35]
+    looks = [far, *({**far, **one} for one in turned), far]
+    shots = [shot(f"{i}.pfm", look, view="error") for i, look in enumerate(looks)]
+    draw(shots, folder)
+    for one in shots[1:-1]:
+        alone = folder / "alone.pfm"
+        ran("--snapshot", alone, "--size", one["size"], "--view", "error", *labs.flags(one["set"]))
+        expect(alone.read_bytes() == (folder / one["name"]).read_bytes(), one)
+    expect((folder / shots[0]["name"]).read_bytes() == (folder / shots[-1]["name"]).read_bytes())
+
+
 def test_a_snapshot_holds_how_it_was_made(folder):
     # A number that is not the default, in the parameters' own words.
     settings = {"field_of_view": "50"} if any(p["name"] == "field_of_view" for p in PARAMETERS) else {}

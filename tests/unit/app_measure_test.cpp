@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "app/measure.hpp"
 #include "core/error.hpp"
@@ -68,12 +69,29 @@ TEST(TruthPicture, asks_at_the_middle_of_each_pixel) {
 
 TEST(ErrorFigures, leave_out_what_is_not_finite_and_count_it) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  const ErrorFigures figures = figures_of(row({{3, 0, 0, 1}, {nan, 0, 0, 1}, {4, 0, 0, 1}, {99, 0, 0, 0}}));
+  const image::ImageF truth = row({{0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}});
+  const ErrorFigures figures =
+      figures_of(row({{3, 0, 0, 1}, {nan, 0, 0, 1}, {4, 0, 0, 1}, {99, 0, 0, 0}}), truth);
   EXPECT_EQ(figures.pixels, 3);
+  EXPECT_EQ(figures.truth_pixels, 4);
+  EXPECT_EQ(figures.coverage(), 0.75);
   EXPECT_EQ(figures.non_finite, 1);
   EXPECT_DOUBLE_EQ(figures.mean, 3.5);
   EXPECT_DOUBLE_EQ(figures.rms, std::sqrt(12.5));
   EXPECT_EQ(figures.max, 4);
+}
+
+TEST(ErrorFigures, say_why_there_are_none) {
+  const image::ImageF nothing = row({{0, 0, 0, 0}}), one = row({{1, 0, 0, 1}});
+  const image::ImageF nan = row({{std::numeric_limits<float>::quiet_NaN(), 0, 0, 1}});
+  EXPECT_EQ(why_nothing(figures_of(one, one)), nullptr);
+  std::set<std::string> reasons;
+  for (const auto& [error, truth] : {std::pair{nan, one}, {nothing, one}, {nothing, nothing}}) {
+    const ErrorFigures figures = figures_of(error, truth);
+    EXPECT_TRUE(std::isnan(figures.mean + figures.rms + figures.p99 + figures.max));
+    reasons.insert(why_nothing(figures));
+  }
+  EXPECT_EQ(reasons.size(), 3);
 }
 
 TEST(ErrorFigures, take_the_99th_percentile_by_nearest_rank) {
@@ -82,8 +100,8 @@ TEST(ErrorFigures, take_the_99th_percentile_by_nearest_rank) {
     error.at(x, 0, 0) = static_cast<float>(200 - x);
     error.at(x, 0, 3) = 1;
   }
-  EXPECT_EQ(figures_of(error).p99, 198);  // 99 % of 200 values are 198
-  EXPECT_EQ(figures_of(error).max, 200);
+  EXPECT_EQ(figures_of(error, error).p99, 198);  // 99 % of 200 values are 198
+  EXPECT_EQ(figures_of(error, error).max, 200);
 }
 
 TEST(ErrorScale, ends_at_1_2_or_5_times_a_power_of_ten) {

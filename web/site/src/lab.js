@@ -294,7 +294,7 @@ const statistics = element("dl", { className: "statistics" });
 function showStatistics() {
   const { frame_ms, facts = [], warnings = [], error_figures: error } = now.report ?? {};
   const rows = [["a frame", `${figure(frame_ms)} ms`]];
-  if (error) rows.push(["error", `mean ${figure(error.mean)}, P99 ${figure(error.p99)}, most ${figure(error.max)} ${error.unit}`]);
+  if (error) rows.push(["error", error.reason ?? `mean ${figure(error.mean)}, P99 ${figure(error.p99)}, most ${figure(error.max)} ${error.unit}`]);
   const notes = facts.map((fact) => (Array.isArray(fact) ? fact : ["note", fact]));
   statistics.replaceChildren(...[...rows, ...notes].flatMap(([name, value]) => [element("dt", {}, name), element("dd", {}, String(value))]),
     ...warnings.flatMap((text) => [element("dt", { className: "warn" }, "note"), element("dd", {}, text)]));

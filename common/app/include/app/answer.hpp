@@ -4,6 +4,8 @@
 #include <glm/glm.hpp>
 #include <memory>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "app/measure.hpp"
 #include "params/set.hpp"
@@ -24,6 +26,9 @@ class Answer {
   virtual ~Answer() = default;
   /// Parameters of its own, after those of the lab.
   virtual void declare(params::Set& /*set*/) {}
+  /// The parameters that choose how the lab finds its picture. What is right is asked for with these at their
+  /// defaults: so it cannot depend on them, and one truth serves all methods.
+  [[nodiscard]] virtual std::vector<std::string_view> methods() const { return {"method"}; }
   /// What the view `error` compares.
   [[nodiscard]] virtual Measure measure(const Parameters& parameters) const = 0;
   /// The right answer in a picture of `size` pixels; empty where there is none.

@@ -127,7 +127,9 @@ class AnyLab {
   /// What its error view measures with the present parameters; nothing when it knows no truth.
   [[nodiscard]] virtual std::optional<Measure> measure() const = 0;
   /// The right answer for the present parameters in a picture of `size` pixels; empty where there is none.
-  [[nodiscard]] virtual Truth truth(glm::ivec2 size) const = 0;
+  [[nodiscard]] virtual Truth truth(glm::ivec2 size) = 0;
+  /// The parameters that a truth depends on. With equal keys, pictures of one size have the same truth.
+  [[nodiscard]] virtual std::string truth_key() = 0;
   /// Nothing when the lab's methods differ only in the frame.
   virtual std::optional<Preparation> preparation(const Assets& assets) = 0;
 };
@@ -156,9 +158,12 @@ class LabOf final : public AnyLab {
     if (answer_) return answer_->measure(parameters_);
     return {};
   }
-  [[nodiscard]] Truth truth(glm::ivec2 size) const override {
-    if (answer_) return answer_->truth(parameters_, size);
-    return {};
+  [[nodiscard]] Truth truth(glm::ivec2 size) override {
+    if (!answer_) return {};
+    return whatever_the_method([&] { return answer_->truth(parameters_, size); });
+  }
+  [[nodiscard]] std::string truth_key() override {
+    return whatever_the_method([&] { return set_.key(); });
   }
   std::optional<Preparation> preparation(const Assets& assets) override {
     std::optional<Preparation> own = lab(assets).preparation(parameters_);
@@ -169,6 +174,20 @@ class LabOf final : public AnyLab {
   TheLab& lab(const Assets& assets) {
     if (!lab_) lab_.emplace(assets);
     return *lab_;
+  }
+  /// What `ask` returns while the answer's methods() have their defaults.
+  template <class Ask>
+  auto whatever_the_method(const Ask& ask) {
+    std::vector<std::string> chosen;
+    const std::vector<std::string_view> methods =
+        answer_ ? answer_->methods() : std::vector<std::string_view>{};
+    for (const std::string_view name : methods) {
+      chosen.push_back(set_.at(name).text());
+      set_.at(name).reset();
+    }
+    auto result = ask();
+    for (std::size_t i = 0; i < methods.size(); ++i) set_.at(methods[i]).set(chosen[i]);
+    return result;
   }
   Parameters parameters_;
   params::Set set_;

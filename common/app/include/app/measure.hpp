@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cmath>
 #include <functional>
 #include <glm/glm.hpp>
 #include <optional>
@@ -34,11 +35,18 @@ using Truth = std::function<std::optional<glm::dvec3>(glm::dvec2 window)>;
 /// `first` to before `end`, into a picture that is black and transparent there.
 void add_truth_rows(image::ImageF& picture, const Truth& truth, int first, int end);
 
-/// Mean, root mean square, 99th percentile (nearest rank) and largest value of an error picture.
+/// Mean, root mean square, 99th percentile (nearest rank) and largest value of an error picture: NaN where no
+/// pixel has a finite error.
 struct ErrorFigures {
-  double mean = 0, rms = 0, p99 = 0, max = 0;
-  long long pixels = 0;      ///< compared: both the picture and the truth have a value
-  long long non_finite = 0;  ///< of them NaN or infinite in the picture; in none of the other figures
+  double mean = std::nan(""), rms = mean, p99 = mean, max = mean;
+  long long truth_pixels = 0;  ///< that have a right answer
+  long long pixels = 0;        ///< of these compared: the picture has a value there too
+  long long non_finite = 0;    ///< of these NaN or infinite in the picture; in none of the means
+
+  /// The part of the truth that the picture covers, 0 to 1; 1 for no truth.
+  [[nodiscard]] double coverage() const {
+    return truth_pixels == 0 ? 1 : static_cast<double>(pixels) / static_cast<double>(truth_pixels);
+  }
 };
 
 /// How far two values of the measure's view are apart, in its unit.
@@ -48,7 +56,11 @@ double error_of(const glm::dvec3& value, const glm::dvec3& truth, const Measure&
 /// NaN. Both have the same size; alpha is 1 where the object is, and where there is a truth.
 image::ImageF error_picture(const image::ImageF& picture, const image::ImageF& truth, const Measure& measure);
 
-ErrorFigures figures_of(const image::ImageF& error);
+/// Why there are no means, in a sentence; null where there are.
+const char* why_nothing(const ErrorFigures& figures);
+
+/// Of an error picture and the truth that it was made with.
+ErrorFigures figures_of(const image::ImageF& error, const image::ImageF& truth);
 
 /// Whether methods are ranked by the root mean square of their errors, in which few pixels that are far off
 /// weigh as much as one sees them, and not by the mean: for colours. `unit` as name_of has it.
