@@ -39,6 +39,7 @@ struct Reflection : app::Lab<ReflectionParameters> {
     program.set("object_from_world", object_from_world);
     program.set("normal_from_object", normal_from_object);
     program.set("eye", p.camera.eye());
+    program.set("eye_inside", glm::length(eye_in_object) <= 1);
     if (p.lookup == Lookup::cube) {
       program.set("cube_map", 0);
     } else {

@@ -2,12 +2,13 @@
 // The rays at one point of the surface, in world space. The same function serves a vertex and a pixel.
 #include "fresnel.glsl"
 
-uniform vec3 eye;     // world space
-uniform float index;  // of refraction, inside relative to outside
+uniform vec3 eye;         // world space
+uniform bool eye_inside;  // the ball
+uniform float index;      // of refraction, inside relative to outside
 
 struct Rays {
   vec3 reflected;
-  vec3 refracted;     // where there is none, the reflected one
+  vec3 refracted;     // where there is none, along the surface: the last that there was
   float reflectance;  // which part of the light is reflected
 };
 
@@ -53,13 +54,19 @@ Rays follow_rays(vec3 position, vec3 normal) {
 #else
   vec3 unit = normalize(incident);
   float eta = 1.0 / index;
-  if (dot(unit, normal) > 0.0) {  // the eye is inside: the ray leaves
+  if (eye_inside && dot(unit, normal) > 0.0) {  // the ray leaves
     normal = -normal;
     eta = index;
   }
   vec3 reflected = reflected_ray(unit, normal);
   vec3 refracted = refracted_ray(unit, normal, eta);
-  if (refracted == vec3(0.0)) return Rays(reflected, reflected, 1.0);
+  // The level of a look-up comes from the rays of neighbouring pixels. So each kind of ray changes steadily over the ball,
+  // also where no light takes it.
+  if (refracted == vec3(0.0)) return Rays(reflected, normalize(unit - dot(unit, normal) * normal), 1.0);
+#if SURFACE == SURFACE_REFRACTION
+  return Rays(reflected, refracted, 0.0);
+#else
   return Rays(reflected, refracted, fresnel(-dot(unit, normal), eta));
+#endif
 #endif
 }

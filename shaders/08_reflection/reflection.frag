@@ -28,14 +28,12 @@ void main() {
   picture = vec4(normalize(normal), 1.0);
 #elif VIEW == VIEW_DIRECTION
 #if SURFACE == SURFACE_REFRACTION
-  picture = vec4(normalize(rays.refracted), 1.0);
+  picture = vec4(normalize(rays.reflectance > 0.5 ? rays.reflected : rays.refracted), 1.0);
 #else
   picture = vec4(normalize(rays.reflected), 1.0);
 #endif
 #elif SURFACE == SURFACE_MIRROR
   show(vec4(environment(rays.reflected), 1.0));
-#elif SURFACE == SURFACE_REFRACTION
-  show(vec4(environment(rays.refracted), 1.0));
 #else
   show(vec4(mix(environment(rays.refracted), environment(rays.reflected), rays.reflectance), 1.0));
 #endif

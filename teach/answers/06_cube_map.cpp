@@ -21,17 +21,11 @@ constexpr params::Item kTruths[] = {
     {"level",
      "The level of detail by the exact derivative, in levels; not at the rim, where it is infinite"}};
 
-/// The colour that the sphere has in a direction of its own space, linear light. Nothing for the landscape
-/// and for other files: their formulas are not known.
-using SphereColor = std::function<glm::dvec3(glm::dvec3 direction)>;
-std::optional<SphereColor> sphere_color(const CubeMapParameters& p) {
-  if (p.mapping == Mapping::cube) {
-    if (p.cube_map == "labelled") return procedural::labelled_color;
-    if (p.cube_map == "smooth") return procedural::smooth_color;
-    return std::nullopt;
-  }
+/// The colour that the sphere has in a direction of its own space. Empty where the formula is not known.
+answers::ColorOf sphere_color(const CubeMapParameters& p) {
+  if (p.mapping == Mapping::cube) return answers::cube_map_color(p.cube_map);
   const auto texture = answers::texture_of(p.picture);
-  if (!texture) return std::nullopt;
+  if (!texture) return {};
   return [texture = *texture](glm::dvec3 direction) {
     const glm::dvec2 texcoord = truth::worksheet_texcoord(direction);
     return glm::dvec3(procedural::color(texture, texcoord.s, texcoord.t));
@@ -85,7 +79,7 @@ app::Truth color_truth(const CubeMapParameters& p, glm::ivec2 size) {
   return answers::mean_in_steps([=](glm::dvec2 window) {
     const truth::Ray ray = truth::object_ray(truth::pixel_ray(camera, window).ray, place);
     const auto hit = truth::hit_sphere(ray);
-    return hit ? glm::dvec4((*wears)(ray.origin + hit->distance * ray.direction), 1) : glm::dvec4(0);
+    return hit ? glm::dvec4(wears(ray.origin + hit->distance * ray.direction), 1) : glm::dvec4(0);
   });
 }
 

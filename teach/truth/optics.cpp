@@ -39,6 +39,15 @@ std::optional<dvec3> refracted(dvec3 incident, dvec3 normal, double n_from, doub
   return along + std::copysign(std::sqrt(rest), across) * normal;
 }
 
+double reflectance(dvec3 incident, dvec3 normal, double n_from, double n_to) {
+  const double here = std::abs(glm::dot(incident, normal));
+  const double squared = cosine_squared_behind(here, n_from / n_to);
+  if (squared <= 0) return 1;
+  const double beyond = std::sqrt(squared);
+  const auto part = [](double a, double b) { return (a - b) * (a - b) / ((a + b) * (a + b)); };
+  return (part(n_from * here, n_to * beyond) + part(n_to * here, n_from * beyond)) / 2;
+}
+
 std::optional<MirrorPoint> mirror_point(const PixelRay& pixel, const Placement& world_from_object,
                                         double radius) {
   const auto hit = hit_sphere(object_ray(pixel.ray, world_from_object), radius);

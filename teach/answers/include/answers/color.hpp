@@ -9,6 +9,7 @@
 
 #include "answers/camera.hpp"
 #include "image/color.hpp"
+#include "procedural/cube.hpp"
 #include "procedural/textures.hpp"
 
 namespace texel::answers {
@@ -20,6 +21,17 @@ inline std::optional<procedural::Texture> texture_of(const std::string& name) {
   for (const procedural::Texture texture : procedural::textures)
     if (procedural::name(texture) == name) return texture;
   return std::nullopt;
+}
+
+/// Linear light in a direction of any length.
+using ColorOf = std::function<glm::dvec3(glm::dvec3 direction)>;
+
+/// The function of one of the bundled cube maps; empty for the landscape and for other files: their formulas
+/// are not known.
+inline ColorOf cube_map_color(const std::string& name) {
+  if (name == "labelled") return procedural::labelled_color;
+  if (name == "smooth") return procedural::smooth_color;
+  return {};
 }
 
 /// The colour at a place of the picture: linear-light RGB and alpha 1, or zero beside the object.

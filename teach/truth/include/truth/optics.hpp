@@ -18,6 +18,10 @@ glm::dvec3 reflected(glm::dvec3 incident, glm::dvec3 normal);
 /// from either side of the normal.
 std::optional<glm::dvec3> refracted(glm::dvec3 incident, glm::dvec3 normal, double n_from, double n_to);
 
+/// The part of unpolarised light that is reflected at the boundary, 0 to 1; 1 on total internal reflection.
+/// Source: M. Born and E. Wolf, "Principles of Optics", section 1.5.2.
+double reflectance(glm::dvec3 incident, glm::dvec3 normal, double n_from, double n_to);
+
 /// What a pixel of a mirroring sphere sees.
 struct MirrorPoint {
   SurfacePoint surface;                ///< where the ray meets the sphere, in the world
