@@ -82,7 +82,7 @@ class Bench {
     const ErrorFigures& figures = *canvas_.error_figures();
     const Measure measure = *lab_.measure();
     if (figures.pixels == 0) throw Error::failed(fmt::format("case '{}': {}", c.name, why_nothing(figures)));
-    long long bytes = 0;
+    long long bytes = record.index_bytes;
     for (const auto& use : record.attributes) bytes += use.bytes;
     for (const auto& use : record.textures) bytes += use.bytes;
     one.result = {{"lab", lab_.info().folder()},

@@ -38,6 +38,7 @@ std::string to_json(const Statistics& statistics) {
   json["attributes"] = Json::array();
   for (const auto& use : record.attributes)
     json["attributes"].push_back({{"name", use.name}, {"bytes", use.bytes}});
+  json["index_bytes"] = record.index_bytes;
   json["textures"] = Json::array();
   for (const auto& use : record.textures)
     json["textures"].push_back({{"name", use.name},

@@ -98,6 +98,7 @@ void Recorder::on_draw_arrays(GLenum mode, GLint first, GLsizei count) {
 
 void Recorder::on_draw_elements(GLenum mode, GLsizei count, GLenum type, const void* indices) {
   current->inspect(mode, count);
+  current->inspect_indices();
   current->draw_elements_(mode, count, type, indices);
 }
 
@@ -113,6 +114,14 @@ void Recorder::inspect(GLenum mode, GLsizei count) {
   }
   inspect_attributes(static_cast<GLuint>(program));
   inspect_samplers(static_cast<GLuint>(program));
+}
+
+void Recorder::inspect_indices() {
+  GLint buffer = 0, bytes = 0;
+  glGetIntegerv(GL_ELEMENT_ARRAY_BUFFER_BINDING, &buffer);
+  if (buffer == 0 || !index_buffers_.insert(buffer).second) return;
+  glGetBufferParameteriv(GL_ELEMENT_ARRAY_BUFFER, GL_BUFFER_SIZE, &bytes);
+  record_.index_bytes += bytes;
 }
 
 void Recorder::inspect_attributes(GLuint program) {
@@ -141,10 +150,7 @@ void Recorder::inspect_attributes(GLuint program) {
         warn(fmt::format("the shader reads the attribute '{}', but no array is enabled for it", name));
       continue;
     }
-    if (name.empty()) {
-      warn(fmt::format("an array is enabled for attribute {}, but the program does not read it", i));
-      continue;
-    }
+    if (name.empty()) continue;  // the array costs nothing
     GLint buffer = 0, bytes = 0, components = 0, stride = 0;
     glGetVertexAttribiv(location, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING, &buffer);
     glGetVertexAttribiv(location, GL_VERTEX_ATTRIB_ARRAY_SIZE, &components);

@@ -49,10 +49,12 @@ struct TextureQuad : app::Lab<TextureQuadParameters> {
   }
 
   void draw(const Parameters& p, app::Frame& frame) override {
-    const gl::Texture& texture = textures_.get({p.texture, p.flip_v, p.linear_light}, [&] {
+    const GLenum minify = minify_filter(p);
+    const bool mipmapped = minify != GL_NEAREST && minify != GL_LINEAR;
+    const gl::Texture& texture = textures_.get({p.texture, p.flip_v, p.linear_light, mipmapped}, [&] {
       image::Image8 picture = gl::expand_grey(frame.assets().texture(p.texture));
       if (p.flip_v) picture = image::flipped(picture);
-      return upload(picture, p.linear_light ? image::Encoding::srgb : image::Encoding::linear);
+      return upload(picture, p.linear_light ? image::Encoding::srgb : image::Encoding::linear, mipmapped);
     });
     gl::Program& program = frame.program("01_texture_quad/texture_quad");
     const glm::mat4 world_from_object = glm::rotate(glm::mat4(1), glm::radians(-p.tilt), glm::vec3(1, 0, 0));
@@ -87,8 +89,8 @@ struct TextureQuad : app::Lab<TextureQuadParameters> {
     glEnableVertexAttribArray(location);
   }
 
-  /// A texture object with all its mipmap levels.
-  static gl::Texture upload(const image::Image8& picture, image::Encoding encoding) {
+  /// A texture object with all its mipmap levels; for a filter that is not `mipmapped` the picture is enough.
+  static gl::Texture upload(const image::Image8& picture, image::Encoding encoding, bool mipmapped) {
     gl::Texture texture;
     glBindTexture(GL_TEXTURE_2D, texture.id());
     //@step 1.4 begin
@@ -96,9 +98,11 @@ struct TextureQuad : app::Lab<TextureQuadParameters> {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     const gl::Format format = gl::format_of(picture.channels, encoding);
     GLint level = 0;
-    for (const image::Image8& smaller : image::mip_chain(picture, encoding))
+    for (const image::Image8& smaller : image::mip_chain(picture, encoding)) {
       glTexImage2D(GL_TEXTURE_2D, level++, static_cast<GLint>(format.internal), smaller.width, smaller.height,
                    0, format.external, GL_UNSIGNED_BYTE, smaller.samples.data());
+      if (!mipmapped) break;
+    }
     //@starter
     // // Only the full picture, and grey unless it has four channels.
     // image::Image8 shown(picture.width, picture.height, 4);
@@ -141,7 +145,7 @@ struct TextureQuad : app::Lab<TextureQuadParameters> {
 
   struct TextureKey {
     std::string name;
-    bool flip_v, linear_light;
+    bool flip_v, linear_light, mipmapped;
     bool operator==(const TextureKey&) const = default;
   };
   app::Cache<TextureKey, gl::Texture> textures_;

@@ -83,7 +83,7 @@ struct MultiTexture : app::Lab<MultiTextureParameters> {
         "texel", picture.samples.size() / static_cast<std::size_t>(picture.channels), [picture, p] {
           const image::Encoding encoding =
               p.method == Method::encoded ? image::Encoding::linear : image::Encoding::srgb;
-          upload(picture, encoding, p.mipmaps);
+          upload(picture, encoding, is_mipmapped(p), p.mipmaps);
           glFinish();
         }};
   }
@@ -102,18 +102,25 @@ struct MultiTexture : app::Lab<MultiTextureParameters> {
   /// A texture object with its levels.
   const gl::Texture& texture_object(const Parameters& p, const std::string& name, bool premultiply) {
     const bool is_linear = p.method != Method::encoded;
-    return textures_.get({name, is_linear, premultiply, p.mipmaps}, [&] {
+    return textures_.get({name, is_linear, premultiply, is_mipmapped(p), p.mipmaps}, [&] {
       image::Image8 picture = gl::expand_grey(assets_.texture(name));
       if (premultiply) picture = premultiplied(std::move(picture));
       // With an sRGB format the sampler decodes before it filters.
-      return upload(picture, is_linear ? image::Encoding::srgb : image::Encoding::linear, p.mipmaps);
+      return upload(picture, is_linear ? image::Encoding::srgb : image::Encoding::linear, is_mipmapped(p),
+                    p.mipmaps);
     });
   }
 
-  static gl::Texture upload(const image::Image8& picture, image::Encoding encoding, Mipmaps mipmaps) {
+  static bool is_mipmapped(const Parameters& p) {
+    return p.minify != Minify::nearest && p.minify != Minify::linear;
+  }
+
+  static gl::Texture upload(const image::Image8& picture, image::Encoding encoding, bool mipmapped,
+                            Mipmaps mipmaps) {
     gl::Texture texture;
     glBindTexture(GL_TEXTURE_2D, texture.id());
     gl::upload_level(GL_TEXTURE_2D, 0, picture, encoding);
+    if (!mipmapped) return texture;  // no filter reads smaller levels
     //@step 2.4 begin
     if (mipmaps == Mipmaps::driver) {
       glGenerateMipmap(GL_TEXTURE_2D);
@@ -136,7 +143,7 @@ struct MultiTexture : app::Lab<MultiTextureParameters> {
 
   struct TextureKey {
     std::string name;
-    bool is_linear, premultiplied;
+    bool is_linear, premultiplied, mipmapped;
     Mipmaps mipmaps;
     bool operator==(const TextureKey&) const = default;
   };

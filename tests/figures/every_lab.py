@@ -104,6 +104,9 @@ def objects():
 
 
 def test_only_what_the_scene_needs_is_there(_):
+    for view in labs.data_views(PROGRAM):
+        stats = json.loads(ran("--stats", "-", "--size", "128x128", "--view", view))
+        expect(not stats["warnings"], view, stats["warnings"])
     stats = json.loads(ran("--stats", "-", "--size", "128x128"))
     expect("lab" + stats["lab"] == NAME and stats["renderer"] and stats["version"], stats)
     # A warning names what is uploaded, bound or declared and not read, and what is read and not there.
@@ -112,6 +115,7 @@ def test_only_what_the_scene_needs_is_there(_):
     positions = [attribute["name"] for attribute in stats["attributes"]].count("position")
     expect(1 <= positions <= stats["draw_calls"] and stats["textures"] and stats["peak_bytes"] > 1e6, stats)
     expect(all(attribute["bytes"] > 0 for attribute in stats["attributes"]), stats)
+    expect(stats["index_bytes"] > 0 and stats["index_bytes"] <= 4 * 3 * stats["triangles"], stats)
     for texture in stats["textures"]:
         expect(min(texture["width"], texture["height"], texture["bytes"]) > 0 and texture["format"], texture)
     times = stats["milliseconds"]

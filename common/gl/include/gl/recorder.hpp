@@ -2,6 +2,7 @@
 #pragma once
 #include <glad/gl.h>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,10 +30,10 @@ struct Record {
   };
   long long vertices = 0, triangles = 0;
   int draw_calls = 0;
+  long long index_bytes = 0;
   std::vector<AttributeUse> attributes;
   std::vector<TextureUse> textures;
-  /// Why something is invisible: incomplete mipmaps, a unit without a texture, an attribute that nothing
-  /// reads, …
+  /// Why something is invisible: incomplete mipmaps, a unit without a texture, …
   std::vector<std::string> warnings;
 };
 
@@ -51,10 +52,12 @@ class Recorder {
   static void GLAD_API_PTR on_draw_arrays(GLenum mode, GLint first, GLsizei count);
   static void GLAD_API_PTR on_draw_elements(GLenum mode, GLsizei count, GLenum type, const void* indices);
   void inspect(GLenum mode, GLsizei count);
+  void inspect_indices();
   void inspect_attributes(GLuint program);
   void inspect_samplers(GLuint program);
   void warn(const std::string& text);
   Record record_;
+  std::set<GLint> index_buffers_;  ///< that were counted
   PFNGLDRAWARRAYSPROC draw_arrays_;
   PFNGLDRAWELEMENTSPROC draw_elements_;
 };
