@@ -41,7 +41,9 @@ struct Answer final : app::Answer<TextureQuadParameters> {
         .world_from_object = truth::tilted(p.tilt),
         .texcoord_map = {.linear = glm::dmat2(p.texture_scale), .offset = glm::dvec2(p.texture_offset)},
         .texture = look_up};
-    return answers::mean_in_steps([picture](glm::dvec2 window) { return picture.at(window); });
+    if (p.wrap == Wrap::clamp) return answers::mean_in_steps(picture, nullptr);
+    const double period = p.wrap == Wrap::mirrored ? 2 : 1;
+    return answers::mean_in_steps(picture, std::make_shared<truth::RepeatedTexture>(look_up, period));
   }
 };
 

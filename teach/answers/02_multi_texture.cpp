@@ -61,7 +61,7 @@ struct Answer final : app::Answer<MultiTextureParameters> {
                                      .world_from_object = truth::tilted(p.tilt),
                                      .texcoord_map = {.linear = glm::dmat2(p.texture_scale)},
                                      .texture = look_up};
-    return answers::mean_in_steps([picture](glm::dvec2 window) { return picture.at(window); });
+    return answers::mean_in_steps(picture, std::make_shared<truth::RepeatedTexture>(look_up));
   }
 };
 

@@ -58,6 +58,51 @@ TEST(TruthQuadPicture, checker_of_whole_periods_a_pixel_is_grey) {
   for (int i = 0; i < 40; ++i) EXPECT_EQ(pixel(picture, i, (7 * i) % 40).r, 0.5);
 }
 
+TEST(RepeatedTexture, has_the_mean_over_areas_of_any_shape_and_place) {
+  // Stripes of the width 1/8 across s, one in eight white: the mean over a parallelogram by hand, exact.
+  const RepeatedTexture stripes([](dvec2 st) { return dvec4(st.s - std::floor(st.s) < 0.125 ? 1 : 0); });
+  const auto covered = [](double s) {  // of the numbers from 0 to s
+    return std::floor(s) * 0.125 + std::min(s - std::floor(s), 0.125);
+  };
+  for (const double s : {-3.71, 0.0, 0.06, 1e6 + 0.33}) {
+    const double width = 2.3;
+    const auto mean = stripes.mean({dvec2(s, 5.4), {s + width, 5.4}, {s + width, 6.1}, {s, 6.1}});
+    ASSERT_TRUE(mean);
+    EXPECT_NEAR(mean->r, (covered(s + width) - covered(s)) / width, 1e-9) << s;
+  }
+  // Against a million samples of a picture, over quadrilaterals of any shape.
+  const auto brick = [](dvec2 st) { return procedural::color(procedural::Texture::brick, st.s, st.t); };
+  const RepeatedTexture repeated(brick);
+  constexpr std::array<dvec2, 4> shapes[] = {{{{0.2, 0.1}, {1.7, 0.4}, {1.9, 1.3}, {0.3, 0.9}}},
+                                             {{{0.5, -4}, {0.9, 0.2}, {0.4, 3}, {0.1, 0.3}}},
+                                             {{{7, 7}, {7, 7.3}, {6.6, 7.3}, {6.6, 7}}}};
+  for (const auto& c : shapes) {
+    dvec4 sum(0);
+    double area = 0;
+    constexpr int n = 300;
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) {
+        const double u = (i + 0.5) / n, v = (j + 0.5) / n;
+        const dvec2 du = glm::mix(c[1] - c[0], c[2] - c[3], v), dv = glm::mix(c[3] - c[0], c[2] - c[1], u);
+        const double part = std::abs(du.x * dv.y - du.y * dv.x);
+        sum += part * brick(glm::mix(glm::mix(c[0], c[1], u), glm::mix(c[3], c[2], u), v));
+        area += part;
+      }
+    const auto mean = repeated.mean(c);
+    ASSERT_TRUE(mean);
+    // Measured 1.4e-4: the sums have 512 x 512 cells.
+    for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR((*mean)[channel], (sum / area)[channel], 5e-4);
+  }
+  EXPECT_FALSE(repeated.mean({dvec2(0, 0), {0.1, 0}, {0.1, 0.1}, {0, 0.1}})) << "a few samples are as good";
+}
+
+TEST(RepeatedTexture, may_repeat_after_more_than_one) {
+  const RepeatedTexture halves([](dvec2 st) { return dvec4(std::fmod(st.s, 2) < 1 ? 1 : 0); }, 2);
+  const auto mean = halves.mean({dvec2(0.5, 0), {3, 0}, {3, 1}, {0.5, 1}});
+  ASSERT_TRUE(mean);
+  EXPECT_NEAR(mean->g, 1.5 / 2.5, 1e-12);
+}
+
 TEST(TruthQuadPicture, tilt_leans_the_top_away_and_alpha_is_the_coverage) {
   QuadPicture picture = checker_picture();
   picture.world_from_object = tilted(60);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -11,6 +12,7 @@
 #include "image/color.hpp"
 #include "procedural/cube.hpp"
 #include "procedural/textures.hpp"
+#include "truth/texture.hpp"
 
 namespace texel::answers {
 
@@ -37,23 +39,24 @@ inline ColorOf cube_map_color(const std::string& name) {
 /// The colour at a place of the picture: linear-light RGB and alpha 1, or zero beside the object.
 using ColorAt = std::function<glm::dvec4(glm::dvec2 window)>;
 
+/// Linear light as levels of the 8-bit picture, sRGB-encoded and not rounded; above 1 it is clipped.
+inline glm::dvec3 steps(glm::dvec3 light) {
+  const glm::dvec3 clipped = glm::min(light, 1.0);
+  return 255.0 * glm::dvec3(image::srgb_from_linear(clipped.r), image::srgb_from_linear(clipped.g),
+                            image::srgb_from_linear(clipped.b));
+}
+
 /// The colour that a pixel should have: the mean of the object's light over the pixel (a box filter), in
 /// levels of the 8-bit picture, sRGB-encoded and not rounded; light above 1 is clipped after the mean.
 /// Nothing where the pixel's middle misses the object.
 ///
-/// A few samples are enough where the picture is smooth, and a hundred are slow everywhere. So 16 are taken,
-/// and 128 where the means of the earlier and of the later half differ by two levels or more, or two samples
-/// by so much that the halves may agree by chance. For black and white fields much smaller than a pixel
-/// 128 samples leave an error of 6 to 10 levels on average.
+/// A few samples are enough where the picture is smooth, and a thousand are slow everywhere. So 16 are taken,
+/// and 128 or 1,024 where the means of the earlier and of the later half differ by two levels or more, or two
+/// samples by so much that the halves may agree by chance.
 inline std::optional<glm::dvec3> mean_in_steps(const ColorAt& color, glm::dvec2 middle) {
   constexpr double agree = 2, chance = 64;  // levels
   const glm::dvec4 in_the_middle = color(middle);
   if (in_the_middle.a == 0) return std::nullopt;
-  const auto steps = [](glm::dvec3 light) {
-    const glm::dvec3 clipped = glm::min(light, 1.0);
-    return 255.0 * glm::dvec3(image::srgb_from_linear(clipped.r), image::srgb_from_linear(clipped.g),
-                              image::srgb_from_linear(clipped.b));
-  };
   const auto apart = [&](glm::dvec3 a, glm::dvec3 b) {
     const glm::dvec3 difference = glm::abs(steps(a) - steps(b));
     return std::max({difference.r, difference.g, difference.b});
@@ -69,12 +72,21 @@ inline std::optional<glm::dvec3> mean_in_steps(const ColorAt& color, glm::dvec2 
       least = glm::min(least, glm::dvec3(sample));
       greatest = glm::max(greatest, glm::dvec3(sample));
     }
-    const bool settled = earlier.a > 0 && later.a > 0 && apart(mean(earlier), mean(later)) < agree &&
-                         apart(least, greatest) < chance;
-    if (!settled && count == 16) continue;
+    const bool agreed = earlier.a > 0 && later.a > 0 && apart(mean(earlier), mean(later)) < agree;
+    if (count < 1024 && !(agreed && (count > 16 || apart(least, greatest) < chance))) continue;
     const glm::dvec4 all = earlier + later;
     return steps(mean(all.a > 0 ? all : in_the_middle));  // a corner's tip may lie between samples
   }
+}
+
+/// The truth of a square with a texture: `repeated` is the same texture, null if it does not repeat.
+inline app::Truth mean_in_steps(truth::QuadPicture picture,
+                                std::shared_ptr<const truth::RepeatedTexture> repeated) {
+  return [picture = std::move(picture), repeated = std::move(repeated)](glm::dvec2 middle) {
+    if (repeated)
+      if (const auto mean = picture.mean(*repeated, middle)) return std::optional(steps(glm::dvec3(*mean)));
+    return mean_in_steps([&](glm::dvec2 window) { return picture.at(window); }, middle);
+  };
 }
 
 /// The truth of a picture of such colours.
