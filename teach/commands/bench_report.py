@@ -21,9 +21,11 @@ and what a frame costs, as `./run accuracy` measured on {}.
 
 A filled dot, ● in the tables, is on the Pareto front: no other method of the case is cheaper and as close, or closer and as cheap.
 Colours are ranked by the rms of their error, everything else by the mean.
-`frame` is the median of interleaved rounds. `ratio` is that time over the time of the case's cheapest method, ± half the \
-distance of its quartiles.
-Costs within that distance (at least 3 %) and errors within 2 % count as equal. `memory` holds vertices, indices and textures.
+A picture has 256x256 pixels, or what its case says, and one sample in each. `max` is often one pixel at a silhouette; `P99` leaves
+the worst hundredth out. `covered` is the part of the exact object's pixels in which the method draws something.
+`frame` is the median of interleaved rounds, {} to {} of them. `ratio` is that time over the time of the case's cheapest method, ± half \
+the interval in which the median lies with 95 %.
+Costs whose intervals overlap (at least 3 %) and errors within 2 % count as equal. `memory` holds vertices, indices and textures.
 """
 
 GPU = """`ratio, GPU` is the ratio by a graphics card, {}, by its own clock.
@@ -84,6 +86,11 @@ def bytes_text(count):
     return f"{count / 1e3:.1f} kB" if count < 10_000_000 else f"{count / 1e6:.1f} MB"
 
 
+def covered(one):
+    text = f"{100 * one['pixels'] / one['truth_pixels']:.1f} %"
+    return f"{text}, {one['non_finite']} not finite" if one["non_finite"] else text
+
+
 def ratio(one):
     return "" if one is None or one["cost_ns"] is None else f"{one['cost_ratio']:.2f} ± {one['cost_ratio'] * one['cost_spread']:.2f}"
 
@@ -114,7 +121,7 @@ class Section:
                    "rms": lambda one: figure(one["rms"]),
                    "P99": lambda one: figure(one["p99"]),
                    "max": lambda one: figure(one["max"]),
-                   "not finite": lambda one: str(one["non_finite"]),
+                   "covered": covered,
                    "frame": lambda one: "" if one["cost_ns"] is None else f"{one['cost_ns'] / 1e6:.2f} ms",
                    "ratio": ratio}
         if self.of.by_gpu:
@@ -288,7 +295,8 @@ def gpu_text(labs, gpu):
 
 def markdown(labs, renderer, gpu, folder):
     """docs/accuracy.md, whose plots are `folder`/NN_name-1.svg …; `gpu` is the graphics card's name."""
-    out = INTRODUCTION.format(renderer) + gpu_text(labs, gpu) + claims(labs)
+    rounds = [one["rounds"] for of in labs for one in of.results if one.get("rounds")] or [0]
+    out = INTRODUCTION.format(renderer, min(rounds), max(rounds)) + gpu_text(labs, gpu) + claims(labs)
     for of in labs:
         out += f"\n## {of.lab['number']} {of.lab['title']}\n\n{of.lab.get('choice', '')}\n"
         for i, plot in enumerate(plots(of)):

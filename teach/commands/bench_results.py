@@ -11,7 +11,7 @@ import pathlib
 from course import Failure, reading
 
 ALL_CASES = "all cases"  # the name of the results that sum up all cases of one truth
-ERRORS = ("lab", "parameter", "method", "case", "truth", "unit", "mean", "rms", "p99", "max", "pixels", "non_finite")
+ERRORS = ("lab", "parameter", "method", "case", "truth", "unit", "mean", "rms", "p99", "max", "pixels", "truth_pixels", "non_finite")
 LEAST_SPREAD, SAME_ERROR = 0.03, 0.02  # costs and errors this close to each other count as equal
 # Errors of two reports that are closer are the same. float32 rounds directions to a few 1e-6 degrees.
 SAME_PART, SAME_UNITS = 0.05, 1e-5
@@ -56,13 +56,20 @@ def median(values):
     return quantile(values, 0.5)
 
 
+def median_interval(values):
+    """In which the median lies with 95 %, whatever the distribution: ranks half of 1.96 sqrt(n) to both sides (H. A. David and H. N. Nagaraja,
+    "Order Statistics", 2003, section 7.1)."""
+    rank = max(math.floor(len(values) / 2 - 0.98 * math.sqrt(len(values))), 0)
+    return sorted(values)[rank], sorted(values)[len(values) - 1 - rank]
+
+
 def mark_front(results):
     """Marks those that no other one beats: cheaper and no worse, or better and no dearer."""
 
     def beats(a, b):
         if a["truth"] != b["truth"] or a["non_finite"]:
             return False
-        same_cost = max(LEAST_SPREAD, a["cost_spread"], b["cost_spread"])
+        same_cost = max(LEAST_SPREAD, a["cost_spread"] + b["cost_spread"])  # their intervals overlap
         cheaper, dearer = (a["cost_ratio"] < b["cost_ratio"] * (1 - same_cost), a["cost_ratio"] > b["cost_ratio"] * (1 + same_cost))
         better, worse = (error(a) < (1 - SAME_ERROR) * error(b), error(a) > (1 + SAME_ERROR) * error(b))
         return (cheaper and not worse) or (better and not dearer)
@@ -76,12 +83,14 @@ def add_costs(results, raw):
     frames = [one["frame_ns"] for one in raw]
     if len({len(times) for times in frames}) > 1:
         raise Failure(f"case '{results[0]['case']}' has not the same number of rounds for each method")
-    cheapest = min(frames, key=median)
-    for result, one, times in zip(results, raw, frames):
-        ratios = [time / least for time, least in zip(times, cheapest)]
-        ratio = median(ratios)
-        spread = (quantile(ratios, 0.75) - quantile(ratios, 0.25)) / (2 * ratio)  # half the distance of the quartiles, as a part
-        result.update(cost_ns=float(median(times)), cost_ratio=ratio, cost_spread=spread)
+    # What slows a round down slows all its methods: each time counts beside the geometric mean of its round.
+    rounds = [math.exp(sum(map(math.log, times)) / len(times)) for times in zip(*frames)]
+    shares = [[time / of_round for time, of_round in zip(times, rounds)] for times in frames]
+    cheapest = min(map(median, shares))
+    for result, one, times, share in zip(results, raw, frames, shares):
+        low, high = median_interval(share)
+        result.update(cost_ns=float(median(times)), cost_ratio=median(share) / cheapest, cost_spread=(high - low) / (2 * median(share)),
+                      rounds=len(times))
         if "prepare_ns" in one:
             result.update(prepare_ns=float(median(one["prepare_ns"])), prepare_of=one["prepare_of"])
 
@@ -115,6 +124,7 @@ def read_report(file):
     with reading(file, remedy):
         report = json.loads(pathlib.Path(file).read_text(encoding="utf-8"))
         for result in report["results"]:
+            result.setdefault("truth_pixels", result.get("pixels"))  # a report from before they were counted
             if missing := {*ERRORS, "bytes", "cost_ns", "cost_ratio", "cost_spread", "pareto"} - set(result):
                 raise Failure(f"{file}: a result has no {sorted(missing)[0]}; {remedy}")
         return report | {"renderer": str(report["renderer"])}
@@ -158,6 +168,7 @@ def sum_of(same):
     result = {key: value for key, value in same[0].items() if not key.startswith("prepare_")}
     return result | {"case": ALL_CASES, "mean": mean("mean"), "rms": math.sqrt(sum(one["rms"] * one["rms"] / len(same) for one in same)),
                      "p99": most("p99"), "max": most("max"), "pixels": sum(one["pixels"] for one in same),
+                     "truth_pixels": sum(one["truth_pixels"] for one in same),
                      "non_finite": sum(one["non_finite"] for one in same), "bytes": most("bytes"), "cost_ns": mean("cost_ns"),
                      "cost_ratio": math.exp(sum(math.log(one["cost_ratio"]) / len(same) for one in same)), "cost_spread": most("cost_spread")}
 

@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from random import Random
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.dont_write_bytecode = True
@@ -32,7 +33,7 @@ def texel(*arguments):
 def entry(case, method, mean, times, non_finite=0, parameter="method"):
     """One entry of a lab's --bench."""
     return {"lab": "05_normal_map", "case": case, "parameter": parameter, "method": method, "truth": "relief", "unit": "degrees", "mean": mean,
-            "rms": 0, "p99": 0, "max": 0, "pixels": 9, "non_finite": non_finite, "bytes": 7, "frame_ns": times}
+            "rms": 0, "p99": 0, "max": 0, "pixels": 9, "truth_pixels": 10, "non_finite": non_finite, "bytes": 7, "frame_ns": times}
 
 
 class LabOutput(unittest.TestCase):
@@ -49,7 +50,20 @@ class LabOutput(unittest.TestCase):
         report = self.read(entry("flat", "quick", 4, [10, 90, 20]), entry("flat", "slow", 1, [20, 180, 60]))
         self.assertEqual(report["renderer"], "paper")
         # Of 2, 2 and 3: the slow round slowed both.
-        self.assertEqual([(one["cost_ns"], one["cost_ratio"]) for one in report["results"]], [(20, 1), (60, 2)])
+        self.assertEqual([(one["cost_ns"], round(one["cost_ratio"], 12)) for one in report["results"]], [(20, 1), (60, 2)])
+
+    def test_counts_costs_whose_intervals_overlap_as_equal(self):
+        """Made-up times: two methods that cost the same on a machine on which each round is up to four times as slow as another, and one that
+        costs 1.3 of them. Marks are the same for each of thirty runs."""
+        for run in range(30):
+            random = Random(run)
+            slow = [random.uniform(1, 4) for _ in range(50)]
+            times = {name: [1000 * cost * by * random.uniform(0.9, 1.2) for by in slow] for name, cost in (("a", 1), ("b", 1), ("dear", 1.3))}
+            results = self.read(entry("flat", "a", 2, times["a"]), entry("flat", "b", 1, times["b"]), entry("flat", "dear", 1, times["dear"]))["results"]
+            self.assertEqual([one["pareto"] for one in results], [False, True, False], run)
+            self.assertGreaterEqual(min(one["cost_ratio"] for one in results), 1)
+            self.assertAlmostEqual(results[2]["cost_ratio"] / results[1]["cost_ratio"], 1.3, delta=0.1)  # measured 1.24 to 1.36
+            self.assertEqual(results[0]["rounds"], 50)
 
     def test_has_a_front_of_what_nothing_beats(self):
         rows = [("quick", 4, 10, 0, True),
