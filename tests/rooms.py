@@ -27,7 +27,7 @@ def sources():
 
 
 def room_of(path):
-    """teach/grade of teach/grade/include/grade/marks.hpp; "" for a file outside of all rooms."""
+    """teach/grade of teach/grade/include/grade/grader.hpp; "" for a file outside of all rooms."""
     parts = path.split("/")
     return "/".join(parts[:2]) if parts[0] in ROOMS and len(parts) > 2 else ""
 

@@ -21,7 +21,7 @@ struct Perceived {
 
 struct Comparison {
   image::Difference difference;
-  std::string unit;  ///< "8-bit steps", "degrees", "texels" or "own unit"
+  std::string unit;  ///< "8-bit steps", "degrees" or "own unit"
   std::optional<Perceived> perceived;
 };
 
@@ -46,68 +46,36 @@ bool holds_directions(const image::ImageF& picture) {
   return any;
 }
 
-void save_heatmap(const std::filesystem::path& file, const auto& make) {
-  if (!file.empty()) image::save_png(file, make());
-}
-
-image::Unit unit_of(const std::string& name, const image::ImageF& reference) {
-  if (name == "texels") return image::Unit::texels;
-  const bool degrees = name == "degrees" || (name == "auto" && holds_directions(reference));
-  return degrees ? image::Unit::degrees : image::Unit::own;
-}
-
-const char* name_of(image::Unit unit) {
-  switch (unit) {
-    case image::Unit::degrees:
-      return "degrees";
-    case image::Unit::texels:
-      return "texels";
-    case image::Unit::own:
-      break;
-  }
-  return "own unit";
-}
-
 Comparison compare_floats(const CompareOptions& options, image::Comparing comparing) {
   const image::ImageF reference = image::load_pfm(options.reference), image = image::load_pfm(options.image);
-  comparing.unit = unit_of(options.unit, reference);
-  if (!options.texels.empty()) {
-    comparing.texture_width = options.texels.front();
-    comparing.texture_height = options.texels.back();
-  }
-  const image::Difference difference = image::compare(reference, image, comparing);
-  save_heatmap(options.heatmap, [&] { return image::heatmap(reference, image, 0, comparing); });
-  return {difference, name_of(comparing.unit), {}};
+  const bool in_degrees = holds_directions(reference);
+  if (in_degrees) comparing.unit = image::Unit::degrees;
+  return {image::compare(reference, image, comparing), in_degrees ? "degrees" : "own unit", {}};
 }
 
 Comparison compare_colors(const CompareOptions& options, const image::Comparing& comparing) {
   const image::Image8 reference = image::load8(options.reference), image = image::load8(options.image);
   const image::Difference difference = image::compare(reference, image, comparing);
-  const image::ImageF errors = image::flip_errors(
-      reference, image, options.pixels_per_degree.value_or(image::default_pixels_per_degree));
-  const Perceived perceived = {image::flip_figures(errors, comparing.mask),
+  const Perceived perceived = {image::flip_figures(image::flip_errors(reference, image), comparing.mask),
                                image::ssim(reference, image, comparing.mask)};
-  save_heatmap(options.heatmap, [&] { return image::heatmap(reference, image, 0, comparing); });
-  save_heatmap(options.flip_heatmap, [&] { return image::flip_heatmap(errors, comparing.mask); });
   return {difference, "8-bit steps", perceived};
 }
 
 void print_json(const Comparison& result) {
   const image::Difference& d = result.difference;
-  std::string flip_mean = "null", flip_p99 = "null", flip_quartiles = "null", ssim = "null";
+  std::string flip_mean = "null", flip_p99 = "null", ssim = "null";
   if (result.perceived) {
     const image::FlipFigures& flip = result.perceived->flip;
     flip_mean = fmt::format("{}", flip.mean);
     flip_p99 = fmt::format("{}", flip.p99);
-    flip_quartiles = fmt::format("[{}, {}, {}]", flip.first_quartile, flip.median, flip.third_quartile);
     ssim = fmt::format("{}", result.perceived->ssim);
   }
   fmt::print(
       "{{\"width\": {}, \"height\": {}, \"max\": {}, \"mean\": {}, \"p99\": {}, \"flip_mean\": {}, "
-      "\"flip_p99\": {}, \"ssim\": {}, \"non_finite\": {}, \"flip_weighted_quartiles\": {}, "
+      "\"flip_p99\": {}, \"ssim\": {}, \"non_finite\": {}, "
       "\"forgiven\": {}, \"unit\": \"{}\"}}\n",
-      d.width, d.height, d.max, d.mean, d.p99, flip_mean, flip_p99, ssim, d.non_finite, flip_quartiles,
-      d.forgiven, result.unit);
+      d.width, d.height, d.max, d.mean, d.p99, flip_mean, flip_p99, ssim, d.non_finite, d.forgiven,
+      result.unit);
 }
 
 void print_text(const Comparison& result, bool edge_tolerance) {
@@ -139,27 +107,16 @@ bool within_limits(const CompareOptions& options, const Comparison& result) {
   return within && d.non_finite == 0;
 }
 
-void check_png(const char* option, const std::filesystem::path& file) {
-  if (!file.empty() && file.extension() != ".png")
-    throw Error::usage(fmt::format("{} cannot write '{}'", option, file.string()), "end the name in .png");
-}
-
 /// Throws Error (usage) for options that do not fit the files.
 void check_options(const CompareOptions& options) {
   if (is_float(options.reference) != is_float(options.image))
     throw Error::failed("a .pfm cannot be compared with a colour picture", {options.image.string()},
                         "draw both in the same format");
-  check_png("--heatmap", options.heatmap);
-  check_png("--flip-heatmap", options.flip_heatmap);
-  const bool asks_for_flip = options.flip || options.pixels_per_degree || !options.flip_heatmap.empty();
-  if (is_float(options.reference) && asks_for_flip)
-    throw Error::usage("FLIP compares colour pictures, not .pfm files",
-                       "leave out --flip, --flip-heatmap and --ppd");
-  if (!is_float(options.reference) && options.unit != "auto")
-    throw Error::usage("--unit is for .pfm files", "leave it out");
-  if ((options.unit == "texels") == options.texels.empty())
-    throw Error::usage("--unit texels and --texels go together",
-                       "give the texture's size, as in --unit texels --texels 512");
+  if (!options.heatmap.empty() && options.heatmap.extension() != ".png")
+    throw Error::usage(fmt::format("--heatmap cannot write '{}'", options.heatmap.string()),
+                       "end the name in .png");
+  if (is_float(options.reference) && options.flip)
+    throw Error::usage("FLIP compares colour pictures, not .pfm files", "leave out --flip");
 }
 
 }  // namespace
@@ -172,6 +129,7 @@ Exit compare(const CompareOptions& options) {
                                       .edge_tolerance = options.edge_tolerance};
   const Comparison result =
       is_float(options.reference) ? compare_floats(options, comparing) : compare_colors(options, comparing);
+  if (!options.heatmap.empty()) image::save_png(options.heatmap, image::heatmap(result.difference));
   if (options.json)
     print_json(result);
   else

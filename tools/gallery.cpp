@@ -2,19 +2,24 @@
 #include "gallery.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <map>
+#include <mutex>
+#include <regex>
 
-#include "app/assets.hpp"
 #include "commands.hpp"
 #include "core/files.hpp"
+#include "core/json.hpp"
 #include "core/parallel.hpp"
+#include "core/process.hpp"
 #include "core/terminal.hpp"
 #include "course/batch.hpp"
+#include "embedded.hpp"
 #include "image/load.hpp"
 #include "image/mipmaps.hpp"
 #include "image/save.hpp"
-#include "processes.hpp"
 
 namespace texel::tools {
 namespace {
@@ -28,33 +33,42 @@ fs::file_time_type newest_below(const fs::path& folder) {
   return newest;
 }
 
-/// A lab whose pictures are to be drawn into `folder`.
-struct Work {
-  const course::Lab* lab;
-  fs::path folder, list, program;
-};
+/// The look's picture below the gallery's folder: "05_normal_map/bricks.png".
+std::string picture(const course::Lab& lab, const course::Look& look) {
+  return lab.folder + "/" + look.file;
+}
 
-Work work_for(const course::Lab& lab, const fs::path& out) {
-  const fs::path folder = out / lab.folder;
-  return {&lab, folder, folder / "batch.json", program_of(lab)};
+/// The list of pictures from which a lab's were drawn.
+fs::path list_in(const fs::path& folder) {
+  return folder / "batch.json";
 }
 
 std::string batch_of(const course::Lab& lab) {
   return course::to_batch(std::vector<course::Case>(lab.looks.begin(), lab.looks.end()));
 }
 
-/// Whether every picture was drawn from the same list, and is newer than everything it depends on.
-bool is_current(const Work& work, const fs::path& root) {
-  if (!fs::exists(work.list) || read_file(work.list) != batch_of(*work.lab)) return false;
-  if (!fs::exists(work.program)) return false;
-  fs::file_time_type newest = std::max(fs::last_write_time(work.list), fs::last_write_time(work.program));
-  for (const char* part : {"shaders/app", "shaders/lib", "assets"})
-    newest = std::max(newest, newest_below(root / part));
-  newest = std::max(newest, newest_below(root / "shaders" / work.lab->folder));
-  return std::all_of(work.lab->looks.begin(), work.lab->looks.end(), [&](const course::Look& look) {
-    const fs::path file = work.folder / look.file;
-    return fs::exists(file) && fs::last_write_time(file) >= newest;
+/// Whether every picture in `folder` was drawn from the same list, and is newer than everything it depends
+/// on.
+bool is_current(const course::Lab& lab, const fs::path& folder, const fs::path& root) {
+  const fs::path list = list_in(folder), program = program_of(lab);
+  if (!fs::exists(list) || read_file(list) != batch_of(lab)) return false;
+  fs::file_time_type newest = std::max(fs::last_write_time(list), fs::last_write_time(program));
+  for (const fs::path& part :
+       {root / "shaders/app", root / "shaders/lib", root / "assets", root / "shaders" / lab.folder})
+    newest = std::max(newest, newest_below(part));
+  return std::ranges::all_of(lab.looks, [&](const course::Look& look) {
+    return fs::exists(folder / look.file) && fs::last_write_time(folder / look.file) >= newest;
   });
+}
+
+/// Whether the lab's program knows the right answers and draws the view `error`; in a student's tree it does
+/// not.
+bool knows_truth(const course::Lab& lab) {
+  const Ran ran = run_program({program_of(lab), "--list-views"});
+  if (ran.exit_code != 0)
+    throw Error::failed("does not list its views; build it again with ./run build",
+                        {program_of(lab).string()});
+  return ("\n" + ran.output).find("\nerror\n") != std::string::npos;
 }
 
 /// Removes looks that need the right answers, if this tree has none, and says so.
@@ -62,7 +76,7 @@ void leave_out_errors(std::vector<course::Lab>& labs) {
   std::size_t left_out = 0;
   for (course::Lab& lab : labs) {
     const auto is_error = [](const course::Look& look) { return look.view == course::View::error; };
-    if (std::any_of(lab.looks.begin(), lab.looks.end(), is_error) && !knows_truth(lab))
+    if (std::ranges::any_of(lab.looks, is_error) && !knows_truth(lab))
       left_out += std::erase_if(lab.looks, is_error);
   }
   if (left_out > 0)
@@ -75,27 +89,30 @@ void say(const course::Lab& lab, const char* what) {
 }
 
 /// Draws everything that is not up to date. Throws if a lab fails, after the others have ended.
-void draw(const std::vector<Work>& all, const fs::path& root) {
-  std::vector<Work> works;
-  for (const Work& work : all) {
-    if (work.lab->looks.empty()) continue;
-    if (is_current(work, root))
-      say(*work.lab, "unchanged");
+void draw(const std::vector<course::Lab>& labs, const fs::path& out) {
+  const fs::path root = course_root();
+  std::vector<const course::Lab*> changed;
+  for (const course::Lab& lab : labs) {
+    if (lab.looks.empty()) continue;
+    if (!fs::exists(program_of(lab)))
+      throw Error::failed("is missing", {program_of(lab).string()}, "build it with ./run build");
+    if (is_current(lab, out / lab.folder, root))
+      say(lab, "unchanged");
     else
-      works.push_back(work);
-  }
-  std::vector<Command> commands;
-  for (const Work& work : works) {
-    make_folder(work.folder);
-    write_file(work.list, batch_of(*work.lab));
-    commands.push_back(
-        {work.program, "--assets", root, "--batch", work.list.string(), "--out", work.folder.string()});
+      changed.push_back(&lab);
   }
   std::string failed;
-  const int at_once = static_cast<int>(processors());
-  run_all(commands, at_once, [&](std::size_t index, int status) {
-    say(*works[index].lab, status == 0 ? "drawn" : "FAILED");
-    if (status != 0) failed += (failed.empty() ? "" : ", ") + works[index].lab->program();
+  std::mutex mutex;
+  in_parallel(processors(), changed.size(), [&](std::size_t index) {
+    const course::Lab& lab = *changed[index];
+    const fs::path folder = out / lab.folder, list = list_in(folder);
+    make_folder(folder);
+    write_file(list, batch_of(lab));
+    const int status = run_into({program_of(lab), "--assets", root, "--batch", list, "--out", folder},
+                                STDOUT_FILENO, STDERR_FILENO);
+    const std::scoped_lock lock(mutex);
+    say(lab, status == 0 ? "drawn" : "FAILED");
+    if (status != 0) failed += (failed.empty() ? "" : ", ") + lab.program();
   });
   if (!failed.empty())
     throw Error::failed("could not draw the pictures of " + failed, {}, "see its message above");
@@ -128,11 +145,57 @@ std::string renderer(const std::vector<course::Lab>& labs, const fs::path& out) 
   return "an unnamed renderer";
 }
 
+Json described(const course::Lab& lab) {
+  Json looks = Json::array();
+  for (const course::Look& look : lab.looks) {
+    Json set = Json::object();
+    for (const course::Setting& setting : look.settings) set[setting.parameter] = setting.value;
+    looks.push_back({{"name", look.name},
+                     {"file", look.file},
+                     {"caption", look.caption},
+                     {"source", look.source},
+                     {"hero", look.hero},
+                     {"view", name_of(look.view)},
+                     {"width", look.size.width},
+                     {"height", look.size.height},
+                     {"set", set},
+                     {"command", course::command(lab, look)}});
+  }
+  return {{"number", lab.number},
+          {"folder", lab.folder},
+          {"title", lab.title},
+          {"lesson", lab.lesson},
+          {"looks", looks}};
+}
+
+/// The page as HTML. It names the pictures by their place below its own folder, and nothing else outside of
+/// itself.
+std::string page_of(const std::vector<course::Lab>& labs, const std::string& renderer) {
+  Json drawn = {{"renderer", renderer}, {"labs", Json::array()}};
+  for (const course::Lab& lab : labs) drawn["labs"].push_back(described(lab));
+  const std::string json = std::regex_replace(to_text(drawn), std::regex("<"), "\\u003c");  // no </script>
+  std::string page = kGalleryPage;
+  constexpr std::string_view kPlace = "{{drawn}}";
+  return page.replace(page.find(kPlace), kPlace.size(), json);
+}
+
+/// A '|' would end a table's cell, also inside of code.
+std::string cell(const std::string& text) {
+  return std::regex_replace(text, std::regex("\\|"), "\\|");
+}
+
+constexpr const char* kSourcesHead =
+    "# The sources' pictures\n\n"
+    "The labs implement three [sources](student.md#the-sources). Each picture that these show is drawn by "
+    "one command,\n"
+    "typed in the project's root; the faulty ones too. `texel gallery --list` prints this page from the "
+    "labs' `lab.toml`,\n"
+    "and a test holds it to that.\n";
+
 }  // namespace
 
 const course::Look* hero_of(const course::Lab& lab) {
-  const auto hero =
-      std::find_if(lab.looks.begin(), lab.looks.end(), [](const course::Look& look) { return look.hero; });
+  const auto hero = std::ranges::find(lab.looks, true, &course::Look::hero);
   return hero != lab.looks.end() ? &*hero : nullptr;
 }
 
@@ -142,25 +205,32 @@ void save_hero(const fs::path& from, const fs::path& to) {
   image::save_png(to, levels[std::min<std::size_t>(1, levels.size() - 1)], {}, 9);
 }
 
-std::string picture(const course::Lab& lab, const course::Look& look) {
-  return lab.folder + "/" + look.file;
+Exit list_sources() {
+  std::map<std::string, std::string> rows;  // document -> its pictures, in the labs' order
+  for (const course::Lab& lab : course_labs())
+    for (const course::Look& look : lab.looks) {
+      if (look.source.empty()) continue;
+      const std::size_t comma = look.source.find(", ");
+      const std::string place = comma == std::string::npos ? "" : look.source.substr(comma + 2);
+      rows[look.source.substr(0, comma)] += fmt::format("| {} | {} | `{}` |\n", cell(place),
+                                                        cell(look.caption), cell(course::command(lab, look)));
+    }
+  fmt::print("{}", kSourcesHead);
+  for (const auto& [document, table] : rows)
+    fmt::print("\n## {}\n\n| where | what it shows | command |\n|---|---|---|\n{}", document, table);
+  return Exit::holds;
 }
 
 Exit gallery(const GalleryOptions& options) {
   std::vector<course::Lab> labs = chosen_labs(options.labs);
   leave_out_errors(labs);
-  const fs::path root = app::Assets().shader_root().parent_path();
-  std::vector<Work> works;
-  std::size_t count = 0;
-  for (const course::Lab& lab : labs) {
-    works.push_back(work_for(lab, options.out));
-    count += lab.looks.size();
-  }
-  draw(works, root);
+  draw(labs, options.out);
   save_heroes(labs, options);
   make_folder(options.out);
   const fs::path page = options.out / "index.html";
-  write_file(page, gallery_page(labs, renderer(labs, options.out)));
+  write_file(page, page_of(labs, renderer(labs, options.out)));
+  std::size_t count = 0;
+  for (const course::Lab& lab : labs) count += lab.looks.size();
   fmt::print("{} pictures of {} labs: {}\n", count, labs.size(), page.string());
   return Exit::holds;
 }

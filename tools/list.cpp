@@ -6,7 +6,6 @@
 
 #include "app/assets.hpp"
 #include "commands.hpp"
-#include "core/process.hpp"
 
 namespace texel::tools {
 
@@ -29,33 +28,15 @@ std::vector<course::Lab> chosen_labs(const std::vector<int>& numbers) {
   std::vector<int> known;
   for (const course::Lab& lab : labs) known.push_back(lab.number);
   for (const int number : numbers)
-    if (std::find(known.begin(), known.end(), number) == known.end())
+    if (std::ranges::count(known, number) == 0)
       throw Error::usage(fmt::format("there is no lab {}", number),
                          fmt::format("the labs are {}", fmt::join(known, ", ")));
-  std::erase_if(labs, [&](const course::Lab& lab) {
-    return std::find(numbers.begin(), numbers.end(), lab.number) == numbers.end();
-  });
+  std::erase_if(labs, [&](const course::Lab& lab) { return std::ranges::count(numbers, lab.number) == 0; });
   return labs;
 }
 
 std::filesystem::path program_of(const course::Lab& lab) {
   return course_build() / "bin" / lab.program();
-}
-
-bool knows_truth(const course::Lab& lab) {
-  const Ran ran = run_program({program_of(lab), "--list-views"});
-  if (ran.exit_code != 0)
-    throw Error::failed("does not list its views; build it again with ./run build",
-                        {program_of(lab).string()});
-  return ("\n" + ran.output).find("\nerror\n") != std::string::npos;
-}
-
-void make_folder(const std::filesystem::path& folder) {
-  if (folder.empty()) return;  // of a file that lies here
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {folder.string()});
 }
 
 Exit list() {

@@ -26,28 +26,14 @@ void add_compare(CLI::App& app, CompareOptions& options) {
   command->add_flag("--json", options.json, "Print one JSON object");
   command->add_option("--mask", options.mask, "Count only pixels where this picture is not black");
   command->add_option("--heatmap", options.heatmap, "Write a .png of where they differ");
-  command->add_option("--flip-heatmap", options.flip_heatmap,
-                      "Write a .png of where a viewer sees the difference (FLIP)");
   command->add_option("--max", options.max, "Limit of the largest difference over R, G and B");
   command->add_option("--mean", options.mean, "Limit of the mean over all samples");
   command->add_option("--p99", options.p99,
                       "Limit of the 99th percentile over the pixels' largest differences");
   command->add_option("--flip", options.flip, "Limit of the mean of FLIP, 0 to 1");
-  command->add_option("--ppd", options.pixels_per_degree,
-                      "Pixels per degree of view for FLIP, 1 to 1000 [67.02]");
   command->add_flag(
       "--edge-tolerance", options.edge_tolerance,
       "At edges, accept a pixel that equals one of the 3x3 pixels around it in the other picture");
-  command
-      ->add_option(
-          "--unit", options.unit,
-          "How two .pfm files are compared: in their own unit, degrees between directions, texels between "
-          "texture coordinates, or auto: degrees if REF holds only unit vectors or zeros [auto]")
-      ->check(CLI::IsMember({"auto", "own", "degrees", "texels"}));
-  command->add_option("--texels", options.texels, "For --unit texels: the texture's size, as 512 or 512x256")
-      ->delimiter('x')
-      ->expected(1, 2)
-      ->check(CLI::Range(1, 1 << 20));
 }
 
 void add_gallery(CLI::App& app, GalleryOptions& options, bool& list) {
@@ -61,40 +47,37 @@ void add_gallery(CLI::App& app, GalleryOptions& options, bool& list) {
                     "Print a Markdown table: which command draws which picture of the sources");
 }
 
-/// What the student's commands take.
-struct StudentCommands {
+/// What the student's commands take: one of them runs.
+struct StudentOptions {
   CheckOptions check;
-  SeeOptions see;
-  WatchOptions watch;
-  HintOptions hint;
-  std::string progress_context = "auto", reset;
+  int lab = 0;
+  std::string step, context = "auto";
+  std::filesystem::path out;
 };
 
-void add_student(CLI::App& app, StudentCommands& all) {
-  CLI::App* check =
-      app.add_subcommand("check", "Show which steps are right, and how far the next one is off");
+void add_student(CLI::App& app, StudentOptions& options) {
+  const auto add = [&](const char* name, const char* what) {
+    CLI::App* command = app.add_subcommand(name, what);
+    add_context(command, options.context);
+    return command;
+  };
+  CLI::App* check = add("check", "Show which steps are right, and how far the next one is off");
   check->footer("Exit codes: 0 all steps passed, 1 not all, 2 wrong usage, 3 could not draw or compare.");
-  check->add_option("LAB", all.check.labs, "Numbers of labs [all]")->check(CLI::Range(1, 99));
-  check->add_flag("--json", all.check.json, "Print JSON: an object for one lab, a list for several");
-  check->add_flag("--unless-begun", all.check.unless_begun,
+  check->add_option("LAB", options.check.labs, "Numbers of labs [all]")->check(CLI::Range(1, 99));
+  check->add_flag("--json", options.check.json, "Print JSON: an object for one lab, a list for several");
+  check->add_flag("--unless-begun", options.check.unless_begun,
                   "Exit code 0 also if no step of these labs is begun");
-  add_context(check, all.check.context);
-  CLI::App* see = app.add_subcommand(
-      "see", "Write one picture of a step: yours, the expected one, and where they differ");
-  see->add_option("STEP", all.see.step, "A step as 5.1")->required();
-  see->add_option("--out", all.see.out, "The .png to write [out/see/STEP.png]");
-  add_context(see, all.see.context);
-  CLI::App* watch = app.add_subcommand("watch", "Check a lab after every save; h shows a hint, q quits");
-  watch->add_option("LAB", all.watch.lab, "The lab's number")->required()->check(CLI::Range(1, 99));
-  add_context(watch, all.watch.context);
-  CLI::App* hint = app.add_subcommand("hint", "Show one more hint for a step");
-  hint->add_option("STEP", all.hint.where, "A step as 5.1, or a lab's number [the next step of the course]");
-  add_context(hint, all.hint.context);
+  CLI::App* see = add("see", "Write one picture of a step: yours, the expected one, and where they differ");
+  see->add_option("STEP", options.step, "A step as 5.1")->required();
+  see->add_option("--out", options.out, "The .png to write [out/see/STEP.png]");
+  CLI::App* watch = add("watch", "Check a lab after every save; h shows a hint, q quits");
+  watch->add_option("LAB", options.lab, "The lab's number")->required()->check(CLI::Range(1, 99));
+  CLI::App* hint = add("hint", "Show one more hint for a step");
+  hint->add_option("STEP", options.step, "A step as 5.1, or a lab's number [the next step of the course]");
   CLI::App* reset =
       app.add_subcommand("reset", "Restore a step's starting code; your code is saved in another file");
-  reset->add_option("STEP", all.reset, "A step as 5.1")->required();
-  CLI::App* progress = app.add_subcommand("progress", "Show all labs with their steps and points");
-  add_context(progress, all.progress_context);
+  reset->add_option("STEP", options.step, "A step as 5.1")->required();
+  add("progress", "Show all labs with their steps and points");
 }
 
 /// CLI11 says only that a command is needed; this names the nearest.
@@ -102,7 +85,7 @@ void reject_unknown_command(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
+  if (std::ranges::count(names, argv[1]) > 0) return;
   const std::string near = nearest(argv[1], names);
   throw Error::usage(fmt::format("there is no command '{}'", argv[1]),
                      near.empty() ? fmt::format("the commands are {}", fmt::join(names, ", "))
@@ -115,7 +98,7 @@ Exit run(int argc, char** argv) {
   app.require_subcommand(1);
   CompareOptions compare_options;
   GalleryOptions gallery_options;
-  StudentCommands student;
+  StudentOptions student;
   bool list_only = false;
   app.add_subcommand("list", "List the labs");
   add_gallery(app, gallery_options, list_only);
@@ -134,12 +117,12 @@ Exit run(int argc, char** argv) {
   }
   if (app.got_subcommand("list")) return list();
   if (app.got_subcommand("compare")) return compare(compare_options);
-  if (app.got_subcommand("check")) return check(student.check);
-  if (app.got_subcommand("see")) return see(student.see);
-  if (app.got_subcommand("watch")) return watch(student.watch);
-  if (app.got_subcommand("hint")) return hint(student.hint);
-  if (app.got_subcommand("reset")) return reset(student.reset);
-  if (app.got_subcommand("progress")) return progress(student.progress_context);
+  if (app.got_subcommand("check")) return check(student.check, student.context);
+  if (app.got_subcommand("see")) return see(student.step, student.out, student.context);
+  if (app.got_subcommand("watch")) return watch(student.lab, student.context);
+  if (app.got_subcommand("hint")) return hint(student.step, student.context);
+  if (app.got_subcommand("reset")) return reset(student.step);
+  if (app.got_subcommand("progress")) return progress(student.context);
   if (more)
     if (const std::optional<Exit> done = more->run()) return *done;
   return list_only ? list_sources() : gallery(gallery_options);

@@ -11,7 +11,6 @@
 #include "core/parallel.hpp"
 #include "core/progress.hpp"
 #include "core/stages.hpp"
-#include "gl/cube_map.hpp"
 #include "image/load.hpp"
 
 namespace texel::app {
@@ -24,15 +23,12 @@ bool is_root(const fs::path& path) {
 }
 
 fs::path find_root(const fs::path& given) {
-  if (!given.empty()) {
-    if (is_root(given)) return given;
-    throw Error::failed("does not contain the folders assets/ and shaders/", {given.string()},
-                        "correct --assets");
-  }
-  if (const char* variable = std::getenv("TEXEL_ROOT"); variable != nullptr && *variable != '\0') {
-    if (is_root(variable)) return variable;
-    throw Error::failed("does not contain the folders assets/ and shaders/", {variable},
-                        "correct TEXEL_ROOT");
+  const char* variable = std::getenv("TEXEL_ROOT");
+  const fs::path named = given.empty() && variable != nullptr ? variable : given;
+  if (!named.empty()) {
+    if (is_root(named)) return named;
+    throw Error::failed("does not contain the folders assets/ and shaders/", {named.string()},
+                        given.empty() ? "correct TEXEL_ROOT" : "correct --assets");
   }
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
@@ -46,6 +42,21 @@ fs::path find_root(const fs::path& given) {
 /// "brick" is bundled, "./brick.png" and "photos/brick" are not.
 bool is_bundled_name(const std::string& name) {
   return name.find_first_of("./\\") == std::string::npos;
+}
+
+/// OpenGL would read other faces as black and say nothing.
+void check_cube_faces(const std::array<image::Image8, 6>& faces, const std::string& folder) {
+  constexpr const char* kNames[] = {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
+  const int side = faces[0].width;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const std::string shape =
+        fmt::format("the cube map's face {} has {}x{} texels", kNames[i], faces[i].width, faces[i].height);
+    const char* remedy = "use six square pictures of the same size";
+    if (faces[i].width != faces[i].height)
+      throw Error::failed(shape + " and is not square", {folder}, remedy);
+    if (faces[i].width != side)
+      throw Error::failed(fmt::format("{}, but face +X has {}x{}", shape, side, side), {folder}, remedy);
+  }
 }
 
 }  // namespace
@@ -98,7 +109,7 @@ std::array<image::Image8, 6> Assets::cube_map(const std::string& name) const {
     faces[i] = image::flipped(image::load8(folder / kFaces[i], 3));
     progress.say(fmt::format("{} of 6 faces read", ++done));
   });
-  gl::check_cube_faces(faces, folder.string());
+  check_cube_faces(faces, folder.string());
   return faces;
 }
 

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <future>
-#include <optional>
 #include <set>
 
 #include "app/snapshot.hpp"
@@ -29,44 +29,13 @@ void check(AnyLab& lab, const course::Case& one) {
   check_settings(lab.parameters(), one.settings);
 }
 
-/// What became of the cases so far, also in the folder's file.
-class Drawings {
- public:
-  Drawings(const std::filesystem::path& folder, std::string drawn_by)
-      : file_(folder / course::kDrawingsFile), drawn_by_(std::move(drawn_by)) {
-    save();
-  }
-
-  void add(const course::Case& one, double milliseconds) {
-    add({one.file, true, {}, {}, drawn_by_, milliseconds});
-  }
-  void add(const course::Case& one, const Error& fault) {
-    ++faults_;
-    std::fprintf(stderr, "%s: %s\n", one.file.c_str(), fault.what());
-    // Without the folder: the same file lies elsewhere for everybody.
-    const Place& place = fault.place();
-    const std::string file = std::filesystem::path(place.file).filename();
-    add({one.file,
-         false,
-         fault.what(),
-         place.line > 0 ? fmt::format("{}:{}", file, place.line) : file,
-         {},
-         0});
-  }
-  [[nodiscard]] std::size_t faults() const { return faults_; }
-
- private:
-  void add(course::Drawing drawing) {
-    all_.push_back(std::move(drawing));
-    save();
-  }
-  void save() const { write_file(file_, course::to_json(all_)); }
-
-  std::filesystem::path file_;
-  std::string drawn_by_;
-  std::vector<course::Drawing> all_;
-  std::size_t faults_ = 0;
-};
+course::Drawing not_drawn(const course::Case& one, const Error& fault) {
+  // Without the folder: the same file lies elsewhere for everybody.
+  const Place& place = fault.place();
+  const std::string file = std::filesystem::path(place.file).filename();
+  return {one.file, false, fault.what(), place.line > 0 ? fmt::format("{}:{}", file, place.line) : file,
+          {},       0};
+}
 
 }  // namespace
 
@@ -93,9 +62,7 @@ double pixels_per_program(const Batch& batch, const params::Set& parameters) {
     pixels += static_cast<double>(one.size.width) * one.size.height;
     std::set<std::string> constants = {name_of(one.view)};
     for (const auto& [name, value] : one.settings) {
-      const params::Parameter::Type type = parameters.find(name)->type;
-      if (type == params::Parameter::Type::choice || type == params::Parameter::Type::toggle)
-        constants.insert(name + "=" + value);
+      if (parameters.find(name)->is_constant()) constants.insert(name + "=" + value);
     }
     programs.insert(fmt::format("{}", fmt::join(constants, " ")));
   }
@@ -111,54 +78,57 @@ void write_mesh(AnyLab& lab, const Assets& assets, const std::filesystem::path& 
 
 void draw_batch(Canvas& canvas, AnyLab& lab, const Assets& assets, const Batch& batch,
                 const std::filesystem::path& folder, int samples) {
-  const bool at_once = processors() > 1;  // a picture is compressed while the next is drawn
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {folder.string()});
+  make_folder(folder);
+  // A picture is compressed while the next is drawn, or at once.
+  const bool in_turn = processors() == 1;
   const StartValues start(lab.parameters());
-  Drawings drawings(folder, canvas.context().name());
-  const course::Case* before = nullptr;  // the one that is being written
-  double milliseconds = 0;               // that drawing it took
-  std::future<void> written;
-  const auto finish_writing = [&] {
-    if (written.valid()) try {
-        written.get();
-        drawings.add(*before, milliseconds);
-      } catch (const Error& fault) {
-        drawings.add(*before, fault);
-      }
-  };
-  for (const course::Case& one : batch) {
-    std::optional<Snapshot> snapshot;
-    std::optional<Error> fault;
+  const auto draw = [&](const course::Case& one) {
+    const std::filesystem::path file = folder / one.file;
     const Stopwatch stopwatch;
+    std::function<void()> write = [] {};
     try {
       start.set(one.settings);
-      const std::filesystem::path file = folder / one.file;
       if (one.is_mesh()) {
         write_mesh(lab, assets, file);
       } else {
         canvas.draw(one.view, pixels(one.size), samples);
-        snapshot = take_snapshot(canvas, lab, one.view, pixels(one.size), file);
+        write = [taken = take_snapshot(canvas, lab, one.view, pixels(one.size), file)] { taken.write(); };
       }
-    } catch (const Error& thrown) {
-      fault = thrown;
+    } catch (const Error& fault) {
+      write = [fault] { throw fault; };
     }
-    const double own_milliseconds = stopwatch.milliseconds();
-    finish_writing();
-    if (fault)
-      drawings.add(one, *fault);
-    else if (!snapshot)
-      drawings.add(one, own_milliseconds);
-    if (!snapshot) continue;
-    before = &one, milliseconds = own_milliseconds;
-    written = std::async([taken = std::move(*snapshot)] { taken.write(); });
-    if (!at_once) finish_writing();
+    course::Drawing drawing{one.file, true, {}, {}, canvas.context().name(), stopwatch.milliseconds()};
+    return std::async(in_turn ? std::launch::deferred : std::launch::async,
+                      [&one, drawing = std::move(drawing), write = std::move(write)] {
+                        try {
+                          write();
+                          return drawing;
+                        } catch (const Error& fault) {
+                          return not_drawn(one, fault);
+                        }
+                      });
+  };
+
+  const std::filesystem::path list = folder / course::kDrawingsFile;
+  std::vector<course::Drawing> drawings;
+  std::size_t faults = 0;
+  write_file(list, course::to_json(drawings));
+  const auto finish = [&](std::future<course::Drawing> written) {
+    if (!written.valid()) return;
+    const course::Drawing& last = drawings.emplace_back(written.get());
+    if (!last.is_drawn) ++faults, std::fprintf(stderr, "%s: %s\n", last.file.c_str(), last.message.c_str());
+    write_file(list, course::to_json(drawings));
+  };
+  std::future<course::Drawing> before;
+  for (const course::Case& one : batch) {
+    std::future<course::Drawing> drawn = draw(one);
+    finish(std::move(before));
+    before = std::move(drawn);
+    if (in_turn) finish(std::move(before));
   }
-  finish_writing();
-  if (drawings.faults() > 0)
-    throw Error::failed(fmt::format("{} of {} entries could not be drawn", drawings.faults(), batch.size()));
+  finish(std::move(before));
+  if (faults > 0)
+    throw Error::failed(fmt::format("{} of {} entries could not be drawn", faults, batch.size()));
 }
 
 }  // namespace texel::app

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "app/settings.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
@@ -38,34 +41,24 @@ std::string joined(const Settings& values, bool names) {
   return text;
 }
 
-/// What was measured of a combination.
-struct Measured {
-  const Settings& values;
-  Json result = Json::object();
-  std::vector<double> frame_ns, prepare_ns;
-};
-
 class Bench {
  public:
-  Bench(Canvas& canvas, AnyLab& lab)
-      : canvas_(canvas), lab_(lab), start_(lab.parameters()), timer_(canvas.context().renderer()) {}
+  Bench(Canvas& canvas, AnyLab& lab) : canvas_(canvas), lab_(lab), start_(lab.parameters()), timer_(canvas) {}
 
-  Json run(const course::BenchCase& c, double seconds) {
+  /// One result for each combination of the case.
+  std::vector<Json> run(const course::BenchCase& c, double seconds) {
     const std::vector<Settings> variants = combinations(c, lab_.parameters());
-    std::vector<Measured> all;
-    for (const Settings& values : variants) measure(c, all.emplace_back(Measured{values, {}, {}, {}}));
+    std::vector<Json> results;
+    for (const Settings& values : variants) results.push_back(measured(c, values));
     const Stopwatch stopwatch;
     constexpr std::size_t kFewest = 5, kMost = 50;
     for (std::size_t round = 0; seconds > 0 && round < kMost; ++round) {
       if (round >= kFewest && stopwatch.milliseconds() > 1000 * seconds) break;
       // Each round begins with another one: none is always the first.
-      for (std::size_t i = 0; i < all.size(); ++i) time(c, all[(round + i) % all.size()]);
-    }
-    Json results = Json::array();
-    for (Measured& one : all) {
-      one.result["frame_ns"] = one.frame_ns;
-      if (!one.prepare_ns.empty()) one.result["prepare_ns"] = one.prepare_ns;
-      results.push_back(std::move(one.result));
+      for (std::size_t i = 0; i < variants.size(); ++i) {
+        const std::size_t next = (round + i) % variants.size();
+        time(c, variants[next], results[next]);
+      }
     }
     return results;
   }
@@ -76,8 +69,9 @@ class Bench {
     for (const auto& [name, value] : values) lab_.parameters().at(name).set(value);
   }
 
-  void measure(const course::BenchCase& c, Measured& one) {
-    select(c, one.values);
+  /// Its error, and no times yet.
+  Json measured(const course::BenchCase& c, const Settings& values) {
+    select(c, values);
     const gl::Record record = canvas_.record(View::error, pixels(c.size), 1);
     const ErrorFigures& figures = *canvas_.error_figures();
     const Measure measure = *lab_.measure();
@@ -85,41 +79,69 @@ class Bench {
     long long bytes = record.index_bytes;
     for (const auto& use : record.attributes) bytes += use.bytes;
     for (const auto& use : record.textures) bytes += use.bytes;
-    one.result = {{"lab", lab_.info().folder()},
-                  {"case", c.name},
-                  {"parameter", joined(one.values, true)},
-                  {"method", joined(one.values, false)},
-                  {"truth", measure.truth},
-                  {"unit", name_of(measure.unit)},
-                  {"mean", figures.mean},
-                  {"rms", figures.rms},
-                  {"p99", figures.p99},
-                  {"max", figures.max},
-                  {"pixels", figures.pixels},
-                  {"truth_pixels", figures.truth_pixels},
-                  {"non_finite", figures.non_finite},
-                  {"bytes", bytes}};
+    Json result = {{"lab", lab_.info().folder()},
+                   {"case", c.name},
+                   {"parameter", joined(values, true)},
+                   {"method", joined(values, false)},
+                   {"truth", measure.truth},
+                   {"unit", name_of(measure.unit)},
+                   {"mean", figures.mean},
+                   {"rms", figures.rms},
+                   {"p99", figures.p99},
+                   {"max", figures.max},
+                   {"pixels", figures.pixels},
+                   {"truth_pixels", figures.truth_pixels},
+                   {"non_finite", figures.non_finite},
+                   {"bytes", bytes}};
     if (const auto preparation = lab_.preparation(canvas_.assets()))
-      one.result["prepare_of"] = preparation->element;
+      result["prepare_of"] = preparation->element;
+    result["frame_ns"] = Json::array();
+    return result;
   }
 
-  void time(const course::BenchCase& c, Measured& one) {
-    select(c, one.values);
-    one.frame_ns.push_back(timed_frame(canvas_, timer_, pixels(c.size)));
+  void time(const course::BenchCase& c, const Settings& values, Json& result) {
+    select(c, values);
+    result["frame_ns"].push_back(timer_.time(pixels(c.size)));
     if (const auto preparation = lab_.preparation(canvas_.assets())) {
       const Stopwatch stopwatch;
       preparation->work();
-      one.prepare_ns.push_back(stopwatch.milliseconds() * 1e6 / static_cast<double>(preparation->elements));
+      result["prepare_ns"].push_back(stopwatch.milliseconds() * 1e6 /
+                                     static_cast<double>(preparation->elements));
     }
   }
 
   Canvas& canvas_;
   AnyLab& lab_;
   StartValues start_;
-  gl::FrameTimer timer_;
+  FrameTimer timer_;
 };
 
+bool is_software(const std::string& renderer) {
+  constexpr std::array kSoftware = {"llvmpipe", "softpipe", "swrast", "Software Rasterizer", "SwiftShader"};
+  return std::any_of(kSoftware.begin(), kSoftware.end(),
+                     [&](const char* name) { return renderer.find(name) != std::string::npos; });
+}
+
 }  // namespace
+
+FrameTimer::FrameTimer(Canvas& canvas)
+    : canvas_(canvas), is_software_(is_software(canvas.context().renderer())) {}
+
+double FrameTimer::time(glm::ivec2 size) {
+  canvas_.draw(View::color, size, 1);
+  glFinish();
+  const Stopwatch stopwatch;
+  if (!is_software_) glBeginQuery(GL_TIME_ELAPSED, query_.id());
+  canvas_.draw(View::color, size, 1);
+  if (is_software_) {
+    glFinish();
+    return stopwatch.milliseconds() * 1e6;
+  }
+  glEndQuery(GL_TIME_ELAPSED);
+  GLuint64 nanoseconds = 0;
+  glGetQueryObjectui64v(query_.id(), GL_QUERY_RESULT, &nanoseconds);
+  return static_cast<double>(nanoseconds);
+}
 
 course::BenchList read_bench(AnyLab& lab, const std::filesystem::path& file) {
   const std::string text = read_file(file);
@@ -136,13 +158,6 @@ course::BenchList read_bench(AnyLab& lab, const std::filesystem::path& file) {
   } catch (const Error& error) {
     throw Error::usage(fmt::format("{}: {}", file.string(), error.what()));
   }
-}
-
-double timed_frame(Canvas& canvas, gl::FrameTimer& timer, glm::ivec2 size) {
-  canvas.draw(View::color, size, 1);
-  timer.start();
-  canvas.draw(View::color, size, 1);
-  return timer.stop();
 }
 
 std::string run_bench(Canvas& canvas, AnyLab& lab, const course::BenchList& list) {

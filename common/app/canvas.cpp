@@ -24,6 +24,16 @@ const glm::vec4& background_of(const gl::Target& target) {
   return target.kind() == gl::Target::Kind::data ? kNothing : kBackground;
 }
 
+void bind_and_clear(const gl::Target& target) {
+  target.bind();
+  glDisable(GL_SCISSOR_TEST);
+  glEnable(GL_FRAMEBUFFER_SRGB);
+  const glm::vec4& background = background_of(target);
+  glClearColor(background.r, background.g, background.b, background.a);
+  glDepthMask(GL_TRUE);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
 }  // namespace
 
 gl::Target& Canvas::fit(std::unique_ptr<gl::Target>& target, gl::Target::Kind kind, glm::ivec2 size,
@@ -36,13 +46,7 @@ gl::Target& Canvas::fit(std::unique_ptr<gl::Target>& target, gl::Target::Kind ki
 
 void Canvas::draw_into(const gl::Target& target, View view, const std::optional<Split>& split) {
   static_cast<void>(context_.take_errors());  // of a frame that was broken off
-  target.bind();
-  glDisable(GL_SCISSOR_TEST);
-  glEnable(GL_FRAMEBUFFER_SRGB);
-  const glm::vec4& background = background_of(target);
-  glClearColor(background.r, background.g, background.b, background.a);
-  glDepthMask(GL_TRUE);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  bind_and_clear(target);
 
   const glm::ivec2 size(target.width(), target.height());
   const auto draw_once = [&] {
@@ -202,12 +206,7 @@ void Canvas::draw_error(glm::ivec2 size) {
 }
 
 void Canvas::draw_nothing(glm::ivec2 size) {
-  const gl::Target& target = fit(color_, gl::Target::Kind::color, size, 1);
-  target.bind();
-  glDisable(GL_SCISSOR_TEST);
-  glEnable(GL_FRAMEBUFFER_SRGB);
-  glClearColor(kBackground.r, kBackground.g, kBackground.b, kBackground.a);
-  glClear(GL_COLOR_BUFFER_BIT);
+  bind_and_clear(fit(color_, gl::Target::Kind::color, size, 1));
   std::swap(picture_, color_);
 }
 
@@ -239,20 +238,18 @@ image::ImageF Canvas::values_of(View view, glm::ivec2 size) {
 }
 
 glm::vec4 Canvas::value_at(View view, glm::ivec2 size, glm::ivec2 pixel) {
-  draw_into(fit(data_, gl::Target::Kind::data, size, 1), view, {});
-  const image::ImageF value = data_->read_pixel(pixel.x, pixel.y);
-  return {value.samples[0], value.samples[1], value.samples[2], value.samples[3]};
+  const image::ImageF around = values_around(view, size, pixel);
+  return {around.at(1, 1, 0), around.at(1, 1, 1), around.at(1, 1, 2), around.at(1, 1, 3)};
 }
 
 image::ImageF Canvas::values_around(View view, glm::ivec2 size, glm::ivec2 pixel) {
-  draw_into(fit(data_, gl::Target::Kind::data, size, 1), view, {});
+  const image::ImageF all = values_of(view, size);
   image::ImageF around(3, 3, 4);
   for (int y = 0; y < 3; ++y)
     for (int x = 0; x < 3; ++x) {
       const glm::ivec2 at = pixel + glm::ivec2(x, y) - 1;
       if (at.x < 0 || at.y < 0 || at.x >= size.x || at.y >= size.y) continue;
-      const image::ImageF value = data_->read_pixel(at.x, at.y);
-      for (int c = 0; c < 4; ++c) around.at(x, y, c) = value.at(0, 0, c);
+      for (int c = 0; c < 4; ++c) around.at(x, y, c) = all.at(at.x, at.y, c);
     }
   return around;
 }

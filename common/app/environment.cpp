@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "app/environment.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <vector>
 
 #include "core/parallel.hpp"
-#include "core/progress.hpp"
 #include "core/stages.hpp"
-#include "gl/make_cube_map.hpp"
 #include "gl/upload.hpp"
 #include "image/color.hpp"
 #include "image/mipmaps.hpp"
@@ -80,16 +75,12 @@ image::Image8 resampled(const std::array<image::Image8, 6>& faces, int width, in
                         DirectionOf direction_of) {
   const Stage stage("resample");
   image::Image8 result(width, height, 3);
-  Progress progress("cube map as one picture");
-  std::atomic<int> done = 0;
   in_parallel(processors(), static_cast<std::size_t>(height), [&](std::size_t row) {
     const int y = static_cast<int>(row);
     for (int x = 0; x < width; ++x) {
       const glm::vec3 color = look_up(faces, direction_of(x, y));
       for (int c = 0; c < 3; ++c) result.at(x, y, c) = image::to_encoding8(color[c]);
     }
-    if (width > kLargestSide && ++done % 64 == 0)
-      progress.say(fmt::format("{} of {} rows", done.load(), height));
   });
   return result;
 }

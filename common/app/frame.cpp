@@ -21,25 +21,15 @@ std::string constant(std::string_view name) {
   return result;
 }
 
-/// What `constants` depends on.
-std::string settings(const params::Set& parameters, View view) {
-  std::string text = std::to_string(static_cast<int>(view));
-  for (const params::Parameter& p : parameters)
-    if (p.type == Type::choice || p.type == Type::toggle)
-      text.append(" ").append(std::to_string(static_cast<int>(p.value())));
-  return text;
-}
-
 }  // namespace
 
 std::vector<gl::Define> constants(const params::Set& parameters, View view) {
   std::vector<gl::Define> defines;
   for (const params::Parameter& p : parameters) {
-    if (p.type != Type::choice && p.type != Type::toggle) continue;
+    if (!p.is_constant()) continue;
     const std::string name = constant(p.name);
     defines.push_back(
         {name, fmt::format("{}", static_cast<int>(p.value())), fmt::format("--{} {}", p.flag(), p.text())});
-    if (p.type != Type::choice) continue;
     for (std::size_t i = 0; i < p.items.size(); ++i)
       defines.push_back({fmt::format("{}_{}", name, constant(p.items[i].name)), fmt::format("{}", i),
                          fmt::format("--{} {}", p.flag(), p.items[i].name)});
@@ -63,11 +53,10 @@ std::string Info::program() const {
 
 gl::Program& Frame::program(const std::string& vertex, const std::string& fragment) {
   const Stage stage("parameters");
-  gl::Program& program = programs_.get(vertex, fragment, settings(parameters_, view_),
-                                       [&] { return constants(parameters_, view_); });
+  gl::Program& program = programs_.get(vertex, fragment, constants(parameters_, view_));
   program.use();
   for (const params::Parameter& p : parameters_) {
-    if (p.type != Type::number && p.type != Type::integer) continue;
+    if (!p.is_ranged()) continue;
     const gl::Uniform* uniform = program.find(p.name);
     if (uniform == nullptr) continue;
     const double value = p.unit == "degrees" ? p.value() * std::numbers::pi / 180 : p.value();

@@ -21,7 +21,7 @@ glm::dvec3 value_at(const image::ImageF& picture, int x, int y) {
 }
 
 using Color = std::array<std::uint8_t, 3>;
-constexpr Color kBackground = {52, 56, 64}, kNotFinite = {255, 0, 255}, kWriting = {255, 255, 255};
+constexpr Color kOutside = {52, 56, 64}, kNotFinite = {255, 0, 255}, kWriting = {255, 255, 255};
 
 Color heat_color(double t) {
   const std::array<float, 3> heat = image::heat(static_cast<float>(t));
@@ -149,7 +149,7 @@ image::Image8 error_map(const image::ImageF& error, double scale, Unit unit) {
     for (int x = 0; x < error.width; ++x) {
       const auto value = static_cast<double>(error.at(x, y, 0));
       if (error.at(x, y, 3) == 0)
-        put(map, x, y, kBackground);
+        put(map, x, y, kOutside);
       else
         put(map, x, y, std::isfinite(value) ? heat_color(value / scale) : kNotFinite);
     }

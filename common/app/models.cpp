@@ -30,7 +30,7 @@ namespace {
 Model read_obj(const std::filesystem::path& file, const std::string& name) {
   mesh::ObjData data = mesh::load_obj(file);
   Model model;
-  model.notes.warnings = data.report.warnings;
+  model.notes.warnings = data.warnings;
   if (data.normals.empty()) {
     mesh::generate_missing_normals(data, mesh::Weighting::angle);
     model.notes.facts.emplace_back("the file has no normals: smooth ones are generated");

@@ -11,13 +11,10 @@
 namespace texel::app {
 namespace {
 
-using Type = params::Parameter::Type;
-
 /// A parameter's default as JSON's own type.
 Json initial(const params::Parameter& p) {
-  if (p.type == Type::toggle) return p.initial() == "on";
-  if (p.type == Type::integer || p.type == Type::number) return parse_json(p.initial());
-  return p.initial();
+  if (p.type == params::Parameter::Type::toggle) return p.initial() == "on";
+  return p.is_ranged() ? parse_json(p.initial()) : Json(p.initial());
 }
 
 }  // namespace
@@ -28,33 +25,33 @@ long long peak_resident_bytes() {
   return static_cast<long long>(usage.ru_maxrss) * 1024;
 }
 
-std::string to_json(const Statistics& statistics) {
-  const gl::Record& record = statistics.record;
-  Json json;
-  json["lab"] = statistics.lab;
-  json["vertices"] = record.vertices;
-  json["triangles"] = record.triangles;
-  json["draw_calls"] = record.draw_calls;
-  json["attributes"] = Json::array();
-  for (const auto& use : record.attributes)
-    json["attributes"].push_back({{"name", use.name}, {"bytes", use.bytes}});
-  json["index_bytes"] = record.index_bytes;
-  json["textures"] = Json::array();
+std::string statistics_as_json(const AnyLab& lab, const Canvas& canvas, const gl::Record& record,
+                               const StageTimes& milliseconds, long long peak_bytes) {
+  Json attributes = Json::array(), textures = Json::array(), stages = Json::object();
+  for (const auto& use : record.attributes) attributes.push_back({{"name", use.name}, {"bytes", use.bytes}});
   for (const auto& use : record.textures)
-    json["textures"].push_back({{"name", use.name},
-                                {"width", use.width},
-                                {"height", use.height},
-                                {"format", use.format},
-                                {"bytes", use.bytes}});
-  json["milliseconds"] = Json::object();
-  for (const auto& [stage, time] : statistics.milliseconds) json["milliseconds"][stage] = time;
-  json["peak_bytes"] = statistics.peak_bytes;
-  json["notes"] = statistics.notes.facts;
-  json["warnings"] = statistics.notes.warnings;
-  for (const std::string& warning : record.warnings) json["warnings"].push_back(warning);
-  json["renderer"] = statistics.renderer;
-  json["version"] = statistics.version;
-  json["drawn_by"] = statistics.drawn_by;
+    textures.push_back({{"name", use.name},
+                        {"width", use.width},
+                        {"height", use.height},
+                        {"format", use.format},
+                        {"bytes", use.bytes}});
+  for (const auto& [stage, time] : milliseconds) stages[stage] = time;
+  std::vector<std::string> warnings = canvas.notes().warnings;
+  warnings.insert(warnings.end(), record.warnings.begin(), record.warnings.end());
+  const Json json = {{"lab", lab.info().folder()},
+                     {"vertices", record.vertices},
+                     {"triangles", record.triangles},
+                     {"draw_calls", record.draw_calls},
+                     {"attributes", attributes},
+                     {"index_bytes", record.index_bytes},
+                     {"textures", textures},
+                     {"milliseconds", stages},
+                     {"peak_bytes", peak_bytes},
+                     {"notes", canvas.notes().facts},
+                     {"warnings", warnings},
+                     {"renderer", canvas.context().renderer()},
+                     {"version", canvas.context().version()},
+                     {"drawn_by", canvas.context().name()}};
   return to_text(json, 2) + "\n";
 }
 
@@ -70,19 +67,18 @@ std::string frame_times_as_text(std::vector<double> milliseconds, glm::ivec2 siz
 
 std::string to_json(AnyLab& lab, const ErrorFigures& figures) {
   const Measure measure = *lab.measure();
-  Json json;
-  json["lab"] = lab.info().folder();
-  json["parameters"] = lab.parameters().key();
-  json["view"] = name_of(measure.view);
-  json["truth"] = measure.truth;
-  json["unit"] = name_of(measure.unit);
-  json["mean"] = figures.mean;
-  json["rms"] = figures.rms;
-  json["p99"] = figures.p99;
-  json["max"] = figures.max;
-  json["pixels"] = figures.pixels;
-  json["truth_pixels"] = figures.truth_pixels;
-  json["non_finite"] = figures.non_finite;
+  Json json = {{"lab", lab.info().folder()},
+               {"parameters", lab.parameters().key()},
+               {"view", name_of(measure.view)},
+               {"truth", measure.truth},
+               {"unit", name_of(measure.unit)},
+               {"mean", figures.mean},
+               {"rms", figures.rms},
+               {"p99", figures.p99},
+               {"max", figures.max},
+               {"pixels", figures.pixels},
+               {"truth_pixels", figures.truth_pixels},
+               {"non_finite", figures.non_finite}};
   if (const char* reason = why_nothing(figures)) json["reason"] = reason;
   return to_text(json, 2) + "\n";
 }
@@ -91,8 +87,7 @@ std::string shaders_as_text(const gl::ProgramCache& programs, const params::Set&
   const auto origin = [&](const std::string& uniform) {
     const params::Parameter* p = parameters.find(uniform);
     // Choices and toggles are constants.
-    if (p == nullptr || p->type == Type::choice || p->type == Type::toggle)
-      return std::string("set in the lab's draw()");
+    if (p == nullptr || p->is_constant()) return std::string("set in the lab's draw()");
     return fmt::format("--{}: {}{}", p->flag(), p->help, p->unit == "degrees" ? " (here in radians)" : "");
   };
   std::string text;
@@ -108,7 +103,7 @@ std::string parameters_as_text(const params::Set& parameters) {
   std::string text;
   for (const params::Parameter& p : parameters) {
     text += fmt::format("--{} ({}, default {}", p.flag(), p.type_name(), p.initial());
-    if (p.type == Type::integer || p.type == Type::number)
+    if (p.is_ranged())
       text += fmt::format(", {} to {}{}{}", p.least, p.most, p.unit.empty() ? "" : " ", p.unit);
     text += fmt::format(")\n    {}\n", p.help);
     for (const params::Item& item : p.items) text += fmt::format("      {:<20} {}\n", item.name, item.help);
@@ -119,19 +114,16 @@ std::string parameters_as_text(const params::Set& parameters) {
 std::string parameters_as_json(const params::Set& parameters) {
   Json list = Json::array();
   for (const params::Parameter& p : parameters) {
-    const bool ranged = p.type == Type::integer || p.type == Type::number;
-    Json json;
-    json["name"] = p.name;
-    json["type"] = p.type_name();
-    json["default"] = initial(p);
-    json["min"] = ranged ? Json(p.least) : Json();
-    json["max"] = ranged ? Json(p.most) : Json();
-    json["choices"] = Json::array();
-    for (const params::Item& item : p.items)
-      json["choices"].push_back({{"name", item.name}, {"help", item.help}});
-    json["unit"] = p.unit;
-    json["help"] = p.help;
-    list.push_back(std::move(json));
+    Json choices = Json::array();
+    for (const params::Item& item : p.items) choices.push_back({{"name", item.name}, {"help", item.help}});
+    list.push_back({{"name", p.name},
+                    {"type", p.type_name()},
+                    {"default", initial(p)},
+                    {"min", p.is_ranged() ? Json(p.least) : Json()},
+                    {"max", p.is_ranged() ? Json(p.most) : Json()},
+                    {"choices", choices},
+                    {"unit", p.unit},
+                    {"help", p.help}});
   }
   return to_text(list, 2) + "\n";
 }

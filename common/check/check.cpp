@@ -5,15 +5,15 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
 
-#include "check/files.hpp"
 #include "core/error.hpp"
-#include "core/file_lock.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "course/markers.hpp"
 #include "dependencies.hpp"
+#include "image/load.hpp"
 #include "judge/mistakes.hpp"
 #include "judge/plan.hpp"
 
@@ -22,6 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using course::Case;
+
+/// Larger than any picture or vertex stream that can be right.
+constexpr std::uintmax_t kMostBytes = 64U << 20U;
 
 /// Where the tree's own pictures of the last check lie, and what is remembered of earlier ones: one build may
 /// serve several trees (TEXEL_ROOT), and whoever shows a picture does so when another tree is checked
@@ -48,6 +51,11 @@ std::map<std::string, std::string> texts_of_steps(const fs::path& source) {
   return texts;
 }
 
+std::string text_at(const std::map<std::string, std::string>& texts, const std::string& key) {
+  const auto found = texts.find(key);
+  return found == texts.end() ? "" : found->second;
+}
+
 /// One lab's cases.
 class LabCheck {
  public:
@@ -69,28 +77,25 @@ class LabCheck {
     // A window and a watch may check the same lab.
     const FileLock lock(own_.string() + ".lock");
     draw_all(processes);
-    const std::vector<judge::Mistake> mistakes = known_mistakes(expected_);
     std::vector<judge::CaseResult> results;
-    for (const course::Step& step : plan_.lab.steps) {
-      std::map<std::string, judge::Failed> failed;
-      for (const Case& one : plan_.cases) {
-        if (one.step != step.id) continue;
-        results.push_back(judged(one));
-        if (results.back().passed()) continue;
-        const judge::Failed drawn{picture_bytes(own_ / one.file), refused_of(one)};
-        if (!drawn.picture.empty() || !drawn.refused.empty()) failed[one.name] = drawn;
-      }
-      const judge::Mistake* known =
-          untouched_.contains(step.id) ? nullptr : judge::recognize(mistakes, plan_, step.id, failed);
-      for (judge::CaseResult& result : results)
-        if (known != nullptr && result.step == step.id && failed.contains(result.name))
-          result.mistake = known->name, result.mistake_says = known->says;
+    std::map<std::string, std::map<std::string, judge::Failed>> failed;  // by step and case
+    for (const Case& one : plan_.cases) {
+      results.push_back(judged(one));
+      judge::Failed drawn{picture_bytes(own_ / one.file), text_at(drawn_.refused, one.file)};
+      if (!results.back().passed() && !untouched_.contains(one.step) &&
+          !(drawn.picture.empty() && drawn.refused.empty()))
+        failed[one.step][one.name] = std::move(drawn);
     }
+    const std::vector<judge::Mistake> mistakes = known_mistakes(expected_);
+    for (const auto& [step, of_step] : failed)
+      if (const judge::Mistake* known = judge::recognize(mistakes, plan_, step, of_step))
+        for (judge::CaseResult& result : results)
+          if (of_step.contains(result.name)) result.mistake = known->name, result.mistake_says = known->says;
     return results;
   }
 
   /// What drew, or "" where nothing was drawn.
-  [[nodiscard]] const std::string& renderer() const { return renderer_; }
+  [[nodiscard]] const std::string& renderer() const { return drawn_.renderer; }
 
  private:
   /// A picture of the last check stays until its new one takes its place: somebody may look at it.
@@ -99,16 +104,16 @@ class LabCheck {
     std::vector<std::vector<Case>> parts(std::min<std::size_t>(processes, plan_.cases.size()));
     for (std::size_t i = 0; i < plan_.cases.size(); ++i) parts[i % parts.size()].push_back(plan_.cases[i]);
     std::vector<Drawn> drawn(parts.size());
-    const auto folder_of = [&](std::size_t i) { return own_ / fmt::format("{}", i); };
+    const auto folder_of = [&](std::size_t i) { return own_ / std::to_string(i); };
     in_parallel(processes, parts.size(), [&](std::size_t i) {
       fs::remove_all(folder_of(i));
       drawn[i] = draws_(plan_.lab, parts[i], folder_of(i));
     });
     std::set<fs::path> all;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      faults_.merge(drawn[i].faults);
-      refused_.merge(drawn[i].refused);
-      if (!drawn[i].renderer.empty()) renderer_ = drawn[i].renderer;
+      drawn_.faults.merge(drawn[i].faults);
+      drawn_.refused.merge(drawn[i].refused);
+      if (!drawn[i].renderer.empty()) drawn_.renderer = drawn[i].renderer;
       if (!fs::exists(folder_of(i))) continue;
       for (const fs::directory_entry& file : fs::directory_iterator(folder_of(i))) {
         const fs::path to = own_ / file.path().filename();
@@ -127,20 +132,14 @@ class LabCheck {
     for (const fs::path& file : old) fs::remove_all(file);
   }
 
-  [[nodiscard]] std::string refused_of(const Case& one) const {
-    const auto refused = refused_.find(one.file);
-    return refused == refused_.end() ? "" : refused->second;
-  }
-
   [[nodiscard]] judge::CaseResult judged(const Case& one) const {
     judge::CaseResult result{one};
     result.command = judge::command(plan_.lab, one);
     result.reference = (expected_ / one.file).string();
     if (fs::exists(own_ / one.file)) result.picture = (own_ / one.file).string();
-    const fs::path mask = one.is_mesh() ? fs::path() : expected_ / fmt::format("{}.mask.png", one.name);
-    const auto fault = faults_.find(one.file);
+    const fs::path mask = one.is_mesh() ? fs::path() : expected_ / (one.name + ".mask.png");
     judge::resolve(result, judge(one, ExpectedFiles{result.reference, mask}, own_ / one.file),
-                   fault == faults_.end() ? "" : fault->second, untouched_.contains(one.step));
+                   text_at(drawn_.faults, one.file), untouched_.contains(one.step));
     result.score = result.passed() ? 1 : 0;
     return result;
   }
@@ -149,9 +148,7 @@ class LabCheck {
   const std::set<std::string>& untouched_;
   fs::path expected_, own_;
   const Draws& draws_;
-  std::map<std::string, std::string> faults_;   ///< why a picture is missing, by its file
-  std::map<std::string, std::string> refused_;  ///< as Drawn has it
-  std::string renderer_;                        ///< what drew, or ""
+  Drawn drawn_;  ///< by all processes
 };
 
 /// What drew the expected pictures, or "".
@@ -161,19 +158,15 @@ std::string expected_by(const fs::path& source, const course::Lab& lab) {
   return text.substr(0, text.find_first_of("\r\n"));
 }
 
-/// Says in the lab's notes which of its steps have damaged markers.
-void note_markers(const fs::path& source, std::vector<judge::LabResult>& labs) {
+/// Says where each step is written, and in the labs' notes which steps have damaged markers.
+void add_places(const fs::path& source, std::vector<judge::LabResult>& labs) {
   for (const std::string& file : course::step_files(source)) {
     const std::string first = course::first_text(source, file);
     for (const auto& [step, fault] : course::marker_faults(read_file(source / file), first, file))
       for (judge::LabResult& lab : labs)
         if (std::stoi(step) == lab.lab.number) lab.notes.push_back(fault);
   }
-}
-
-bool is_text_of_programs(const fs::path& file) {
-  static const std::set<std::string> kEndings = {".cpp", ".hpp", ".glsl", ".vert", ".frag"};
-  return kEndings.contains(file.extension().string());
+  judge::put_places(labs, course::step_places(source));
 }
 
 }  // namespace
@@ -184,6 +177,32 @@ std::vector<judge::Mistake> known_mistakes(const fs::path& expected) {
     throw Error::failed("is missing; it contains what known mistakes look like", {file.string()},
                         "copy the file from the course again; the course writes it with ./run expected");
   return judge::parse_mistakes(read_file(file), file.string());
+}
+
+judge::Verdict judge(const course::Case& of, const ExpectedFiles& expected, const fs::path& picture) {
+  const MappedFile reference(expected.reference);
+  std::optional<MappedFile> mask, own;
+  if (!expected.mask.empty()) mask.emplace(expected.mask);
+  if (fs::is_regular_file(fs::symlink_status(picture))) own.emplace(picture);
+  return judge::judge(of, {reference.bytes(), mask ? mask->bytes() : std::string_view()},
+                      own ? std::optional(own->bytes()) : std::nullopt);
+}
+
+std::string picture_bytes(const fs::path& picture) {
+  if (!fs::is_regular_file(fs::symlink_status(picture)) || fs::file_size(picture) > kMostBytes) return {};
+  return read_file(picture);
+}
+
+image::Compared compared(const judge::CaseResult& one) {
+  if (one.is_mesh()) throw Error::failed("this case compares vertices, not pictures");
+  if (one.picture.empty()) throw Error::failed("your picture is missing: " + one.message);
+  // What renderers differ by is dark.
+  const double scale = judge::kNothingLeft * one.limit;
+  if (one.view == course::View::color)
+    return image::compared(image::load8(one.picture, 3), image::load8(one.reference, 3), scale, one.error);
+  return image::compared(image::load_pfm(one.picture), image::load_pfm(one.reference), scale, one.error,
+                         name_of(one.view),
+                         one.unit() == course::Unit::degrees ? image::Unit::degrees : image::Unit::own);
 }
 
 fs::path expected_folder(const fs::path& source, const course::Lab& lab) {
@@ -219,47 +238,35 @@ std::set<std::string> untouched_steps(const OwnTree& tree) {
 
 std::vector<judge::LabResult> check(const OwnTree& tree, const std::vector<course::Lab>& labs,
                                     const Draws& draws) {
-  const std::vector<judge::LabPlan> plans =
-      judge::public_plan(judge::with_needed(labs, course::read_labs(tree.source / "labs")));
-  const std::set<std::string> as_at_first = untouched_steps(tree);
+  const std::vector<judge::LabPlan> plans = judge::public_plan(labs);
+  const std::set<std::string> untouched = untouched_steps(tree);
   const std::map<std::string, std::string> texts = texts_of_steps(tree.source);
   std::vector<std::vector<judge::CaseResult>> found(plans.size());
-  const auto at_once = std::min<std::size_t>(processors(), plans.size());
   std::vector<std::string> renderers(plans.size());
+  const auto at_once = static_cast<unsigned>(std::min<std::size_t>(processors(), plans.size()));
   in_parallel(processors(), plans.size(), [&](std::size_t i) {
-    LabCheck lab(tree, plans[i], as_at_first, draws);
-    found[i] = lab.run(processors() / static_cast<unsigned>(at_once));
+    LabCheck lab(tree, plans[i], untouched, draws);
+    found[i] = lab.run(processors() / at_once);
     renderers[i] = lab.renderer();
   });
-  std::vector<course::Lab> all;
   std::vector<judge::CaseResult> cases;
-  for (std::size_t i = 0; i < plans.size(); ++i) {
-    all.push_back(plans[i].lab);
-    cases.insert(cases.end(), found[i].begin(), found[i].end());
-  }
-  std::vector<judge::LabResult> results = judge::lab_results(all, std::move(cases));
-  const std::map<std::string, Place> places = course::step_places(tree.source);
+  for (const std::vector<judge::CaseResult>& of_lab : found)
+    cases.insert(cases.end(), of_lab.begin(), of_lab.end());
+  std::vector<judge::LabResult> results = judge::lab_results(labs, std::move(cases));
   const fs::path memory = checked_folder(tree) / "passed.json";
-  fs::create_directories(memory.parent_path());
   {
     const FileLock lock(memory.string() + ".lock");
-    skip_those_that_wait(results, changed_since_it_passed(memory, texts, results));
+    const auto changed = changed_since_it_passed(memory, texts, results);
+    for (judge::LabResult& lab : results) skip_those_that_wait(lab, changed);
   }
-  std::erase_if(results, [&](const judge::LabResult& result) {
-    return std::none_of(labs.begin(), labs.end(),
-                        [&](const course::Lab& lab) { return lab.number == result.lab.number; });
-  });
-  const auto drew =
-      std::find_if(renderers.begin(), renderers.end(), [](const std::string& one) { return !one.empty(); });
-  if (drew != renderers.end())
-    for (judge::LabResult& lab : results)
-      lab.notes.push_back(renderer_note(*drew, expected_by(tree.source, lab.lab)));
-  note_markers(tree.source, results);
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (!renderers[i].empty())
+      results[i].notes.push_back(renderer_note(renderers[i], expected_by(tree.source, labs[i])));
+  add_places(tree.source, results);
   for (judge::LabResult& lab : results)
     for (const std::string& copy : lab.lab.copies)
       lab.notes.push_back(
           fmt::format("labs/{} is a copy of this lab: what is written there does not count.", copy));
-  judge::put_places(results, places);
   return results;
 }
 
@@ -269,22 +276,20 @@ judge::LabResult check_step(const OwnTree& tree, const course::Lab& lab, const s
   std::erase_if(plan.cases, [&](const Case& one) { return one.step != step; });
   if (plan.cases.empty()) throw Error::usage(fmt::format("this lab has no step '{}'", step));
   std::vector<judge::LabResult> results =
-      judge::lab_results({plan.lab}, LabCheck(tree, plan, untouched_steps(tree), draws).run(processors()));
+      judge::lab_results({lab}, LabCheck(tree, plan, untouched_steps(tree), draws).run(processors()));
   std::erase_if(results.front().steps, [&](const judge::StepResult& one) { return one.id != step; });
-  note_markers(tree.source, results);
-  judge::put_places(results, course::step_places(tree.source));
+  add_places(tree.source, results);
   return results.front();
 }
 
 std::vector<fs::path> edited_files(const fs::path& source, const course::Lab& lab) {
-  std::set<fs::path> files;
+  static const std::set<std::string> kEndings = {".cpp", ".hpp", ".glsl", ".vert", ".frag"};
+  std::vector<fs::path> files;
   for (const fs::path& folder :
-       {fs::path("labs") / lab.folder, fs::path("shaders") / lab.folder, fs::path("shaders") / "lib"})
-    for (const fs::directory_entry& entry : fs::directory_iterator(source / folder))
-      if (entry.is_regular_file() && is_text_of_programs(entry.path())) files.insert(entry.path());
-  for (const std::string& file : course::step_files(source))
-    if (file.starts_with("common/")) files.insert(source / file);
-  return {files.begin(), files.end()};
+       {source / "labs" / lab.folder, source / "shaders" / lab.folder, source / "shaders/lib"})
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+      if (entry.is_regular_file() && kEndings.contains(entry.path().extension())) files.push_back(entry);
+  return files;
 }
 
 }  // namespace texel::check

@@ -4,29 +4,19 @@
 #include <algorithm>
 
 #include "check/check.hpp"
-#include "check/studio.hpp"
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
 #include "core/process.hpp"
 
 namespace texel::check {
-namespace {
-
-Studio studio_of(const OwnTree& tree, const course::Lab& lab, const std::string& context) {
-  Studio studio;
-  studio.program = tree.build / "bin" / lab.program();
-  studio.root = tree.source, studio.context = context;
-  studio.shader_cache = tree.build / "check/shaders";
-  studio.timeouts = 1;  // somebody waits
-  return studio;
-}
-
-}  // namespace
-
 Draws by_programs(const OwnTree& tree, const std::string& context) {
   return
       [=](const course::Lab& lab, const std::vector<course::Case>& cases, const std::filesystem::path& out) {
-        const Studio studio = studio_of(tree, lab, context);
+        Studio studio;
+        studio.program = tree.build / "bin" / lab.program();
+        studio.root = tree.source, studio.context = context;
+        studio.shader_cache = tree.build / "check/shaders";
+        studio.timeouts = 1;  // somebody waits
         if (!std::filesystem::exists(studio.program))
           throw Error::failed("is not built", {studio.program.string()},
                               fmt::format("build it with ./run check {}", lab.number));

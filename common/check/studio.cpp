@@ -130,24 +130,21 @@ Drawn draw(const Studio& studio, const std::vector<Case>& cases, const fs::path&
     const Outcome outcome = run(studio, left, work);
     if (studio.budget != nullptr) studio.budget->spend(outcome.wall_seconds);
     const std::map<std::string, course::Drawing> drawings = drawings_in(output_of(work));
-    std::vector<Case> missing;
-    for (const Case& one : left) {
+    std::erase_if(left, [&](const Case& one) {
       const auto said = drawings.find(one.file);
+      const bool is_said = said != drawings.end();
       if (take(one, output_of(work), out)) {
-        if (said != drawings.end()) drawn.renderer = plain_text(said->second.drawn_by);
-        continue;
+        if (is_said) drawn.renderer = plain_text(said->second.drawn_by);
+        return true;
       }
-      if (said != drawings.end() && !said->second.is_drawn)
-        drawn.faults[one.file] = plain_lines(said->second.message),
-        drawn.refused[one.file] = plain_text(said->second.place);
-      else
-        missing.push_back(one);
-    }
-    left = missing;
+      if (!is_said || said->second.is_drawn) return false;
+      drawn.faults[one.file] = plain_lines(said->second.message);
+      drawn.refused[one.file] = plain_text(said->second.place);
+      return true;
+    });
     if (left.empty()) break;
-    const bool has_died = outcome.signal != 0 || outcome.limit != Limit::none;
-    if (!has_died) {
-      std::string text = plain_lines(outcome.errors.substr(0, 2000));
+    if (outcome.signal == 0 && outcome.limit == Limit::none) {  // it did not die
+      const std::string text = plain_lines(outcome.errors.substr(0, 2000));
       for (const Case& one : left)
         drawn.faults[one.file] = end_of(outcome) + (text.empty() ? "" : ": " + text);
       left.clear();
@@ -182,14 +179,12 @@ std::string renderer_of(const Studio& studio) {
 }
 
 void draw_all(const Studio& studio, const std::vector<Case>& cases, const fs::path& out) {
-  const fs::path work = out.parent_path() / (out.filename().string() + ".work");
-  const Outcome outcome = run(studio, cases, work);
-  bool all = true;
-  for (const Case& one : cases) all = take(one, output_of(work), out) && all;
-  fs::remove_all(work);
-  if (!outcome.succeeded() || !all)
-    throw Error::failed(fmt::format("the course's own program fails with exit code {}", outcome.exit_code),
-                        {studio.program.string()}, plain_lines(outcome.errors.substr(0, 2000)));
+  const Drawn drawn = draw(studio, cases, out);
+  if (!drawn.faults.empty()) {
+    const auto& [file, fault] = *drawn.faults.begin();
+    throw Error::failed(fmt::format("the course's own program does not draw {}: {}", file, fault),
+                        {studio.program.string()});
+  }
 }
 
 }  // namespace texel::check

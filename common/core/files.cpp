@@ -3,6 +3,8 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <stdlib.h>  // mkdtemp
+#include <sys/file.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -37,7 +39,8 @@ class Descriptor {
   int fd_;
 };
 
-std::size_t open_regular(const std::filesystem::path& path, Descriptor& file) {
+/// The size of a file that was opened. Throws Error (exit 3) when it could not be, or is none.
+std::size_t size_of_regular(const std::filesystem::path& path, const Descriptor& file) {
   const Place place{path.string()};
   if (file.get() < 0)
     throw Error::failed(fmt::format("cannot open: {}", std::strerror(errno)), place,
@@ -49,8 +52,11 @@ std::size_t open_regular(const std::filesystem::path& path, Descriptor& file) {
   return static_cast<std::size_t>(status.st_size);
 }
 
-std::string read_all(const std::filesystem::path& path, const Descriptor& file, std::size_t size) {
-  std::string bytes(size, '\0');
+}  // namespace
+
+std::string read_file(const std::filesystem::path& path) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  std::string bytes(size_of_regular(path, file), '\0');
   std::size_t done = 0;
   while (done < bytes.size()) {
     const ssize_t got = ::read(file.get(), bytes.data() + done, bytes.size() - done);
@@ -61,14 +67,6 @@ std::string read_all(const std::filesystem::path& path, const Descriptor& file, 
   }
   bytes.resize(done);
   return bytes;
-}
-
-}  // namespace
-
-std::string read_file(const std::filesystem::path& path) {
-  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  const std::size_t size = open_regular(path, file);
-  return read_all(path, file, size);
 }
 
 void write_file(const std::filesystem::path& path, std::string_view bytes) {
@@ -97,21 +95,71 @@ void write_file(const std::filesystem::path& path, std::string_view bytes) {
   if (!in_place && std::rename(beside.c_str(), target.c_str()) != 0) throw fail("rename into place", errno);
 }
 
+void make_folder(const std::filesystem::path& folder, const std::string& remedy) {
+  if (folder.empty()) return;  // of a file that lies here
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {folder.string()},
+                        remedy);
+}
+
 MappedFile::MappedFile(const std::filesystem::path& path) {
-  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  size_ = open_regular(path, file);
-  if (size_ <= most_read) {
-    read_ = read_all(path, file, size_);
-    return;
-  }
-  void* mapped = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, file.get(), 0);
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  const std::size_t size = size_of_regular(path, file);
+  if (size == 0) return;
+  void* mapped = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.get(), 0);
   if (mapped == MAP_FAILED)
     throw Error::failed(fmt::format("cannot map: {}", std::strerror(errno)), {path.string()});
-  data_ = static_cast<const char*>(mapped);
+  bytes_ = {static_cast<const char*>(mapped), size};
 }
 
 MappedFile::~MappedFile() {
-  if (data_ != nullptr) ::munmap(const_cast<char*>(data_), size_);
+  if (!bytes_.empty()) ::munmap(const_cast<char*>(bytes_.data()), bytes_.size());
+}
+
+FileLock::FileLock(const std::filesystem::path& file, bool at_once)
+    : file_(::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644)) {
+  if (file_ < 0)
+    throw Error::failed(fmt::format("cannot be opened: {}", std::strerror(errno)), {file.string()},
+                        "name a writable folder");
+  if (::flock(file_, LOCK_EX | (at_once ? LOCK_NB : 0)) != 0) {
+    ::close(file_);
+    throw Error::failed("another process works here", {file.string()}, "wait for its end");
+  }
+}
+
+FileLock::~FileLock() {
+  ::close(file_);
+}
+
+ScratchFolder::ScratchFolder() {
+  std::string name = (std::filesystem::temp_directory_path() / "texel_XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr)
+    throw Error::failed("cannot make a temporary folder", {name},
+                        "check that this folder is writable and has free space");
+  path_ = name;
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;  // a destructor cannot report it
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::vector<std::filesystem::path> Watcher::changed(const std::vector<std::filesystem::path>& files) {
+  std::vector<std::filesystem::path> result;
+  for (const std::filesystem::path& file : files) {
+    std::error_code error;
+    Stamp stamp;
+    stamp.time = std::filesystem::last_write_time(file, error);
+    if (!error && !std::filesystem::is_directory(file)) stamp.size = std::filesystem::file_size(file, error);
+    if (error) stamp = {};  // missing for the moment between an editor's delete and rename
+    const auto [known, is_new] = stamps_.try_emplace(file, stamp);
+    if (is_new || known->second == stamp) continue;
+    known->second = stamp;
+    result.push_back(file);
+  }
+  return result;
 }
 
 }  // namespace texel

@@ -40,12 +40,6 @@ std::string wrapped(const std::string& text, std::size_t columns, std::size_t in
   return result;
 }
 
-void print_error(const std::string& program, const std::exception& error) {
-  std::string text = program + ": " + error.what() + "\n";
-  if (const auto columns = terminal_columns(STDERR_FILENO)) text = wrapped(text, *columns);
-  std::fputs(text.c_str(), stderr);
-}
-
 void flush_output() {
   errno = 0;
   const bool failed = std::fflush(stdout) != 0;
@@ -54,6 +48,17 @@ void flush_output() {
         fmt::format("cannot write to standard output: {}",
                     errno != 0 ? std::strerror(errno) : "the disk is full, or nobody reads it"));
 }
+
+namespace {
+
+/// Says on standard error why a program ends; in a terminal in lines that fit.
+void print_error(const std::string& program, const std::exception& error) {
+  std::string text = program + ": " + error.what() + "\n";
+  if (const auto columns = terminal_columns(STDERR_FILENO)) text = wrapped(text, *columns);
+  std::fputs(text.c_str(), stderr);
+}
+
+}  // namespace
 
 int run_main(const std::string& program, const std::function<Exit()>& run) {
   // Not ignored: programs that this one starts would ignore the signal too.

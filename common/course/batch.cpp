@@ -166,19 +166,15 @@ std::vector<Drawing> parse_drawings(const std::string& text) {
   std::vector<Drawing> drawings;
   const Json json = json_or_null(text);
   if (!json.is_array()) return drawings;
-  const auto text_at = [](const Json& entry, const char* key) {
-    const auto found = entry.find(key);
-    return found != entry.end() && found->is_string() ? found->get<std::string>().substr(0, kMostBytes)
-                                                      : std::string();
-  };
-  for (const Json& entry : json) {
-    if (!entry.is_object()) continue;
-    Drawing one{text_at(entry, "name"),  text_at(entry, "status") == "drawn", text_at(entry, "message"),
-                text_at(entry, "place"), text_at(entry, "drawn_by"),          0};
-    if (const auto time = entry.find("milliseconds"); time != entry.end() && time->is_number())
-      one.milliseconds = time->get<double>();
-    if (!one.file.empty()) drawings.push_back(std::move(one));
-  }
+  for (const Json& entry : json) try {
+      const auto text_at = [&](const char* key) {
+        return entry.value(key, std::string()).substr(0, kMostBytes);
+      };
+      Drawing one{text_at("name"),  text_at("status") == "drawn", text_at("message"),
+                  text_at("place"), text_at("drawn_by"),          entry.value("milliseconds", 0.0)};
+      if (!one.file.empty()) drawings.push_back(std::move(one));
+    } catch (const Json::exception&) {  // no entry
+    }
   return drawings;
 }
 

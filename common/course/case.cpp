@@ -3,23 +3,35 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+#include <regex>
 
 namespace texel::course {
 namespace {
 
-constexpr std::array kViews = {"color", "normal", "tangent", "texcoord", "direction",
-                               "lod",   "depth",  "mask",    "error",    "mesh"};
+struct ViewOf {
+  const char* name;
+  Unit unit;
+};
+constexpr std::array<ViewOf, 10> kViews = {{{"color", Unit::steps},
+                                            {"normal", Unit::degrees},
+                                            {"tangent", Unit::degrees},
+                                            {"texcoord", Unit::texture_widths},
+                                            {"direction", Unit::degrees},
+                                            {"lod", Unit::levels},
+                                            {"depth", Unit::units},
+                                            {"mask", Unit::units},
+                                            {"error", Unit::units},
+                                            {"mesh", Unit::degrees}}};
 constexpr std::array kUnits = {"8-bit steps", "degrees", "levels", "texels", "texture widths", "units"};
 
 }  // namespace
 
 const char* name_of(View view) {
-  return kViews.at(static_cast<std::size_t>(view));
+  return kViews.at(static_cast<std::size_t>(view)).name;
 }
 
 std::optional<View> find_view(std::string_view name) {
-  const auto found = std::find(kViews.begin(), kViews.end(), name);
+  const auto found = std::ranges::find(kViews, name, &ViewOf::name);
   if (found == kViews.end()) return {};
   return static_cast<View>(found - kViews.begin());
 }
@@ -29,37 +41,16 @@ const char* name_of(Unit unit) {
 }
 
 Unit unit_of(View view) {
-  switch (view) {
-    case View::color:
-      return Unit::steps;
-    case View::normal:
-    case View::tangent:
-    case View::direction:
-    case View::mesh:
-      return Unit::degrees;
-    case View::lod:
-      return Unit::levels;
-    case View::texcoord:
-      return Unit::texture_widths;
-    case View::depth:
-    case View::mask:
-    case View::error:
-      break;
-  }
-  return Unit::units;
+  return kViews.at(static_cast<std::size_t>(view)).unit;
 }
 
-std::optional<Size> find_size(std::string_view text) {
-  Size size;
-  const char* end = text.data() + text.size();
-  const auto [middle, error] = std::from_chars(text.data(), end, size.width);
-  if (error != std::errc{} || middle == end || *middle != 'x') return {};
-  if (const auto [last, fault] = std::from_chars(middle + 1, end, size.height);
-      fault != std::errc{} || last != end)
-    return {};
+std::optional<Size> find_size(const std::string& text) {
+  static const std::regex kSize("([0-9]{1,5})x([0-9]{1,5})");
+  std::smatch sides;
+  if (!std::regex_match(text, sides, kSize)) return {};
   const auto is_side = [](int pixels) { return pixels >= 1 && pixels <= Size::kMostPixels; };
-  if (!is_side(size.width) || !is_side(size.height)) return {};
-  return size;
+  const Size size{std::stoi(sides[1]), std::stoi(sides[2])};
+  return is_side(size.width) && is_side(size.height) ? std::optional(size) : std::nullopt;
 }
 
 std::string as_text(Size size) {

@@ -4,8 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
+#include <regex>
+#include <set>
 
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
@@ -17,255 +18,142 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A parameter's value as the command line takes it.
-std::string as_text(const toml::node& value, const Reader& reader) {
-  if (const auto* toggle = value.as_boolean()) return toggle->get() ? "on" : "off";
-  if (const auto* integer = value.as_integer()) return fmt::format("{}", integer->get());
-  if (const auto* number = value.as_floating_point()) return fmt::format("{}", number->get());
-  if (const auto* word = value.as_string()) return word->get();
-  throw reader.error(value, "a parameter's value must be a text, number or boolean");
+/// A name that may be a file's and that no other of its kind has.
+template <class Named>
+std::string read_name(Reader& reader, const std::vector<Named>& others, const char* kind) {
+  std::string name = reader.text("name");
+  if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_-") != name.npos)
+    throw reader.error("name", fmt::format("'{}' is not a valid {} name", name, kind),
+                       "use lower-case letters, digits, '_' and '-'");
+  if (std::any_of(others.begin(), others.end(), [&](const Named& other) { return other.name == name; }))
+    throw reader.error("name", fmt::format("two {}s are called '{}'", kind, name));
+  return name;
 }
 
-/// The entries of an inline table in the order of the file, which the table itself sorts by key.
-std::vector<std::pair<std::string, const toml::node*>> in_order(const toml::table& table) {
-  std::vector<std::pair<std::string, const toml::node*>> entries;
-  for (const auto& [key, value] : table) entries.emplace_back(key.str(), &value);
-  std::sort(entries.begin(), entries.end(),
-            [](const auto& a, const auto& b) { return a.second->source().begin < b.second->source().begin; });
-  return entries;
-}
-
-std::vector<Setting> read_settings(Reader& reader) {
-  const toml::node* node = reader.find("set");
-  if (node == nullptr) return {};
-  const toml::table* table = node->as_table();
-  if (table == nullptr) throw reader.error(*node, "'set' must be a table { parameter = value, … }");
-  std::vector<Setting> settings;
-  for (const auto& [parameter, value] : in_order(*table))
-    settings.push_back({parameter, as_text(*value, reader)});
-  return settings;
-}
-
-std::vector<Variation> read_variations(Reader& reader, const toml::table& bench) {
-  const toml::node* node = reader.find("vary");
-  const toml::table* table = node == nullptr ? nullptr : node->as_table();
-  if (table == nullptr || table->empty())
-    throw reader.error(
-        node == nullptr ? bench : *node,
-        "'vary' must be a table { parameter = [values], … }; [] stands for all values of a choice");
-  std::vector<Variation> variations;
-  for (const auto& [parameter, values] : in_order(*table)) {
-    if (!values->is_array())
-      throw reader.error(*values, fmt::format("'{}' must be a list of values", parameter));
-    Variation variation{parameter, {}};
-    for (const toml::node& value : *values->as_array()) variation.values.push_back(as_text(value, reader));
-    variations.push_back(std::move(variation));
-  }
-  return variations;
-}
-
-bool is_file_name(const std::string& name) {
-  return std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-  });
-}
-
-View read_view(Reader& reader) {
+/// The settings and the view of a case. Only the cases of a step may have the vertex stream as their view.
+void read_what_is_seen(Reader& reader, Case& one, bool may_be_mesh) {
+  for (const auto& [parameter, value] : reader.entries("set", "value"))
+    one.settings.push_back({parameter, reader.setting(*value)});
   const std::string name = reader.text("view", name_of(View::color));
   const std::optional<View> view = find_view(name);
   if (!view) throw reader.error("view", fmt::format("there is no view '{}'", name));
-  return *view;
-}
-
-/// A view that can be seen: only the cases of a step may have the vertex stream.
-View read_picture_view(Reader& reader) {
-  const View view = read_view(reader);
-  if (view == View::mesh)
+  if (*view == View::mesh && !may_be_mesh)
     throw reader.error("view", "a mesh is no picture: only a [[case]] has the view 'mesh'");
-  return view;
+  one.view = *view;
 }
 
-/// What every case of a lab file has.
-void read_case(Reader& reader, const std::string& lab, Case& one) {
-  one.lab = lab;
-  one.settings = read_settings(reader);
-  const std::string size = reader.text("size", as_text(one.size));
-  if (const auto found = find_size(size))
-    one.size = *found;
-  else
-    throw reader.error("size", fmt::format("'{}' is not a size", size), "write WIDTHxHEIGHT in pixels");
+Size read_size(Reader& reader, Size otherwise) {
+  const std::string text = reader.text("size", as_text(otherwise));
+  const std::optional<Size> size = find_size(text);
+  if (!size)
+    throw reader.error("size", fmt::format("'{}' is not a size", text), "write WIDTHxHEIGHT in pixels");
+  return *size;
 }
 
-Look read_look(Reader& reader, const std::string& lab) {
-  Look look;
-  look.name = reader.text("name");
-  look.file = look.name + ".png";
-  look.caption = reader.text("caption");
-  read_case(reader, lab, look);
-  look.view = read_picture_view(reader);
-  look.source = reader.text("source", look.source);
-  look.hero = reader.optional("hero", look.hero, "true or false");
-  reader.reject_unknown();
-  return look;
-}
-
-std::vector<Look> read_looks(Reader& head, const std::string& file, const std::string& lab) {
+std::vector<Look> read_looks(Reader& head, const std::string& lab) {
   std::vector<Look> looks;
-  for (const toml::table* table : head.tables("look")) {
-    Reader reader(*table, file);
-    Look look = read_look(reader, lab);
-    if (!is_file_name(look.name))
-      throw head.error(*table, fmt::format("'{}' is not a valid picture name", look.name),
-                       "use lower-case letters, digits, '_' and '-'");
-    if (std::any_of(looks.begin(), looks.end(), [&](const Look& l) { return l.name == look.name; }))
-      throw head.error(*table, fmt::format("two looks are called '{}'", look.name));
+  for (Reader& reader : head.tables("look")) {
+    Look look;
+    look.lab = lab;
+    look.name = read_name(reader, looks, "look");
+    look.file = look.name + ".png";
+    look.caption = reader.text("caption");
+    read_what_is_seen(reader, look, false);
+    look.size = read_size(reader, look.size);
+    look.source = reader.text("source", "");
+    look.hero = reader.toggle("hero");
+    reader.reject_unknown();
     looks.push_back(std::move(look));
   }
   return looks;
 }
 
-std::vector<BenchCase> read_bench(Reader& head, const std::string& file, const std::string& lab) {
-  std::vector<BenchCase> cases;
-  for (const toml::table* table : head.tables("bench")) {
-    Reader reader(*table, file);
-    BenchCase c;
-    c.name = reader.text("case");
-    c.teaches = reader.text("teaches");
-    c.hard = reader.optional("hard", c.hard, "true or false");
-    c.size = {256, 256};
-    read_case(reader, lab, c);
-    c.variations = read_variations(reader, *table);
-    reader.reject_unknown();
-    if (std::any_of(cases.begin(), cases.end(), [&](const BenchCase& other) { return other.name == c.name; }))
-      throw head.error(*table, fmt::format("two cases are called '{}'", c.name));
-    cases.push_back(std::move(c));
+std::vector<Step>::const_iterator find_step(const std::vector<Step>& steps, const std::string& id) {
+  return std::find_if(steps.begin(), steps.end(), [&](const Step& step) { return step.id == id; });
+}
+
+/// The earlier steps that a step needs, with those that they need, in the lab's order.
+std::vector<std::string> read_needs(Reader& reader, const std::vector<Step>& earlier) {
+  std::set<std::string> all;
+  for (const std::string& need : reader.texts("needs")) {
+    const auto found = find_step(earlier, need);
+    if (found == earlier.end())
+      throw reader.error("needs", fmt::format("there is no step '{}' before this one", need));
+    all.insert(need);
+    all.insert(found->needs.begin(), found->needs.end());
   }
-  return cases;
+  std::vector<std::string> needs;
+  for (const Step& step : earlier)
+    if (all.contains(step.id)) needs.push_back(step.id);
+  return needs;
 }
 
-std::vector<Claim> read_claims(Reader& head, const std::string& file) {
-  std::vector<Claim> claims;
-  for (const toml::table* table : head.tables("claim")) {
-    Reader reader(*table, file);
-    claims.push_back({reader.text("source"), reader.text("says"), reader.text("found"), reader.text("see")});
-    reader.reject_unknown();
-  }
-  return claims;
-}
-
-std::vector<std::string> read_texts(Reader& reader, const std::string& key) {
-  const toml::node* node = reader.find(key);
-  if (node == nullptr) return {};
-  std::vector<std::string> texts;
-  const toml::array* array = node->as_array();
-  for (std::size_t i = 0; array != nullptr && i < array->size(); ++i)
-    if (const auto* text = array->get(i)->as_string(); text != nullptr && !text->get().empty())
-      texts.push_back(text->get());
-  if (array == nullptr || texts.size() != array->size())
-    throw reader.error(*node, fmt::format("'{}' must be a list of texts", key));
-  return texts;
-}
-
-double read_number(Reader& reader, const std::string& key, const toml::table& table) {
-  const toml::node* node = reader.find(key);
-  const std::optional<double> value = node == nullptr ? std::nullopt : node->value<double>();
-  if (!value || !(*value >= 0))
-    throw reader.error(node == nullptr ? table : *node,
-                       fmt::format("'{}' must be a number, 0 or larger", key));
-  return *value;
-}
-
-bool has_step(const std::vector<Step>& steps, const std::string& id) {
-  return std::any_of(steps.begin(), steps.end(), [&](const Step& step) { return step.id == id; });
-}
-
-std::vector<Step> read_steps(Reader& head, const std::string& file, int lab) {
+std::vector<Step> read_steps(Reader& head, int lab) {
   std::vector<Step> steps;
-  for (const toml::table* table : head.tables("step")) {
-    Reader reader(*table, file);
+  for (Reader& reader : head.tables("step")) {
     Step step;
     step.id = reader.text("id");
     step.title = reader.text("title");
-    step.points = read_number(reader, "points", *table);
-    step.needs = read_texts(reader, "needs");
-    step.hints = read_texts(reader, "hints");
-    step.see.settings = read_settings(reader);
-    step.see.view = read_picture_view(reader);
-    step.seen_with = read_texts(reader, "seen_with");
+    step.points = reader.number("points");
+    step.needs = read_needs(reader, steps);
+    step.hints = reader.texts("hints");
+    read_what_is_seen(reader, step.see, false);
+    step.seen_with = reader.texts("seen_with");
     reader.reject_unknown();
-    const std::string expected = fmt::format("{}.{}", lab, steps.size() + 1);
-    if (step.id != expected)
+    if (const std::string next = fmt::format("{}.{}", lab, steps.size() + 1); step.id != next)
       throw reader.error("id",
-                         fmt::format("this is step '{}', but the next one must be '{}'", step.id, expected));
-    for (const std::string& need : step.needs)
-      if (const int of = lab_of_step(need); (of == 0 || of >= lab) && !has_step(steps, need))
-        throw reader.error("needs", fmt::format("there is no step '{}' before this one", need));
+                         fmt::format("this is step '{}', but the next one must be '{}'", step.id, next));
     if (step.hints.empty() || step.hints.size() > 3)
       throw reader.error("hints", "a step must have one to three hints");
     steps.push_back(std::move(step));
   }
   for (const Step& step : steps)
     for (const std::string& later : step.seen_with)
-      if (!has_step(steps, later) || later == step.id)
+      if (find_step(steps, later) == steps.end() || later == step.id)
         throw head.error("step", fmt::format("step '{}' cannot be seen with '{}'", step.id, later),
                          "seen_with names other steps of this lab");
   return steps;
 }
 
 std::vector<Hidden> read_hidden(Reader& reader) {
-  const toml::node* node = reader.find("hidden");
-  if (node == nullptr) return {};
-  const toml::table* table = node->as_table();
-  if (table == nullptr) throw reader.error(*node, "'hidden' must be a table { parameter = [values], … }");
   std::vector<Hidden> all;
-  for (const auto& [parameter, values] : in_order(*table)) {
+  for (const auto& [parameter, node] : reader.entries("hidden", "[values]")) {
     Hidden hidden{parameter, 0, 0, {}};
-    const toml::array* array = values->as_array();
-    const bool is_range =
-        array != nullptr && array->size() == 2 && array->get(0)->is_number() && array->get(1)->is_number();
-    if (is_range) {
-      hidden.least = *array->get(0)->value<double>();
-      hidden.most = *array->get(1)->value<double>();
-    } else {
-      for (std::size_t i = 0; array != nullptr && i < array->size(); ++i)
-        hidden.values.push_back(as_text(*array->get(i), reader));
-    }
+    const toml::array none, &values = node->is_array() ? *node->as_array() : none;
+    const bool is_range = values.size() == 2 && values[0].is_number() && values[1].is_number();
+    if (is_range)
+      hidden.least = values[0].value_or(0.0), hidden.most = values[1].value_or(0.0);
+    else
+      for (const toml::node& value : values) hidden.values.push_back(reader.setting(value));
     if (is_range ? !(hidden.least < hidden.most) : hidden.values.size() < 2)
-      throw reader.error(*values, fmt::format("'{}' must be a range [least, most] of numbers, or a "
-                                              "list of two texts or more",
-                                              parameter));
+      throw reader.error(*node, fmt::format("'{}' must be a range [least, most] of numbers, or a "
+                                            "list of two texts or more",
+                                            parameter));
     all.push_back(std::move(hidden));
   }
   return all;
 }
 
-std::vector<GradedCase> read_cases(Reader& head, const std::string& file, const std::string& lab,
-                                   const std::vector<Step>& steps) {
+std::vector<GradedCase> read_cases(Reader& head, const std::string& lab, const std::vector<Step>& steps) {
   std::vector<GradedCase> cases;
-  for (const toml::table* table : head.tables("case")) {
-    Reader reader(*table, file);
-    GradedCase c;
-    c.name = reader.text("name");
-    c.step = reader.text("step");
-    c.size = {128, 128};
-    read_case(reader, lab, c);
-    c.view = read_view(reader);
-    c.file = c.name + (c.is_mesh() ? ".ply" : c.view == View::color ? ".png" : ".pfm");
-    c.limit = read_number(reader, "limit", *table);
-    c.why = reader.text("why");
-    c.hidden_settings = read_hidden(reader);
-    c.hidden = !c.hidden_settings.empty() ||
-               std::any_of(c.settings.begin(), c.settings.end(),
-                           [](const Setting& setting) { return setting.value.starts_with(kUnseen); });
+  for (Reader& reader : head.tables("case")) {
+    GradedCase one;
+    one.lab = lab;
+    one.name = read_name(reader, cases, "case");
+    one.step = reader.text("step");
+    if (find_step(steps, one.step) == steps.end())
+      throw reader.error("step", fmt::format("there is no step '{}'", one.step));
+    read_what_is_seen(reader, one, true);
+    one.size = read_size(reader, {128, 128});
+    one.file = one.name + (one.is_mesh() ? ".ply" : one.view == View::color ? ".png" : ".pfm");
+    one.limit = reader.number("limit");
+    one.why = reader.text("why");
+    one.hidden_settings = read_hidden(reader);
+    one.hidden = !one.hidden_settings.empty() ||
+                 std::any_of(one.settings.begin(), one.settings.end(),
+                             [](const Setting& setting) { return setting.value.starts_with(kUnseen); });
     reader.reject_unknown();
-    if (!is_file_name(c.name))
-      throw reader.error("name", fmt::format("'{}' is not a valid case name", c.name),
-                         "use lower-case letters, digits, '_' and '-'");
-    if (std::any_of(cases.begin(), cases.end(),
-                    [&](const GradedCase& other) { return other.name == c.name; }))
-      throw reader.error("name", fmt::format("two cases are called '{}'", c.name));
-    if (!has_step(steps, c.step)) throw reader.error("step", fmt::format("there is no step '{}'", c.step));
-    cases.push_back(std::move(c));
+    cases.push_back(std::move(one));
   }
   for (const Step& step : steps)
     if (std::none_of(cases.begin(), cases.end(), [&](const GradedCase& c) { return c.step == step.id; }))
@@ -273,25 +161,11 @@ std::vector<GradedCase> read_cases(Reader& head, const std::string& file, const 
   return cases;
 }
 
-/// Looks for the steps of other labs that a step needs: read_steps has seen but one lab.
-void check_needs(const std::vector<Lab>& labs, const fs::path& folder) {
-  for (const Lab& lab : labs)
-    for (const Step& step : lab.steps)
-      for (const std::string& need : step.needs)
-        if (std::none_of(labs.begin(), labs.end(),
-                         [&](const Lab& earlier) { return has_step(earlier.steps, need); }))
-          throw Error::failed(fmt::format("step '{}' needs step '{}', but no lab has it", step.id, need),
-                              {(folder / lab.folder / "lab.toml").string()});
-}
-
 /// "05_normal_map" is lab 5; 0 for a folder that is none.
 int lab_number(const std::string& folder) {
-  const auto digit = [&](std::size_t i) { return folder[i] >= '0' && folder[i] <= '9'; };
-  if (folder.size() < 4 || !digit(0) || !digit(1) || folder[2] != '_') return 0;
-  return (folder[0] - '0') * 10 + (folder[1] - '0');
+  static const std::regex kLab("[0-9][0-9]_.+");
+  return std::regex_match(folder, kLab) ? std::stoi(folder) : 0;
 }
-
-constexpr const char* kSides[] = {"_BACKUP_", "_BASE_", "_LOCAL_", "_REMOTE_"};
 
 }  // namespace
 
@@ -306,26 +180,30 @@ Lab read_lab(const fs::path& file) {
                        "rename one of them");
   lab.title = reader.text("title");
   lab.lesson = reader.text("lesson");
-  lab.looks = read_looks(reader, file.string(), lab.folder);
-  lab.bench = read_bench(reader, file.string(), lab.folder);
-  lab.claims = read_claims(reader, file.string());
   lab.choice = reader.text("choice", "");
-  lab.driver_methods = read_texts(reader, "driver_methods");
-  lab.steps = read_steps(reader, file.string(), lab.number);
-  lab.cases = read_cases(reader, file.string(), lab.folder, lab.steps);
+  lab.looks = read_looks(reader, lab.folder);
+  lab.steps = read_steps(reader, lab.number);
+  lab.cases = read_cases(reader, lab.folder, lab.steps);
+  for (const char* of_the_benchmark : {"bench", "claim", "driver_methods"}) reader.find(of_the_benchmark);
   reader.reject_unknown();
   return lab;
 }
 
+int lab_of_step(const std::string& step) {
+  static const std::regex kStep(R"([0-9]{1,2}\.[0-9]+)");
+  return std::regex_match(step, kStep) ? std::stoi(step) : 0;
+}
+
 std::string copied_from(const fs::path& folder) {
+  const fs::path file = folder / "lab.toml";
   std::error_code missing;
-  if (!fs::exists(folder / "lab.toml", missing)) return {};
+  if (!fs::exists(file, missing)) return {};
   // Not as TOML: check asks often.
-  for (const std::string& line : lines_of(read_file(folder / "lab.toml"))) {
-    const std::size_t begin = line.find('"') + 1, end = line.find('"', begin);
-    if (!line.starts_with("lab") || line.find_first_not_of(" =", 3) + 1 != begin || end == line.npos)
-      continue;
-    const std::string of = line.substr(begin, end - begin);
+  static const std::regex kLab("lab *= *\"([^\"]*)\".*");
+  std::smatch found;
+  for (const std::string& line : lines_of(read_file(file))) {
+    if (!std::regex_match(line, found, kLab)) continue;
+    const std::string of = found[1];
     const bool is_copy = of != folder.filename() && lab_number(of) > 0 &&
                          fs::exists(folder.parent_path() / of / "lab.toml", missing);
     return is_copy ? of : "";
@@ -334,18 +212,12 @@ std::string copied_from(const fs::path& folder) {
 }
 
 bool is_left_over(const fs::path& file) {
-  const std::string name = file.filename(), stem = file.stem();
-  for (const char* ending : {".cpp", ".hpp", ".glsl", ".vert", ".frag"}) {
-    if (name.find(ending) == name.npos || file.extension() == ".in") continue;
-    const bool is_plain =
-        file.extension() == ending && std::all_of(stem.begin(), stem.end(), [](unsigned char c) {
-          return std::isalnum(c) != 0 || c == '_' || c == '-';
-        });
-    // What git mergetool makes.
-    return !is_plain || std::any_of(std::begin(kSides), std::end(kSides),
-                                    [&](const char* side) { return stem.find(side) != stem.npos; });
-  }
-  return false;
+  static const std::regex kProgram(R"(.*\.(cpp|hpp|glsl|vert|frag).*)"),
+      kPlain(R"([\w-]+\.(cpp|hpp|glsl|vert|frag))"),
+      kMerged(R"(.*_(BACKUP|BASE|LOCAL|REMOTE)_.*)");  // by git mergetool
+  const std::string name = file.filename();
+  return std::regex_match(name, kProgram) && !name.ends_with(".in") &&
+         (!std::regex_match(name, kPlain) || std::regex_match(name, kMerged));
 }
 
 std::vector<Lab> read_labs(const fs::path& folder) {
@@ -363,7 +235,6 @@ std::vector<Lab> read_labs(const fs::path& folder) {
     for (auto [at, end] = copies.equal_range(lab.folder); at != end; ++at) lab.copies.push_back(at->second);
   if (labs.empty()) throw Error::failed("has no NN_name/lab.toml", {folder.string()});
   std::sort(labs.begin(), labs.end(), [](const Lab& a, const Lab& b) { return a.folder < b.folder; });
-  check_needs(labs, folder);
   return labs;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "course/same_code.hpp"
+#include "course/markers.hpp"
 
 #include <algorithm>
 #include <cctype>

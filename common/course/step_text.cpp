@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <regex>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
@@ -17,60 +17,29 @@ namespace {
 constexpr std::size_t kMostLines = 200;  // of a step whose last marker is gone
 constexpr std::size_t kMostBefore = 6;   // of the function's head
 
-/// The index behind the bracket that closes the one at `open`.
-std::size_t behind_bracket(std::string_view text, std::size_t open) {
-  int depth = 0;
-  for (std::size_t i = open; i < text.size(); ++i) {
-    depth += text[i] == '{' ? 1 : text[i] == '}' ? -1 : 0;
-    if (depth == 0) return i + 1;
-  }
-  return text.size();
-}
-
-/// Digits raised and lowered, as Unicode has them.
-constexpr std::array<const char*, 10> kRaised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-constexpr std::array<const char*, 10> kLowered = {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
-
 /// Of formulas that stand in lines of their own.
 constexpr const char* kIndent = "   ";
 
 /// LaTeX as the handouts use it, in Unicode; where it has a wide gap begins another line.
-std::string formula(std::string_view text) {
+std::string formula(std::string text) {
+  static const std::pair<std::regex, std::string> kWords[] = {
+      {std::regex(R"(\\qquad *)"), std::string("\n") + kIndent},
+      {std::regex(R"(\\[lr]vert)"), "|"},
+      {std::regex(R"(\\(mathrm|mathbf|text) ?)"), ""},
+      {std::regex(R"(\\sqrt\{(([^{}]|\{[^{}]*\})*)\})"), "√($1)"},
+      {std::regex(R"(\^\{-)"), "⁻^"}};
+  for (const auto& [word, by] : kWords)
+    while (std::regex_search(text, word)) text = std::regex_replace(text, word, by);  // a root in a root
+  constexpr std::array kRaised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  constexpr std::array kLowered = {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
+  constexpr std::string_view kDigits = "0123456789", kDropped = "\\{}";
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    const char next = i + 1 < text.size() ? text[i + 1] : '\0';
-    if (c == '\\') {
-      std::size_t end = i + 1;
-      while (end < text.size() && std::isalpha(static_cast<unsigned char>(text[end])) != 0) ++end;
-      const std::string_view word = text.substr(i + 1, end - i - 1);
-      i = end - 1;
-      if (word == "qquad") {
-        result.append("\n").append(kIndent);
-        while (i + 1 < text.size() && text[i + 1] == ' ') ++i;
-      } else if (word == "lvert" || word == "rvert") {
-        result += "|";
-      } else if (word == "sqrt" && end < text.size() && text[end] == '{') {
-        const std::size_t behind = behind_bracket(text, end);
-        result.append("√(").append(formula(text.substr(end + 1, behind - end - 2))).append(")");
-        i = behind - 1;
-      } else if (word == "mathrm" || word == "mathbf" || word == "text") {
-        if (i + 1 < text.size() && text[i + 1] == ' ') ++i;
-      } else {
-        result += word;  // \cos; of "\ " nothing
-      }
-    } else if ((c == '^' || c == '_') && next >= '0' && next <= '9') {
-      const auto digit = static_cast<std::size_t>(next - '0');
-      result += c == '^' ? kRaised.at(digit) : kLowered.at(digit);
-      ++i;
-    } else if (text.substr(i).starts_with("^{-")) {
-      result += "⁻";
-      i += 2;
-      for (; i + 1 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9'; ++i)
-        result += kRaised.at(static_cast<std::size_t>(text[i + 1] - '0'));
-    } else if (c != '{' && c != '}') {
-      result += c;
-    }
+    const std::size_t digit = kDigits.find(text[i + 1]);  // behind the last one stands '\0'
+    if ((text[i] == '^' || text[i] == '_') && digit != kDigits.npos)
+      result += text[i++] == '^' ? kRaised.at(digit) : kLowered.at(digit);
+    else if (kDropped.find(text[i]) == kDropped.npos)
+      result += text[i];
   }
   return result;
 }
@@ -101,41 +70,21 @@ std::string task_of(const std::vector<std::string>& lines, const std::string& st
 
 }  // namespace
 
-std::string without_markdown(std::string_view text) {
+std::string without_markdown(const std::string& text) {
+  // Code, a formula in a line of its own, another one, a link, a product, and what marks words.
+  static const std::regex kMarks(
+      R"(`([^`]*)`|\$\$([^$]*)\$\$|\$([^$]*)\$|\[([^\]]*)\](?:\([^)]*\))?|( \* )|\*+)");
   std::string result;
-  bool is_code = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '`') {
-      is_code = !is_code;
-    } else if (c == '$' && !is_code) {
-      const std::size_t marks = i + 1 < text.size() && text[i + 1] == '$' ? 2 : 1;
-      const std::size_t end = text.find('$', i + marks);
-      if (end == std::string_view::npos) {
-        result += c;
-        continue;
-      }
-      if (marks == 2) result += kIndent;
-      result += formula(text.substr(i + marks, end - i - marks));
-      i = end + marks - 1;
-    } else if (text.substr(i, 2) == "**" && !is_code) {
-      ++i;
-    } else if (c == '*' && !is_code && text.substr(std::max<std::size_t>(i, 1) - 1, 3) != " * ") {
-      continue;                         // of *a word*
-    } else if (c == '[' && !is_code) {  // of a link only its text
-      const std::size_t end = text.find(']', i);
-      if (end == std::string_view::npos) {
-        result += c;
-        continue;
-      }
-      result += without_markdown(text.substr(i + 1, end - i - 1));
-      i = end;
-      if (i + 1 < text.size() && text[i + 1] == '(') i = std::min(text.find(')', i), text.size() - 1);
-    } else {
-      result += c;
-    }
+  auto at = text.begin();
+  for (std::sregex_iterator mark(text.begin(), text.end(), kMarks), end; mark != end; ++mark) {
+    const std::smatch& found = *mark;
+    result.append(at, found[0].first).append(found[1]).append(found[5]);
+    if (found[2].matched) result += kIndent + formula(found[2]);
+    if (found[3].matched) result += formula(found[3]);
+    if (found[4].matched) result += without_markdown(found[4]);
+    at = found[0].second;
   }
-  return result;
+  return result.append(at, text.end());
 }
 
 StepText read_step_text(const std::filesystem::path& root, const std::string& lab_folder,

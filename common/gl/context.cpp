@@ -6,12 +6,13 @@
 #include <glad/gl.h>
 
 #include <cstdlib>
-#include <cstring>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/stages.hpp"
-#include "gl/texture.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 
 // The types and constants of EGL 1.5; its functions are looked up at run time.
 #define EGL_EGL_PROTOTYPES 0
@@ -49,52 +50,35 @@ class Library {
   void* handle_;
 };
 
-/// What we use of OSMesa. Mesa no longer comes with its header since 25.1, but older libraries stay in use.
-struct OsmesaApi {
-  using Handle = struct osmesa_context*;
-  using Create = Handle(const int* attributes, Handle share);
-  using MakeCurrent = GLboolean(Handle, void* buffer, GLenum type, GLsizei width, GLsizei height);
-  using Destroy = void(Handle);
-  using GetAddress = void*(const char*);
+/// Mesa no longer comes with OSMesa's header since 25.1, but older libraries stay in use.
+class OsmesaContext : public Context {
   static constexpr int kFormat = 0x22, kDepthBits = 0x30, kProfile = 0x33, kCoreProfile = 0x34,
                        kMajorVersion = 0x36, kMinorVersion = 0x37;
-};
 
-class OsmesaContext : public Context {
  public:
   explicit OsmesaContext(Shaders shaders) : Context(shaders) {
-    const auto create = library().function<OsmesaApi::Create>("OSMesaCreateContextAttribs");
-    const int attributes[] = {OsmesaApi::kFormat,
-                              GL_RGBA,
-                              OsmesaApi::kDepthBits,
-                              24,
-                              OsmesaApi::kProfile,
-                              OsmesaApi::kCoreProfile,
-                              OsmesaApi::kMajorVersion,
-                              3,
-                              OsmesaApi::kMinorVersion,
-                              3,
-                              0};
-    context_ = create(attributes, nullptr);
+    const auto create =
+        library().function<void*(const int* attributes, void* share)>("OSMesaCreateContextAttribs");
+    const int attributes[][2] = {{kFormat, GL_RGBA}, {kDepthBits, 24},   {kProfile, kCoreProfile},
+                                 {kMajorVersion, 3}, {kMinorVersion, 3}, {0, 0}};
+    context_ = create(*attributes, nullptr);
     if (context_ == nullptr) throw Error::failed("OSMesa gives no OpenGL 3.3 core context");
-    OsmesaContext::make_current();
-  }
-  ~OsmesaContext() override { library().function<OsmesaApi::Destroy>("OSMesaDestroyContext")(context_); }
-  void make_current() override {
-    const auto make = library().function<OsmesaApi::MakeCurrent>("OSMesaMakeCurrent");
+    const auto make_current =
+        library().function<GLboolean(void*, void* buffer, GLenum type, GLsizei, GLsizei)>(
+            "OSMesaMakeCurrent");
     // We draw into framebuffer objects; the default framebuffer is one unused pixel.
-    if (make(context_, pixel_, GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE)
+    if (make_current(context_, pixel_, GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE)
       throw Error::failed("cannot make the OSMesa context current");
-    load(library().function<OsmesaApi::GetAddress>("OSMesaGetProcAddress"));
+    load(library().function<void*(const char*)>("OSMesaGetProcAddress"));
   }
-  [[nodiscard]] const char* kind_name() const override { return "osmesa"; }
+  ~OsmesaContext() override { library().function<void(void*)>("OSMesaDestroyContext")(context_); }
 
  private:
   static const Library& library() {
     static const Library osmesa("libOSMesa.so.8", "libosmesa6");
     return osmesa;
   }
-  OsmesaApi::Handle context_;
+  void* context_;
   unsigned char pixel_[4] = {};
 };
 
@@ -108,29 +92,22 @@ class EglContext : public Context {
     if (display_ == EGL_NO_DISPLAY || initialize(display_, nullptr, nullptr) == EGL_FALSE)
       throw Error::failed("EGL cannot draw without a surface on this machine", {}, "try --context osmesa");
     library().function<EGLBoolean(EGLenum)>("eglBindAPI")(EGL_OPENGL_API);
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                 3,
-                                 EGL_CONTEXT_MINOR_VERSION,
-                                 3,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                 EGL_NONE};
+    const EGLint attributes[][2] = {{EGL_CONTEXT_MAJOR_VERSION, 3},
+                                    {EGL_CONTEXT_MINOR_VERSION, 3},
+                                    {EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT},
+                                    {EGL_NONE, EGL_NONE}};
     const auto create =
         library().function<EGLContext(EGLDisplay, EGLConfig, EGLContext, const EGLint*)>("eglCreateContext");
-    context_ = create(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+    context_ = create(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, *attributes);
     if (context_ == EGL_NO_CONTEXT) throw Error::failed("EGL gives no OpenGL 3.3 core context");
-    EglContext::make_current();
+    if (bind(context_) == EGL_FALSE) throw Error::failed("cannot make the EGL context current");
+    load(library().function<void*(const char*)>("eglGetProcAddress"));
   }
   ~EglContext() override {
     bind(EGL_NO_CONTEXT);
     library().function<EGLBoolean(EGLDisplay, EGLContext)>("eglDestroyContext")(display_, context_);
     library().function<EGLBoolean(EGLDisplay)>("eglTerminate")(display_);
   }
-  void make_current() override {
-    if (bind(context_) == EGL_FALSE) throw Error::failed("cannot make the EGL context current");
-    load(library().function<void*(const char*)>("eglGetProcAddress"));
-  }
-  [[nodiscard]] const char* kind_name() const override { return "egl"; }
 
  private:
   static const Library& library() {
@@ -144,14 +121,6 @@ class EglContext : public Context {
   EGLDisplay display_;
   EGLContext context_;
 };
-
-PFNGLTEXIMAGE2DPROC upload = nullptr;
-
-void GLAD_API_PTR count_and_upload(GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height,
-                                   GLint border, GLenum format, GLenum type, const void* data) {
-  texture_bytes += std::size_t{4} * static_cast<unsigned>(width) * static_cast<unsigned>(height);
-  upload(target, level, internal, width, height, border, format, type, data);
-}
 
 }  // namespace
 
@@ -168,7 +137,6 @@ void Context::load(void* (*get_address)(const char*)) {
   };
   if (gladLoadGLUserPtr(loader, reinterpret_cast<void*>(get_address)) == 0)
     throw Error::failed("cannot load OpenGL's functions");
-  upload = std::exchange(glad_glTexImage2D, count_and_upload);
   if (GLAD_GL_KHR_debug != 0 && glad_glDebugMessageCallback != nullptr) {
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
@@ -198,28 +166,55 @@ std::vector<std::string> Context::take_errors() {
   return std::exchange(errors_, {});
 }
 
-std::unique_ptr<Context> create_headless(ContextKind kind, Shaders shaders) {
-  if (kind == ContextKind::osmesa) return std::make_unique<OsmesaContext>(shaders);
-  return std::make_unique<EglContext>(shaders);
-}
-
-std::unique_ptr<Context> create_headless(Shaders shaders) {
-  if (const char* wanted = std::getenv("TEXEL_CONTEXT"); wanted != nullptr && *wanted != '\0') {
-    if (wanted == std::string("osmesa")) return create_headless(ContextKind::osmesa, shaders);
-    if (wanted == std::string("egl")) return create_headless(ContextKind::egl, shaders);
-    throw Error::usage(fmt::format("TEXEL_CONTEXT is '{}'", wanted), "egl or osmesa");
-  }
+std::unique_ptr<Context> create_headless(Shaders shaders, std::string kind) {
+  const char* named = std::getenv("TEXEL_CONTEXT");
+  if (kind == "auto" && named != nullptr && *named != '\0') kind = named;
+  if (kind == "osmesa") return std::make_unique<OsmesaContext>(shaders);
+  if (kind == "egl") return std::make_unique<EglContext>(shaders);
+  if (kind != "auto") throw Error::usage(fmt::format("TEXEL_CONTEXT is '{}'", kind), "egl or osmesa");
   try {
-    return create_headless(ContextKind::osmesa, shaders);
+    return create_headless(shaders, "osmesa");
   } catch (const Error& no_osmesa) {
     try {
-      return create_headless(ContextKind::egl, shaders);
+      return create_headless(shaders, "egl");
     } catch (const Error& no_egl) {
       throw Error::failed(fmt::format("neither OSMesa nor EGL works on this machine ({}; {})",
                                       no_osmesa.what(), no_egl.what()),
                           {}, "install libosmesa6, or libegl1 and libgl1-mesa-dri");
     }
   }
+}
+
+WindowContext::WindowContext(int width, int height, const std::string& title)
+    : Context(Shaders::quick_to_draw) {
+  static std::string reason;
+  glfwSetErrorCallback([](int, const char* text) { reason = text; });
+#if defined(GLFW_PLATFORM_X11) && defined(__linux__)
+  // GLFW 3.4 tries Wayland also where there is none, and Wayland's library complains on standard error.
+  if (std::getenv("WAYLAND_DISPLAY") == nullptr) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
+  if (glfwInit() == GLFW_FALSE)
+    throw Error::failed(fmt::format("cannot open a window: {}", reason), {},
+                        "without a display add --snapshot FILE");
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+  if (window_ == nullptr) {
+    glfwTerminate();
+    throw Error::failed(fmt::format("cannot open a window with OpenGL 3.3: {}", reason), {},
+                        "add --snapshot FILE to draw without a window");
+  }
+  glfwMakeContextCurrent(window_);
+  load([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
+  glfwSwapInterval(1);
+}
+
+WindowContext::~WindowContext() {
+  glfwDestroyWindow(window_);
+  glfwTerminate();
 }
 
 }  // namespace texel::gl

@@ -90,18 +90,14 @@ std::string interpolated(const std::string& line, const std::string& direction, 
 std::string with_copies(const std::string& body, const std::string& direction,
                         std::vector<std::string>& names) {
   std::string result, type;
-  std::istringstream lines(body);
-  int number = 0;
-  for (std::string line; std::getline(lines, line); ++number) {
-    if (line.starts_with("#line ")) number = std::stoi(line.substr(6)) - 1;
+  int next = 1;
+  for (const std::string& line : lines_of(body)) {
+    next = line.starts_with("#line ") ? std::stoi(line.substr(6)) : next + 1;
     const std::string name = interpolated(line, direction, type);
-    if (name.empty()) {
-      result += line + "\n";
-      continue;
-    }
-    names.push_back(name);
-    result += fmt::format("{0} {1} texel_at_{2}; {1} {2};\n#define TEXEL_HAS_{2}\n#line {3}\n", direction,
-                          type, name, number + 1);
+    if (!name.empty()) names.push_back(name);
+    result += name.empty() ? line + "\n"
+                           : fmt::format("{0} {1} texel_at_{2}; {1} {2};\n#define TEXEL_HAS_{2}\n#line {3}\n",
+                                         direction, type, name, next);
   }
   return result;
 }

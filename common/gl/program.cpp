@@ -9,7 +9,6 @@
 
 #include "core/error.hpp"
 #include "core/stages.hpp"
-#include "gl/compiler_log.hpp"
 #include "gl/es_source.hpp"
 #include "gl/web_context.hpp"
 
@@ -41,7 +40,7 @@ class Shader {
 #ifdef __EMSCRIPTEN__
     log = es_message(log.substr(0, log.find('\0')));
 #endif
-    throw source.error(at_missing_semicolons(log, source.text(defines)));
+    throw source.error(log, defines);
   }
   ~Shader() {
     glDeleteShader(id_);
@@ -200,27 +199,20 @@ std::shared_ptr<const ShaderSource> ProgramCache::source(const std::string& file
 
 Program& ProgramCache::get(const std::string& vertex, const std::string& fragment,
                            const std::vector<Define>& defines) {
-  std::string settings;
-  for (const Define& define : defines) settings += fmt::format("{} {}\n", define.name, define.value);
-  return get(vertex, fragment, settings, [&] { return defines; });
-}
-
-Program& ProgramCache::get(const std::string& vertex, const std::string& fragment,
-                           const std::string& settings, const std::function<std::vector<Define>()>& defines) {
-  const std::string request = vertex + "\n" + fragment + "\n" + settings + variant();
-  Program*& known = by_request_[request];
+  const auto key_of = [&](const std::vector<Define>& these) {
+    std::string key = vertex + "\n" + fragment + variant();
+    for (const Define& define : these) key.append("\n").append(define.name).append(" ").append(define.value);
+    return key;
+  };
+  Program*& known = by_request_[key_of(defines)];
   if (known != nullptr) return *known;
 
-  const auto vertex_source = source(vertex);
-  const auto fragment_source = source(fragment);
-  std::vector<Define> used;
-  std::string key = vertex + "\n" + fragment + variant();
-  for (const Define& define : defines()) {
-    if (!vertex_source->mentions(define.name) && !fragment_source->mentions(define.name)) continue;
-    used.push_back(define);
-    key += fmt::format("\n{} {}", define.name, define.value);
-  }
-  auto& program = programs_[key];
+  const auto vertex_source = source(vertex), fragment_source = source(fragment);
+  std::vector<Define> used = defines;
+  std::erase_if(used, [&](const Define& define) {
+    return !vertex_source->mentions(define.name) && !fragment_source->mentions(define.name);
+  });
+  auto& program = programs_[key_of(used)];
   if (program == nullptr) {
     const Stage stage("compile");
     program = std::make_unique<Program>(vertex_source, fragment_source, used);

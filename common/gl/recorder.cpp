@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/stages.hpp"
@@ -19,57 +18,40 @@ void add_once(std::vector<T>& list, T value) {
   if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(std::move(value));
 }
 
-std::string format_name(GLint format) {
-  switch (format) {
-    case GL_R8:
-      return "R8";
-    case GL_RG8:
-      return "RG8";
-    case GL_RGB8:
-      return "RGB8";
-    case GL_RGBA8:
-      return "RGBA8";
-    case GL_SRGB8:
-      return "SRGB8";
-    case GL_SRGB8_ALPHA8:
-      return "SRGB8_ALPHA8";
-    case GL_RGB16F:
-      return "RGB16F";
-    case GL_RGBA16F:
-      return "RGBA16F";
-    case GL_RGB32F:
-      return "RGB32F";
-    case GL_RGBA32F:
-      return "RGBA32F";
-    default:
-      return fmt::format("0x{:04x}", format);
-  }
+/// A texture's format as OpenGL calls it, and the bytes of one texel.
+struct FormatUse {
+  GLint format;
+  const char* name;
+  int bytes;
+};
+constexpr FormatUse kFormats[] = {{GL_R8, "R8", 1},          {GL_RG8, "RG8", 2},
+                                  {GL_RGB8, "RGB8", 3},      {GL_SRGB8, "SRGB8", 3},
+                                  {GL_RGBA8, "RGBA8", 4},    {GL_SRGB8_ALPHA8, "SRGB8_ALPHA8", 4},
+                                  {GL_RGB16F, "RGB16F", 6},  {GL_RGBA16F, "RGBA16F", 8},
+                                  {GL_RGB32F, "RGB32F", 12}, {GL_RGBA32F, "RGBA32F", 16}};
+
+FormatUse use_of(GLint format) {
+  for (const FormatUse& known : kFormats)
+    if (known.format == format) return known;
+  return {format, "other", 4};
 }
 
-int bytes_per_texel(GLint format) {
-  switch (format) {
-    case GL_R8:
-      return 1;
-    case GL_RG8:
-      return 2;
-    case GL_RGB8:
-    case GL_SRGB8:
-      return 3;
-    case GL_RGB16F:
-      return 6;
-    case GL_RGBA16F:
-      return 8;
-    case GL_RGB32F:
-      return 12;
-    case GL_RGBA32F:
-      return 16;
-    default:
-      return 4;
-  }
+GLint integer(GLenum name) {
+  GLint value = 0;
+  glGetIntegerv(name, &value);
+  return value;
 }
 
-bool minifies_with_mipmaps(GLint filter) {
-  return filter != GL_NEAREST && filter != GL_LINEAR;
+GLint integer_of_level(GLenum face, GLint level, GLenum name) {
+  GLint value = 0;
+  glGetTexLevelParameteriv(face, level, name, &value);
+  return value;
+}
+
+GLint integer_of_attribute(GLuint location, GLenum name) {
+  GLint value = 0;
+  glGetVertexAttribiv(location, name, &value);
+  return value;
 }
 
 }  // namespace
@@ -106,27 +88,22 @@ void Recorder::inspect(GLenum mode, GLsizei count) {
   const Stage stage("statistics");
   record_.draw_calls += 1;
   record_.triangles += mode == GL_TRIANGLES ? count / 3 : std::max(count - 2, 0);
-  GLint program = 0;
-  glGetIntegerv(GL_CURRENT_PROGRAM, &program);
-  if (program == 0) {
-    warn("a draw call without a program");
-    return;
-  }
-  inspect_attributes(static_cast<GLuint>(program));
-  inspect_samplers(static_cast<GLuint>(program));
+  const auto program = static_cast<GLuint>(integer(GL_CURRENT_PROGRAM));
+  if (program == 0) return warn("a draw call without a program");
+  inspect_attributes(program);
+  inspect_samplers(program);
 }
 
 void Recorder::inspect_indices() {
-  GLint buffer = 0, bytes = 0;
-  glGetIntegerv(GL_ELEMENT_ARRAY_BUFFER_BINDING, &buffer);
+  const GLint buffer = integer(GL_ELEMENT_ARRAY_BUFFER_BINDING);
+  GLint bytes = 0;
   if (buffer == 0 || !index_buffers_.insert(buffer).second) return;
   glGetBufferParameteriv(GL_ELEMENT_ARRAY_BUFFER, GL_BUFFER_SIZE, &bytes);
   record_.index_bytes += bytes;
 }
 
 void Recorder::inspect_attributes(GLuint program) {
-  GLint most = 0;
-  glGetIntegerv(GL_MAX_VERTEX_ATTRIBS, &most);
+  const GLint most = integer(GL_MAX_VERTEX_ATTRIBS);
   std::vector<std::string> names(static_cast<std::size_t>(most));
   GLint count = 0;
   glGetProgramiv(program, GL_ACTIVE_ATTRIBUTES, &count);
@@ -138,23 +115,20 @@ void Recorder::inspect_attributes(GLuint program) {
     const GLint location = glGetAttribLocation(program, name);
     if (location >= 0 && location < most) names[static_cast<std::size_t>(location)] = name;
   }
-  GLint restore = 0;
-  glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &restore);
+  const auto restore = static_cast<GLuint>(integer(GL_ARRAY_BUFFER_BINDING));
   for (GLint i = 0; i < most; ++i) {
     const auto location = static_cast<GLuint>(i);
     const std::string& name = names[location];
-    GLint enabled = 0;
-    glGetVertexAttribiv(location, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
-    if (enabled == 0) {
+    if (integer_of_attribute(location, GL_VERTEX_ATTRIB_ARRAY_ENABLED) == 0) {
       if (!name.empty())
         warn(fmt::format("the shader reads the attribute '{}', but no array is enabled for it", name));
       continue;
     }
     if (name.empty()) continue;  // the array costs nothing
-    GLint buffer = 0, bytes = 0, components = 0, stride = 0;
-    glGetVertexAttribiv(location, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING, &buffer);
-    glGetVertexAttribiv(location, GL_VERTEX_ATTRIB_ARRAY_SIZE, &components);
-    glGetVertexAttribiv(location, GL_VERTEX_ATTRIB_ARRAY_STRIDE, &stride);
+    const GLint buffer = integer_of_attribute(location, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING),
+                components = integer_of_attribute(location, GL_VERTEX_ATTRIB_ARRAY_SIZE),
+                stride = integer_of_attribute(location, GL_VERTEX_ATTRIB_ARRAY_STRIDE);
+    GLint bytes = 0;
     glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(buffer));
     glGetBufferParameteriv(GL_ARRAY_BUFFER, GL_BUFFER_SIZE, &bytes);
     Record::AttributeUse use{name, bytes};
@@ -164,64 +138,60 @@ void Recorder::inspect_attributes(GLuint program) {
     const GLint step = stride != 0 ? stride : components * static_cast<GLint>(sizeof(float));
     if (name == "position") record_.vertices += bytes / std::max(step, 1);
   }
-  glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(restore));
+  glBindBuffer(GL_ARRAY_BUFFER, restore);
 }
 
 void Recorder::inspect_samplers(GLuint program) {
-  GLint restore_unit = 0;
-  glGetIntegerv(GL_ACTIVE_TEXTURE, &restore_unit);
+  const auto restore_unit = static_cast<GLenum>(integer(GL_ACTIVE_TEXTURE));
   GLint count = 0;
   glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
   for (GLint i = 0; i < count; ++i) {
     char name[256];
-    GLint size = 0, unit = 0, texture = 0;
+    GLint size = 0, unit = 0;
     GLenum type = 0;
     glGetActiveUniform(program, static_cast<GLuint>(i), sizeof name, nullptr, &size, &type, name);
     if (type != GL_SAMPLER_2D && type != GL_SAMPLER_CUBE) continue;
-    const GLenum target = type == GL_SAMPLER_2D ? GL_TEXTURE_2D : GL_TEXTURE_CUBE_MAP;
-    const GLenum face = type == GL_SAMPLER_2D ? GL_TEXTURE_2D : GL_TEXTURE_CUBE_MAP_POSITIVE_X;
+    const bool is_cube = type == GL_SAMPLER_CUBE;
+    const GLenum target = is_cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
+    const GLenum face = is_cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : GL_TEXTURE_2D;
     glGetUniformiv(program, glGetUniformLocation(program, name), &unit);
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glGetIntegerv(type == GL_SAMPLER_2D ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_CUBE_MAP, &texture);
+    const GLint texture = integer(is_cube ? GL_TEXTURE_BINDING_CUBE_MAP : GL_TEXTURE_BINDING_2D);
     if (texture == 0) {
       warn(fmt::format("the sampler '{}' reads unit {}, but no texture is bound there", name, unit));
       continue;
     }
-    GLint filter = 0;
+    GLint filter = 0, last = 0;
     glGetTexParameteriv(target, GL_TEXTURE_MIN_FILTER, &filter);
-    Record::TextureUse use;
-    use.name = name;
-    use.id = static_cast<GLuint>(texture);
-    use.is_cube = type == GL_SAMPLER_CUBE;
-    GLint format = 0;
-    glGetTexLevelParameteriv(face, 0, GL_TEXTURE_WIDTH, &use.width);
-    glGetTexLevelParameteriv(face, 0, GL_TEXTURE_HEIGHT, &use.height);
-    glGetTexLevelParameteriv(face, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
+    glGetTexParameteriv(target, GL_TEXTURE_MAX_LEVEL, &last);
+    const FormatUse format = use_of(integer_of_level(face, 0, GL_TEXTURE_INTERNAL_FORMAT));
+    Record::TextureUse use{.name = name,
+                           .id = static_cast<GLuint>(texture),
+                           .is_cube = is_cube,
+                           .width = integer_of_level(face, 0, GL_TEXTURE_WIDTH),
+                           .height = integer_of_level(face, 0, GL_TEXTURE_HEIGHT),
+                           .format = format.name};
     if (use.width == 0) {
       warn(fmt::format("the texture of the sampler '{}' on unit {} has no image", name, unit));
       continue;
     }
-    use.format = format_name(format);
     const int levels = 1 + static_cast<int>(std::log2(std::max(use.width, use.height)));
     int present = 0;
     for (; present < levels; ++present) {
-      GLint width = 0, height = 0;
-      glGetTexLevelParameteriv(face, present, GL_TEXTURE_WIDTH, &width);
-      glGetTexLevelParameteriv(face, present, GL_TEXTURE_HEIGHT, &height);
+      const GLint width = integer_of_level(face, present, GL_TEXTURE_WIDTH);
       if (width == 0) break;
-      use.bytes +=
-          static_cast<long long>(width) * height * bytes_per_texel(format) * (type == GL_SAMPLER_2D ? 1 : 6);
+      use.bytes += static_cast<long long>(width) * integer_of_level(face, present, GL_TEXTURE_HEIGHT) *
+                   format.bytes * (is_cube ? 6 : 1);
     }
-    GLint last = 0;
-    glGetTexParameteriv(target, GL_TEXTURE_MAX_LEVEL, &last);
     use.levels = std::min(present, last + 1);
-    if (minifies_with_mipmaps(filter) && present < std::min(levels, last + 1))
+    const bool reads_levels = filter != GL_NEAREST && filter != GL_LINEAR;
+    if (reads_levels && present < std::min(levels, last + 1))
       warn(fmt::format(
           "the sampler '{}' minifies with mipmaps, but its texture has only {} of {} levels: it reads black",
           name, present, levels));
     add_once(record_.textures, use);
   }
-  glActiveTexture(static_cast<GLenum>(restore_unit));
+  glActiveTexture(restore_unit);
 }
 
 void Recorder::warn(const std::string& text) {

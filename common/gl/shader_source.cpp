@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <iterator>
 #include <sstream>
 
 #include "core/error.hpp"
@@ -82,14 +83,98 @@ constexpr std::string_view kTaken = "TEXEL_INCLUDED_";
 /// Each may be taken in several branches, in which others are too: so many are no shader.
 constexpr int kMostIncludes = 1000;
 
+/// The first number in a line of a compiler's log that is one of ours, and where it ends: "0:200012(5):
+/// error: …" (Mesa) and "0(200012) : error …" (others). 0 where there is none.
+struct Mark {
+  int number = 0;
+  std::size_t end = 0;
+};
+Mark first_mark(std::string_view line) {
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    if (at > 0 && is_word(line[at - 1])) continue;
+    int number = 0;
+    const char* end = std::from_chars(line.data() + at, line.data() + line.size(), number).ptr;
+    if (number >= kLinesPerFile) return {number, static_cast<std::size_t>(end - line.data())};
+  }
+  return {};
+}
+
+/// A line with code, without comments. `number` is what the compiler calls it.
+struct CodeLine {
+  int number = 0;
+  std::string text;
+};
+
+std::vector<CodeLine> code_lines(std::string_view text) {
+  constexpr std::string_view kMark = "#line ";
+  std::vector<CodeLine> all;
+  Comment comment = Comment::none;
+  int next = 1;
+  for (const std::string& line : lines_of(text)) {
+    const int number = next++;
+    std::string code = without_comments(line, comment);
+    if (comment == Comment::line) comment = Comment::none;
+    if (line.starts_with(kMark))
+      std::from_chars(line.data() + kMark.size(), line.data() + line.size(), next);
+    else if (!trimmed(code).empty() && !trimmed(code).starts_with('#'))
+      all.push_back({number, std::move(code)});
+  }
+  return all;
+}
+
+/// Whether a statement may end here, and does not by itself.
+bool wants_semicolon(std::string_view code) {
+  if (code.empty()) return false;
+  for (const std::string_view head : {"if", "for", "while", "else", "do", "switch"})
+    if (code.starts_with(head) && (code.size() == head.size() || !is_word(code[head.size()])) &&
+        (code.ends_with(')') || code == head))
+      return false;
+  return is_word(code.back()) || code.ends_with(')') || code.ends_with(']') || code.ends_with('}') ||
+         code.ends_with("++") || code.ends_with("--");
+}
+
+/// Of one line of the log.
+std::string at_missing_semicolon(const std::string& line, const std::vector<CodeLine>& code) {
+  // Mesa: "0:500012(3): error: syntax error, unexpected RETURN, expecting ',' or ';'". NVIDIA: "0(500012) :
+  // error C0000: syntax error, unexpected '}', expecting ',' or ';' at token "}"". ANGLE: "ERROR: 0:500012:
+  // '}' : syntax error".
+  if (line.find("syntax error") == line.npos) return line;
+  const bool says_what = line.find("expecting") != line.npos;
+  if (says_what && (line.find("';'") == line.npos || line.find("'{'", line.find("expecting")) != line.npos))
+    return line;
+  const auto [number, behind] = first_mark(line);
+  const auto found =
+      std::find_if(code.begin(), code.end(), [n = number](const CodeLine& one) { return one.number == n; });
+  if (found == code.begin() || found == code.end()) return line;
+  // What was not expected must be the line's first: Mesa gives a column, from 0 or 1, and the others the
+  // token.
+  bool is_first = false;
+  if (line[behind] == '(') {
+    std::size_t column = 0;
+    std::from_chars(line.data() + behind + 1, line.data() + line.size(), column);
+    is_first = found->text.find_first_not_of(" \t\v\f") + 1 >= column;
+  } else {
+    const std::size_t token = line.find("at token \"");
+    const std::size_t from = token != line.npos ? token + 10 : line.find('\'', behind) + 1;
+    const std::size_t to = line.find(token != line.npos ? '"' : '\'', from);
+    is_first = from != 0 && to != line.npos && to > from &&
+               trimmed(found->text).starts_with(line.substr(from, to - from));
+  }
+  const CodeLine& before = *std::prev(found);
+  if (!is_first || !wants_semicolon(trimmed(before.text))) return line;
+  return fmt::format("0:{}: error: a ';' is missing at the end of this line: {}", before.number,
+                     trimmed(before.text));
+}
+
 }  // namespace
 
-/// What is known of the branches of #if, each with a number, while files are expanded.
+/// Whether a file's text stands above: not, in a branch of #if that may be left out, or surely.
+enum class Taken { never, perhaps, surely };
+
 struct ShaderSource::Reading {
-  std::vector<std::size_t> open;                     ///< the files, from the outermost on
-  std::vector<int> branches;                         ///< around the line that is read, the outermost first
-  std::vector<std::vector<std::vector<int>>> taken;  ///< by file: the branches around each time
-  int last_branch = 0, includes = 0;
+  std::vector<std::size_t> open;  ///< the files that include each other, from the outermost on
+  std::vector<Taken> taken;       ///< by file
+  int includes = 0;
 };
 
 ShaderSource::ShaderSource(const std::filesystem::path& root, const std::filesystem::path& file)
@@ -100,8 +185,8 @@ ShaderSource::ShaderSource(const std::filesystem::path& root, const std::string&
     : root_(root.lexically_normal()) {
   Reading reading;
   files_.push_back((root_ / name).lexically_normal());
-  reading.taken.push_back({{}});
-  expand(reading, 0, text);
+  reading.taken.push_back(Taken::surely);
+  expand(reading, 0, text, false);
   if (version_.empty())
     throw Error::failed("the shader has no #version", {shown_name(files_.front()), 1},
                         "start it with '#version 330 core'");
@@ -111,7 +196,7 @@ std::string ShaderSource::shown_name(const std::filesystem::path& file) const {
   return (root_.filename() / file.lexically_relative(root_)).lexically_normal().string();
 }
 
-void ShaderSource::expand(Reading& reading, std::size_t file, std::string_view text) {
+void ShaderSource::expand(Reading& reading, std::size_t file, std::string_view text, bool may_be_left_out) {
   reading.open.push_back(file);
   const auto mark = [&](int line) {
     body_ += fmt::format("#line {}\n", (static_cast<int>(file) + 1) * kLinesPerFile + line);
@@ -120,7 +205,7 @@ void ShaderSource::expand(Reading& reading, std::size_t file, std::string_view t
   // Editors of Windows put a byte-order mark before the first line; a compiler of GLSL does not know it.
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  std::vector<int>& branches = reading.branches;
+  int branches = 0;         // of #if that are open
   std::string lines, code;  // of a directive, which goes on behind a backslash and in a comment of many lines
   int first = 1, next = 1;
   Comment comment = Comment::none;
@@ -137,7 +222,7 @@ void ShaderSource::expand(Reading& reading, std::size_t file, std::string_view t
 
     const auto [name, rest] = directive(code);
     if (name == "include") {
-      include(reading, included(rest), {shown_name(files_[file]), first});
+      include(reading, included(rest), {shown_name(files_[file]), first}, may_be_left_out || branches > 0);
       mark(next);
     } else if (name == "version" || name == "line") {
       if (name == "version" && version_.empty()) version_ = fmt::format("#version {}\n", rest);
@@ -145,11 +230,10 @@ void ShaderSource::expand(Reading& reading, std::size_t file, std::string_view t
     } else {
       body_ += lines;
     }
-    const bool ends_branch = name == "else" || name == "elif" || name == "endif";
-    if (ends_branch && !branches.empty()) branches.pop_back();
-    if (name.starts_with("if") || (ends_branch && name != "endif")) branches.push_back(++reading.last_branch);
+    if (name.starts_with("if")) ++branches;
+    if (name == "endif") --branches;
     // In a branch that is left out the compiler skips our #line marks too.
-    if (ends_branch) mark(next);
+    if (name == "else" || name == "elif" || name == "endif") mark(next);
     lines.clear();
     code.clear();
     first = next;
@@ -157,7 +241,8 @@ void ShaderSource::expand(Reading& reading, std::size_t file, std::string_view t
   reading.open.pop_back();
 }
 
-void ShaderSource::include(Reading& reading, const std::string& name, const Place& place) {
+void ShaderSource::include(Reading& reading, const std::string& name, const Place& place,
+                           bool may_be_left_out) {
   const auto fault = [&](const std::string& what, const std::string& remedy = {}) {
     body_ += fmt::format("#error {}{}\n", kFault, faults_.size());
     faults_.push_back(Error::failed(what, place, remedy));
@@ -173,32 +258,34 @@ void ShaderSource::include(Reading& reading, const std::string& name, const Plac
       static_cast<std::size_t>(std::find(files_.begin(), files_.end(), target) - files_.begin());
   if (std::find(reading.open.begin(), reading.open.end(), file) != reading.open.end())
     return fault(fmt::format("'{}' includes itself", name));
-  if (file == files_.size()) files_.push_back(target), reading.taken.emplace_back();
+  if (file == files_.size()) files_.push_back(target), reading.taken.push_back(Taken::never);
 
-  // Once is enough, unless it was in a branch that may be left out here.
-  const std::vector<int> around = reading.branches;
-  std::vector<std::vector<int>>& taken = reading.taken[file];
-  for (const std::vector<int>& before : taken)
-    if (before.size() <= around.size() && std::equal(before.begin(), before.end(), around.begin())) return;
+  if (reading.taken[file] == Taken::surely) return;
   if (++reading.includes > kMostIncludes)
     throw Error::failed(fmt::format("more than {} files are included", kMostIncludes), place);
   const std::string guard = fmt::format("{}{}", kTaken, file);
-  const bool again = !taken.empty();
-  taken.push_back(around);
+  const bool again = reading.taken[file] == Taken::perhaps;
+  reading.taken[file] = may_be_left_out ? Taken::perhaps : Taken::surely;
   if (again) body_ += fmt::format("#ifndef {}\n", guard);
-  if (again) reading.branches.push_back(++reading.last_branch);
-  if (!around.empty() || again) body_ += fmt::format("#define {}\n", guard);
-  expand(reading, file, read_file(target));
+  if (again || may_be_left_out) body_ += fmt::format("#define {}\n", guard);
+  expand(reading, file, read_file(target), may_be_left_out);
   if (again) body_ += fmt::format("#endif  // {}\n", guard);
-  reading.branches = around;
 }
 
-Error ShaderSource::error(std::string_view log) const {
+std::string at_missing_semicolons(std::string_view log, std::string_view text) {
+  const std::vector<CodeLine> code = code_lines(text);
+  std::string result;
+  for (const std::string& line : lines_of(log)) result += at_missing_semicolon(line, code) + "\n";
+  return result;
+}
+
+Error ShaderSource::error(std::string_view log, const std::vector<Define>& defines) const {
   const std::size_t at = log.find(kFault);
   std::size_t fault = faults_.size();
   if (at != std::string_view::npos)
     std::from_chars(log.data() + at + kFault.size(), log.data() + log.size(), fault);
-  return fault < faults_.size() ? faults_[fault] : Error::failed(locate(log));
+  return fault < faults_.size() ? faults_[fault]
+                                : Error::failed(locate(at_missing_semicolons(log, text(defines))));
 }
 
 std::string ShaderSource::text(const std::vector<Define>& defines) const {
@@ -213,9 +300,8 @@ std::string ShaderSource::readable(const std::vector<Define>& defines,
   for (const Define& define : defines)
     if (mentions(define.name))
       text += fmt::format("#define {} {}  // {}\n", define.name, define.value, define.origin);
-  std::istringstream lines(body_);
   std::size_t shown = 0;
-  for (std::string line; std::getline(lines, line);) {
+  for (std::string& line : lines_of(body_)) {
     if (line.starts_with("#line ")) {
       // A new file, or the rest of one after an include.
       const auto file = static_cast<std::size_t>(std::stoi(line.substr(6)) / kLinesPerFile);
@@ -250,31 +336,23 @@ std::string ShaderSource::locate(std::string_view log) const {
     const std::string_view line = log.substr(start, end - start);
     start = end + 1;
     if (trimmed(line).empty()) continue;
-    // "0:200012(5): error: …" (Mesa) and "0(200012) : error …" (others): the first number above 100000 is
-    // ours.
-    bool found = false;
-    for (std::size_t at = 0; at < line.size() && !found; ++at) {
-      if (std::isdigit(static_cast<unsigned char>(line[at])) == 0 || (at > 0 && is_word(line[at - 1])))
-        continue;
-      int encoded = 0;
-      const char* stop = std::from_chars(line.data() + at, line.data() + line.size(), encoded).ptr;
-      const auto file = static_cast<std::size_t>(encoded / kLinesPerFile);
-      if (encoded < kLinesPerFile || file > files_.size()) continue;
-      std::string_view rest(stop, static_cast<std::size_t>(line.data() + line.size() - stop));
-      int column = 0;
-      if (rest.starts_with('(')) {  // Mesa's column
-        const char* close = std::from_chars(rest.data() + 1, rest.data() + rest.size(), column).ptr;
-        rest.remove_prefix(static_cast<std::size_t>(close - rest.data()));
-      }
-      while (!rest.empty() && (rest.front() == ')' || rest.front() == ':' || rest.front() == ' '))
-        rest.remove_prefix(1);
-      found = true;
-      if (rest.starts_with("warning")) continue;
-      result += fmt::format("{}:{}:", shown_name(files_[file - 1]), encoded % kLinesPerFile);
-      if (column > 0) result += fmt::format("{}:", column);
-      result += fmt::format(" {}\n", rest);
+    const Mark mark = first_mark(line);
+    const auto file = static_cast<std::size_t>(mark.number / kLinesPerFile);
+    if (file == 0 || file > files_.size()) {
+      result.append(line).append("\n");
+      continue;
     }
-    if (!found) result.append(line).append("\n");
+    std::string_view rest = line.substr(mark.end);
+    int column = 0;
+    if (rest.starts_with('(')) {  // Mesa's column
+      const char* close = std::from_chars(rest.data() + 1, rest.data() + rest.size(), column).ptr;
+      rest.remove_prefix(static_cast<std::size_t>(close - rest.data()));
+    }
+    rest.remove_prefix(std::min(rest.find_first_not_of("): "), rest.size()));
+    if (rest.starts_with("warning")) continue;
+    result += fmt::format("{}:{}:", shown_name(files_[file - 1]), mark.number % kLinesPerFile);
+    if (column > 0) result += fmt::format("{}:", column);
+    result += fmt::format(" {}\n", rest);
   }
   while (result.ends_with('\n')) result.pop_back();
   return result;

@@ -1,16 +1,44 @@
 // SPDX-License-Identifier: MIT
 #include "gl/upload.hpp"
 
-#include <fmt/format.h>
+#include <algorithm>
 
-#include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "core/stages.hpp"
-#include "gl/cube_map.hpp"
-#include "gl/make_cube_map.hpp"
 #include "image/mipmaps.hpp"
 
 namespace texel::gl {
+
+Format format_of(int channels, image::Encoding encoding) {
+  static constexpr Format kLinear[] = {
+      {GL_R8, GL_RED}, {GL_RG8, GL_RG}, {GL_RGB8, GL_RGB}, {GL_RGBA8, GL_RGBA}};
+  if (encoding == image::Encoding::srgb && channels == 3) return {GL_SRGB8, GL_RGB};
+  if (encoding == image::Encoding::srgb && channels == 4) return {GL_SRGB8_ALPHA8, GL_RGBA};
+  return kLinear[channels - 1];
+}
+
+image::Image8 expand_grey(const image::Image8& image) {
+  if (image.channels > 2) return image;
+  image::Image8 color(image.width, image.height, image.channels + 2);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      for (int c = 0; c < 3; ++c) color.at(x, y, c) = image.at(x, y);
+      if (image.channels == 2) color.at(x, y, 3) = image.at(x, y, 1);
+    }
+  return color;
+}
+
+void set_sampling(GLenum target, const Sampling& sampling) {
+  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, static_cast<GLint>(sampling.minify));
+  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, static_cast<GLint>(sampling.magnify));
+  glTexParameteri(target, GL_TEXTURE_WRAP_S, static_cast<GLint>(sampling.wrap_s));
+  glTexParameteri(target, GL_TEXTURE_WRAP_T, static_cast<GLint>(sampling.wrap_t));
+  if (GLAD_GL_EXT_texture_filter_anisotropic != 0) {
+    float most = 1;
+    glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
+    glTexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::clamp(sampling.anisotropy, 1.0F, most));
+  }
+}
 
 ScopedBinding::ScopedBinding(GLenum target, GLuint texture) : target_(target) {
   glGetIntegerv(target == GL_TEXTURE_2D ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_CUBE_MAP, &before_);
@@ -62,24 +90,8 @@ Texture make_texture_2d(const image::Image8& image, image::Encoding encoding, co
   return texture;
 }
 
-void check_cube_faces(std::span<const image::Image8, 6> faces, const std::string& from) {
-  static constexpr const char* kNames[] = {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
-  const auto fail = [&](const std::string& what) {
-    return Error::failed("the cube map's " + what, {from}, "use six square pictures of the same size");
-  };
-  for (std::size_t i = 0; i < 6; ++i) {
-    const int width = faces[i].width, height = faces[i].height, first = faces[0].width;
-    if (width != height)
-      throw fail(fmt::format("face {} has {}x{} texels and is not square", kNames[i], width, height));
-    if (width != first)
-      throw fail(fmt::format("face {} has {}x{} texels, but face +X has {}x{}", kNames[i], width, height,
-                             first, first));
-  }
-}
-
 Texture make_cube_map(std::span<const image::Image8, 6> faces, image::Encoding encoding,
                       const Sampling& sampling) {
-  check_cube_faces(faces);
   Texture texture;
   const ScopedBinding binding(GL_TEXTURE_CUBE_MAP, texture);
   std::array<std::vector<image::Image8>, 6> levels;

@@ -4,12 +4,12 @@
 #include <glad/gl.h>
 
 #include <array>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "gl/context.hpp"
 #include "gl/es_source.hpp"
-#include "gl/texture.hpp"
 #include "gl/web_context.hpp"
 #include "image/color.hpp"
 
@@ -52,8 +52,6 @@ bool reads_floats_better(GLint internal) {
 class WebContext : public Context {
  public:
   WebContext() : Context(Shaders::quick_to_draw) {}
-  void make_current() override {}
-  [[nodiscard]] const char* kind_name() const override { return "webgl"; }
 };
 
 }  // namespace
@@ -110,7 +108,6 @@ void set_viewport(GLint x, GLint y, GLsizei width_, GLsizei height_) {
 
 void upload_image(GLenum target, GLint level, GLint internal, GLsizei columns, GLsizei rows, GLint border,
                   GLenum format, GLenum type, const void* data) {
-  texture_bytes += std::size_t{4} * static_cast<unsigned>(columns) * static_cast<unsigned>(rows);
   const bool as_floats = reads_floats_better(internal);
   if ((!as_floats && internal != GL_SRGB8) || data == nullptr) {
     (glTexImage2D)(target, level, internal, columns, rows, border, format, type, data);
@@ -121,28 +118,27 @@ void upload_image(GLenum target, GLint level, GLint internal, GLsizei columns, G
   const auto width = static_cast<std::size_t>(columns), height = static_cast<std::size_t>(rows),
              unit = static_cast<std::size_t>(alignment), stride = (3 * width + unit - 1) / unit * unit;
   const auto* bytes = static_cast<const unsigned char*>(data);
+  /// With an alpha: of three samples OpenGL ES makes no mipmaps.
+  const auto with_alpha = [&]<class Sample>(const std::array<Sample, 256>& stored, Sample alpha) {
+    std::vector<Sample> samples(4 * width * height, alpha);
+    for (std::size_t y = 0, to = 0; y < height; ++y)
+      for (std::size_t x = 0; x < width; ++x, to += 4)
+        for (std::size_t c = 0; c < 3; ++c) samples[to + c] = stored[bytes[y * stride + 3 * x + c]];
+    return samples;
+  };
   if (as_floats) {
     const auto encoding = internal == GL_SRGB8 ? image::Encoding::srgb : image::Encoding::linear;
     std::array<float, 256> stored{};
     for (std::size_t i = 0; i < stored.size(); ++i)
       stored[i] = image::from_encoding8(static_cast<std::uint8_t>(i), encoding);
-    // Of four floats OpenGL ES makes mipmaps, of three it does not.
-    std::vector<float> values(4 * width * height, 1.0F);
-    for (std::size_t y = 0, to = 0; y < height; ++y)
-      for (std::size_t x = 0; x < width; ++x, to += 4)
-        for (std::size_t c = 0; c < 3; ++c) values[to + c] = stored[bytes[y * stride + 3 * x + c]];
-    (glTexImage2D)(target, level, GL_RGBA32F, columns, rows, border, GL_RGBA, GL_FLOAT, values.data());
-    return;
+    (glTexImage2D)(target, level, GL_RGBA32F, columns, rows, border, GL_RGBA, GL_FLOAT,
+                   with_alpha(stored, 1.0F).data());
+  } else {
+    std::array<std::uint8_t, 256> stored{};
+    std::iota(stored.begin(), stored.end(), std::uint8_t{0});
+    (glTexImage2D)(target, level, GL_SRGB8_ALPHA8, columns, rows, border, GL_RGBA, type,
+                   with_alpha(stored, std::uint8_t{255}).data());
   }
-  std::vector<unsigned char> opaque(4 * width * height);
-  for (std::size_t y = 0, to = 0; y < height; ++y) {
-    const unsigned char* texel = bytes + y * stride;
-    for (std::size_t x = 0; x < width; ++x, texel += 3, to += 4) {
-      opaque[to] = texel[0], opaque[to + 1] = texel[1], opaque[to + 2] = texel[2];
-      opaque[to + 3] = 255;
-    }
-  }
-  (glTexImage2D)(target, level, GL_SRGB8_ALPHA8, columns, rows, border, GL_RGBA, type, opaque.data());
 }
 
 Context::Context(Shaders) {}
@@ -164,7 +160,7 @@ std::vector<std::string> Context::take_errors() {
   return std::exchange(errors_, {});
 }
 
-std::unique_ptr<Context> create_headless(Shaders) {
+std::unique_ptr<Context> create_headless(Shaders, std::string) {
   return std::make_unique<WebContext>();
 }
 

@@ -9,13 +9,6 @@
 namespace texel::image {
 namespace {
 
-std::array<float, 256> make_linear_values() {
-  std::array<float, 256> values{};
-  for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = static_cast<float>(linear_from_srgb(static_cast<double>(i) / 255));
-  return values;
-}
-
 /// Finds the 8-bit sRGB sample of a linear value without the power function. A sample begins where the curve
 /// passes half a step below it; the curve's steepest step is 1 / (255 * 12.92) wide, so that a cell of
 /// 1 / 4096 holds at most one such beginning and one comparison settles the rest.
@@ -110,7 +103,12 @@ float srgb_from_linear(float linear) {
 }
 
 float from_encoding8(std::uint8_t sample, Encoding encoding) {
-  static const std::array<float, 256> linear_values = make_linear_values();
+  static const auto linear_values = [] {
+    std::array<float, 256> values{};
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = static_cast<float>(linear_from_srgb(static_cast<double>(i) / 255));
+    return values;
+  }();
   return encoding == Encoding::srgb ? linear_values[sample] : static_cast<float>(sample) / 255.0F;
 }
 

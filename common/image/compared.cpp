@@ -5,12 +5,23 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <glm/glm.hpp>
 
 #include "core/error.hpp"
-#include "image/data_view.hpp"
 
 namespace texel::image {
 namespace {
+
+glm::vec3 color_of(const glm::vec3& value, const std::string& view) {
+  if (!std::isfinite(value.x) || !std::isfinite(value.y) || !std::isfinite(value.z)) return {1, 0, 1};
+  if (value == glm::vec3(0)) return {0.20F, 0.22F, 0.25F};
+  if (view == "texcoord") return {glm::fract(value.x), glm::fract(value.y), 0};
+  if (view == "depth") return glm::vec3(1 / (1 + 0.25F * value.x));
+  if (view == "mask") return glm::vec3(value.x);
+  if (view != "lod") return 0.5F + 0.5F * value;
+  const float t = std::clamp(value.x / 9, 0.0F, 1.0F);
+  return {0.27F + t * (-0.35F + t * 1.06F), 0.02F + t * (1.15F - t * 0.27F), 0.33F + t * (0.98F - t * 1.20F)};
+}
 
 Image8 absolute_difference(const Image8& a, const Image8& b) {
   Image8 result(a.width, a.height, 3);
@@ -30,11 +41,24 @@ Compared compared(const Picture& own, const Picture& expected, double least_scal
   Compared all{shown(own), shown(expected), {}, {}, compare(expected, own, comparing), 0};
   all.full_scale = std::max(std::isnan(comparing.told) ? all.figures.max : comparing.told, least_scale);
   all.difference = absolute_difference(all.own, all.expected);
-  all.heat_map = heatmap(expected, own, all.full_scale, comparing);
+  all.heat_map = heatmap(all.figures, all.full_scale);
   return all;
 }
 
 }  // namespace
+
+Image8 shown(const ImageF& values, const std::string& view) {
+  Image8 picture(values.width, values.height, 3);
+  for (int y = 0; y < values.height; ++y)
+    for (int x = 0; x < values.width; ++x) {
+      glm::vec3 value(0);
+      for (int c = 0; c < std::min(values.channels, 3); ++c) value[c] = values.at(x, y, c);
+      const glm::vec3 color = color_of(value, view);
+      for (int c = 0; c < 3; ++c)
+        picture.at(x, y, c) = static_cast<std::uint8_t>(std::lround(255 * std::clamp(color[c], 0.0F, 1.0F)));
+    }
+  return picture;
+}
 
 Compared compared(const Image8& own, const Image8& expected, double least_scale, double error) {
   return compared(own, expected, least_scale, {.told = error}, std::identity());

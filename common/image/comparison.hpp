@@ -51,20 +51,4 @@ inline std::size_t index_of_per_mille(std::size_t count, std::size_t per_mille) 
   return (per_mille * count + 999) / 1000 - 1;
 }
 
-/// Pixels from (left, bottom) up to, without, (right, top).
-struct Box {
-  int left = 0, bottom = 0, right = 0, top = 0;
-
-  [[nodiscard]] int width() const { return right - left; }
-  [[nodiscard]] int height() const { return top - bottom; }
-  [[nodiscard]] bool contains(int x, int y) const { return x >= left && x < right && y >= bottom && y < top; }
-};
-
-/// Where a metric that looks `radius` pixels around each pixel has to be computed: the smallest box around
-/// all pixels whose R, G or B differ, and twice the radius more on each side. Only pixels within one radius
-/// of a difference see any, and what they see lies within another; so that with the box's border repeated
-/// beyond it, all its pixels get what they would get in the whole picture, or see the same in both. Empty
-/// when the pictures are the same.
-Box box_to_compare(const Image8& reference, const Image8& image, int radius);
-
 }  // namespace texel::image

@@ -2,8 +2,8 @@
 #include "image/difference.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <glm/glm.hpp>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -43,12 +43,9 @@ PixelDifference angle(const float* a, const float* b) {
   if (zero(a) && zero(b)) return {State::left_out};
   if (zero(a) || zero(b)) return {State::compared, 180, 180};
   if (std::equal(a, a + 3, b)) return {State::compared, 0, 0};
-  const std::array<double, 3> u = {a[0], a[1], a[2]};
-  const std::array<double, 3> v = {b[0], b[1], b[2]};
-  const double cross =
-      std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
-  const double dot = u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-  const double degrees = std::atan2(cross, dot) * 180 / std::numbers::pi;
+  const glm::dvec3 u(a[0], a[1], a[2]), v(b[0], b[1], b[2]), cross = glm::cross(u, v);
+  const double degrees =
+      std::atan2(std::hypot(cross.x, cross.y, cross.z), glm::dot(u, v)) * 180 / std::numbers::pi;
   return {State::compared, degrees, degrees};
 }
 
@@ -63,14 +60,9 @@ struct Apart {
       return std::abs(static_cast<double>(a[c]) - static_cast<double>(b[c]));
     };
     PixelDifference pixel;
-    if (comparing.unit == Unit::texels) {
-      pixel.largest = pixel.sum =
-          std::hypot(difference(0) * comparing.texture_width, difference(1) * comparing.texture_height);
-    } else {
-      for (int c = 0; c < channels; ++c) {
-        pixel.largest = std::max(pixel.largest, difference(c));
-        pixel.sum += difference(c);
-      }
+    for (int c = 0; c < channels; ++c) {
+      pixel.largest = std::max(pixel.largest, difference(c));
+      pixel.sum += difference(c);
     }
     // NaN and infinity in any channel reach the sum.
     return std::isfinite(pixel.sum) ? pixel : PixelDifference{State::non_finite};
@@ -169,18 +161,14 @@ double spread(const ImageF& a, const ImageF& b, const Apart& apart) {
 
 /// The difference of every pixel that the mask lets through. `range` is the whole range of values; where it
 /// is 0, the pictures tell it.
-Pixels differences(const ImageF& reference, const ImageF& image, const Comparing& comparing,
-                   double range = 0) {
+Pixels differences(const ImageF& reference, const ImageF& image, const Comparing& comparing, double range) {
   check_sizes(reference, image, comparing.mask);
-  const Unit unit = comparing.unit;
-  const Apart apart{comparing, unit == Unit::degrees ? 3 : unit == Unit::texels ? 2 : reference.channels};
+  const bool has_directions = comparing.unit == Unit::degrees;
+  const Apart apart{comparing, has_directions ? 3 : reference.channels};
   if (reference.channels != image.channels || image.channels < apart.channels)
-    throw Error::failed(
-        fmt::format("pictures of {} and {} channels cannot be compared{}", reference.channels, image.channels,
-                    unit == Unit::degrees  ? " as directions"
-                    : unit == Unit::texels ? " as texture coordinates"
-                                           : ""),
-        {}, "draw the same view for both");
+    throw Error::failed(fmt::format("pictures of {} and {} channels cannot be compared{}", reference.channels,
+                                    image.channels, has_directions ? " as directions" : ""),
+                        {}, "draw the same view for both");
   Pixels pixels;
   pixels.reserve(static_cast<std::size_t>(reference.width) * static_cast<std::size_t>(reference.height));
   bool any = false;
@@ -193,7 +181,7 @@ Pixels differences(const ImageF& reference, const ImageF& image, const Comparing
     }
   check_any(any);
   if (comparing.edge_tolerance) {
-    if (range == 0) range = unit == Unit::degrees ? 180 : spread(reference, image, apart);
+    if (range == 0) range = has_directions ? 180 : spread(reference, image, apart);
     forgive_edges(reference, image, range, apart, pixels);
   }
   if (comparing.moved_pixels > 0) forgive_moved(reference, comparing.moved_pixels, apart, pixels);
@@ -209,16 +197,16 @@ ImageF floats_of(const Image8& picture) {
   return floats;
 }
 
-Pixels differences(const Image8& reference, const Image8& image, Comparing comparing) {
-  comparing.unit = Unit::own;
-  return differences(floats_of(reference), floats_of(image), comparing, 255);
-}
-
-Difference figures(int width, int height, int samples_per_pixel, const Pixels& pixels, double told) {
-  Difference result{width, height};
+/// The figures of all pixels; `range` as for `differences`.
+Difference figures_of(const ImageF& reference, const ImageF& image, const Comparing& comparing,
+                      double range) {
+  const Pixels pixels = differences(reference, image, comparing, range);
+  Difference result{image.width, image.height};
   std::vector<double> largest;
   double sum = 0;
   for (const PixelDifference& pixel : pixels) {
+    result.pixels.push_back(pixel.state == State::non_finite ? std::numeric_limits<double>::quiet_NaN()
+                                                             : pixel.largest);
     if (pixel.state == State::non_finite) ++result.non_finite;
     if (pixel.forgiven) ++result.forgiven;
     if (pixel.state != State::compared) continue;
@@ -235,51 +223,40 @@ Difference figures(int width, int height, int samples_per_pixel, const Pixels& p
   };
   result.p99 = percentile(990);
   result.p999 = percentile(999);
-  if (std::isnan(told)) told = result.p999;
+  const double told = std::isnan(comparing.told) ? result.p999 : comparing.told;
   double closest = HUGE_VAL;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     // What was forgiven is not what the pixel shows.
     const double apart = std::abs(pixels[i].largest - told);
     if (pixels[i].state != State::compared || pixels[i].forgiven || apart >= closest) continue;
     closest = apart;
-    result.telling_x = static_cast<int>(i) % width;
-    result.telling_y = static_cast<int>(i) / width;
+    result.telling_x = static_cast<int>(i) % image.width;
+    result.telling_y = static_cast<int>(i) / image.width;
   }
+  const int samples_per_pixel = comparing.unit == Unit::own ? image.channels : 1;
   result.mean = sum / static_cast<double>(largest.size()) / samples_per_pixel;
-  return result;
-}
-
-Image8 picture(int width, int height, double full_scale, const Pixels& pixels) {
-  if (full_scale <= 0)
-    for (const PixelDifference& pixel : pixels) full_scale = std::max(full_scale, pixel.largest);
-  Image8 result(width, height, 3);
-  std::uint8_t* out = result.samples.data();
-  for (const PixelDifference& pixel : pixels) {
-    double t = full_scale > 0 ? pixel.largest / full_scale : 0;
-    if (pixel.state == State::non_finite) t = std::numeric_limits<double>::quiet_NaN();
-    for (const float value : heat(static_cast<float>(t))) *out++ = to_encoding8(value, Encoding::linear);
-  }
   return result;
 }
 
 }  // namespace
 
-Difference compare(const Image8& reference, const Image8& image, const Comparing& comparing) {
-  return figures(image.width, image.height, 3, differences(reference, image, comparing), comparing.told);
+Difference compare(const Image8& reference, const Image8& image, Comparing comparing) {
+  comparing.unit = Unit::own;
+  return figures_of(floats_of(reference), floats_of(image), comparing, 255);
 }
 
 Difference compare(const ImageF& reference, const ImageF& image, const Comparing& comparing) {
-  const Pixels pixels = differences(reference, image, comparing);
-  return figures(image.width, image.height, comparing.unit == Unit::own ? image.channels : 1, pixels,
-                 comparing.told);
+  return figures_of(reference, image, comparing, 0);
 }
 
-Image8 heatmap(const Image8& reference, const Image8& image, double full_scale, const Comparing& comparing) {
-  return picture(image.width, image.height, full_scale, differences(reference, image, comparing));
-}
-
-Image8 heatmap(const ImageF& reference, const ImageF& image, double full_scale, const Comparing& comparing) {
-  return picture(image.width, image.height, full_scale, differences(reference, image, comparing));
+Image8 heatmap(const Difference& difference, double full_scale) {
+  if (full_scale <= 0) full_scale = difference.max;
+  Image8 result(difference.width, difference.height, 3);
+  std::uint8_t* out = result.samples.data();
+  for (const double pixel : difference.pixels)
+    for (const float value : heat(static_cast<float>(full_scale > 0 ? pixel / full_scale : pixel)))
+      *out++ = to_encoding8(value, Encoding::linear);
+  return result;
 }
 
 }  // namespace texel::image

@@ -85,11 +85,11 @@ void add_filtered(const Kernel<Real>& kernel, int width, const RowAt& row_at, Re
   filter_block(x, width - x);
 }
 
-/// The picture (one channel) filtered along its rows.
+/// The picture (one channel) filtered along its rows, then along its columns.
 template <class Real>
-Image<Real> filtered_rows(const Image<Real>& picture, const Kernel<Real>& kernel) {
-  Image<Real> result(picture.width, picture.height, 1);
-  const int radius = kernel.radius();
+Image<Real> filtered(const Image<Real>& picture, const Kernel<Real>& along_x, const Kernel<Real>& along_y) {
+  Image<Real> rows(picture.width, picture.height, 1), result = rows;
+  const int radius = along_x.radius();
   std::vector<Real> row(static_cast<std::size_t>(picture.width + 2 * radius));
   for (int y = 0; y < picture.height; ++y) {
     const Real* const in = &picture.at(0, y);
@@ -97,25 +97,13 @@ Image<Real> filtered_rows(const Image<Real>& picture, const Kernel<Real>& kernel
     std::fill(row.begin(), inner, in[0]);
     std::copy_n(in, picture.width, inner);
     std::fill(inner + picture.width, row.end(), in[picture.width - 1]);
-    const auto row_at = [&](int k) { return row.data() + radius + k; };
-    add_filtered(kernel, picture.width, row_at, &result.at(0, y));
+    add_filtered(
+        along_x, picture.width, [&](int k) { return row.data() + radius + k; }, &rows.at(0, y));
   }
-  return result;
-}
-
-/// Adds row y of the picture (one channel) filtered along its columns.
-template <class Real>
-void add_filtered_column_row(const Image<Real>& picture, const Kernel<Real>& kernel, int y, Real* out) {
-  const auto row_at = [&](int k) { return &picture.at(0, std::clamp(y + k, 0, picture.height - 1)); };
-  add_filtered(kernel, picture.width, row_at, out);
-}
-
-/// The picture (one channel) filtered along both.
-template <class Real>
-Image<Real> filtered(const Image<Real>& picture, const Kernel<Real>& kernel) {
-  const Image<Real> rows = filtered_rows(picture, kernel);
-  Image<Real> result(picture.width, picture.height, 1);
-  for (int y = 0; y < picture.height; ++y) add_filtered_column_row(rows, kernel, y, &result.at(0, y));
+  for (int y = 0; y < picture.height; ++y) {
+    const auto row_at = [&](int k) { return &rows.at(0, std::clamp(y + k, 0, picture.height - 1)); };
+    add_filtered(along_y, picture.width, row_at, &result.at(0, y));
+  }
   return result;
 }
 

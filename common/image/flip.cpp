@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -18,47 +19,23 @@ namespace texel::image {
 namespace {
 
 using Plane = ImageF;  // of one channel
-using Vector = std::array<double, 3>;
-using Matrix = std::array<Vector, 3>;
+using Triple = std::array<float, 3>;
+using Matrix = std::array<Triple, 3>;
 
 // ---- Colour ----
 
 /// X, Y and Z of linear sRGB, each divided by the white's (D65), so that white is (1, 1, 1): the rows of the
-/// standard's matrix (IEC 61966-2-1, from its primaries and white) divided by their sums.
-constexpr Matrix make_xyz_from_rgb() {
-  Matrix m = {Vector{10135552, 8788810, 4435075}, Vector{2613072, 8788810, 887015},
-              Vector{1425312, 8788810, 70074185}};
-  for (Vector& row : m) {
-    const double sum = row[0] + row[1] + row[2];
-    for (double& value : row) value /= sum;
-  }
-  return m;
-}
+/// standard's matrix (IEC 61966-2-1, from its primaries and white) divided by their sums; and its inverse.
+constexpr Matrix xyz_from_rgb = {Triple{0.433895389F, 0.376242373F, 0.189862239F},
+                                 {0.212636822F, 0.715182982F, 0.072180196F},
+                                 {0.017752423F, 0.109465629F, 0.872781948F}};
+constexpr Matrix rgb_from_xyz = {Triple{3.080341988F, -1.537398969F, -0.542943019F},
+                                 {-0.921178396F, 1.875929984F, 0.045248412F},
+                                 {0.052881293F, -0.204011206F, 1.151129913F}};
 
-constexpr Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-constexpr Matrix inverse(const Matrix& m) {
-  const Vector columns[] = {cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])};
-  const double determinant = m[0][0] * columns[0][0] + m[0][1] * columns[0][1] + m[0][2] * columns[0][2];
-  Matrix result{};
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) result[i][j] = columns[j][i] / determinant;
-  return result;
-}
-
-constexpr Matrix xyz_from_rgb = make_xyz_from_rgb();
-constexpr Matrix rgb_from_xyz = inverse(xyz_from_rgb);
-
-using Triple = std::array<float, 3>;
-
-/// In floats; the matrix is known to the compiler.
 inline Triple product(const Matrix& m, const Triple& v) {
   Triple result{};
-  for (std::size_t i = 0; i < 3; ++i)
-    result[i] = static_cast<float>(m[i][0]) * v[0] + static_cast<float>(m[i][1]) * v[1] +
-                static_cast<float>(m[i][2]) * v[2];
+  for (std::size_t i = 0; i < 3; ++i) result[i] = m[i][0] * v[0] + m[i][1] * v[1] + m[i][2] * v[2];
   return result;
 }
 
@@ -109,8 +86,7 @@ float color_error(float distance) {
 
 // ---- Filters ----
 
-/// The filters of both pipelines for one number of pixels a degree, each as its kernel along rows and the one
-/// along columns.
+/// The filters of both pipelines, each as its kernel along rows and the one along columns.
 struct Filters {
   using Kernel = image::Kernel<float>;
   // "Spatial filtering": the eye's contrast sensitivity to each opponent channel, as a sum of Gaussians
@@ -119,9 +95,8 @@ struct Filters {
   Kernel wide_rows, wide_columns, narrow_rows, narrow_columns;  ///< blue-yellow's two
   // "Feature detection": a Gaussian and its first and second derivative.
   Kernel smooth, slope, curvature;
-  int radius = 0;  ///< the largest
 
-  explicit Filters(double pixels_per_degree) {
+  Filters() {
     constexpr double b_luminance = 0.0047, b_red_green = 0.0053;
     constexpr double a_wide = 34.1, b_wide = 0.04, a_narrow = 13.5, b_narrow = 0.025;
     const auto sigma = [&](double b) { return std::sqrt(b / 2) / std::numbers::pi * pixels_per_degree; };
@@ -147,7 +122,6 @@ struct Filters {
     const std::vector<double> bell = gaussian(feature_sigma, feature_radius);
     smooth = even_kernel<float>(bell);
     make_derivatives(feature_sigma, bell);
-    radius = std::max(color_radius, feature_radius);
   }
 
  private:
@@ -172,180 +146,95 @@ struct Filters {
 
 // ---- One picture ----
 
-/// A row of a picture behind all filters.
-struct FilteredRow {
-  std::vector<float> lightness, a, b;                   ///< the colour pipeline, as `hunt_lab`
-  std::vector<float> edge_x, edge_y, point_x, point_y;  ///< the feature pipeline
-};
-
 /// By value: a reference, as std::clamp takes, would keep the loop below from becoming vector instructions.
 inline float clamped(float v) {
   const float positive = v < 0 ? 0 : v;
   return positive > 1 ? 1 : positive;
 }
 
-/// Turns a row of filtered opponent channels into `hunt_lab`, as far as sRGB can show the colours.
-void make_hunt_lab(std::size_t width, float* light, float* red_green, float* blue_yellow) {
-  for (std::size_t x = 0; x < width; ++x) {
-    const Triple rgb = product(rgb_from_xyz, {light[x] + red_green[x], light[x], light[x] - blue_yellow[x]});
-    const Triple lab = hunt_lab({clamped(rgb[0]), clamped(rgb[1]), clamped(rgb[2])});
-    light[x] = lab[0];
-    red_green[x] = lab[1];
-    blue_yellow[x] = lab[2];
+/// A picture behind all filters.
+struct Seen {
+  Plane lightness, a, b;  ///< the colour pipeline, as `hunt_lab`
+  Plane edges, points;    ///< the feature pipeline: how much there is of each
+};
+
+/// How strong a feature is, from what its detector says along x and along y.
+Plane strength(Plane along_x, const Plane& along_y) {
+  for (std::size_t i = 0; i < along_x.samples.size(); ++i) {
+    const float x = along_x.samples[i], y = along_y.samples[i];
+    along_x.samples[i] = std::sqrt(x * x + y * y);
   }
+  return along_x;
 }
 
-/// A picture filtered along its rows; `load` does the columns of one row. The opponent channels are y, x - y
-/// and y - z of XYZ relative to white. The paper's are Y_y = 116 y - 16, c_x = 500 (x - y) and
-/// c_z = 200 (y - z): the same to filters whose weights add up to 1.
-class FilteredPicture {
- public:
-  FilteredPicture(const Image8& picture, const Box& box, const Filters& filters) : filters_(filters) {
-    Plane light(box.width(), box.height(), 1);
-    Plane red_green = light, blue_yellow = light;
-    std::array<float, 256> linear{};
-    for (std::size_t i = 0; i < linear.size(); ++i) linear[i] = from_encoding8(static_cast<std::uint8_t>(i));
-    const std::size_t green = picture.channels < 3 ? 0 : 1, blue = 2 * green;
-    for (int y = 0; y < box.height(); ++y) {
-      const std::uint8_t* rgb = &picture.at(box.left, box.bottom + y);
-      for (int x = 0; x < box.width(); ++x, rgb += picture.channels) {
-        const Triple xyz = product(xyz_from_rgb, {linear[rgb[0]], linear[rgb[green]], linear[rgb[blue]]});
-        light.at(x, y) = xyz[1];
-        red_green.at(x, y) = xyz[0] - xyz[1];
-        blue_yellow.at(x, y) = xyz[1] - xyz[2];
-      }
-    }
-    luminance_ = filtered_rows(light, filters.luminance);
-    red_green_ = filtered_rows(red_green, filters.red_green);
-    wide_ = filtered_rows(blue_yellow, filters.wide_rows);
-    narrow_ = filtered_rows(blue_yellow, filters.narrow_rows);
-    smooth_ = filtered_rows(light, filters.smooth);
-    slope_ = filtered_rows(light, filters.slope);
-    curvature_ = filtered_rows(light, filters.curvature);
+/// The opponent channels are y, x - y and y - z of XYZ relative to white. The paper's are Y_y = 116 y - 16,
+/// c_x = 500 (x - y) and c_z = 200 (y - z): the same to filters whose weights add up to 1.
+Seen see(const Image8& picture, const Filters& f) {
+  Plane light(picture.width, picture.height, 1), red_green = light, blue_yellow = light;
+  std::array<float, 256> light_of{};
+  for (std::size_t i = 0; i < light_of.size(); ++i)
+    light_of[i] = from_encoding8(static_cast<std::uint8_t>(i));
+  const std::size_t green = picture.channels < 3 ? 0 : 1, blue = 2 * green;
+  const std::uint8_t* rgb = picture.samples.data();
+  for (std::size_t i = 0; i < light.samples.size(); ++i, rgb += picture.channels) {
+    const Triple xyz = product(xyz_from_rgb, {light_of[rgb[0]], light_of[rgb[green]], light_of[rgb[blue]]});
+    light.samples[i] = xyz[1];
+    red_green.samples[i] = xyz[0] - xyz[1];
+    blue_yellow.samples[i] = xyz[1] - xyz[2];
   }
-
-  void load(int y, FilteredRow& row) const {
-    const auto filter = [&](const Plane& plane, const Filters::Kernel& kernel, std::vector<float>& out) {
-      out.assign(static_cast<std::size_t>(plane.width), 0);
-      add_filtered_column_row(plane, kernel, y, out.data());
-    };
-    filter(luminance_, filters_.luminance, row.lightness);
-    filter(red_green_, filters_.red_green, row.a);
-    filter(wide_, filters_.wide_columns, row.b);
-    add_filtered_column_row(narrow_, filters_.narrow_columns, y, row.b.data());
-    make_hunt_lab(row.b.size(), row.lightness.data(), row.a.data(), row.b.data());
-    filter(slope_, filters_.smooth, row.edge_x);
-    filter(smooth_, filters_.slope, row.edge_y);
-    filter(curvature_, filters_.smooth, row.point_x);
-    filter(smooth_, filters_.curvature, row.point_y);
+  Seen seen = {filtered(light, f.luminance, f.luminance), filtered(red_green, f.red_green, f.red_green),
+               filtered(blue_yellow, f.wide_rows, f.wide_columns),
+               strength(filtered(light, f.slope, f.smooth), filtered(light, f.smooth, f.slope)),
+               strength(filtered(light, f.curvature, f.smooth), filtered(light, f.smooth, f.curvature))};
+  const Plane narrow = filtered(blue_yellow, f.narrow_rows, f.narrow_columns);
+  float *const lightness = seen.lightness.samples.data(), *const a = seen.a.samples.data(),
+               *const b = seen.b.samples.data();
+  for (std::size_t i = 0; i < narrow.samples.size(); ++i) {
+    b[i] += narrow.samples[i];
+    const Triple linear = product(rgb_from_xyz, {lightness[i] + a[i], lightness[i], lightness[i] - b[i]});
+    // As far as sRGB can show the colours.
+    const Triple lab = hunt_lab({clamped(linear[0]), clamped(linear[1]), clamped(linear[2])});
+    lightness[i] = lab[0], a[i] = lab[1], b[i] = lab[2];
   }
-
- private:
-  const Filters& filters_;
-  Plane luminance_, red_green_, wide_, narrow_, smooth_, slope_, curvature_;
-};
+  return seen;
+}
 
 // ---- Both ----
 
-/// How much more of an edge or of a point the one picture has, 0 to 1 ("Feature metric").
-float feature_error(const FilteredRow& a, const FilteredRow& b, std::size_t x) {
-  const auto length = [](float u, float v) { return std::sqrt(u * u + v * v); };
-  const float edges = length(a.edge_x[x], a.edge_y[x]) - length(b.edge_x[x], b.edge_y[x]);
-  const float points = length(a.point_x[x], a.point_y[x]) - length(b.point_x[x], b.point_y[x]);
-  // Raised to q_f = 1/2.
-  return std::sqrt(std::max(std::abs(edges), std::abs(points)) / std::numbers::sqrt2_v<float>);
+/// "Final difference" of the i-th pixel: features raise the colours' error.
+float error_at(const Seen& a, const Seen& b, std::size_t i) {
+  const float distance = hyab({a.lightness.samples[i], a.a.samples[i], a.b.samples[i]},
+                              {b.lightness.samples[i], b.a.samples[i], b.b.samples[i]});
+  if (distance == 0) return 0;
+  // "Feature metric": how much more of an edge or of a point the one picture has, raised to q_f = 1/2.
+  const float edges = a.edges.samples[i] - b.edges.samples[i];
+  const float points = a.points.samples[i] - b.points.samples[i];
+  const float feature = std::sqrt(std::max(std::abs(edges), std::abs(points)) / std::numbers::sqrt2_v<float>);
+  return std::pow(color_error(distance), 1 - feature);
 }
-
-/// "Final difference": features raise the colours' error. The first loop becomes vector instructions.
-void combine(const FilteredRow& a, const FilteredRow& b, std::vector<float>& distances,
-             std::vector<float>& exponents, float* errors) {
-  for (std::size_t x = 0; x < distances.size(); ++x) {
-    distances[x] = hyab({a.lightness[x], a.a[x], a.b[x]}, {b.lightness[x], b.a[x], b.b[x]});
-    exponents[x] = 1 - feature_error(a, b, x);
-  }
-  for (std::size_t x = 0; x < distances.size(); ++x)  // the power of 0, without its cost
-    errors[x] = distances[x] == 0 ? 0 : std::pow(color_error(distances[x]), exponents[x]);
-}
-
-// ---- Pooling ----
-
-/// The smallest of the errors, sorted upwards, up to which they add up to `share` of their sum; 0 of none.
-double weighted_percentile(const std::vector<float>& sorted, double sum, double share) {
-  double reached = 0;
-  for (const float error : sorted) {
-    reached += static_cast<double>(error);
-    if (reached >= share * sum) return static_cast<double>(error);
-  }
-  return 0;
-}
-
-/// Colours 0, 16, 32, ..., 256 of the magma map's 256, sRGB-encoded; between them it is straight to 2 steps.
-constexpr std::uint8_t magma[][3] = {
-    {0, 0, 4},      {10, 8, 34},     {29, 17, 71},    {54, 16, 107},   {81, 18, 124},  {106, 28, 129},
-    {131, 38, 129}, {156, 46, 127},  {183, 55, 121},  {208, 65, 111},  {231, 82, 99},  {245, 107, 92},
-    {252, 137, 97}, {254, 167, 114}, {254, 196, 136}, {253, 226, 163}, {252, 255, 193}};
 
 }  // namespace
 
-ImageF flip_errors(const Image8& reference, const Image8& image, double pixels_per_degree) {
+ImageF flip_errors(const Image8& reference, const Image8& image) {
   check_sizes(reference, image, nullptr);
   check_any(!reference.samples.empty());
-  if (!(pixels_per_degree >= 1 && pixels_per_degree <= 1000))
-    throw Error::usage(fmt::format("FLIP does not work with {} pixels per degree", pixels_per_degree),
-                       "give 1 to 1000");
-  const Filters filters(pixels_per_degree);
-  const Box box = box_to_compare(reference, image, filters.radius);  // beyond it the error is 0
-  const FilteredPicture a(reference, box, filters), b(image, box, filters);
+  const Filters filters;
+  const Seen a = see(reference, filters), b = see(image, filters);
   ImageF errors(reference.width, reference.height, 1);
-  const auto width = static_cast<std::size_t>(box.width());
-  std::vector<float> distances(width), exponents(width);
-  FilteredRow row_a, row_b;
-  for (int y = 0; y < box.height(); ++y) {
-    a.load(y, row_a);
-    b.load(y, row_b);
-    combine(row_a, row_b, distances, exponents, &errors.at(box.left, box.bottom + y));
-  }
+  for (std::size_t i = 0; i < errors.samples.size(); ++i) errors.samples[i] = error_at(a, b, i);
   return errors;
 }
 
 FlipFigures flip_figures(const ImageF& errors, const Image8* mask) {
   check_sizes(errors, errors, mask);
-  std::vector<float> sorted;  // those above 0: in most pictures few
-  std::size_t pixels = 0;
+  std::vector<float> counted;
   for (int y = 0; y < errors.height; ++y)
-    for (int x = 0; x < errors.width; ++x) {
-      if (!counts(mask, x, y)) continue;
-      ++pixels;
-      if (errors.at(x, y) > 0) sorted.push_back(errors.at(x, y));
-    }
-  check_any(pixels > 0);
-  std::sort(sorted.begin(), sorted.end());
-  const double sum = std::accumulate(sorted.begin(), sorted.end(), 0.0);
-  const std::size_t zeros = pixels - sorted.size(), p99 = index_of_per_mille(pixels, 990);
-  FlipFigures figures;
-  figures.mean = sum / static_cast<double>(pixels);
-  figures.p99 = p99 < zeros ? 0 : static_cast<double>(sorted[p99 - zeros]);
-  figures.first_quartile = weighted_percentile(sorted, sum, 0.25);
-  figures.median = weighted_percentile(sorted, sum, 0.5);
-  figures.third_quartile = weighted_percentile(sorted, sum, 0.75);
-  return figures;
-}
-
-Image8 flip_heatmap(const ImageF& errors, const Image8* mask) {
-  check_sizes(errors, errors, mask);
-  Image8 result(errors.width, errors.height, 3);
-  for (int y = 0; y < errors.height; ++y)
-    for (int x = 0; x < errors.width; ++x) {
-      const double error = counts(mask, x, y) ? static_cast<double>(errors.at(x, y)) : 0;
-      const double place = std::clamp(error, 0.0, 1.0) * 255 / 16;
-      const auto below = static_cast<std::size_t>(place);
-      for (std::size_t c = 0; c < 3; ++c) {
-        const double value =
-            std::lerp(magma[below][c], magma[below + 1][c], place - static_cast<double>(below));
-        result.at(x, y, static_cast<int>(c)) = static_cast<std::uint8_t>(value + 0.5);
-      }
-    }
-  return result;
+    for (int x = 0; x < errors.width; ++x)
+      if (counts(mask, x, y)) counted.push_back(errors.at(x, y));
+  check_any(!counted.empty());
+  std::sort(counted.begin(), counted.end());
+  const double sum = std::accumulate(counted.begin(), counted.end(), 0.0);
+  return {sum / static_cast<double>(counted.size()), counted[index_of_per_mille(counted.size(), 990)]};
 }
 
 }  // namespace texel::image

@@ -1,38 +1,210 @@
 // SPDX-License-Identifier: MIT
+// JPEG, GIF, BMP and TGA by stb_image, and what it does not look at itself.
 #include "image/load.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
-#include <charconv>
-#include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <functional>
 #include <memory>
-#include <string_view>
+#include <utility>
 
-#include "core/error.hpp"
 #include "core/files.hpp"
-#include "decoder.hpp"
-#include "guards.hpp"
+#include "decode.hpp"
+
+#define STBI_ONLY_GIF
+#ifdef __EMSCRIPTEN__  // a page has only the tree's pictures
+#define STBI_ONLY_PNG
+#define STBI_ONLY_PNM
+#else
+#define STBI_ONLY_TGA
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_BMP
+#endif
+#define STBI_NO_STDIO
+#define STBI_FAILURE_USERMSG
+#define STBI_MALLOC(size) std::calloc(size, 1)  // a JPEG may use tables that it never defined
+#define STBI_REALLOC(block, size) std::realloc(block, size)
+#define STBI_FREE(block) std::free(block)
+#define STB_IMAGE_IMPLEMENTATION
+#include <stb/stb_image.h>
 
 namespace texel::image {
 namespace {
 
-constexpr int largest_side = 16384;
-constexpr long long most_samples = 1LL << 28;
+/// A file's bytes as numbers, zeros beyond its end as stb_image reads them.
+struct Bytes {
+  std::string_view bytes;
 
-Error broken(const std::filesystem::path& path, const std::string& what) {
-  return Error::failed(what, {path.string()}, "use an undamaged PNG, JPEG, GIF, BMP or TGA file");
+  std::size_t operator[](std::size_t at) const {
+    return at < bytes.size() ? static_cast<unsigned char>(bytes[at]) : 0;
+  }
+  [[nodiscard]] std::size_t big_endian16(std::size_t at) const { return (*this)[at] << 8 | (*this)[at + 1]; }
+  [[nodiscard]] std::size_t little_endian16(std::size_t at) const {
+    return (*this)[at] | (*this)[at + 1] << 8;
+  }
+  [[nodiscard]] bool has(std::size_t at, std::string_view text) const {
+    return at <= bytes.size() && bytes.substr(at).starts_with(text);
+  }
+};
+
+/// A JPEG begins with the marker 0xd8; any number of 0xff may stand before a marker.
+bool is_jpeg(std::string_view bytes) {
+  const std::size_t marker = bytes.find_first_not_of('\xff');
+  return marker != 0 && marker != std::string_view::npos && bytes[marker] == '\xd8';
 }
 
-void check_limits(const std::filesystem::path& path, long long width, long long height, int channels) {
-  if (width > largest_side || height > largest_side || width * height * channels > most_samples)
-    throw Error::failed(fmt::format("{}x{} pixels of {} channels are too large", width, height, channels),
-                        {path.string()},
-                        fmt::format("use at most {} pixels per side and 2^28 samples", largest_side));
+/// DHT (ITU-T T.81, B.2.4.2): tables of one byte, 16 counts and as many values as the counts say.
+bool huffman_tables_overrun(const Bytes& jpeg, std::size_t at, std::size_t end) {
+  while (at < end) {
+    std::size_t codes = 0;
+    for (std::size_t i = 1; i <= 16; ++i) codes += jpeg[at + i];
+    if (codes > 256) return true;
+    at += 17 + codes;
+  }
+  return false;
+}
+
+/// SOF (B.2.2): each component's horizontal and vertical factor in the two halves of a byte.
+bool sampling_overruns(const Bytes& jpeg, std::size_t at) {
+  const std::size_t components = std::min<std::size_t>(jpeg[at + 5], 4);
+  for (const unsigned shift : {4U, 0U}) {
+    const auto factor = [&](std::size_t component) { return jpeg[at + 7 + 3 * component] >> shift & 15; };
+    std::size_t largest = 1;
+    for (std::size_t i = 0; i < components; ++i) largest = std::max(largest, factor(i));
+    for (std::size_t i = 0; i < components; ++i)
+      if (factor(i) == 0 || largest % factor(i) != 0) return true;
+  }
+  return false;
+}
+
+/// Calls `visit(marker, content, end)` with each segment of a JPEG that has a length (T.81, B.1.1.4), up to
+/// the picture's end: a stamp or a phone's second picture or film may follow.
+template <class Visit>
+void for_each_segment(std::string_view bytes, Visit visit) {
+  const Bytes jpeg{bytes};
+  std::size_t at = 0;
+  while (is_jpeg(bytes) && (at = bytes.find('\xff', at)) != std::string_view::npos) {
+    while (jpeg[at] == 0xff) ++at;
+    const std::size_t marker = jpeg[at++];
+    if (marker == 0xd9) return;
+    // A zero is an escaped 0xff among the samples; 0xd0 to 0xd8 and 1 stand alone; all others have a length.
+    if (marker <= 1 || (marker >= 0xd0 && marker <= 0xd8)) continue;
+    const std::size_t content = at + 2;
+    at += std::max<std::size_t>(jpeg.big_endian16(at), 2);
+    visit(marker, content, at);
+  }
+}
+
+/// What is wrong with a JPEG file, or "": a variant that stb_image does not read, or reads in wrong colours;
+/// or tables beyond which it would write or read, a Huffman table of more than 256 codes and sampling factors
+/// that do not divide the largest one. Version 2.28 refuses these two, Debian 12 has 2.27
+/// (https://github.com/nothings/stb/pull/1297).
+std::string jpeg_fault(std::string_view bytes) {
+  const Bytes jpeg{bytes};
+  std::string fault;
+  bool is_adobe = false, has_four = false;
+  for_each_segment(bytes, [&](std::size_t marker, std::size_t at, std::size_t end) {
+    const bool is_frame =
+        marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+    is_adobe |= marker == 0xee && jpeg.has(at, "Adobe");
+    has_four |= is_frame && jpeg[at + 5] == 4;
+    if (!fault.empty()) return;
+    if (marker == 0xc4 && huffman_tables_overrun(jpeg, at, end)) fault = "has invalid JPEG tables";
+    if (!is_frame) return;
+    if (marker >= 0xc3)
+      fault = "is a lossless or hierarchical JPEG or one with arithmetic coding, which is not read";
+    else if (jpeg[at] != 8)
+      fault = "is a JPEG of " + std::to_string(jpeg[at]) + " bits a sample, which is not read";
+    else if (sampling_overruns(jpeg, at))
+      fault = "has invalid JPEG tables";
+  });
+  if (fault.empty() && has_four && !is_adobe)
+    fault = "is a JPEG of four channels that does not say what they are (Adobe's marker is missing)";
+  return fault;
+}
+
+/// How a photo is to be turned by its Exif block (CIPA DC-008, 4.6.4): 1 as it is, 2 to 8 mirrored, turned by
+/// quarters, or both.
+int orientation(std::string_view bytes) {
+  const Bytes jpeg{bytes};
+  std::size_t found = 1;
+  for_each_segment(bytes, [&](std::size_t marker, std::size_t at, std::size_t) {
+    if (found != 1 || marker != 0xe1 || !jpeg.has(at, std::string_view("Exif\0\0", 6))) return;
+    const std::size_t tiff = at + 6;
+    const bool is_little = jpeg[tiff] == 'I';
+    const auto number = [&](std::size_t offset) {
+      return is_little ? jpeg.little_endian16(tiff + offset) : jpeg.big_endian16(tiff + offset);
+    };
+    const std::size_t directory = number(is_little ? 4 : 6);  // within 64 KiB, as the whole block is
+    for (std::size_t i = 0; i < number(directory) && found == 1; ++i) {
+      const std::size_t entry = directory + 2 + 12 * i, value = number(entry + 8);
+      if (number(entry) == 0x112 && value >= 1 && value <= 8) found = value;
+    }
+  });
+  return static_cast<int>(found);
+}
+
+/// What is wrong with a TGA file of so many pixels, or "": a variant that stb_image reads wrongly; or too few
+/// bytes where it is not run-length encoded, when stb_image would give what happens to be in memory for the
+/// last row. Only the first bytes tell a TGA: whether it has a palette, and its kind.
+std::string tga_fault(std::string_view bytes, std::size_t pixels) {
+  const Bytes tga{bytes};
+  const std::size_t has_palette = tga[1], kind = tga[2] & 7U;
+  if (has_palette > 1 || kind < 1 || kind > 3 || tga[2] >= 16) return {};
+  if ((tga[17] & 0xd0U) != 0) return "is a TGA file with interleaved rows or mirrored, which is not read";
+  if (has_palette == 1 && tga.little_endian16(3) != 0)
+    return "is a TGA file whose palette does not begin at 0, which is not read";
+  const std::size_t palette = has_palette * tga.little_endian16(5) * ((tga[7] + 7) / 8);
+  const bool run_length_encoded = tga[2] > 3;
+  const std::size_t size = 18 + tga[0] + palette + pixels * ((tga[16] + 7) / 8);
+  return run_length_encoded || bytes.size() >= size ? "" : "is cut short";
+}
+
+/// What a file is that cannot be read, as "a WebP file", or "" where nothing tells.
+std::string other_format(std::string_view bytes) {
+  struct Format {
+    std::size_t at;
+    std::string_view start;
+    const char* name;
+  };
+  using namespace std::string_view_literals;
+  static constexpr Format formats[] = {
+      {8, "WEBP", "a WebP file"},
+      {4, "ftypavi", "an AVIF file"},
+      {4, "ftyphe", "a HEIC file"},
+      {4, "ftypm", "a HEIC or AVIF file, or a film"},
+      {4, "ftyp", "a film"},
+      {0, "II*\0"sv, "a TIFF file"},
+      {0, "MM\0*"sv, "a TIFF file"},
+      {0, "\xabKTX", "a KTX file"},
+      {0, "DDS ", "a DDS file"},
+      {0, "#?R", "a Radiance HDR file"},
+      {0, "v/1\1", "an OpenEXR file"},
+      {0, "8BPS", "a Photoshop file"},
+      {0, "gimp xcf", "a GIMP file"},
+      {4, "jP  ", "a JPEG 2000 file"},
+      {0, "\xff\x4f\xff\x51", "a JPEG 2000 file"},
+      {4, "JXL ", "a JPEG XL file"},
+      {0, "\xff\x0a", "a JPEG XL file"},
+      {0, "qoif", "a QOI file"},
+      {0, "\0\0\1\0"sv, "an icon file"},
+      {0, "\x0a\5\1", "a PCX file"},
+      {0, "\1\xda", "an SGI file"},
+      {0, "%PDF", "a PDF file"},
+      {0, "<svg", "an SVG file"},
+      {0, "<", "a file of text"},
+      {0, "version https://git-lfs", "Git LFS's pointer to a file"},
+  };
+  const Bytes file{bytes};
+  for (const Format& format : formats)
+    if (file.has(format.at, format.start)) return format.name;
+  if (file.has(0, "P") && std::string_view("1234567Ff").find(static_cast<char>(file[1])) != bytes.npos)
+    return "a PBM, PGM, PPM, PAM or PFM file";
+  if (file.has(0, "BM") && (file[30] == 1 || file[30] == 2)) return "a run-length-encoded BMP file";
+  if (bytes.ends_with("TRUEVISION-XFILE.\0"sv)) return "a TGA file of an unusual kind";
+  return {};
 }
 
 /// A file in memory as stb_image's callbacks read it. Unlike its reader from memory, which goes on with
@@ -57,53 +229,6 @@ struct Stream {
 };
 constexpr stbi_io_callbacks stream_callbacks = {Stream::read, Stream::skip, Stream::at_end};
 
-/// A PNG's own size, from its first chunk; stb_image does not tell it where it thinks it too large.
-void check_png_limits(const std::filesystem::path& path, std::string_view bytes) {
-  const std::size_t header = bytes.find("IHDR") + 4;  // behind a chunk of Apple's, or at once
-  if (!bytes.starts_with(png_signature) || header < 16 || header > 64 || bytes.size() < header + 10) return;
-  const Bytes png{bytes};
-  // By the colour's type: grey, RGB, a palette of RGB, grey and alpha, RGBA.
-  static constexpr int kChannels[] = {1, 1, 3, 3, 2, 1, 4};
-  const std::size_t type = png[header + 9], most = std::size_t{1} << 31U;
-  check_limits(path, static_cast<long long>(std::min(png.big_endian32(header), most)),
-               static_cast<long long>(std::min(png.big_endian32(header + 4), most)),
-               kChannels[type < 7 ? type : 0]);
-}
-
-std::size_t header_pixels(const Info& header) {
-  return static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
-}
-
-Info read_header(const std::filesystem::path& path, std::string_view bytes) {
-  if (bytes.empty()) throw broken(path, "is empty");
-  check_png_limits(path, bytes);
-  if (const std::string fault = jpeg_fault(bytes); !fault.empty()) throw broken(path, fault);
-  static const bool once = [] {  // Apple's variant of PNG: BGR, multiplied by alpha
-    stbi_convert_iphone_png_to_rgb(1);
-    stbi_set_unpremultiply_on_load(1);
-    return true;
-  }();
-  static_cast<void>(once);
-  Info header;
-  Stream stream{bytes};
-  if (stbi_info_from_callbacks(&stream_callbacks, &stream, &header.width, &header.height, &header.channels) ==
-      0) {
-    const std::string other = other_format(bytes);
-    throw broken(path, other.empty() ? fmt::format("cannot be read as a picture ({})", stbi_failure_reason())
-                                     : fmt::format("is {}, which is not read", other));
-  }
-  if (header.height >= -largest_side) header.height = std::abs(header.height);  // of a BMP, top row first
-  if (header.width < 1 || header.height < 1) throw broken(path, "has no pixels");
-  check_limits(path, header.width, header.height, header.channels);
-  // Deflate, which packs best of all, makes at most 258 bytes from 2 bits, and a byte is at most 8 pixels: a
-  // tiny file with a huge header is refused before its picture is allocated.
-  constexpr std::size_t most_pixels_in_a_byte = 1032 * 8;
-  if (header_pixels(header) / most_pixels_in_a_byte > bytes.size()) throw broken(path, "is cut short");
-  Stream again{bytes};
-  header.is_16_bit = stbi_is_16_bit_from_callbacks(&stream_callbacks, &again) != 0;
-  return header;
-}
-
 /// The picture as Exif's `orientation` shows it. Both count rows from the top, as files do, but the result
 /// begins with the bottom row.
 Image8 turned(const Image8& stored, int orientation) {
@@ -124,98 +249,66 @@ Image8 turned(const Image8& stored, int orientation) {
   return image;
 }
 
-/// The file's bytes as the decoder reads them best.
-std::string read(const std::filesystem::path& path) {
-  std::string bytes = read_file(path);
-  make_tga_plain(bytes);
-  return bytes;
-}
-
-/// `decode` is stbi_load_from_callbacks or its 16-bit sister; `rounded` makes 8 bits of its samples. The
-/// first row is the top one.
-template <class Decode, class Rounded>
-Image8 decoded(const std::filesystem::path& path, std::string_view bytes, int channels, Decode decode,
-               Rounded rounded) {
-  Stream stream{bytes};
+/// A file of any of the other formats.
+Image8 decode(std::string_view bytes, const std::string& name, int channels) {
+  if (const std::string fault = jpeg_fault(bytes); !fault.empty()) throw broken(name, fault);
   int width = 0, height = 0, stored_channels = 0;
-  const auto* const samples = decode(&stream_callbacks, &stream, &width, &height, &stored_channels, channels);
-  const std::unique_ptr<const void, void (*)(const void*)> owner(
-      samples, [](const void* block) { stbi_image_free(const_cast<void*>(block)); });
-  if (stream.cut_short) throw broken(path, "is cut short");
-  if (!samples) throw broken(path, fmt::format("cannot be decoded ({})", stbi_failure_reason()));
+  Stream header{bytes};
+  if (stbi_info_from_callbacks(&stream_callbacks, &header, &width, &height, &stored_channels) == 0) {
+    const std::string other = other_format(bytes);
+    throw broken(name, other.empty() ? fmt::format("cannot be read as a picture ({})", stbi_failure_reason())
+                                     : fmt::format("is {}, which is not read", other));
+  }
+  const long long rows = std::abs(static_cast<long long>(height));  // of a BMP, top row first
+  if (width < 1 || rows < 1) throw broken(name, "has no pixels");
+  check_limits(name, width, rows, std::max(stored_channels, channels));
+  check_long_enough(name, width, static_cast<int>(rows), bytes);
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(rows);
+  if (const std::string fault = tga_fault(bytes, pixels); !fault.empty()) throw broken(name, fault);
+  Stream stream{bytes};
+  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> samples(
+      stbi_load_from_callbacks(&stream_callbacks, &stream, &width, &height, &stored_channels, channels),
+      stbi_image_free);
+  if (stream.cut_short) throw broken(name, "is cut short");
+  if (!samples) throw broken(name, fmt::format("cannot be decoded ({})", stbi_failure_reason()));
   Image8 image(width, height, channels == 0 ? stored_channels : channels);
-  std::transform(samples, samples + image.samples.size(), image.samples.begin(), rounded);
-  return image;
+  std::copy_n(samples.get(), image.samples.size(), image.samples.begin());
+  return turned(image, orientation(bytes));
 }
 
 }  // namespace
 
-Info info(const std::filesystem::path& path) {
-  const std::string bytes = read(path);
-  Info header = read_header(path, bytes);
-  if (orientation(bytes) >= 5) std::swap(header.width, header.height);
-  return header;
+Error broken(const std::string& name, const std::string& what) {
+  return Error::failed(what, {name}, "use an undamaged PNG, JPEG, GIF, BMP or TGA file");
+}
+
+void check_limits(const std::string& name, long long width, long long height, int channels) {
+  constexpr int largest_side = 16384;
+  constexpr long long most_samples = 1LL << 28;
+  if (width > largest_side || height > largest_side || width * height * channels > most_samples)
+    throw Error::failed(fmt::format("{}x{} pixels of {} channels are too large", width, height, channels),
+                        {name}, fmt::format("use at most {} pixels per side and 2^28 samples", largest_side));
+}
+
+void check_long_enough(const std::string& name, int width, int height, std::string_view bytes) {
+  // Deflate, which packs best of all, makes at most 258 bytes from 2 bits, and a byte is at most 8 pixels.
+  constexpr std::size_t most_pixels_in_a_byte = 1032 * 8;
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  if (pixels / most_pixels_in_a_byte > bytes.size()) throw broken(name, "is cut short");
+}
+
+Image8 parse_png(std::string_view bytes, const std::string& name, int width, int height) {
+  const Size size = png_size(bytes, name);
+  if (size.width != width || size.height != height)
+    throw Error::failed(fmt::format("is {}x{} pixels, not {}x{}", size.width, size.height, width, height),
+                        {name});
+  return decode_png(bytes, name, 3);
 }
 
 Image8 load8(const std::filesystem::path& path, int channels) {
-  const std::string bytes = read(path);
-  const Info header = read_header(path, bytes);
-  if (channels < 0 || channels > 4)
-    throw Error::usage(fmt::format("a picture cannot have {} channels", channels), "use 1 to 4, or 0");
-  check_limits(path, header.width, header.height, std::max(header.channels, channels));
-  if (const std::string chunk = damaged_png_chunk(bytes); !chunk.empty())
-    throw broken(path, fmt::format("is damaged: the checksum of its chunk {} is wrong", chunk));
-  if (const std::string fault = tga_fault(bytes, header_pixels(header)); !fault.empty())
-    throw broken(path, fault);
-  const auto to_8_bits = [](unsigned sample) { return static_cast<std::uint8_t>((sample + 128) / 257); };
-  const Image8 stored = header.is_16_bit
-                            ? decoded(path, bytes, channels, stbi_load_16_from_callbacks, to_8_bits)
-                            : decoded(path, bytes, channels, stbi_load_from_callbacks, std::identity());
-  return turned(stored, orientation(bytes));
-}
-
-ImageF load_pfm(const std::filesystem::path& path) {
-  return parse_pfm(MappedFile(path).bytes(), path.string());
-}
-
-ImageF parse_pfm(std::string_view bytes, const std::string& name) {
-  const auto wrong = [&](const std::string& what) {
-    return Error::failed(what, {name}, "a PFM file starts with PF or Pf, width, height and scale");
-  };
-  const auto word = [&] {  // of the header: each is ended by one white-space character
-    const std::size_t length = bytes.substr(0, 64).find_first_of(" \t\r\n");
-    if (length == std::string_view::npos) throw wrong("is not a PFM file (portable float map)");
-    const std::string_view result = bytes.substr(0, length);
-    bytes.remove_prefix(length + 1);
-    return result;
-  };
-  const auto number = [&](const char* what, auto value) {
-    const std::string_view text = word();
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size())
-      throw wrong(fmt::format("has no valid {}", what));
-    return value;
-  };
-  const std::string_view kind = word();
-  if (kind != "PF" && kind != "Pf") throw wrong("is not a PFM file (portable float map)");
-  const int channels = kind == "PF" ? 3 : 1, width = number("width", 0), height = number("height", 0);
-  const double scale = number("scale", 0.0);
-  if (width < 1 || height < 1) throw wrong(fmt::format("has a size of {}x{}", width, height));
-  if (!std::isfinite(scale) || scale == 0) throw wrong("has a scale that is zero or not finite");
-  check_limits(name, width, height, channels);
-  const std::size_t samples =
-      static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels);
-  if (bytes.size() != 4 * samples)
-    throw wrong(fmt::format("has {} bytes of samples, but its header says {}", bytes.size(), 4 * samples));
-
-  ImageF image(width, height, channels);
-  for (std::size_t i = 0; i < samples; ++i) {
-    std::uint32_t bits = 0;
-    for (std::size_t byte = 0; byte < 4; ++byte)
-      bits = bits << 8 | static_cast<unsigned char>(bytes[4 * i + (scale < 0 ? 3 - byte : byte)]);
-    image.samples[i] = std::bit_cast<float>(bits);
-  }
-  return image;
+  const std::string bytes = read_file(path), name = path.string();
+  if (bytes.empty()) throw broken(name, "is empty");
+  return bytes.starts_with("\x89PNG") ? decode_png(bytes, name, channels) : decode(bytes, name, channels);
 }
 
 }  // namespace texel::image

@@ -35,11 +35,16 @@ image::Unit compared_as(Unit unit) {
   return unit == Unit::degrees ? image::Unit::degrees : image::Unit::own;
 }
 
-Image8 parse(std::string_view bytes, const std::string& name, Size size, const Image8*) {
+template <class Picture>
+Picture parse(std::string_view bytes, const std::string& name, Size size);
+
+template <>
+Image8 parse(std::string_view bytes, const std::string& name, Size size) {
   return image::parse_png(bytes, name, size.width, size.height);
 }
 
-ImageF parse(std::string_view bytes, const std::string& name, Size size, const ImageF*) {
+template <>
+ImageF parse(std::string_view bytes, const std::string& name, Size size) {
   // A float picture is as large as its file; more than this is no picture of that size.
   const auto most = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) * 12 + 100;
   if (bytes.size() > most) throw Error::failed("is larger than a picture of this size can be", {name});
@@ -60,14 +65,6 @@ mesh::Mesh parse_stream(std::string_view bytes, const std::string& name) {
   return mesh::parse_ply(bytes, name);
 }
 
-/// One part of the picture: the object or the background.
-struct Part {
-  const char* name;
-  Image8 mask;
-  bool any = false;
-  image::Difference difference;  ///< of the picture from the reference there
-};
-
 /// Whether the mask is the same in the 3x3 pixels around one. Where the object's edge passes between others
 /// is the rasteriser's choice: OpenGL leaves it how finely it rounds a vertex's place in the window.
 bool is_inside(const Image8& mask, int x, int y) {
@@ -77,20 +74,13 @@ bool is_inside(const Image8& mask, int x, int y) {
   return true;
 }
 
-std::vector<Part> parts_of(std::string_view mask_bytes, Size size) {
-  const Image8 mask = image::parse_png(mask_bytes, "the mask", size.width, size.height);
-  std::vector<Part> parts = {{"object", Image8(size.width, size.height, 1), false, {}},
-                             {"background", Image8(size.width, size.height, 1), false, {}}};
-  for (int y = 0; y < size.height; ++y)
-    for (int x = 0; x < size.width; ++x) {
-      if (!is_inside(mask, x, y)) continue;
-      Part& part = parts[mask.at(x, y) > 127 ? 0 : 1];
-      part.mask.at(x, y) = 255;
-      part.any = true;
-    }
-  parts.erase(std::remove_if(parts.begin(), parts.end(), [](const Part& part) { return !part.any; }),
-              parts.end());
-  return parts;
+/// The pixels of the object, or of the background, as a mask.
+Image8 part_of(const Image8& mask, bool is_object) {
+  Image8 part(mask.width, mask.height, 1);
+  for (int y = 0; y < mask.height; ++y)
+    for (int x = 0; x < mask.width; ++x)
+      if ((mask.at(x, y) > 127) == is_object && is_inside(mask, x, y)) part.at(x, y) = 255;
+  return part;
 }
 
 Verdict nothing_to_compare(std::string message) {
@@ -111,7 +101,7 @@ std::string short_number(double value) {
 /// Whether a picture that can be read has no NaN and no infinity.
 bool is_finite(const Case& of, std::string_view bytes) {
   if (of.view == View::color) return true;
-  const ImageF picture = parse(bytes, "the reference", of.size, static_cast<ImageF*>(nullptr));
+  const ImageF picture = parse<ImageF>(bytes, "the reference", of.size);
   return std::all_of(picture.samples.begin(), picture.samples.end(),
                      [](float value) { return std::isfinite(value); });
 }
@@ -119,30 +109,29 @@ bool is_finite(const Case& of, std::string_view bytes) {
 template <class Picture>
 Verdict judge_picture(const Case& of, const Expected& expected, std::string_view bytes) {
   const Unit unit = unit_of(of.view);
-  const auto reference = parse(expected.reference, "the reference", of.size, static_cast<Picture*>(nullptr));
+  const auto reference = parse<Picture>(expected.reference, "the reference", of.size);
   Verdict verdict;
   Picture picture;
   try {
-    picture = parse(bytes, "picture", of.size, static_cast<Picture*>(nullptr));
+    picture = parse<Picture>(bytes, "picture", of.size);
   } catch (const Error& error) {
     return unreadable("picture", error);
   }
 
-  long long non_finite = image::compare(reference, picture).non_finite;
+  const long long non_finite = image::compare(reference, picture).non_finite;
   verdict.passed = non_finite == 0;
   std::string place;
-  std::vector<Part> parts = parts_of(expected.mask, of.size);
-  for (Part& part : parts) {
-    part.difference = image::compare(reference, picture,
-                                     {.mask = &part.mask,
-                                      .edge_tolerance = true,
-                                      .moved_pixels = kMovedPixels,
-                                      .unit = compared_as(unit)});
-    const image::Difference& difference = part.difference;
+  const Image8 mask = image::parse_png(expected.mask, "the mask", of.size.width, of.size.height);
+  for (const bool is_object : {true, false}) {
+    const Image8 part = part_of(mask, is_object);
+    if (std::ranges::find(part.samples, 255) == part.samples.end()) continue;
+    const image::Difference difference = image::compare(
+        reference, picture,
+        {.mask = &part, .edge_tolerance = true, .moved_pixels = kMovedPixels, .unit = compared_as(unit)});
     if (difference.p999 > verdict.error || place.empty()) {
       verdict.error = std::max(verdict.error, difference.p999);
       place = fmt::format("so is the pixel {}, {} from the lower left, in the {}", difference.telling_x,
-                          difference.telling_y, part.name);
+                          difference.telling_y, is_object ? "object" : "background");
     }
     if (difference.p999 > of.limit) verdict.passed = false;
   }

@@ -3,20 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <set>
-
 namespace texel::judge {
 
 using course::Case;
 using course::View;
-
-std::vector<Case> LabPlan::named(const std::vector<std::string>& names) const {
-  std::vector<Case> chosen;
-  for (const Case& one : cases)
-    if (std::find(names.begin(), names.end(), one.name) != names.end()) chosen.push_back(one);
-  return chosen;
-}
 
 std::vector<Case> LabPlan::masks() const {
   std::vector<Case> masks;
@@ -37,26 +27,6 @@ std::vector<LabPlan> public_plan(const std::vector<course::Lab>& labs) {
     plans.push_back(std::move(plan));
   }
   return plans;
-}
-
-std::vector<course::Lab> with_needed(const std::vector<course::Lab>& chosen,
-                                     const std::vector<course::Lab>& all) {
-  std::set<int> numbers;
-  std::vector<int> open;
-  for (const course::Lab& lab : chosen) open.push_back(lab.number);
-  while (!open.empty()) {
-    const int number = open.back();
-    open.pop_back();
-    if (!numbers.insert(number).second) continue;
-    for (const course::Lab& lab : all)
-      if (lab.number == number)
-        for (const course::Step& step : lab.steps)
-          for (const std::string& need : step.needs) open.push_back(std::stoi(need));
-  }
-  std::vector<course::Lab> result;
-  for (const course::Lab& lab : all)
-    if (numbers.count(lab.number) > 0) result.push_back(lab);
-  return result;
 }
 
 std::string command(const course::Lab& lab, const Case& of) {

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <set>
 #include <tuple>
 #include <utility>
 
@@ -19,15 +17,6 @@ namespace {
 constexpr std::array kStatusNames = {"passed", "failed", "skipped"};
 constexpr std::array kCaseStatusNames = {"passed", "failed", "untouched"};
 constexpr std::array kJudgedNames = {"together", "alone", "markers lost"};
-
-/// The place of a name among those.
-template <class Enum>
-Enum find(const std::array<const char*, 3>& names, const std::string& name) {
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (name == names[i]) return static_cast<Enum>(i);
-  throw Error::failed(fmt::format("there is no status '{}'", name), {},
-                      fmt::format("the statuses are {}, {} and {}", names[0], names[1], names[2]));
-}
 
 /// The lower of the means over the public and the hidden cases; 0 without a case.
 double score_of(const std::vector<CaseResult>& cases) {
@@ -51,24 +40,19 @@ void sort_cases(const course::Lab& lab, std::vector<CaseResult>& cases) {
     const auto found = place.find(result.name);
     return std::tuple(result.hidden, found == place.end() ? place.size() : found->second, result.name);
   };
-  std::sort(cases.begin(), cases.end(),
-            [&](const CaseResult& a, const CaseResult& b) { return key(a) < key(b); });
+  std::ranges::sort(cases, {}, key);
 }
 
 /// The steps whose mistakes can have spoilt the pictures of one that was judged alone: what did not pass in
 /// its lab, but was begun, and what it needs.
-std::vector<std::string> causes_of(const StepResult& step, const std::vector<StepResult>& of_lab,
-                                   const std::vector<LabResult>& results, const Needs& needs) {
-  const std::vector<std::string> needed = needs.of(step.id);
-  std::vector<std::string> spoilers;
-  for (const LabResult& lab : results)
-    for (const StepResult& other : lab.steps) {
-      const bool is_needed = std::find(needed.begin(), needed.end(), other.id) != needed.end();
-      const bool is_begun = &lab.steps == &of_lab && !other.is_untouched();
-      if (&other != &step && other.status == Status::failed && (is_needed || is_begun))
-        spoilers.push_back(other.id);
-    }
-  return spoilers;
+std::vector<std::string> causes_of(const StepResult& step, const std::vector<StepResult>& of_lab) {
+  std::vector<std::string> causes;
+  for (const StepResult& other : of_lab) {
+    const bool is_needed = std::ranges::find(step.needs, other.id) != step.needs.end();
+    if (&other != &step && other.status == Status::failed && (is_needed || !other.is_untouched()))
+      causes.push_back(other.id);
+  }
+  return causes;
 }
 
 }  // namespace
@@ -77,25 +61,25 @@ const char* name_of(Status status) {
   return kStatusNames.at(static_cast<std::size_t>(status));
 }
 
-Status status_of(const std::string& name) {
-  return find<Status>(kStatusNames, name);
-}
-
 const char* name_of(CaseStatus status) {
   return kCaseStatusNames.at(static_cast<std::size_t>(status));
-}
-
-CaseStatus case_status_of(const std::string& name) {
-  return find<CaseStatus>(kCaseStatusNames, name);
 }
 
 const char* name_of(Judged judged) {
   return kJudgedNames.at(static_cast<std::size_t>(judged));
 }
 
-Judged judged_of(const std::string& name) {
-  return find<Judged>(kJudgedNames, name);
+template <class Enum>
+Enum of_name(const std::string& name) {
+  for (std::size_t i = 0; i < kStatusNames.size(); ++i)  // each has three
+    if (name == name_of(static_cast<Enum>(i))) return static_cast<Enum>(i);
+  throw Error::failed(
+      fmt::format("there is no status '{}'", name), {},
+      fmt::format("the statuses are {}, {} and {}", name_of(Enum{0}), name_of(Enum{1}), name_of(Enum{2})));
 }
+template Status of_name(const std::string& name);
+template CaseStatus of_name(const std::string& name);
+template Judged of_name(const std::string& name);
 
 bool StepResult::any(Judged judged) const {
   return std::any_of(cases.begin(), cases.end(), [&](const CaseResult& one) { return one.judged == judged; });
@@ -111,27 +95,6 @@ const char* word_of(const StepResult& step, bool is_next) {
   if (step.status == Status::failed && !step.is_untouched()) return "wrong";
   if (is_next) return "next";
   return step.status == Status::skipped ? "waits" : "to do";
-}
-
-Needs::Needs(const std::vector<course::Lab>& labs) {
-  for (const course::Lab& lab : labs)
-    for (const course::Step& step : lab.steps) {
-      order_.push_back(step.id);
-      // The needs come earlier in the course, so that theirs are known.
-      std::set<std::string>& all = all_[step.id];
-      for (const std::string& need : step.needs) {
-        all.insert(need);
-        if (const auto known = all_.find(need); known != all_.end() && need != step.id)
-          all.insert(known->second.begin(), known->second.end());
-      }
-    }
-}
-
-std::vector<std::string> Needs::of(const std::string& step) const {
-  std::vector<std::string> needs;
-  for (const std::string& id : order_)
-    if (all_.at(step).contains(id)) needs.push_back(id);
-  return needs;
 }
 
 std::string listed(const std::vector<std::string>& steps) {
@@ -184,11 +147,7 @@ const CaseResult* clearest_case(const StepResult& step) {
 }
 
 StepResult step_result(const course::Step& step, std::vector<CaseResult> cases) {
-  StepResult result;
-  result.id = step.id;
-  result.title = step.title;
-  result.points = step.points;
-  result.hints = step.hints;
+  StepResult result(step);
   result.score = score_of(cases);
   result.cases = std::move(cases);
 
@@ -198,7 +157,6 @@ StepResult step_result(const course::Step& step, std::vector<CaseResult> cases) 
     result.status = Status::passed;
     return result;
   }
-  result.status = Status::failed;
   result.message = result.cases.empty() ? "No case of this step was judged." : first->message;
   const auto known = std::find_if(first, result.cases.end(),
                                   [&](const CaseResult& one) { return failed(one) && !one.mistake.empty(); });
@@ -223,10 +181,9 @@ std::vector<LabResult> lab_results(const std::vector<course::Lab>& labs, std::ve
       result.steps.push_back(step_result(step, std::move(its_cases)));
     }
   }
-  const Needs needs(labs);
   for (LabResult& lab : results)
     for (StepResult& step : lab.steps)
-      if (step.any(Judged::alone)) step.spoilt_by = causes_of(step, lab.steps, results, needs);
+      if (step.any(Judged::alone)) step.spoilt_by = causes_of(step, lab.steps);
   return results;
 }
 

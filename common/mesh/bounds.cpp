@@ -24,36 +24,31 @@ std::string lost_shape(const Mesh& mesh) {
   const double longest = std::max({extent.x, extent.y, extent.z});
   if (longest == 0)
     return fmt::format(
-        "all vertices lie at one point, {:.7g} {:.7g} {:.7g}, in 32-bit floats: nothing is visible; "
-        "if the "
+        "all vertices lie at one point, {:.7g} {:.7g} {:.7g}, in 32-bit floats: nothing is visible; if the "
         "file has more digits, move the model to the origin and export it again",
         least.x, least.y, least.z);
 
-  float farthest = 0;
-  for (int axis = 0; axis < 3; ++axis)
-    farthest = std::max({farthest, std::abs(box.least[axis]), std::abs(box.greatest[axis])});
+  const glm::vec3 far = glm::max(glm::abs(box.least), glm::abs(box.greatest));
+  const float farthest = std::max({far.x, far.y, far.z});
   const double step = double{farthest} - double{std::nextafter(farthest, 0.0f)};
   if (longest < 1024 * step)
     return fmt::format(
         "the model is {:.3g} long and lies {:.3g} from the origin, where 32-bit floats are {:.3g} apart: its "
-        "shape is "
-        "lost; move it to the origin and export it again",
+        "shape is lost; move it to the origin and export it again",
         longest, farthest, step);
 
   double area = 0;  // twice that of all triangles in a box whose longest side is 1
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const auto at = [&](std::size_t k) { return glm::dvec3(mesh.positions[mesh.indices[i + k]]) / longest; };
-    area += glm::length(glm::cross(at(1) - at(0), at(2) - at(0)));
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    const auto [a, b, c] = of_triangle(mesh, mesh.positions, t);
+    const glm::dvec3 origin = glm::dvec3(a) / longest;
+    area += glm::length(glm::cross(glm::dvec3(b) / longest - origin, glm::dvec3(c) / longest - origin));
   }
   // A picture of 512x512 has some 1e5 pixels for such a box: a tenth of one.
-  if (area < 1e-6)
-    return fmt::format(
-        "compared with the model's size of {:.3g} its triangles are points and lines: nothing is visible; is "
-        "a vertex "
-        "far "
-        "off, or do all lie on one line?",
-        longest);
-  return {};
+  if (area >= 1e-6) return {};
+  return fmt::format(
+      "compared with the model's size of {:.3g} its triangles are points and lines: nothing is visible; is a "
+      "vertex far off, or do all lie on one line?",
+      longest);
 }
 
 void normalize_to_unit(Mesh& mesh) {

@@ -6,7 +6,6 @@
 #include "mikktspace.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -15,7 +14,6 @@
 #include "mesh/distinct.hpp"
 #include "mesh/vectors.hpp"
 #include "mesh/weld.hpp"
-#include "share.hpp"
 
 namespace texel::mesh {
 namespace {
@@ -49,11 +47,6 @@ std::size_t previous_corner(std::size_t corner) {
   return corner % 3 == 0 ? corner + 2 : corner - 1;
 }
 
-/// Unit T and B.
-struct Directions {
-  glm::vec3 tangent{0.0f}, bitangent{0.0f};
-};
-
 enum class Kind : std::uint8_t {
   collapsed,  ///< two corners at one place: takes no part
   loose,      ///< no texture area, or T or B without length: joins any group and adds nothing to it
@@ -66,7 +59,7 @@ bool has_directions(Kind kind) {
 }
 
 struct Triangles {
-  std::vector<Directions> directions;
+  std::vector<TriangleFrame> directions;  // unit T and B
   std::vector<Kind> kinds;
 };
 
@@ -77,19 +70,19 @@ bool same_way(const glm::dvec3& solved, const glm::dvec3& reference) {
 }
 
 /// Twice the signed area in texture space, as the reference has it.
-float float_area(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c) {
-  const glm::vec2 d1 = b - a, d2 = c - a;
+float float_area(const std::array<glm::vec2, 3>& st) {
+  const glm::vec2 d1 = st[1] - st[0], d2 = st[2] - st[0];
   return d1.s * d2.t - d1.t * d2.s;
 }
 
 /// T and B by triangle_frame. Taken with both edges from the first corner, as in the reference; and where the
 /// result agrees with the reference's up to rounding, the reference's bits.
 Kind find_directions(const std::array<glm::vec3, 3>& p, const std::array<glm::vec2, 3>& st,
-                     Directions& directions) {
+                     TriangleFrame& directions) {
   if (p[0] == p[1] || p[0] == p[2] || p[1] == p[2]) return Kind::collapsed;
   const glm::vec3 e1 = p[1] - p[0], e2 = p[2] - p[0];
   const glm::vec2 d1 = st[1] - st[0], d2 = st[2] - st[0];
-  const float area = float_area(st[0], st[1], st[2]);
+  const float area = float_area(st);
   if (!not_zero(area)) return Kind::loose;
   const float turn = area > 0.0f ? 1.0f : -1.0f;
   const glm::vec3 tangent = e1 * d2.t - e2 * d1.t, bitangent = e1 * -d2.s + e2 * d1.s;
@@ -107,16 +100,11 @@ Kind find_directions(const std::array<glm::vec3, 3>& p, const std::array<glm::ve
 }
 
 Triangles find_triangles(const Mesh& mesh, unsigned threads) {
-  Triangles triangles{std::vector<Directions>(mesh.triangle_count()),
+  Triangles triangles{std::vector<TriangleFrame>(mesh.triangle_count()),
                       std::vector<Kind>(mesh.triangle_count())};
-  in_parallel(threads, threads, [&](std::size_t part) {
-    const Share share(mesh.triangle_count(), part, threads);
-    for (std::size_t t = share.begin; t < share.end; ++t) {
-      const std::uint32_t* v = &mesh.indices[3 * t];
-      triangles.kinds[t] = find_directions({mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]]},
-                                           {mesh.texcoords[v[0]], mesh.texcoords[v[1]], mesh.texcoords[v[2]]},
-                                           triangles.directions[t]);
-    }
+  in_runs(threads, mesh.triangle_count(), [&](std::size_t t) {
+    triangles.kinds[t] = find_directions(of_triangle(mesh, mesh.positions, t),
+                                         of_triangle(mesh, mesh.texcoords, t), triangles.directions[t]);
   });
   return triangles;
 }
@@ -132,7 +120,7 @@ std::vector<std::uint32_t> weld_corners(const Mesh& mesh, unsigned threads) {
     return mesh.positions[a] == mesh.positions[b] && mesh.normals[a] == mesh.normals[b] &&
            mesh.texcoords[a] == mesh.texcoords[b];
   };
-  const auto hash_of = [&mesh](std::uint32_t v) {
+  const auto hash_of = [&mesh](std::size_t v) {
     std::uint64_t hash = 0;
     const auto add = [&hash](float x, float y) {
       hash = mix(hash ^ (std::uint64_t{value_bits(x)} << 32 | value_bits(y)));
@@ -142,10 +130,7 @@ std::vector<std::uint32_t> weld_corners(const Mesh& mesh, unsigned threads) {
     return hash;
   };
   std::vector<std::uint64_t> hashes(mesh.vertex_count());
-  in_parallel(threads, threads, [&](std::size_t part) {
-    const Share share(mesh.vertex_count(), part, threads);
-    for (std::size_t v = share.begin; v < share.end; ++v) hashes[v] = hash_of(static_cast<std::uint32_t>(v));
-  });
+  in_runs(threads, hashes.size(), [&](std::size_t v) { hashes[v] = hash_of(v); });
   // Equal vertices have equal hashes: each part welds those whose hash is its own.
   std::vector<std::uint32_t> of_vertex(mesh.vertex_count());
   in_parallel(threads, threads, [&](std::size_t part) {
@@ -159,10 +144,7 @@ std::vector<std::uint32_t> weld_corners(const Mesh& mesh, unsigned threads) {
     }
   });
   std::vector<std::uint32_t> of_corner(mesh.indices.size());
-  in_parallel(threads, threads, [&](std::size_t part) {
-    const Share share(of_corner.size(), part, threads);
-    for (std::size_t c = share.begin; c < share.end; ++c) of_corner[c] = of_vertex[mesh.indices[c]];
-  });
+  in_runs(threads, of_corner.size(), [&](std::size_t c) { of_corner[c] = of_vertex[mesh.indices[c]]; });
   return of_corner;
 }
 
@@ -300,12 +282,12 @@ std::vector<Sum> sum_by_group(const Mesh& mesh, const Groups& groups, const Tria
                               unsigned threads) {
   std::vector<Sum> sums(groups.kinds.size());
   in_parallel(threads, threads, [&](std::size_t part) {
-    const Share share(sums.size(), part, threads);  // of the groups; no_index is in none
+    const std::size_t begin = sums.size() * part / threads, end = sums.size() * (part + 1) / threads;
     for (std::size_t t = 0; t < triangles.kinds.size(); ++t) {
       if (!has_directions(triangles.kinds[t])) continue;
       const auto& [tangent, bitangent] = triangles.directions[t];
       for (std::size_t c = 3 * t; c < 3 * t + 3; ++c)
-        if (const std::uint32_t group = groups.of_corner[c]; share.holds(group))
+        if (const std::uint32_t group = groups.of_corner[c]; group >= begin && group < end)
           sums[group].add(spoke_at(mesh, c, tangent), bitangent, mesh.normals[mesh.indices[c]]);
     }
   });
@@ -390,22 +372,17 @@ Frames find_frames(const Mesh& mesh, Groups groups, const Triangles& triangles, 
 /// The corners of collapsed triangles take what the first other corner of the same welded vertex has.
 void give_to_collapsed(const std::vector<std::uint32_t>& welded, const std::vector<Kind>& kinds,
                        Frames& frames) {
+  if (std::ranges::count(kinds, Kind::collapsed) == 0) return;
   std::vector<std::uint32_t> at(welded.size(), no_index);  // by welded vertex
-  for (const bool give : {false, true})
-    for (std::size_t c = 0; c < welded.size(); ++c) {
-      if ((kinds[c / 3] == Kind::collapsed) != give) continue;
-      std::uint32_t &there = at[welded[c]], &here = frames.of_corner[c];
-      if (give)
-        here = there == no_index ? here : there;
-      else if (there == no_index)
-        there = here;
-    }
+  for (std::size_t c = 0; c < welded.size(); ++c)
+    if (kinds[c / 3] != Kind::collapsed && at[welded[c]] == no_index) at[welded[c]] = frames.of_corner[c];
+  for (std::size_t c = 0; c < welded.size(); ++c)
+    if (kinds[c / 3] == Kind::collapsed && at[welded[c]] != no_index) frames.of_corner[c] = at[welded[c]];
 }
 
 }  // namespace
 
-TangentReport mikktspace(Mesh& mesh, unsigned threads) {
-  TangentReport report;
+void mikktspace(Mesh& mesh, unsigned threads) {
   const Triangles triangles = find_triangles(mesh, threads);
   const std::vector<std::uint32_t> welded = weld_corners(mesh, threads);
   Frames frames =
@@ -415,41 +392,25 @@ TangentReport mikktspace(Mesh& mesh, unsigned threads) {
   // What no group reached is (1, 0, 0) with the sign -1, whatever the normal.
   const auto nothing = static_cast<std::uint32_t>(frames.tangents.size());
   frames.tangents.emplace_back(1.0f, 0.0f, 0.0f, -1.0f);
-  std::replace(frames.of_corner.begin(), frames.of_corner.end(), no_index, nothing);
-  if (std::count(triangles.kinds.begin(), triangles.kinds.end(), Kind::collapsed) > 0)
-    give_to_collapsed(welded, triangles.kinds, frames);
-  report.degenerate_triangles = static_cast<std::uint32_t>(std::count_if(
-      triangles.kinds.begin(), triangles.kinds.end(), [](Kind k) { return !has_directions(k); }));
+  std::ranges::replace(frames.of_corner, no_index, nothing);
+  give_to_collapsed(welded, triangles.kinds, frames);
 
-  const std::size_t before = mesh.vertex_count();
   const std::vector<std::uint32_t> of_vertex = split_by_label(mesh, frames.of_corner);
-  report.split_vertices = static_cast<std::uint32_t>(mesh.vertex_count() - before);
   mesh.tangents.resize(mesh.vertex_count());
-  std::atomic<std::uint32_t> fallbacks = 0;
-  in_parallel(threads, threads, [&](std::size_t part) {
-    const Share share(mesh.vertex_count(), part, threads);
-    for (std::size_t v = share.begin; v < share.end; ++v) {
-      const std::uint32_t frame = of_vertex[v] == no_index ? nothing : of_vertex[v];
-      glm::vec4 tangent = frames.tangents[frame];
-      const bool has_none = is_along(glm::vec3(tangent), mesh.normals[v]);
-      if (has_none) tangent = {any_orthogonal(mesh.normals[v]), tangent.w};
-      if (has_none || frame == nothing) ++fallbacks;
-      mesh.tangents[v] = tangent;
-    }
+  in_runs(threads, mesh.vertex_count(), [&](std::size_t v) {
+    const glm::vec4& tangent = frames.tangents[of_vertex[v] == no_index ? nothing : of_vertex[v]];
+    const bool has_none = is_along(glm::vec3(tangent), mesh.normals[v]);
+    mesh.tangents[v] = has_none ? glm::vec4(any_orthogonal(mesh.normals[v]), tangent.w) : tangent;
   });
-  report.fallback_vertices = fallbacks;
   // Without a texture area any direction in the plane is right. With one, triangle_frame gave none: that is
   // seen.
   for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
     const std::uint32_t v = mesh.indices[i];
-    if (of_vertex[v] != nothing || triangles.kinds[i / 3] != Kind::loose) continue;
-    const std::uint32_t* corner = &mesh.indices[i / 3 * 3];
-    const auto& st = mesh.texcoords;
-    if (!not_zero(float_area(st[corner[0]], st[corner[1]], st[corner[2]])) && mesh.tangents[v].x == 1.0f)
+    if (of_vertex[v] == nothing && triangles.kinds[i / 3] == Kind::loose && mesh.tangents[v].x == 1.0f &&
+        !not_zero(float_area(of_triangle(mesh, mesh.texcoords, i / 3))))
       mesh.tangents[v] = {unit_or_zero(orthogonal_part({1.0, 0.0, 0.0}, mesh.normals[v])),
                           mesh.tangents[v].w};
   }
-  return report;
 }
 
 }  // namespace texel::mesh

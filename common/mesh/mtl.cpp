@@ -9,20 +9,14 @@
 namespace texel::mesh {
 namespace {
 
-/// How many words may follow a texture option. Those with fewer than this are numbers, so the first word that
-/// is none ends them.
-std::size_t option_arguments(std::string_view option) {
-  if (option == "-s" || option == "-o" || option == "-t") return 3;
-  return option == "-mm" ? 2 : 1;
-}
-
-/// Whether a texture option's argument number `i` asks for a picture other than as without the option, which
-/// is how pictures are drawn.
-bool changes_picture(std::string_view option, std::size_t i, std::string_view word, float number) {
-  if (option == "-clamp") return lower(word) != "off";
-  if (option == "-s") return number != 1.0f;
-  if (option == "-o" || option == "-t") return number != 0.0f;
-  return option == "-mm" && number != static_cast<float>(i);
+/// The words that may follow a texture option, as they ask for the picture as without it, which is how
+/// pictures are drawn; none where any word is fine. Fewer numbers may follow: the first word that is none
+/// ends them.
+std::vector<float> neutral_arguments(std::string_view option) {
+  if (option == "-s") return {1.0f, 1.0f, 1.0f};
+  if (option == "-o" || option == "-t") return {0.0f, 0.0f, 0.0f};
+  if (option == "-mm") return {0.0f, 1.0f};
+  return {};
 }
 
 /// The file's name after the options of a map_ line, to the line's end. `unfollowed` gets an option that asks
@@ -32,14 +26,14 @@ std::string map_file(std::string_view line, std::string& unfollowed) {
   while (rest.size() > 1 && rest[0] == '-') {
     std::string_view after = rest;
     const std::string_view option = take_word(after);
-    const std::size_t arguments = option_arguments(option);
-    for (std::size_t i = 0; i < arguments; ++i) {
+    const std::vector<float> neutral = neutral_arguments(option);
+    for (std::size_t i = 0; i < std::max<std::size_t>(neutral.size(), 1); ++i) {
       std::string_view peek = after;
       float number = 0.0f;
       const std::string_view word = take_word(peek);
-      // -clamp on and the like have one word of any kind; numbers may be fewer than the most.
       if (parse_float(word, number) != NumberStatus::ok && i > 0) break;
-      if (changes_picture(option, i, word, number)) unfollowed = option;
+      if (neutral.empty() ? option == "-clamp" && lower(word) != "off" : number != neutral[i])
+        unfollowed = option;
       after = peek;
     }
     rest = rest_of_line(after);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/normals.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "mesh/distinct.hpp"
@@ -16,15 +17,12 @@ std::uint64_t hash_of(const glm::vec3& v) {
   return mix(mix(std::uint64_t{value_bits(v.x)} << 32 | value_bits(v.y)) ^ value_bits(v.z));
 }
 
-/// For each value the number of its distinct value.
-std::vector<std::uint32_t> number_values(const std::vector<glm::vec3>& values) {
-  DistinctTable table(values.size());
-  std::vector<std::uint32_t> first, numbers(values.size());
-  for (std::uint32_t i = 0; i < values.size(); ++i) {
-    numbers[i] =
-        table.number(hash_of(values[i]), [&](std::uint32_t n) { return values[first[n]] == values[i]; });
-    if (numbers[i] == first.size()) first.push_back(i);
-  }
+/// For each position the number of its distinct value.
+std::vector<std::uint32_t> number_places(const std::vector<glm::vec3>& positions) {
+  Distinct<glm::vec3> distinct(positions.size());
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(positions.size());
+  for (const glm::vec3& position : positions) numbers.push_back(distinct.number(hash_of(position), position));
   return numbers;
 }
 
@@ -54,15 +52,14 @@ std::vector<glm::vec3> sum_normals(std::size_t corner_count, std::size_t key_cou
 }
 
 /// For each corner the number of its (position, smoothing group); in group 0 each triangle is on its own.
-std::vector<std::uint32_t> smoothing_keys(const ObjData& data, std::uint32_t& count) {
+std::vector<std::uint32_t> smoothing_keys(const ObjData& data, std::size_t& count) {
   struct Key {
     std::uint32_t position, group;
     std::size_t flat_triangle;
     bool operator==(const Key&) const = default;
   };
-  const std::vector<std::uint32_t> place = number_values(data.positions);
-  DistinctTable table(data.positions.size());
-  std::vector<Key> distinct;
+  const std::vector<std::uint32_t> place = number_places(data.positions);
+  Distinct<Key> distinct(data.positions.size());
   std::vector<std::uint32_t> keys(data.corners.size());
   std::size_t run = 0;
   for (std::size_t i = 0; i < data.corners.size(); ++i) {
@@ -73,10 +70,9 @@ std::vector<std::uint32_t> smoothing_keys(const ObjData& data, std::uint32_t& co
       if (key.group == 0) key.flat_triangle = i / 3;
     }
     const std::uint64_t hash = mix(mix(std::uint64_t{key.position} << 32 | key.group) ^ key.flat_triangle);
-    keys[i] = table.number(hash, [&](std::uint32_t n) { return distinct[n] == key; });
-    if (keys[i] == distinct.size()) distinct.push_back(key);
+    keys[i] = distinct.number(hash, key);
   }
-  count = table.size();
+  count = distinct.things().size();
   return keys;
 }
 
@@ -86,29 +82,25 @@ void flat_normals(Mesh& mesh, FaceNormal face_normal) {
   if (face_normal == nullptr) face_normal = newell_unit;
   mesh.tangents.clear();
   mesh.bitangents.clear();
-  std::vector<glm::vec3> of_triangle;
-  of_triangle.reserve(mesh.triangle_count());
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-    const glm::vec3 normal = face_normal(mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[i + 1]],
-                                         mesh.positions[mesh.indices[i + 2]]);
-    of_triangle.push_back(is_zero(normal) ? fallback_normal : normal);
+  Distinct<glm::vec3> normals(mesh.triangle_count());
+  std::vector<std::uint32_t> labels;
+  labels.reserve(mesh.indices.size());
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    const auto [a, b, c] = of_triangle(mesh, mesh.positions, t);
+    glm::vec3 normal = face_normal(a, b, c);
+    if (is_zero(normal)) normal = fallback_normal;
+    labels.insert(labels.end(), 3, normals.number(hash_of(normal), normal));
   }
-  const std::vector<std::uint32_t> numbers = number_values(of_triangle);
-  std::vector<glm::vec3> by_number(of_triangle.size());
-  std::vector<std::uint32_t> labels(mesh.indices.size());
-  for (std::size_t t = 0; t < of_triangle.size(); ++t) by_number[numbers[t]] = of_triangle[t];
-  for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = numbers[i / 3];
   mesh.normals.clear();
-  const std::vector<std::uint32_t> label = split_by_label(mesh, labels);
-  mesh.normals.reserve(label.size());
-  for (const std::uint32_t n : label) mesh.normals.push_back(n == no_index ? fallback_normal : by_number[n]);
+  for (const std::uint32_t n : split_by_label(mesh, labels))
+    mesh.normals.push_back(n == no_index ? fallback_normal : normals.things()[n]);
 }
 
 void smooth_normals(Mesh& mesh, Weighting weighting, FaceNormal face_normal) {
   if (face_normal == nullptr) face_normal = newell_unit;
   mesh.tangents.clear();
   mesh.bitangents.clear();
-  const std::vector<std::uint32_t> place = number_values(mesh.positions);
+  const std::vector<std::uint32_t> place = number_places(mesh.positions);
   const std::vector<glm::vec3> normals = sum_normals(
       mesh.indices.size(), mesh.vertex_count(), weighting, face_normal,
       [&](std::size_t i) { return mesh.positions[mesh.indices[i]]; },
@@ -121,10 +113,9 @@ std::size_t generate_missing_normals(ObjData& data, Weighting weighting) {
   const auto is_missing = [&](const Corner& corner) {
     return corner.normal == no_index || is_zero(unit_or_zero(data.normals[corner.normal]));
   };
-  std::size_t missing = 0;
-  for (const Corner& corner : data.corners) missing += is_missing(corner) ? 1 : 0;
+  const auto missing = static_cast<std::size_t>(std::ranges::count_if(data.corners, is_missing));
   if (missing == 0) return 0;
-  std::uint32_t key_count = 0;
+  std::size_t key_count = 0;
   const std::vector<std::uint32_t> keys = smoothing_keys(data, key_count);
   const std::vector<glm::vec3> generated = sum_normals(
       data.corners.size(), key_count, weighting, newell_unit,

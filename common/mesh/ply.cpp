@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -43,24 +41,13 @@ bool take_text(std::string_view& bytes, std::string_view expected) {
   return true;
 }
 
-/// Calls `visit` with each attribute that a PLY file can hold and its properties' names.
+/// Calls `visit` with each attribute that a PLY file can hold, and its lines in the header.
 template <class MeshType, class Visit>
 void for_each_property(MeshType& mesh, Visit visit) {
-  visit(mesh.positions, "x y z");
-  visit(mesh.normals, "nx ny nz");
-  visit(mesh.texcoords, "s t");
-  visit(mesh.tangents, "tx ty tz tw");
-}
-
-/// "property float x\nproperty float y\n…"
-std::string property_lines(std::string_view names) {
-  std::string lines;
-  while (!names.empty()) {
-    const std::size_t end = std::min(names.find(' '), names.size());
-    lines += fmt::format("property float {}\n", names.substr(0, end));
-    names.remove_prefix(std::min(end + 1, names.size()));
-  }
-  return lines;
+  visit(mesh.positions, "property float x\nproperty float y\nproperty float z\n");
+  visit(mesh.normals, "property float nx\nproperty float ny\nproperty float nz\n");
+  visit(mesh.texcoords, "property float s\nproperty float t\n");
+  visit(mesh.tangents, "property float tx\nproperty float ty\nproperty float tz\nproperty float tw\n");
 }
 
 constexpr std::string_view magic = "ply\nformat binary_little_endian 1.0\n";
@@ -72,10 +59,10 @@ std::string to_ply(const Mesh& mesh) {
   std::string bytes(magic);
   bytes += fmt::format("element vertex {}\n", mesh.vertex_count());
   std::size_t vertex_bytes = 0;
-  for_each_property(mesh, [&](const auto& values, const char* names) {
+  for_each_property(mesh, [&](const auto& values, const char* lines) {
     const bool is_position = static_cast<const void*>(&values) == &mesh.positions;  // in an empty mesh too
     if (values.empty() && !is_position) return;
-    bytes += property_lines(names);
+    bytes += lines;
     vertex_bytes += sizeof(values[0]);
   });
   bytes += fmt::format("element face {}\n{}", mesh.triangle_count(), face_list);
@@ -110,32 +97,29 @@ Mesh parse_ply(std::string_view bytes, const std::string& name) {
 
   if (!take_text(bytes, magic)) throw fail("not a binary little-endian PLY file");
   const std::size_t vertices = take_count("element vertex ");
+  // Before anything is allocated: a header may promise more than there is.
+  if (bytes.size() < vertices * sizeof(glm::vec3)) throw fail("the PLY file is cut off");
   Mesh mesh;
-  std::array<bool, 4> present{};
-  std::size_t vertex_bytes = 0, at = 0;
-  for_each_property(mesh, [&](const auto& values, const char* names) {
-    present[at] = take_text(bytes, property_lines(names));
-    if (present[at++]) vertex_bytes += sizeof(values[0]);
+  std::size_t vertex_bytes = 0;
+  for_each_property(mesh, [&](auto& values, const char* lines) {
+    if (!take_text(bytes, lines)) return;
+    values.resize(vertices);
+    vertex_bytes += sizeof(values[0]);
   });
-  if (!present[0]) throw fail("the PLY file has no x y z");
+  if (mesh.positions.size() != vertices) throw fail("the PLY file has no x y z");
   const std::size_t faces = take_count("element face ");
   if (!take_text(bytes, face_list)) throw fail("a PLY property is unknown or in the wrong place");
-  // Before anything is allocated: a header may promise more than there is.
   if (bytes.size() != vertices * vertex_bytes + faces * face_bytes)
     throw fail(fmt::format("the PLY file has {} bytes after its header, but the header says {}", bytes.size(),
                            vertices * vertex_bytes + faces * face_bytes));
 
-  for (std::size_t v = 0; v < vertices; ++v) {
-    at = 0;
+  for (std::size_t v = 0; v < vertices; ++v)
     for_each_property(mesh, [&](auto& values, const char*) {
-      if (!present[at++]) return;
-      using Value = typename std::remove_reference_t<decltype(values)>::value_type;
-      const Value value = take<Value>(bytes);
-      for (int k = 0; k < Value::length(); ++k)
-        if (!std::isfinite(value[k])) throw fail(fmt::format("vertex {} is not finite", v));
-      values.push_back(value);
+      if (values.empty()) return;
+      values[v] = take<std::remove_reference_t<decltype(values[v])>>(bytes);
+      for (int k = 0; k < values[v].length(); ++k)
+        if (!std::isfinite(values[v][k])) throw fail(fmt::format("vertex {} is not finite", v));
     });
-  }
   mesh.indices.reserve(3 * faces);
   for (std::size_t f = 0; f < faces; ++f) {
     if (take<std::uint8_t>(bytes) != 3) throw fail(fmt::format("face {} is not a triangle", f));

@@ -67,27 +67,18 @@ bool holds_a_corner(const std::vector<glm::dvec2>& flat, const std::vector<std::
   return false;
 }
 
-Cut triangulate(std::span<const glm::vec3> corners, std::vector<Triangle>& triangles) {
+bool triangulate(std::span<const glm::vec3> corners, std::vector<Triangle>& triangles) {
   triangles.clear();
-  if (corners.size() <= 3) {
-    fan(corners.size(), triangles);
-    return Cut::fan;
-  }
   const glm::dvec3 newell = newell_normal(corners);
-  if (fan_fits_clearly(corners, newell)) {
-    fan(corners.size(), triangles);
-    return Cut::fan;
-  }
   const glm::vec3 normal = unit_or_zero(newell);
-  if (!is_zero(normal)) {
+  bool fits = fan_fits_clearly(corners, newell);
+  if (!fits && !is_zero(normal)) {
     const std::vector<glm::dvec2> flat = flatten(corners, normal);
-    if (!fan_fits(flat) && corners.size() <= max_clipped_corners)
-      return clip_ears(flat, triangles) ? Cut::ears : Cut::approximate;
-    fan(corners.size(), triangles);
-    return fan_fits(flat) ? Cut::fan : Cut::approximate;
+    fits = fan_fits(flat);
+    if (!fits && corners.size() <= max_clipped_corners) return clip_ears(flat, triangles);
   }
   fan(corners.size(), triangles);
-  return Cut::approximate;
+  return fits;
 }
 
 }  // namespace texel::mesh

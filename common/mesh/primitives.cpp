@@ -20,11 +20,6 @@ void add_vertex(Mesh& mesh, const glm::dvec3& position, const glm::dvec3& normal
   mesh.texcoords.emplace_back(texcoord);
 }
 
-/// The square a b c d, counter-clockwise.
-void add_square(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-  mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
-}
-
 /// Joins (columns + 1) x (rows + 1) vertices that lie row by row from `first` on, s along a row, t from row
 /// to row.
 void add_grid_squares(Mesh& mesh, std::uint32_t first, int columns, int rows) {
@@ -32,21 +27,20 @@ void add_grid_squares(Mesh& mesh, std::uint32_t first, int columns, int rows) {
   for (std::uint32_t j = 0; j < static_cast<std::uint32_t>(rows); ++j)
     for (std::uint32_t i = 0; i + 1 < width; ++i) {
       const std::uint32_t a = first + j * width + i;
-      add_square(mesh, a, a + 1, a + 1 + width, a + width);
+      const std::uint32_t b = a + 1, c = b + width, d = a + width;
+      mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
     }
 }
 
-/// A number in [-1/2, 1/2) that depends on nothing but its arguments.
-double hashed(std::uint32_t seed, int i, int j, std::uint32_t axis) {
+/// How far the vertex (i, j) slides, in cells: it depends on nothing but the arguments.
+glm::dvec2 slide(const Jitter& jitter, int i, int j) {
   const std::uint64_t place =
       std::uint64_t{static_cast<std::uint32_t>(i)} << 32 | static_cast<std::uint32_t>(j);
-  const std::uint64_t h = mix(mix(std::uint64_t{seed} << 32 | axis) ^ place);
-  return static_cast<double>(h >> 11) * 0x1p-53 - 0.5;
-}
-
-/// How far the vertex (i, j) slides, in cells.
-glm::dvec2 slide(const Jitter& jitter, int i, int j) {
-  return double{jitter.amount} * glm::dvec2(hashed(jitter.seed, i, j, 0), hashed(jitter.seed, i, j, 1));
+  const auto hashed = [&](std::uint32_t axis) {  // in [-1/2, 1/2)
+    const std::uint64_t h = mix(mix(std::uint64_t{jitter.seed} << 32 | axis) ^ place);
+    return static_cast<double>(h >> 11) * 0x1p-53 - 0.5;
+  };
+  return double{jitter.amount} * glm::dvec2(hashed(0), hashed(1));
 }
 
 /// A square about `center` in cells x cells squares, its sides 2 right and 2 up long. Its border stays in
@@ -80,19 +74,17 @@ Mesh grid(float half_size, int cells, Jitter jitter) {
 }
 
 Mesh cube_split(float half_size, int cells, Jitter jitter) {
-  struct Face {
-    glm::dvec3 right, up;  // as seen from outside; the face looks along right x up
-  };
-  constexpr std::array<Face, 6> faces{{{{1, 0, 0}, {0, 1, 0}},
-                                       {{-1, 0, 0}, {0, 1, 0}},
-                                       {{0, 0, -1}, {0, 1, 0}},
-                                       {{0, 0, 1}, {0, 1, 0}},
-                                       {{1, 0, 0}, {0, 0, -1}},
-                                       {{1, 0, 0}, {0, 0, 1}}}};
+  // Right and up of each face, as seen from outside; the face looks along right x up.
+  constexpr std::array<std::array<glm::dvec3, 2>, 6> faces{{{{{1, 0, 0}, {0, 1, 0}}},
+                                                            {{{-1, 0, 0}, {0, 1, 0}}},
+                                                            {{{0, 0, -1}, {0, 1, 0}}},
+                                                            {{{0, 0, 1}, {0, 1, 0}}},
+                                                            {{{1, 0, 0}, {0, 0, -1}}},
+                                                            {{{1, 0, 0}, {0, 0, 1}}}}};
   Mesh mesh;
   const double h = half_size;
-  for (const Face& face : faces)
-    add_plane(mesh, h * glm::cross(face.right, face.up), h * face.right, h * face.up, cells, jitter);
+  for (const auto& [right, up] : faces)
+    add_plane(mesh, h * glm::cross(right, up), h * right, h * up, cells, jitter);
   return mesh;
 }
 

@@ -16,16 +16,6 @@
 namespace texel::mesh {
 namespace {
 
-double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
-  return glm::degrees(angle_between(a, b));
-}
-
-/// One corner attribute of a triangle.
-template <class Vector>
-std::array<Vector, 3> corners_of(const Mesh& mesh, const std::vector<Vector>& values, std::size_t first) {
-  return {values[mesh.indices[first]], values[mesh.indices[first + 1]], values[mesh.indices[first + 2]]};
-}
-
 double area_of(const std::array<glm::vec3, 3>& p) {
   const glm::dvec3 a(p[0]), b(p[1]), c(p[2]);
   return 0.5 * glm::length(glm::cross(c - a, b - a));
@@ -38,9 +28,9 @@ Stretch measure_stretch(const Mesh& mesh) {
     throw Error::failed("the mesh has no texture coordinates", {}, "generate some by a projection");
   Stretch stretch;
   double surface = 0, texture = 0, sum_squared = 0, sum_shear = 0;
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const auto p = corners_of(mesh, mesh.positions, i);
-    const auto st = corners_of(mesh, mesh.texcoords, i);
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    const auto p = of_triangle(mesh, mesh.positions, t);
+    const auto st = of_triangle(mesh, mesh.texcoords, t);
     const double area = area_of(p);
     if (area == 0) continue;
     const double twice_texture_area = texture_area(st);
@@ -49,18 +39,13 @@ Stretch measure_stretch(const Mesh& mesh) {
       continue;
     }
     if (twice_texture_area < 0) ++stretch.mirrored_triangles;
-    // Dot products of the surface's derivatives by s and t (the first fundamental form, constant on a
-    // triangle), from those of the edges. a: by s with itself, b: by s with by t, c: by t with itself.
+    // The surface's derivatives by s and t, and their dot products (the first fundamental form, constant on a
+    // triangle).
     const glm::dvec3 edge1(p[1] - p[0]), edge2(p[2] - p[0]);
     const glm::dvec2 step1(st[1] - st[0]), step2(st[2] - st[0]);
-    const double e11 = glm::dot(edge1, edge1), e12 = glm::dot(edge1, edge2), e22 = glm::dot(edge2, edge2);
-    const double scale = 1 / (twice_texture_area * twice_texture_area);
-    const double a =
-        scale * (step2.t * step2.t * e11 - 2 * step1.t * step2.t * e12 + step1.t * step1.t * e22);
-    const double b = scale * ((step1.s * step2.t + step2.s * step1.t) * e12 - step2.s * step2.t * e11 -
-                              step1.s * step1.t * e22);
-    const double c =
-        scale * (step2.s * step2.s * e11 - 2 * step1.s * step2.s * e12 + step1.s * step1.s * e22);
+    const glm::dvec3 by_s = (step2.t * edge1 - step1.t * edge2) / twice_texture_area;
+    const glm::dvec3 by_t = (step1.s * edge2 - step2.s * edge1) / twice_texture_area;
+    const double a = glm::dot(by_s, by_s), b = glm::dot(by_s, by_t), c = glm::dot(by_t, by_t);
     const double greatest = std::sqrt(0.5 * (a + c + std::hypot(a - c, 2 * b)));  // singular value
     const double shear = std::abs(90 - glm::degrees(std::atan2(2 * area / std::abs(twice_texture_area), b)));
     surface += area;
@@ -82,14 +67,14 @@ NormalDeviation measure_normals(const Mesh& mesh) {
   if (mesh.normals.empty()) throw Error::failed("the mesh has no normals", {}, "generate some");
   NormalDeviation deviation;
   double surface = 0;
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const auto p = corners_of(mesh, mesh.positions, i);
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    const auto p = of_triangle(mesh, mesh.positions, t);
     const glm::vec3 face = newell_unit(p[0], p[1], p[2]);
     if (is_zero(face)) continue;
     const double area = area_of(p);
     surface += area;
-    for (const glm::vec3& normal : corners_of(mesh, mesh.normals, i)) {
-      const double degrees = degrees_between(face, normal);
+    for (const glm::vec3& normal : of_triangle(mesh, mesh.normals, t)) {
+      const double degrees = glm::degrees(angle_between(face, normal));
       deviation.mean += degrees * area / 3;
       deviation.max = std::max(deviation.max, degrees);
     }

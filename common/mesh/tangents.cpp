@@ -8,19 +8,12 @@
 #include "mesh/vectors.hpp"
 #include "mesh/weld.hpp"
 #include "mikktspace.hpp"
-#include "share.hpp"
 
 namespace texel::mesh {
-
 namespace {
 
 std::array<std::uint32_t, 3> corners_of(const Mesh& mesh, std::size_t triangle) {
   return {mesh.indices[3 * triangle], mesh.indices[3 * triangle + 1], mesh.indices[3 * triangle + 2]};
-}
-
-template <class Value>
-std::array<Value, 3> gather(const std::vector<Value>& values, const std::array<std::uint32_t, 3>& at) {
-  return {values[at[0]], values[at[1]], values[at[2]]};
 }
 
 /// T and B of every triangle, zero for degenerate ones, and its turn: the sign of its texture area.
@@ -29,48 +22,29 @@ struct Frames {
   std::vector<signed char> turn;  // +1, -1, or 0 for degenerate
 };
 
-Frames triangle_frames(const Mesh& mesh, unsigned threads, TangentReport& report) {
+Frames triangle_frames(const Mesh& mesh, unsigned threads) {
   Frames frames{std::vector<TriangleFrame>(mesh.triangle_count()),
                 std::vector<signed char>(mesh.triangle_count())};
-  in_parallel(threads, threads, [&](std::size_t part) {
-    const Share share(mesh.triangle_count(), part, threads);
-    for (std::size_t t = share.begin; t < share.end; ++t) {
-      const auto corners = corners_of(mesh, t);
-      const auto positions = gather(mesh.positions, corners);
-      const auto texcoords = gather(mesh.texcoords, corners);
-      const double area = texture_area(texcoords);
-      TriangleFrame frame;
-      if (area != 0.0) frame = triangle_frame(positions, texcoords);
-      // A triangle without area in space has T and B of zero length or along the same line.
-      const glm::dvec3 across = glm::cross(glm::dvec3(frame.tangent), glm::dvec3(frame.bitangent));
-      if (is_zero(unit_or_zero(across))) continue;
-      frames.of_triangle[t] = frame;
-      frames.turn[t] = area > 0.0 ? 1 : -1;
-    }
+  in_runs(threads, mesh.triangle_count(), [&](std::size_t t) {
+    const auto texcoords = of_triangle(mesh, mesh.texcoords, t);
+    const double area = texture_area(texcoords);
+    if (area == 0.0) return;
+    const TriangleFrame frame = triangle_frame(of_triangle(mesh, mesh.positions, t), texcoords);
+    // A triangle without area in space has T and B of zero length or along the same line.
+    const glm::dvec3 across = glm::cross(glm::dvec3(frame.tangent), glm::dvec3(frame.bitangent));
+    if (is_zero(unit_or_zero(across))) return;
+    frames.of_triangle[t] = frame;
+    frames.turn[t] = area > 0.0 ? 1 : -1;
   });
-  report.degenerate_triangles =
-      static_cast<std::uint32_t>(std::count(frames.turn.begin(), frames.turn.end(), 0));
   return frames;
 }
 
-std::vector<std::uint32_t> split(Mesh& mesh, const std::vector<std::uint32_t>& labels,
-                                 TangentReport& report) {
-  const std::size_t before = mesh.vertex_count();
-  std::vector<std::uint32_t> of_vertex = split_by_label(mesh, labels);
-  report.split_vertices += static_cast<std::uint32_t>(mesh.vertex_count() - before);
-  return of_vertex;
-}
-
 /// Gives triangles that turn the texture the other way than the first at a vertex a copy of that vertex.
-void split_mirrored(Mesh& mesh, const std::vector<signed char>& turn, TangentReport& report) {
+void split_mirrored(Mesh& mesh, const std::vector<signed char>& turn) {
   std::vector<std::uint32_t> labels(mesh.indices.size());
   for (std::size_t i = 0; i < labels.size(); ++i)
     labels[i] = turn[i / 3] == 0 ? no_index : (turn[i / 3] > 0 ? 1 : 0);
-  split(mesh, labels, report);
-}
-
-TriangleFrame scaled(const TriangleFrame& frame, double by) {
-  return {glm::vec3(by * glm::dvec3(frame.tangent)), glm::vec3(by * glm::dvec3(frame.bitangent))};
+  split_by_label(mesh, labels);
 }
 
 TriangleFrame unit_frame(const TriangleFrame& frame) {
@@ -87,46 +61,39 @@ std::vector<TriangleFrame> sum_by_vertex(const Mesh& mesh, const Frames& frames)
 std::vector<TriangleFrame> sum_by_angle(const Mesh& mesh, const Frames& frames) {
   std::vector<TriangleFrame> sums(mesh.vertex_count());
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    const auto corners = corners_of(mesh, t);
-    const auto angles = corner_angles(gather(mesh.positions, corners));
+    const auto angles = corner_angles(of_triangle(mesh, mesh.positions, t));
     const TriangleFrame unit = unit_frame(frames.of_triangle[t]);
     for (std::size_t k = 0; k < 3; ++k) {
-      const TriangleFrame weighted = scaled(unit, angles[k]);
-      sums[corners[k]].tangent += weighted.tangent;
-      sums[corners[k]].bitangent += weighted.bitangent;
+      TriangleFrame& sum = sums[mesh.indices[3 * t + k]];
+      sum.tangent += glm::vec3(angles[k] * glm::dvec3(unit.tangent));
+      sum.bitangent += glm::vec3(angles[k] * glm::dvec3(unit.bitangent));
     }
   }
   return sums;
 }
 
 /// Unit averages of T and B as they are; the sign in w is there for those who rebuild B from N and T.
-void store_averages(Mesh& mesh, const std::vector<TriangleFrame>& sums, TangentReport& report) {
+void store_averages(Mesh& mesh, const std::vector<TriangleFrame>& sums) {
   mesh.bitangents.resize(mesh.vertex_count());
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     const glm::vec3& normal = mesh.normals[v];
     TriangleFrame unit = unit_frame(sums[v]);
-    if (is_zero(unit.tangent) || is_zero(unit.bitangent)) {
-      ++report.fallback_vertices;
-      if (is_zero(unit.tangent)) unit.tangent = any_orthogonal(normal);
-      if (is_zero(unit.bitangent)) unit.bitangent = unit_or_zero(glm::cross(normal, unit.tangent));
-      if (is_zero(unit.bitangent)) unit.bitangent = any_orthogonal(unit.tangent);
-    }
+    if (is_zero(unit.tangent)) unit.tangent = any_orthogonal(normal);
+    if (is_zero(unit.bitangent)) unit.bitangent = unit_or_zero(glm::cross(normal, unit.tangent));
+    if (is_zero(unit.bitangent)) unit.bitangent = any_orthogonal(unit.tangent);
     const bool mirrored = glm::determinant(glm::mat3(unit.tangent, unit.bitangent, normal)) < 0.0f;
     mesh.tangents[v] = {unit.tangent, mirrored ? -1.0f : 1.0f};
     mesh.bitangents[v] = unit.bitangent;
   }
 }
 
-void store_orthonormal(Mesh& mesh, const std::vector<TriangleFrame>& sums, TangentReport& report) {
+void store_orthonormal(Mesh& mesh, const std::vector<TriangleFrame>& sums) {
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     const glm::vec3& normal = mesh.normals[v];
     const glm::vec3 sum = unit_or_zero(sums[v].tangent);
-    glm::vec4 tangent = orthonormalize(normal, sum, sums[v].bitangent);
-    if (is_zero(glm::vec3(tangent)) || is_along(sum, normal)) {
-      ++report.fallback_vertices;
-      tangent = {any_orthogonal(normal), tangent.w};
-    }
-    mesh.tangents[v] = tangent;
+    const glm::vec4 tangent = orthonormalize(normal, sum, sums[v].bitangent);
+    const bool has_none = is_zero(glm::vec3(tangent)) || is_along(sum, normal);
+    mesh.tangents[v] = has_none ? glm::vec4(any_orthogonal(normal), tangent.w) : tangent;
   }
 }
 
@@ -135,39 +102,29 @@ void store_orthonormal(Mesh& mesh, const std::vector<TriangleFrame>& sums, Tange
 std::size_t without_texture_area(const Mesh& mesh) {
   std::size_t count = 0;
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
-    if (texture_area(gather(mesh.texcoords, corners_of(mesh, t))) == 0.0) ++count;
+    if (texture_area(of_triangle(mesh, mesh.texcoords, t)) == 0.0) ++count;
   return count;
 }
 
-TangentReport compute_tangents(Mesh& mesh, TangentMethod method, unsigned threads) {
+void compute_tangents(Mesh& mesh, TangentMethod method, unsigned threads) {
   if (mesh.texcoords.size() != mesh.vertex_count())
     throw Error::failed("tangents need texture coordinates, and the mesh has none", {},
                         "add vt lines to the file, or choose a projection");
   if (mesh.normals.size() != mesh.vertex_count())
     throw Error::failed("tangents need normals, and the mesh has none", {},
                         "generate flat or smooth normals");
-  if (threads == 0) threads = parts_for(mesh.triangle_count(), 10'000);
+  // With less for each to do, starting a thread takes longer.
+  constexpr std::size_t least = 10'000;
+  if (threads == 0)
+    threads = static_cast<unsigned>(std::clamp<std::size_t>(mesh.triangle_count() / least, 1, processors()));
   mesh.bitangents.clear();
   mesh.tangents.assign(mesh.vertex_count(), glm::vec4(0.0f));
   if (method == TangentMethod::mikktspace) return mikktspace(mesh, threads);
-  TangentReport report;
-  const Frames frames = triangle_frames(mesh, threads, report);
-  switch (method) {
-    case TangentMethod::averaged:
-      store_averages(mesh, sum_by_vertex(mesh, frames), report);
-      break;
-    case TangentMethod::gram_schmidt:
-      split_mirrored(mesh, frames.turn, report);
-      store_orthonormal(mesh, sum_by_vertex(mesh, frames), report);
-      break;
-    case TangentMethod::angle_weighted:
-      split_mirrored(mesh, frames.turn, report);
-      store_orthonormal(mesh, sum_by_angle(mesh, frames), report);
-      break;
-    case TangentMethod::mikktspace:
-      break;
-  }
-  return report;
+  const Frames frames = triangle_frames(mesh, threads);
+  if (method == TangentMethod::averaged) return store_averages(mesh, sum_by_vertex(mesh, frames));
+  split_mirrored(mesh, frames.turn);
+  store_orthonormal(mesh, method == TangentMethod::angle_weighted ? sum_by_angle(mesh, frames)
+                                                                  : sum_by_vertex(mesh, frames));
 }
 
 }  // namespace texel::mesh

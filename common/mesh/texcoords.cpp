@@ -19,23 +19,13 @@ namespace {
 using TriangleTexcoords = std::array<glm::vec2, 3>;
 using TrianglePositions = std::array<glm::vec3, 3>;  // from the box's centre
 
-/// The texture coordinates of a face seen straight from outside along its main axis, upright: the one with
-/// the greatest part in the normal.
-TriangleTexcoords box_texcoords(const TrianglePositions& p, float size) {
-  const glm::vec3 normal = newell_unit(p[0], p[1], p[2]);
+/// Where a face of this normal shows the picture: along its main axis, that with the greatest part in the
+/// normal, seen straight from outside and upright.
+glm::vec2 box_texcoord(const glm::vec3& p, const glm::vec3& normal) {
   const glm::vec3 part = glm::abs(normal);
-  TriangleTexcoords texcoords;
-  for (std::size_t k = 0; k < 3; ++k) {
-    glm::vec2 st;
-    if (part.z >= part.x && part.z >= part.y)
-      st = {normal.z < 0.0f ? -p[k].x : p[k].x, p[k].y};
-    else if (part.x >= part.y)
-      st = {normal.x > 0.0f ? -p[k].z : p[k].z, p[k].y};
-    else
-      st = {p[k].x, normal.y > 0.0f ? -p[k].z : p[k].z};
-    texcoords[k] = st / size + 0.5f;
-  }
-  return texcoords;
+  if (part.z >= part.x && part.z >= part.y) return {normal.z < 0.0f ? -p.x : p.x, p.y};
+  if (part.x >= part.y) return {normal.x > 0.0f ? -p.z : p.z, p.y};
+  return {p.x, normal.y > 0.0f ? -p.z : p.z};
 }
 
 /// Makes the three longitudes those of one unbroken piece: past the seam they go on beyond 1, and a corner on
@@ -57,23 +47,6 @@ void mend_seam(const TrianglePositions& p, float size, TriangleTexcoords& texcoo
     if (on_axis(k) && count > 0) texcoords[k].s = sum / static_cast<float>(count);
 }
 
-TriangleTexcoords round_texcoords(const TrianglePositions& p, Projection projection, float size,
-                                  float height) {
-  TriangleTexcoords texcoords;
-  for (std::size_t k = 0; k < 3; ++k) {
-    texcoords[k] = spherical_texcoord(p[k]);
-    if (projection == Projection::cylindrical) texcoords[k].t = p[k].y / height + 0.5f;
-  }
-  mend_seam(p, size, texcoords);
-  return texcoords;
-}
-
-TriangleTexcoords planar_texcoords(const TrianglePositions& p, float size) {
-  TriangleTexcoords texcoords;
-  for (std::size_t k = 0; k < 3; ++k) texcoords[k] = glm::vec2(p[k]) / size + 0.5f;
-  return texcoords;
-}
-
 }  // namespace
 
 void generate_texcoords(Mesh& mesh, Projection projection) {
@@ -83,38 +56,29 @@ void generate_texcoords(Mesh& mesh, Projection projection) {
   const float size = or_one(std::max({extent.x, extent.y, extent.z}));
 
   // Texture coordinates by corner, then one vertex for each distinct one.
-  std::vector<glm::vec2> distinct;
-  std::vector<std::uint32_t> labels(mesh.indices.size());
-  DistinctTable table(mesh.vertex_count());
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    TrianglePositions p;
-    for (std::size_t k = 0; k < 3; ++k) p[k] = mesh.positions[mesh.indices[i + k]] - box.center();
+  Distinct<glm::vec2> distinct(mesh.vertex_count());
+  std::vector<std::uint32_t> labels;
+  labels.reserve(mesh.indices.size());
+  const bool is_round = projection == Projection::cylindrical || projection == Projection::spherical;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    TrianglePositions p = of_triangle(mesh, mesh.positions, t);
+    for (glm::vec3& position : p) position -= box.center();
+    const glm::vec3 normal =
+        projection == Projection::box ? newell_unit(p[0], p[1], p[2]) : glm::vec3(0.0f, 0.0f, 1.0f);
     TriangleTexcoords texcoords;
-    switch (projection) {
-      case Projection::planar:
-        texcoords = planar_texcoords(p, size);
-        break;
-      case Projection::box:
-        texcoords = box_texcoords(p, size);
-        break;
-      case Projection::cylindrical:
-      case Projection::spherical:
-        texcoords = round_texcoords(p, projection, size, or_one(extent.y));
-        break;
-    }
     for (std::size_t k = 0; k < 3; ++k) {
-      const glm::vec2& st = texcoords[k];
-      labels[i + k] = table.number(mix(std::uint64_t{value_bits(st.s)} << 32 | value_bits(st.t)),
-                                   [&](std::uint32_t n) { return distinct[n] == st; });
-      if (labels[i + k] == distinct.size()) distinct.push_back(st);
+      texcoords[k] = is_round ? spherical_texcoord(p[k]) : box_texcoord(p[k], normal) / size + 0.5f;
+      if (projection == Projection::cylindrical) texcoords[k].t = p[k].y / or_one(extent.y) + 0.5f;
     }
+    if (is_round) mend_seam(p, size, texcoords);
+    for (const glm::vec2& st : texcoords)
+      labels.push_back(distinct.number(mix(std::uint64_t{value_bits(st.s)} << 32 | value_bits(st.t)), st));
   }
   mesh.tangents.clear();
   mesh.bitangents.clear();
   mesh.texcoords.clear();
-  const std::vector<std::uint32_t> label = split_by_label(mesh, labels);
-  mesh.texcoords.reserve(label.size());
-  for (const std::uint32_t n : label) mesh.texcoords.push_back(n == no_index ? glm::vec2(0.0f) : distinct[n]);
+  for (const std::uint32_t n : split_by_label(mesh, labels))
+    mesh.texcoords.push_back(n == no_index ? glm::vec2(0.0f) : distinct.things()[n]);
 }
 
 void lay_texture(Mesh& mesh, const TextureLayout& layout) {

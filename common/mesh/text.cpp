@@ -4,27 +4,22 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
+#include <cstdlib>
 
 namespace texel::mesh {
 
-LineReader::LineReader(std::string_view text) : text_(text) {
+LineReader::LineReader(std::string_view text)
+    : text_(text), end_of_line_(text.find('\n') == std::string_view::npos ? '\r' : '\n') {
   if (text_.starts_with("\xEF\xBB\xBF")) position_ = 3;
 }
 
 std::string_view LineReader::physical_line() {
-  const std::size_t begin = position_;
-  if (newline_ < begin || begin == 0) newline_ = std::min(text_.find('\n', begin), text_.size());
-  // Lines of CR alone lie many before one '\n': that is why it is remembered.
-  const std::size_t end =
-      begin + std::min(text_.substr(begin, newline_ - begin).find('\r'), newline_ - begin);
-  position_ = end;
-  if (position_ < text_.size()) {
-    const bool crlf = text_[end] == '\r' && end + 1 < text_.size() && text_[end + 1] == '\n';
-    position_ += crlf ? 2 : 1;
-  }
+  const std::size_t end = std::min(text_.find(end_of_line_, position_), text_.size());
+  std::string_view line = text_.substr(position_, end - position_);
+  while (line.ends_with('\r')) line.remove_suffix(1);
+  position_ = std::min(end + 1, text_.size());
   ++lines_read_;
-  return text_.substr(begin, end - begin);
+  return line;
 }
 
 bool LineReader::next(std::string_view& line) {
@@ -55,9 +50,11 @@ std::string_view rest_of_line(std::string_view line) {
   return line;
 }
 
-std::string_view without_comment(std::string_view name) {
+std::string_view longest_known(std::string_view name, const std::function<bool(std::string_view)>& known) {
+  if (known(name)) return name;
   for (std::size_t i = name.size(); i-- > 0;)
-    if (name[i] == '#' && (i == 0 || is_blank(name[i - 1]))) return rest_of_line(name.substr(0, i));
+    if (name[i] == '#' && (i == 0 || is_blank(name[i - 1])))
+      if (const std::string_view cut = rest_of_line(name.substr(0, i)); known(cut)) return cut;
   return name;
 }
 
@@ -70,38 +67,6 @@ std::string lower(std::string_view word) {
 
 namespace {
 
-/// Whether the number that is all of `word` lies below 1, told from the place of its first digit that is not
-/// 0.
-bool is_below_one(std::string_view word) {
-  const std::size_t exponent_at = std::min(word.find_first_of("eE"), word.size());
-  const std::string_view digits = word.substr(0, exponent_at);
-  const auto point = static_cast<std::int64_t>(std::min(digits.find('.'), digits.size()));
-  const std::size_t found = digits.find_first_of("123456789");
-  if (found == std::string_view::npos) return true;
-  const auto first = static_cast<std::int64_t>(found);
-  const std::int64_t power = first < point ? point - first - 1 : point - first;  // of ten, of that digit
-  std::string_view text = word.substr(std::min(exponent_at + 1, word.size()));
-  const bool negative = text.starts_with('-');
-  if (negative || text.starts_with('+')) text.remove_prefix(1);
-  std::int64_t exponent = 0;
-  if (!text.empty() && std::from_chars(text.data(), text.data() + text.size(), exponent).ec != std::errc{})
-    return negative;  // larger than any file is long
-  return negative ? power < exponent : power < -exponent;
-}
-
-/// NaN and infinity as the runtimes of C, C++, .NET, Java and others print them; of Microsoft's 1.#QNAN and
-/// 1.#INF also what is left when they were rounded to fewer digits. `word` is without a '+'.
-bool names_not_finite(std::string_view word) {
-  if (word.starts_with('-')) word.remove_prefix(1);
-  if (word.starts_with("1.#")) return true;
-  // The names begin with none of these; numbers with exponents are common.
-  if (word.empty() || word[0] == '.' || (word[0] >= '0' && word[0] <= '9')) return false;
-  const std::string text = lower(word);
-  const auto is = [&text](const char* name) { return text == name; };
-  return text.starts_with("nan(") || is("nan") || is("nanq") || is("nans") || is("inf") || is("infinity") ||
-         is("\xE2\x88\x9E");  // the sign of infinity
-}
-
 /// parse_float of a number in C's spelling, without a '+'.
 NumberStatus parse_usual(std::string_view word, float& value) {
   const char* end = word.data() + word.size();
@@ -109,31 +74,35 @@ NumberStatus parse_usual(std::string_view word, float& value) {
   const bool repaired =
       end - stop > 1 && (*stop == '+' || *stop == '-') && (stop[1] == 'e' || stop[1] == 'E');
   if (error == std::errc::invalid_argument || (stop != end && !repaired)) return NumberStatus::malformed;
-  if (error == std::errc::result_out_of_range) {
-    // Too large or too small: the wider type tells which, and rounds to 0 or a denormal.
-    long double wide = 0.0L;
-    if (std::from_chars(word.data(), stop, wide).ec != std::errc{}) {
-      if (!is_below_one(word.substr(0, static_cast<std::size_t>(stop - word.data()))))
-        return NumberStatus::not_finite;
-      wide = word[0] == '-' ? -0.0L : 0.0L;
-    }
-    value = static_cast<float>(wide);
-  }
+  // Too large becomes infinity, and too small 0 or a denormal.
+  if (error == std::errc::result_out_of_range)
+    value = std::strtof(std::string(word.data(), stop).c_str(), nullptr);
   if (!std::isfinite(value)) return NumberStatus::not_finite;
   return repaired ? NumberStatus::repaired : NumberStatus::ok;
+}
+
+/// NaN and infinity as only some runtimes print them; of Microsoft's 1.#QNAN and 1.#INF also what is left
+/// when they were rounded to fewer digits.
+bool names_not_finite(std::string_view word) {
+  if (word.starts_with('-')) word.remove_prefix(1);
+  const std::string text = lower(word);
+  return text.starts_with("1.#") || text == "nanq" || text == "nans" || text == "\xE2\x88\x9E";
 }
 
 }  // namespace
 
 NumberStatus parse_float(std::string_view word, float& value) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
-  if (names_not_finite(word)) return NumberStatus::not_finite;
-  const NumberStatus status = parse_usual(word, value);
-  if (status != NumberStatus::malformed) return status;
-  std::string usual(word);
-  for (char& c : usual) c = c == ',' ? '.' : c == 'd' || c == 'D' ? 'e' : c;
-  const NumberStatus repaired = parse_usual(usual, value);
-  return repaired == NumberStatus::ok ? NumberStatus::repaired : repaired;
+  NumberStatus status = parse_usual(word, value);
+  if (status == NumberStatus::malformed && names_not_finite(word)) status = NumberStatus::not_finite;
+  if (status == NumberStatus::malformed) {
+    std::string usual(word);
+    for (char& c : usual) c = c == ',' ? '.' : c == 'd' || c == 'D' ? 'e' : c;
+    status = parse_usual(usual, value);
+    if (status == NumberStatus::ok) status = NumberStatus::repaired;
+  }
+  if (status == NumberStatus::not_finite) value = 0.0f;
+  return status;
 }
 
 std::string for_message(std::string_view word) {

@@ -3,14 +3,15 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace texel::mesh {
 
-/// The logical lines of a text: ended by LF, CRLF or CR, joined where one ends in '\' (not in a comment;
-/// blanks may follow it), a byte order mark skipped. Views are into the text, or for a joined line into a
-/// buffer until the next call.
+/// The logical lines of a text: ended by LF or CRLF, or all by CR; joined where one ends in '\' (not in a
+/// comment; blanks may follow it), a byte order mark skipped. Views are into the text, or for a joined line
+/// into a buffer until the next call.
 class LineReader {
  public:
   explicit LineReader(std::string_view text);
@@ -25,8 +26,8 @@ class LineReader {
   std::string_view physical_line();
 
   std::string_view text_;
+  char end_of_line_;
   std::size_t position_ = 0;
-  std::size_t newline_ = 0;  // where the next '\n' from position_ on is, or the text's size; may lie behind
   std::uint64_t line_number_ = 0;
   std::uint64_t lines_read_ = 0;
   std::string joined_;
@@ -60,21 +61,9 @@ inline std::string_view take_word(std::string_view& line) {
 /// The rest of a line without blanks around it: a name, which may have a '#' in it.
 std::string_view rest_of_line(std::string_view line);
 
-/// A name without its last word that begins with '#' and what follows, which may be a comment; the name
-/// itself if there is none.
-std::string_view without_comment(std::string_view name);
-
 /// What a name means that runs to its line's end: the longest that is `known` of the name and of what is left
-/// of it without a comment; the name itself if none is.
-template <class Known>
-std::string_view longest_known(std::string_view name, Known known) {
-  for (std::string_view cut = name;;) {
-    if (known(cut)) return cut;
-    const std::string_view shorter = without_comment(cut);
-    if (shorter.size() == cut.size()) return name;
-    cut = shorter;
-  }
-}
+/// of it without words from a '#' on, which may be a comment; the name itself if none is.
+std::string_view longest_known(std::string_view name, const std::function<bool(std::string_view)>& known);
 
 /// ASCII letters in lower case.
 std::string lower(std::string_view word);
@@ -85,7 +74,7 @@ enum class NumberStatus { ok, repaired, malformed, not_finite };
 /// for float32 become 0 or denormal. `repaired`: the sign of an exponent stands before its e (3.1+e2): the
 /// number in front of it (3.1), as programs have it that read as far as they understand; a decimal comma
 /// (1,5); Fortran's exponent (1.5D+2). `not_finite`: NaN and infinity in every runtime's spelling (nan(ind),
-/// -1.#IND, Infinity), and what is beyond float32; the value is not set.
+/// -1.#IND, Infinity), and what is beyond float32; the value is 0 then.
 NumberStatus parse_float(std::string_view word, float& value);
 
 /// Takes a number of digits with or without a point, such as -12.345, off the front of [at, end); false, and

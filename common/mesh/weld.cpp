@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/weld.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <unordered_map>
 
@@ -20,41 +21,24 @@ float linear_from_srgb(float encoded) {
   return static_cast<float>(std::min<double>(linear, std::numeric_limits<float>::max()));
 }
 
-struct Run {
-  std::uint32_t first_triangle, end_triangle;
-};
+/// The triangles from one number to before another.
+using Run = std::pair<std::size_t, std::size_t>;
 
 /// The runs of triangles of each material, materials in order of first use.
-struct MaterialRuns {
-  std::string_view material;
-  std::vector<Run> runs;
-};
-
-std::vector<MaterialRuns> runs_by_material(const ObjData& data) {
-  std::vector<MaterialRuns> materials;
+std::vector<std::pair<std::string, std::vector<Run>>> runs_by_material(const ObjData& data) {
+  std::vector<NamedRun> runs = data.material_runs;
+  runs.insert(runs.begin(), NamedRun{});  // before the first one there is no material
+  std::vector<std::pair<std::string, std::vector<Run>>> materials;
   std::unordered_map<std::string_view, std::size_t> place;
-  const auto add = [&](std::string_view name, std::size_t first, std::size_t end) {
-    if (first == end) return;
-    const auto [known, is_new] = place.try_emplace(name, materials.size());
-    if (is_new) materials.push_back({name, {}});
-    materials[known->second].runs.push_back(
-        {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end)});
-  };
-  const auto& runs = data.material_runs;
-  add("", 0, runs.empty() ? data.triangle_count() : runs.front().first_triangle);
-  for (std::size_t i = 0; i < runs.size(); ++i)
-    add(runs[i].name, runs[i].first_triangle,
-        i + 1 < runs.size() ? runs[i + 1].first_triangle : data.triangle_count());
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const std::size_t first = runs[i].first_triangle;
+    const std::size_t end = i + 1 < runs.size() ? runs[i + 1].first_triangle : data.triangle_count();
+    if (first == end) continue;
+    const auto [known, is_new] = place.try_emplace(runs[i].name, materials.size());
+    if (is_new) materials.push_back({runs[i].name, {}});
+    materials[known->second].second.emplace_back(first, end);
+  }
   return materials;
-}
-
-template <class Value>
-std::vector<Value> gather(const std::vector<Value>& values, const std::vector<std::uint32_t>& at) {
-  std::vector<Value> gathered;
-  if (values.empty()) return gathered;
-  gathered.reserve(at.size());
-  for (const std::uint32_t i : at) gathered.push_back(values[i]);
-  return gathered;
 }
 
 }  // namespace
@@ -62,53 +46,47 @@ std::vector<Value> gather(const std::vector<Value>& values, const std::vector<st
 Mesh weld(ObjData data) {
   if (!data.normals.empty()) generate_missing_normals(data, Weighting::angle);
   Mesh mesh;
-  const std::vector<MaterialRuns> materials = runs_by_material(data);
   CornerNumbers numbers(data.positions.size());
   mesh.indices.reserve(data.corners.size());
-  for (const MaterialRuns& material : materials) {
+  for (const auto& [material, runs] : runs_by_material(data)) {
     const auto first = static_cast<std::uint32_t>(mesh.indices.size());
-    for (const Run& run : material.runs) {
-      for (std::size_t i = 3 * std::size_t{run.first_triangle}; i < 3 * std::size_t{run.end_triangle}; ++i)
+    for (const auto& [begin, end] : runs)
+      for (std::size_t i = 3 * begin; i < 3 * end; ++i)
         mesh.indices.push_back(numbers.number(data.corners[i]));
-    }
-    mesh.groups.push_back(
-        {std::string(material.material), first, static_cast<std::uint32_t>(mesh.indices.size()) - first});
+    mesh.groups.push_back({material, first, static_cast<std::uint32_t>(mesh.indices.size()) - first});
   }
   if (mesh.groups.size() == 1 && mesh.groups[0].material.empty()) mesh.groups.clear();
   data.corners = {};  // done with: given back before the vertices take room
 
   const std::vector<Corner>& distinct = numbers.distinct();
-  mesh.positions.reserve(distinct.size());
-  for (const Corner& corner : distinct) mesh.positions.push_back(data.positions[corner.position]);
-  if (!data.texcoords.empty()) {
-    mesh.texcoords.reserve(distinct.size());
-    for (const Corner& corner : distinct)
-      mesh.texcoords.push_back(corner.texcoord == no_index ? glm::vec2(0.0f)
-                                                           : data.texcoords[corner.texcoord]);
-  }
-  if (!data.normals.empty()) {
-    mesh.normals.reserve(distinct.size());
-    for (const Corner& corner : distinct) mesh.normals.push_back(unit_or_zero(data.normals[corner.normal]));
-  }
-  if (!data.colors.empty()) {
-    mesh.colors.reserve(distinct.size());
-    for (const Corner& corner : distinct) {
-      const glm::vec3& c = data.colors[corner.position];
-      mesh.colors.emplace_back(linear_from_srgb(c.r), linear_from_srgb(c.g), linear_from_srgb(c.b));
-    }
-  }
+  const auto fill = [&distinct](auto& values, bool has_any, auto value_of) {
+    if (!has_any) return;
+    values.reserve(distinct.size());
+    for (const Corner& corner : distinct) values.push_back(value_of(corner));
+  };
+  fill(mesh.positions, true, [&](const Corner& corner) { return data.positions[corner.position]; });
+  fill(mesh.texcoords, !data.texcoords.empty(), [&](const Corner& corner) {
+    return corner.texcoord == no_index ? glm::vec2(0.0f) : data.texcoords[corner.texcoord];
+  });
+  fill(mesh.normals, !data.normals.empty(),
+       [&](const Corner& corner) { return unit_or_zero(data.normals[corner.normal]); });
+  fill(mesh.colors, !data.colors.empty(), [&](const Corner& corner) {
+    const glm::vec3& c = data.colors[corner.position];
+    return glm::vec3(linear_from_srgb(c.r), linear_from_srgb(c.g), linear_from_srgb(c.b));
+  });
   return mesh;
 }
 
 Mesh take_vertices(const Mesh& mesh, const std::vector<std::uint32_t>& vertices) {
-  Mesh taken;
-  taken.positions = gather(mesh.positions, vertices);
-  taken.normals = gather(mesh.normals, vertices);
-  taken.texcoords = gather(mesh.texcoords, vertices);
-  taken.tangents = gather(mesh.tangents, vertices);
-  taken.bitangents = gather(mesh.bitangents, vertices);
-  taken.colors = gather(mesh.colors, vertices);
-  taken.groups = mesh.groups;
+  Mesh taken = mesh;
+  taken.indices.clear();
+  for_each_attribute(taken, [&vertices](auto& values) {
+    if (values.empty()) return;
+    const auto all = std::move(values);
+    values = {};
+    values.reserve(vertices.size());
+    for (const std::uint32_t vertex : vertices) values.push_back(all[vertex]);
+  });
   return taken;
 }
 
@@ -119,24 +97,31 @@ Mesh split(const Mesh& mesh) {
   return result;
 }
 
+std::uint32_t duplicate_vertex(Mesh& mesh, std::uint32_t vertex) {
+  for_each_attribute(mesh, [vertex](auto& values) {
+    if (values.empty()) return;
+    const auto copy = values[vertex];  // by value: push_back may move what a reference points at
+    values.push_back(copy);
+  });
+  return static_cast<std::uint32_t>(mesh.vertex_count() - 1);
+}
+
 std::vector<std::uint32_t> split_by_label(Mesh& mesh, std::span<const std::uint32_t> labels) {
   std::vector<std::uint32_t> label_of_vertex(mesh.vertex_count(), no_index);
-  std::vector<std::array<std::uint32_t, 3>> copies;  // vertex, label, copy
-  DistinctTable table;
+  Distinct<std::pair<std::uint32_t, std::uint32_t>> further;  // a vertex and a label of its corners
+  std::vector<std::uint32_t> copies;                          // the vertex for each of them
   for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
     std::uint32_t& vertex = mesh.indices[i];
     const std::uint32_t label = labels[i];
     if (label == no_index) continue;
     if (label_of_vertex[vertex] == no_index) label_of_vertex[vertex] = label;
     if (label_of_vertex[vertex] == label) continue;
-    const std::uint32_t n = table.number(mix(std::uint64_t{vertex} << 32 | label), [&](std::uint32_t known) {
-      return copies[known][0] == vertex && copies[known][1] == label;
-    });
+    const std::uint32_t n = further.number(mix(std::uint64_t{vertex} << 32 | label), {vertex, label});
     if (n == copies.size()) {
-      copies.push_back({vertex, label, duplicate_vertex(mesh, vertex)});
+      copies.push_back(duplicate_vertex(mesh, vertex));
       label_of_vertex.push_back(label);
     }
-    vertex = copies[n][2];
+    vertex = copies[n];
   }
   return label_of_vertex;
 }

@@ -14,25 +14,12 @@ namespace {
 
 using glm::dvec3;
 
-/// Columns: the directions in which s, t and the major axis grow. The specification's sc, tc and ma are a
-/// direction's components along them.
-glm::dmat3 axes(Face face) {
-  switch (face) {
-    case Face::positive_x:
-      return {dvec3(0, 0, -1), dvec3(0, -1, 0), dvec3(1, 0, 0)};
-    case Face::negative_x:
-      return {dvec3(0, 0, 1), dvec3(0, -1, 0), dvec3(-1, 0, 0)};
-    case Face::positive_y:
-      return {dvec3(1, 0, 0), dvec3(0, 0, 1), dvec3(0, 1, 0)};
-    case Face::negative_y:
-      return {dvec3(1, 0, 0), dvec3(0, 0, -1), dvec3(0, -1, 0)};
-    case Face::positive_z:
-      return {dvec3(1, 0, 0), dvec3(0, -1, 0), dvec3(0, 0, 1)};
-    case Face::negative_z:
-      break;
-  }
-  return {dvec3(-1, 0, 0), dvec3(0, -1, 0), dvec3(0, 0, -1)};
-}
+/// Of each face, as columns: the directions in which s, t and the major axis grow. The specification's sc, tc
+/// and ma are a direction's components along them.
+const glm::dmat3 axes[] = {
+    {dvec3(0, 0, -1), dvec3(0, -1, 0), dvec3(1, 0, 0)}, {dvec3(0, 0, 1), dvec3(0, -1, 0), dvec3(-1, 0, 0)},
+    {dvec3(1, 0, 0), dvec3(0, 0, 1), dvec3(0, 1, 0)},   {dvec3(1, 0, 0), dvec3(0, 0, -1), dvec3(0, -1, 0)},
+    {dvec3(1, 0, 0), dvec3(0, -1, 0), dvec3(0, 0, 1)},  {dvec3(-1, 0, 0), dvec3(0, -1, 0), dvec3(0, 0, -1)}};
 
 /// What the labelled cube shows on a face, and where up is for the one who reads it.
 struct Label {
@@ -41,14 +28,10 @@ struct Label {
   dvec3 color;  // linear light
   dvec3 up;
 };
-
-const Label& label(Face face) {
-  static const Label labels[] = {
-      {"+X", "RIGHT", {0.62, 0.022, 0.022}, {0, 1, 0}}, {"-X", "LEFT", {0.02, 0.40, 0.46}, {0, 1, 0}},
-      {"+Y", "UP", {0.06, 0.42, 0.03}, {0, 0, 1}},      {"-Y", "DOWN", {0.42, 0.03, 0.40}, {0, 0, -1}},
-      {"+Z", "BACK", {0.025, 0.08, 0.62}, {0, 1, 0}},   {"-Z", "FRONT", {0.80, 0.42, 0.01}, {0, 1, 0}}};
-  return labels[static_cast<int>(face)];
-}
+constexpr Label labels[] = {
+    {"+X", "RIGHT", {0.62, 0.022, 0.022}, {0, 1, 0}}, {"-X", "LEFT", {0.02, 0.40, 0.46}, {0, 1, 0}},
+    {"+Y", "UP", {0.06, 0.42, 0.03}, {0, 0, 1}},      {"-Y", "DOWN", {0.42, 0.03, 0.40}, {0, 0, -1}},
+    {"+Z", "BACK", {0.025, 0.08, 0.62}, {0, 1, 0}},   {"-Z", "FRONT", {0.80, 0.42, 0.01}, {0, 1, 0}}};
 
 }  // namespace
 
@@ -58,7 +41,7 @@ const char* file_name(Face face) {
 }
 
 glm::dvec3 direction(Face face, double s, double t) {
-  return glm::normalize(axes(face) * dvec3(2 * s - 1, 2 * t - 1, 1));
+  return glm::normalize(axes[static_cast<int>(face)] * dvec3(2 * s - 1, 2 * t - 1, 1));
 }
 
 FaceCoordinate face_coordinate(glm::dvec3 d) {
@@ -69,7 +52,8 @@ FaceCoordinate face_coordinate(glm::dvec3 d) {
   } else if (size.y >= size.z) {
     face = d.y < 0 ? Face::negative_y : Face::positive_y;
   }
-  const dvec3 coordinate = d * axes(face);  // the dot products with the columns: sc, tc, |ma|
+  const dvec3 coordinate =
+      d * axes[static_cast<int>(face)];  // the dot products with the columns: sc, tc, |ma|
   return {face, 0.5 * (coordinate.x / coordinate.z + 1), 0.5 * (coordinate.y / coordinate.z + 1)};
 }
 
@@ -82,9 +66,9 @@ glm::dvec3 smooth_color(glm::dvec3 d) {
 }
 
 glm::dvec3 labelled_color(glm::dvec3 d) {
-  const Face face = face_coordinate(d).face;
-  const Label& text = label(face);
-  const glm::dmat3 axis = axes(face);
+  const int face = static_cast<int>(face_coordinate(d).face);
+  const Label& text = labels[face];
+  const glm::dmat3& axis = axes[face];
   // What one sees from the middle of the cube: x to the right, y up, both -1..1 on the face.
   const dvec3 right = glm::cross(axis[2], text.up);
   const double depth = glm::dot(d, axis[2]);

@@ -39,9 +39,8 @@ Dual wood(double u, double v) {
 
 Dual scales(double u, double v) {
   const Dual up = Dual::u(u), vp = Dual::v(v);
-  const Scales scales = scales_at(u, v);
   Dual sum = 0.0;
-  for (const Scale& scale : scales.layers) {
+  for (const Scale& scale : scales_at(u, v)) {
     const double own = random(scale.column, scale.row, 71) - 0.5;
     // Held at y = 0 and lifted towards its tip, domed across, with a keel along its middle.
     const Dual lift = -0.013 * scale.y;
@@ -63,17 +62,8 @@ Dual bump(double u, double v) {
 }  // namespace
 
 Dual height(HeightField field, double u, double v) {
-  switch (field) {
-    case HeightField::brick:
-      return brick(u, v);
-    case HeightField::wood:
-      return wood(u, v);
-    case HeightField::scales:
-      return scales(u, v);
-    case HeightField::bump:
-      break;
-  }
-  return bump(u, v);
+  constexpr Dual (*heights[])(double u, double v) = {brick, wood, scales, bump};
+  return heights[static_cast<int>(field)](u, v);
 }
 
 glm::dvec3 normal(HeightField field, double u, double v, double strength) {

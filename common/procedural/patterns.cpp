@@ -88,16 +88,14 @@ Plank plank_at(double u, double v) {
   return plank;
 }
 
-Scales scales_at(double u, double v) {
+std::array<Scale, 3> scales_at(double u, double v) {
   constexpr double tip = 1.20;    // how far a scale reaches down over the next row, in rows
   constexpr double rise = 1.42;   // at its sides the free edge is this much higher than at the tip
   constexpr double soft = 0.014;  // width of the rounded rim
 
-  Scales scales;
-  const int lowest = static_cast<int>(std::floor(v * scale_rows));
-  for (int layer = 0; layer < 3; ++layer) {
-    Scale& scale = scales.layers[layer];
-    const int row = lowest + layer;
+  std::array<Scale, 3> scales;
+  int row = static_cast<int>(std::floor(v * scale_rows));
+  for (Scale& scale : scales) {
     const Dual across = Dual::u(u) * scale_columns - (row % 2 != 0 ? 0.5 : 0.0);
     const int column = floor_of(across);
     scale.row = wrap(row, scale_rows);
@@ -110,8 +108,10 @@ Scales scales_at(double u, double v) {
     const Dual above = (scale.y + tip - rise * side * side * side) / scale_rows;
     const Dual slope = 6.0 * rise * side * side * (double(scale_columns) / scale_rows);
     scale.rim = above / sqrt(1.0 + slope * slope);
-    scale.cover = layer == 0 ? Dual(1.0) : smooth_step(0, soft, scale.rim);
+    scale.cover = smooth_step(0, soft, scale.rim);
+    ++row;
   }
+  scales[0].cover = 1.0;
   return scales;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <numbers>
 #include <string>
 
@@ -73,7 +74,7 @@ dvec3 wood(double u, double v) {
 
 dvec3 scales(double u, double v) {
   dvec3 sum(0);
-  for (const Scale& scale : scales_at(u, v).layers) {
+  for (const Scale& scale : scales_at(u, v)) {
     const auto own = [&](std::uint32_t seed) { return random(scale.column, scale.row, seed); };
     const double x = scale.x.value, y = scale.y.value, rim = scale.rim.value;
     dvec3 skin = blend({0.060, 0.115, 0.030}, {0.105, 0.130, 0.034}, own(141));
@@ -157,26 +158,26 @@ dvec3 label_grid(double u, double v) {
   return border ? ground * 0.35 : ground;
 }
 
-double checker(double u, double v) {
+dvec3 checker(double u, double v) {
   const auto field = static_cast<long long>(std::floor(8 * u)) + static_cast<long long>(std::floor(8 * v));
-  return field % 2 == 0 ? 0.0 : 1.0;
+  return dvec3(field % 2 == 0 ? 0 : 1);
 }
 
-double sine_sweep(double u, double v) {
+dvec3 sine_sweep(double u, double v) {
   const double x = u - std::floor(u) - 0.5, y = v - std::floor(v) - 0.5;
   // Phase k r^2 / 2 has the frequency k r / tau: 256 at the corners, r^2 = 1/2.
   constexpr double k = tau * 256 * std::numbers::sqrt2;
-  return 0.5 + 0.5 * std::cos(0.5 * k * (x * x + y * y));
+  return dvec3(0.5 + 0.5 * std::cos(0.5 * k * (x * x + y * y)));
 }
 
-double stripes(double u) {
-  return 0.5 - 0.5 * std::cos(8 * tau * u);
+dvec3 stripes(double u, double) {
+  return dvec3(0.5 - 0.5 * std::cos(8 * tau * u));
 }
 
-double clouds(double u, double v) {
+dvec3 clouds(double u, double v) {
   const double warp = fbm(u, v, 4, 4, 5, 161);
   const double cloud = fbm(u + 0.10 * warp, v + 0.10 * fbm(u, v, 4, 4, 5, 171), 4, 4, 7, 181);
-  return smooth_step(-0.75, 0.75, cloud);
+  return dvec3(smooth_step(-0.75, 0.75, cloud));
 }
 
 dvec4 decal(double u, double v) {
@@ -199,69 +200,36 @@ dvec4 decal(double u, double v) {
   return {tint, smooth_step(scallop + 0.05, scallop - 0.03, r)};
 }
 
-double light_map(double u, double v) {
+dvec3 light_map(double u, double v) {
   const double x = 2 * (u - std::floor(u)) - 1, y = 2 * (v - std::floor(v)) - 1;
   const double r = std::hypot(x - 0.10, y - 0.12);
-  return 0.035 + 0.965 * std::pow(smooth_step(0.86, 0.05, r), 1.3);
+  return dvec3(0.035 + 0.965 * std::pow(smooth_step(0.86, 0.05, r), 1.3));
 }
+
+template <dvec3 texture(double u, double v)>
+dvec4 opaque(double u, double v) {
+  return {texture(u, v), 1};
+}
+
+/// In the order of the enumerators.
+constexpr struct {
+  const char* name;
+  dvec4 (*color)(double u, double v);
+} all[] = {{"brick", opaque<brick>},           {"wood", opaque<wood>},
+           {"scales", opaque<scales>},         {"smile", opaque<smile>},
+           {"label_grid", opaque<label_grid>}, {"checker", opaque<checker>},
+           {"sine_sweep", opaque<sine_sweep>}, {"stripes", opaque<stripes>},
+           {"noise", opaque<clouds>},          {"decal", decal},
+           {"light_map", opaque<light_map>}};
 
 }  // namespace
 
 const char* name(Texture texture) {
-  switch (texture) {
-    case Texture::brick:
-      return "brick";
-    case Texture::wood:
-      return "wood";
-    case Texture::scales:
-      return "scales";
-    case Texture::smile:
-      return "smile";
-    case Texture::label_grid:
-      return "label_grid";
-    case Texture::checker:
-      return "checker";
-    case Texture::sine_sweep:
-      return "sine_sweep";
-    case Texture::stripes:
-      return "stripes";
-    case Texture::noise:
-      return "noise";
-    case Texture::decal:
-      return "decal";
-    case Texture::light_map:
-      break;
-  }
-  return "light_map";
+  return all[static_cast<int>(texture)].name;
 }
 
 glm::dvec4 color(Texture texture, double u, double v) {
-  const auto opaque = [](dvec3 rgb) { return dvec4(glm::clamp(rgb, 0.0, 1.0), 1.0); };
-  switch (texture) {
-    case Texture::brick:
-      return opaque(brick(u, v));
-    case Texture::wood:
-      return opaque(wood(u, v));
-    case Texture::scales:
-      return opaque(scales(u, v));
-    case Texture::smile:
-      return opaque(smile(u, v));
-    case Texture::label_grid:
-      return opaque(label_grid(u, v));
-    case Texture::checker:
-      return opaque(dvec3(checker(u, v)));
-    case Texture::sine_sweep:
-      return opaque(dvec3(sine_sweep(u, v)));
-    case Texture::stripes:
-      return opaque(dvec3(stripes(u)));
-    case Texture::noise:
-      return opaque(dvec3(clouds(u, v)));
-    case Texture::decal:
-      return glm::clamp(decal(u, v), 0.0, 1.0);
-    case Texture::light_map:
-      break;
-  }
-  return opaque(dvec3(light_map(u, v)));
+  return glm::clamp(all[static_cast<int>(texture)].color(u, v), 0.0, 1.0);
 }
 
 }  // namespace texel::procedural

@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "app/config.hpp"
 #include "app/settings.hpp"
 #include "core/error.hpp"
 
@@ -41,14 +40,6 @@ void reject_unknown(const CLI::App& app) {
 }
 
 }  // namespace
-
-glm::ivec2 parse_size(const std::string& text) {
-  const std::optional<course::Size> size = course::find_size(text);
-  if (!size)
-    throw Error::usage(fmt::format("--size takes WIDTHxHEIGHT in pixels, each from 1 to {}, not '{}'",
-                                   course::Size::kMostPixels, text));
-  return app::pixels(*size);
-}
 
 std::optional<CommandLine> read_command_line(app::AnyLab& lab, int argc, char** argv) {
   CommandLine line;
@@ -129,7 +120,13 @@ std::optional<CommandLine> read_command_line(app::AnyLab& lab, int argc, char** 
   line.look_given = !config.empty() || !model.empty() || app.count("--view") > 0 || !line.see.empty();
   for (const params::Parameter& p : lab.parameters())
     line.look_given = line.look_given || (p.name != "turn" && app.count("--" + p.flag()) > 0);
-  if (app.count("--size") > 0) line.size = parse_size(size);
+  if (app.count("--size") > 0) {
+    const std::optional<course::Size> asked = course::find_size(size);
+    if (!asked)
+      throw Error::usage(fmt::format("--size takes WIDTHxHEIGHT in pixels, each from 1 to {}, not '{}'",
+                                     course::Size::kMostPixels, size));
+    line.size = app::pixels(*asked);
+  }
   app::find_view(lab, line.view);
   if (!line.batch.empty() && line.out.empty()) throw Error::usage("--batch needs --out DIR");
   return line;

@@ -20,7 +20,4 @@ struct CommandLine : window::WindowOptions {
 /// for what is unknown, with the nearest name. Nothing is returned when the help was asked for and printed.
 std::optional<CommandLine> read_command_line(app::AnyLab& lab, int argc, char** argv);
 
-/// "640x480" in pixels. Throws Error (usage).
-glm::ivec2 parse_size(const std::string& text);
-
 }  // namespace texel::start

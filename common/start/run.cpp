@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <vector>
 
 #include "app/batch.hpp"
 #include "app/bench.hpp"
 #include "app/canvas.hpp"
-#include "app/config.hpp"
 #include "app/lab.hpp"
 #include "app/reports.hpp"
 #include "app/settings.hpp"
@@ -28,38 +26,18 @@ constexpr glm::ivec2 kSnapshotSize(512, 512);
 /// 20 in labs 1 and 7.
 constexpr double kPixelsWorthOptimising = 7 * 512 * 512;
 
-void print(const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stdout);
-}
-
 /// To standard output for "-".
 void write_report(const std::filesystem::path& file, const std::string& json) {
   if (file == "-")
-    print(json);
+    fmt::print("{}", json);
   else
     write_file(file, json);
 }
 
 std::unique_ptr<gl::Context> headless_context(const CommandLine& line, gl::Shaders shaders) {
   const Stage stage("context");
-  if (line.context == "osmesa") return gl::create_headless(gl::ContextKind::osmesa, shaders);
-  if (line.context == "egl") return gl::create_headless(gl::ContextKind::egl, shaders);
   if (line.context == "window") return std::make_unique<gl::WindowContext>(64, 64, "texel");
-  return gl::create_headless(shaders);
-}
-
-/// Draws frame after frame and prints how long they took: the driver has finished each when it is counted.
-void time_frames(app::Canvas& canvas, app::View view, glm::ivec2 size, int samples, int count) {
-  std::vector<double> times;
-  canvas.draw(view, size, samples);  // compiles and loads
-  glFinish();
-  for (int i = 0; i < count; ++i) {
-    const Stopwatch stopwatch;
-    canvas.draw(view, size, samples);
-    glFinish();
-    times.push_back(stopwatch.milliseconds());
-  }
-  print(app::frame_times_as_text(std::move(times), size));
+  return gl::create_headless(shaders, line.context);
 }
 
 /// Draws, and returns when the driver has.
@@ -68,10 +46,22 @@ void draw_and_finish(app::Canvas& canvas, app::View view, glm::ivec2 size, int s
   glFinish();
 }
 
+/// Draws frame after frame and prints how long they took: the driver has finished each when it is counted.
+void time_frames(app::Canvas& canvas, app::View view, glm::ivec2 size, int samples, int count) {
+  std::vector<double> times;
+  draw_and_finish(canvas, view, size, samples);  // compiles and loads
+  for (int i = 0; i < count; ++i) {
+    const Stopwatch stopwatch;
+    draw_and_finish(canvas, view, size, samples);
+    times.push_back(stopwatch.milliseconds());
+  }
+  fmt::print("{}", app::frame_times_as_text(std::move(times), size));
+}
+
 /// Milliseconds by stage of everything so far; `start` is what went by before the first.
-std::vector<std::pair<std::string, double>> stages_so_far(double start) {
+app::StageTimes stages_so_far(double start) {
   const double total = milliseconds_since_start();
-  std::vector<std::pair<std::string, double>> list = {{"start", start}};
+  app::StageTimes list = {{"start", start}};
   for (const NamedStage& stage : stage_times()) list.emplace_back(stage.name, stage.time.wall);
   double other = total;
   for (const auto& [name, milliseconds] : list) other -= milliseconds;
@@ -104,7 +94,7 @@ void run_headless(app::AnyLab& lab, const app::Assets& assets, const CommandLine
   if (!line.bench.empty()) write_report(line.report, app::run_bench(canvas, lab, bench));
   if (line.print_shader) {
     canvas.draw(view, size, line.samples);
-    print(app::shaders_as_text(canvas.programs(), lab.parameters(), view));
+    fmt::print("{}", app::shaders_as_text(canvas.programs(), lab.parameters(), view));
   }
   if (line.frames > 0) time_frames(canvas, view, size, line.samples, line.frames);
   if (line.snapshot.empty() && line.stats.empty()) return;
@@ -115,24 +105,23 @@ void run_headless(app::AnyLab& lab, const app::Assets& assets, const CommandLine
   }
   if (!line.snapshot.empty()) app::take_snapshot(canvas, lab, view, size, line.snapshot).write();
   if (line.stats.empty()) return;
-  app::Statistics statistics{lab.info().folder(),  context->renderer(),
-                             context->version(),   context->name(),
-                             canvas.notes(),       {},
-                             stages_so_far(start), app::peak_resident_bytes()};
+  app::StageTimes stages = stages_so_far(start);
+  const long long peak_bytes = app::peak_resident_bytes();
   const Stopwatch again;
   draw_and_finish(canvas, view, size, line.samples);
-  statistics.milliseconds.emplace_back("draw", again.milliseconds());  // all is loaded and compiled now
-  statistics.record = canvas.record(view, size, line.samples);
-  write_report(line.stats, to_json(statistics));
+  stages.emplace_back("draw", again.milliseconds());  // all is loaded and compiled now
+  const gl::Record record = canvas.record(view, size, line.samples);
+  write_report(line.stats, app::statistics_as_json(lab, canvas, record, stages, peak_bytes));
 }
 
 void run_as_asked(app::AnyLab& lab, const CommandLine& line) {
   if (line.list_parameters) {
-    print(line.json ? app::parameters_as_json(lab.parameters()) : app::parameters_as_text(lab.parameters()));
+    fmt::print("{}", line.json ? app::parameters_as_json(lab.parameters())
+                               : app::parameters_as_text(lab.parameters()));
     return;
   }
   if (line.list_views) {
-    for (const app::View view : lab.views()) print(fmt::format("{}\n", name_of(view)));
+    for (const app::View view : lab.views()) fmt::print("{}\n", name_of(view));
     return;
   }
   if (!line.save_config.empty()) app::save_config(line.save_config, lab.info(), lab.parameters());

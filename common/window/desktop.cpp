@@ -5,9 +5,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <sstream>
-#include <thread>
-#include <vector>
 
 #include "core/error.hpp"
 #include "core/process.hpp"
@@ -17,62 +14,48 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where a program of this name lies in PATH, or "".
-fs::path program_in_path(const std::string& name) {
-  if (name.find('/') != std::string::npos) return fs::exists(name) ? fs::path(name) : fs::path();
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path == nullptr ? "" : path);
-  for (std::string folder; std::getline(folders, folder, ':');)
-    if (std::error_code unknown; fs::is_regular_file(fs::path(folder) / name, unknown))
-      return fs::path(folder) / name;
-  return {};
+bool is_installed(const std::string& program) {
+  return run_program({"sh", "-c", "command -v \"$1\"", "sh", program}, true).exit_code == 0;
 }
 
-/// Its end is waited for beside the window: an editor may stay open as long as it likes.
-void run_beside(std::vector<std::string> command) {
-  std::thread([command = std::move(command)] {
-    try {
-      run_program(command, true);
-    } catch (const Error&) {  // it was there a moment ago
-    }
-  }).detach();
+/// Starts a shell's command with arguments "$1" and so on. Nobody waits for its end: an editor may stay open
+/// as long as it likes.
+void run_beside(const std::string& command, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"sh", "-c", command + " >/dev/null 2>&1 &", "sh"});
+  run_program(arguments);
 }
 
 }  // namespace
 
 void open_in_editor(const fs::path& file, int line, int column) {
   const char* visual = std::getenv("VISUAL");
-  std::vector<std::string> command;
-  std::istringstream words(visual == nullptr ? "" : visual);
-  for (std::string word; words >> word;) command.push_back(word);
-  if (command.empty()) command = {"code"};
-  if (program_in_path(command.front()).empty())
-    throw Error::failed(
-        fmt::format("there is no editor '{}' to open {}:{}", command.front(), file.string(), line), {},
-        "set VISUAL to a command that opens a window, as VISUAL='gvim' or VISUAL='code'");
-  const std::string editor = fs::path(command.front()).filename();
+  const std::string command = visual == nullptr || *visual == '\0' ? "code" : visual;
+  const std::string program = command.substr(0, command.find(' '));
+  if (!is_installed(program))
+    throw Error::failed(fmt::format("there is no editor '{}' to open {}:{}", program, file.string(), line),
+                        {}, "set VISUAL to a command that opens a window, as VISUAL='gvim' or VISUAL='code'");
+  const std::string editor = fs::path(program).filename();
+  line = std::max(line, 1);
   const std::string place = column > 0 ? fmt::format("{}:{}:{}", file.string(), line, column)
-                                       : fmt::format("{}:{}", file.string(), std::max(line, 1));
+                                       : fmt::format("{}:{}", file.string(), line);
   if (editor == "code" || editor == "codium" || editor == "code-oss")
-    command.insert(command.end(), {"-g", place});
+    run_beside(command + " -g \"$1\"", {place});
   else if (editor == "subl" || editor == "zed")
-    command.push_back(place);
+    run_beside(command + " \"$1\"", {place});
   else  // vi, emacs, kate's and nano's way
-    command.insert(command.end(), {fmt::format("+{}", std::max(line, 1)), file.string()});
-  run_beside(std::move(command));
+    run_beside(command + " \"$@\"", {fmt::format("+{}", line), file.string()});
 }
 
 void copy_png(const fs::path& png) {
-  // Through a shell for its "<": both programs read a picture from standard input.
   const bool is_wayland = std::getenv("WAYLAND_DISPLAY") != nullptr;
   const std::string tool = is_wayland ? "wl-copy" : "xclip";
-  if (program_in_path(tool).empty())
+  if (!is_installed(tool))
     throw Error::failed(
         fmt::format("a picture gets into the clipboard by the program {}, which is missing", tool), {},
         is_wayland ? "install wl-clipboard" : "install xclip");
-  const std::string command = is_wayland ? "exec wl-copy --type image/png < \"$1\""
-                                         : "exec xclip -selection clipboard -t image/png -i \"$1\"";
-  run_beside({"sh", "-c", command, "sh", png.string()});
+  run_beside(
+      is_wayland ? "wl-copy --type image/png < \"$1\"" : "xclip -selection clipboard -t image/png -i \"$1\"",
+      {png.string()});
 }
 
 }  // namespace texel::window

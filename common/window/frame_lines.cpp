@@ -66,10 +66,9 @@ std::vector<FrameLine> frame_lines(app::Canvas& canvas, app::AnyLab& lab, glm::i
   if (has(app::View::texcoord)) views.texcoord = canvas.values_of(app::View::texcoord, size);
   if (has(app::View::tangent)) views.tangent = canvas.values_of(app::View::tangent, size);
   {
-    const app::StartValues before(lab.parameters());
+    const app::KeptValues before(lab.parameters());
     if (params::Parameter* mapping = lab.parameters().find("normal_mapping")) mapping->set_value(0);
     views.normal = canvas.values_of(app::View::normal, size);
-    before.set({});
   }
 
   std::vector<FrameLine> lines;

@@ -1,34 +1,59 @@
 // SPDX-License-Identifier: MIT
+// What all panels are drawn with.
 #pragma once
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <backends/imgui_impl_glfw.h>
-#include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
-#include "theme.hpp"
+#include <string>
+#include <string_view>
+
+#include "gl/upload.hpp"
 
 namespace texel::window {
+
+/// The colours of the panel's texts.
+struct Theme {
+  ImVec4 good, next, wrong, dim, text;
+  ImVec4 background;  ///< of the panel
+};
+
+/// Of the present theme.
+const Theme& theme();
+
+/// Dark or light, for all of ImGui. `scale` is the display's: 2 at twice the density.
+void set_theme(bool light, float scale);
+
+/// Of the windows that we place.
+inline constexpr ImGuiWindowFlags kPlaced =
+    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove;
 
 /// ImGui with its two backends, from here to the end of the scope.
 class Gui {
  public:
-  Gui(GLFWwindow* window, float scale) {
-    ImGui::CreateContext();
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;  // the panel's place is not worth a file in the user's folder
-    set_theme(/*light=*/false, scale);
-    load_font(scale);
-    ImGui_ImplGlfw_InitForOpenGL(window, /*install_callbacks=*/true);
-    ImGui_ImplOpenGL3_Init("#version 330 core");
-  }
-  ~Gui() {
-    ImGui_ImplOpenGL3_Shutdown();
-    ImGui_ImplGlfw_Shutdown();
-    ImGui::DestroyContext();
-  }
+  Gui(GLFWwindow* window, float scale);
+  ~Gui();
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
+
+  /// Panels are drawn between these two, into a framebuffer of so many pixels.
+  static void begin_frame();
+  static void end_frame(glm::ivec2 pixels);
 };
+
+/// Shows a text, broken at its blanks where the window ends: ImGui also breaks at points, as in "0.5". An
+/// empty one takes no room.
+void wrapped_text(const ImVec4& color, const std::string& text);
+
+/// Help for the item above, while the mouse is over it.
+void tooltip(std::string_view help, std::string_view more = {});
+
+/// A picture for ImGui: its bytes as they are, enlarged to squares.
+gl::Texture picture_texture(const image::Image8& picture, GLenum wrap_s = GL_CLAMP_TO_EDGE,
+                            GLenum wrap_t = GL_CLAMP_TO_EDGE);
+
+/// Draws a picture whose bottom row is the first, or a part of it.
+void draw_texture(const gl::Texture& texture, ImVec2 from, ImVec2 to, ImVec2 upper_left = {0, 1},
+                  ImVec2 lower_right = {1, 0});
 
 }  // namespace texel::window

@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/lab.hpp"
@@ -16,22 +17,23 @@ struct SavedLook {
   std::optional<std::size_t> look;  ///< its number in the gallery
   bool operator==(const SavedLook&) const = default;
 };
-SavedLook save_look(const params::Set& parameters, app::View view, std::optional<std::size_t> look);
-/// Sets the parameters; the model stays turned as it is.
-void restore(const SavedLook& look, params::Set& parameters);
 
 /// Undo and redo: the looks that the window has had, one after the other.
 class History {
  public:
   /// Takes note of the present look. Call it where the user is not in the middle of a change.
-  void note(SavedLook look);
+  void note(SavedLook look) {
+    if (!looks_.empty() && look == looks_[present_]) return;
+    if (!looks_.empty()) looks_.resize(present_ + 1);  // what was undone is gone
+    looks_.push_back(std::move(look));
+    present_ = looks_.size() - 1;
+  }
   /// The look before the present one, which it now is; null when there is none.
-  const SavedLook* undo();
+  const SavedLook* undo() { return present_ == 0 ? nullptr : &looks_[--present_]; }
   /// The look that the last undo left; null when there is none.
-  const SavedLook* redo();
+  const SavedLook* redo() { return present_ + 1 >= looks_.size() ? nullptr : &looks_[++present_]; }
 
  private:
-  static constexpr std::size_t kMost = 200;
   std::vector<SavedLook> looks_;
   std::size_t present_ = 0;  ///< which of them the window shows
 };

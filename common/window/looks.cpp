@@ -6,7 +6,7 @@
 
 #include "app/settings.hpp"
 #include "core/error.hpp"
-#include "picture_texture.hpp"
+#include "gui.hpp"
 
 namespace texel::window {
 
@@ -16,39 +16,27 @@ Looks::Looks(app::AnyLab& lab, const app::Assets& assets) {
   if (!std::filesystem::exists(file)) return;
   try {
     for (course::Look& look : course::read_lab(file).looks)
-      if (std::ranges::count(lab.views(), look.view) > 0)
-        entries_.push_back({std::move(look), {}, false, {}});
+      if (std::ranges::count(lab.views(), look.view) > 0) entries.push_back({std::move(look), {}, false, {}});
   } catch (const Error& error) {
-    fault_ = error.what();
+    fault = error.what();
   }
-  std::stable_partition(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.look.hero; });
+  std::stable_partition(entries.begin(), entries.end(), [](const Entry& entry) { return entry.look.hero; });
 }
 
 std::size_t Looks::drawn() const {
-  return static_cast<std::size_t>(std::ranges::count(entries_, true, &Entry::is_drawn));
+  return static_cast<std::size_t>(std::ranges::count(entries, true, &Entry::is_drawn));
 }
 
 void Looks::forget() {
-  for (Entry& entry : entries_) entry.is_drawn = false;
-}
-
-void Looks::choose(const course::Case& look, app::AnyLab& lab, app::View& view) {
-  app::check_settings(lab.parameters(), look.settings);
-  lab.parameters().reset();
-  for (const auto& [parameter, value] : look.settings) lab.parameters().at(parameter).set(value);
-  view = look.view;
-}
-
-double Looks::aspect_of(const course::Look& look) {
-  return std::max(1.0, static_cast<double>(look.size.width) / look.size.height);
+  for (Entry& entry : entries) entry.is_drawn = false;
 }
 
 bool Looks::draw_next(gl::Context& context, const app::Assets& assets, app::AnyLab& lab) {
-  const auto next = std::ranges::find(entries_, false, &Entry::is_drawn);
-  if (next == entries_.end()) return false;
+  const auto next = std::ranges::find(entries, false, &Entry::is_drawn);
+  if (next == entries.end()) return false;
   next->is_drawn = true;
   next->fault.clear();
-  const app::StartValues before(lab.parameters());
+  const app::KeptValues before(lab.parameters());
   try {
     app::View view{};
     choose(next->look, lab, view);
@@ -58,8 +46,14 @@ bool Looks::draw_next(gl::Context& context, const app::Assets& assets, app::AnyL
   } catch (const Error& error) {
     next->fault = error.what();
   }
-  before.set({});
   return true;
+}
+
+void choose(const course::Case& look, app::AnyLab& lab, app::View& view) {
+  app::check_settings(lab.parameters(), look.settings);
+  lab.parameters().reset();
+  for (const auto& [parameter, value] : look.settings) lab.parameters().at(parameter).set(value);
+  view = look.view;
 }
 
 }  // namespace texel::window

@@ -10,13 +10,8 @@
 namespace texel::window {
 
 /// The gallery's looks of a lab (labs/NN_name/lab.toml), hero first, with small pictures of them.
-class Looks {
- public:
+struct Looks {
   static constexpr glm::ivec2 kSize{240, 160};  ///< of a small picture, in pixels
-
-  /// No looks where the lab's file is missing; those with a view that this tree does not have are left out.
-  /// A file that cannot be read is said so in fault().
-  Looks(app::AnyLab& lab, const app::Assets& assets);
 
   struct Entry {
     course::Look look;
@@ -24,8 +19,11 @@ class Looks {
     bool is_drawn = false;
     std::string fault;  ///< why it could not be drawn, or ""
   };
-  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
-  [[nodiscard]] const std::string& fault() const { return fault_; }
+  std::vector<Entry> entries;
+  std::string fault;  ///< why the lab's file cannot be read, or ""
+
+  /// None where the lab's file is missing; those with a view that this tree does not have are left out.
+  Looks(app::AnyLab& lab, const app::Assets& assets);
 
   /// How many small pictures are done.
   [[nodiscard]] std::size_t drawn() const;
@@ -33,15 +31,9 @@ class Looks {
   bool draw_next(gl::Context& context, const app::Assets& assets, app::AnyLab& lab);
   /// All are drawn again: a shader or picture was edited.
   void forget();
-
-  /// Sets the parameters and the view. Throws Error (usage) when the lab does not have them.
-  static void choose(const course::Case& look, app::AnyLab& lab, app::View& view);
-  /// How many times as wide as high the look is meant to be seen, 1 or more.
-  static double aspect_of(const course::Look& look);
-
- private:
-  std::vector<Entry> entries_;
-  std::string fault_;
 };
+
+/// Sets the look's parameters and view. Throws Error (usage) when the lab does not have them.
+void choose(const course::Case& look, app::AnyLab& lab, app::View& view);
 
 }  // namespace texel::window

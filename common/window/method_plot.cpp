@@ -30,7 +30,7 @@ bool MethodPlot::is_for(app::AnyLab& lab) {
 }
 
 MethodPlot::MethodPlot(gl::Context& context, const app::Assets& assets, app::AnyLab& lab)
-    : lab_(lab), canvas_(context, assets, lab), timer_(context.renderer()) {
+    : lab_(lab), canvas_(context, assets, lab), timer_(canvas_) {
   for (const params::Item& item : lab.parameters().at("method").items)
     points_.emplace_back().method = item.name;
 }
@@ -56,7 +56,7 @@ void MethodPlot::measure_next(glm::ivec2 picture_size) {
   const std::size_t round = done_ / points_.size(), turn = done_ % points_.size();
   // Each round begins with another method: none is always the first.
   Point& point = points_[round == 0 ? turn : (turn + round) % points_.size()];
-  const app::StartValues before(lab_.parameters());
+  const app::KeptValues before(lab_.parameters());
   try {
     lab_.parameters().at("method").set(point.method);
     if (round == 0)
@@ -66,7 +66,6 @@ void MethodPlot::measure_next(glm::ivec2 picture_size) {
   } catch (const Error& error) {
     fault_ = error.what();
   }
-  before.set({});
 }
 
 void MethodPlot::measure_error(Point& point) {
@@ -82,9 +81,8 @@ void MethodPlot::measure_error(Point& point) {
 }
 
 void MethodPlot::time_frame(Point& point) {
-  std::vector<double>& times = point.frame_ns;
-  times.push_back(app::timed_frame(canvas_, timer_, size_));
-  std::vector<double> sorted = times;
+  point.frame_ns.push_back(timer_.time(size_));
+  std::vector<double> sorted = point.frame_ns;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
   point.milliseconds = *middle * 1e-6;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "app/bench.hpp"
 #include "app/canvas.hpp"
-#include "gl/frame_timer.hpp"
 
 namespace texel::window {
 
@@ -50,7 +50,7 @@ class MethodPlot {
 
   app::AnyLab& lab_;
   app::Canvas canvas_;  // the window's own keeps its picture
-  gl::FrameTimer timer_;
+  app::FrameTimer timer_;
   std::vector<Point> points_;
   std::optional<app::Measure> measure_;
   std::string look_, fault_;

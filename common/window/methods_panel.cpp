@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The plot of the methods: error against cost, each point with its name.
 #include <fmt/format.h>
-#include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "panel.hpp"
-#include "theme.hpp"
 
 namespace texel::window {
 namespace {
@@ -40,81 +39,62 @@ class Axis {
   float from_, to_;
 };
 
-struct Rectangle {
-  ImVec2 from, to;
-  [[nodiscard]] bool meets(const Rectangle& o) const {
-    return from.x < o.to.x && o.from.x < to.x && from.y < o.to.y && o.from.y < to.y;
-  }
-  [[nodiscard]] bool holds(const Rectangle& o) const {
-    return o.from.x >= from.x && o.to.x <= to.x && o.from.y >= from.y && o.to.y <= to.y;
-  }
-  [[nodiscard]] bool holds(ImVec2 p) const {
-    return p.x >= from.x && p.x < to.x && p.y >= from.y && p.y < to.y;
-  }
-};
-
 /// A method on the screen.
 struct Dot {
   const MethodPlot::Point* point;
   ImVec2 at;
-  Rectangle label{};
+  ImRect label{};
 };
 
-Rectangle around(ImVec2 at, float reach) {
-  return {{at.x - reach, at.y - reach}, {at.x + reach, at.y + reach}};
+ImRect around(ImVec2 at, float reach) {
+  return {at.x - reach, at.y - reach, at.x + reach, at.y + reach};
 }
 
 /// Beside its dot, or as near as it finds room between the other dots and names.
-void place_labels(std::vector<Dot>& dots, const Rectangle& area, float reach) {
+void place_labels(std::vector<Dot>& dots, const ImRect& area, float reach) {
   const float line = ImGui::GetTextLineHeight();
-  std::vector<Rectangle> taken;
+  std::vector<ImRect> taken;
   for (const Dot& dot : dots) taken.push_back(around(dot.at, reach));
-  const auto fits = [&](const Rectangle& label) {
-    return area.holds(label) &&
-           std::ranges::none_of(taken, [&](const Rectangle& other) { return other.meets(label); });
-  };
   for (Dot& dot : dots) {
     const float width = ImGui::CalcTextSize(dot.point->method.c_str()).x;
-    const auto beside = [&](bool is_right, float down) {
-      const float left = is_right ? dot.at.x + 1.5F * reach : dot.at.x - 1.5F * reach - width;
-      const float top = dot.at.y - line / 2 + down;
-      return Rectangle{{left, top}, {left + width, top + line}};
+    const auto beside = [&](int place) {  // right and left, then half a line lower and higher, and so on
+      const float left = place % 2 == 0 ? dot.at.x + 1.5F * reach : dot.at.x - 1.5F * reach - width;
+      const float down = (place / 2 % 2 == 0 ? 0.5F : -0.5F) * static_cast<float>(place / 4);
+      const float top = dot.at.y - line / 2 + down * line;
+      return ImRect(left, top, left + width, top + line);
     };
-    dot.label = beside(true, 0);
-    bool is_placed = false;
-    for (int step = 0; step < 24 && !is_placed; ++step)
-      for (const float sign : {1.0F, -1.0F})
-        for (const bool is_right : {true, false})
-          if (const Rectangle label = beside(is_right, sign * line * 0.5F * static_cast<float>(step));
-              !is_placed && fits(label)) {
-            dot.label = label;
-            is_placed = true;
-          }
+    constexpr int kPlaces = 96;
+    int place = 0;
+    while (place < kPlaces &&
+           (!area.Contains(beside(place)) ||
+            std::ranges::any_of(taken, [&](const ImRect& other) { return other.Overlaps(beside(place)); })))
+      ++place;
+    dot.label = beside(place < kPlaces ? place : 0);
     taken.push_back(dot.label);
   }
 }
 
-void grid(const Axis& x, const Axis& y, const Rectangle& area) {
+void grid(const Axis& x, const Axis& y, const ImRect& area) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 text = ImGui::GetColorU32(theme().dim), line = ImGui::GetColorU32(ImGuiCol_FrameBg);
   const float height = ImGui::GetTextLineHeight();
   float last = -1e9F;
   for (const double tick : x.ticks()) {
     const float at = x.at(tick);
-    list.AddLine({at, area.from.y}, {at, area.to.y}, line);
+    list.AddLine({at, area.Min.y}, {at, area.Max.y}, line);
     const std::string label = fmt::format("{:g}", tick);
     const float width = ImGui::CalcTextSize(label.c_str()).x;
-    if (at - width / 2 < last || at + width / 2 > area.to.x) continue;
-    list.AddText({at - width / 2, area.to.y + height * 0.1F}, text, label.c_str());
+    if (at - width / 2 < last || at + width / 2 > area.Max.x) continue;
+    list.AddText({at - width / 2, area.Max.y + height * 0.1F}, text, label.c_str());
     last = at + width / 2 + height * 0.4F;
   }
   last = 1e9F;
   for (const double tick : y.ticks()) {
     const float at = y.at(tick);
-    list.AddLine({area.from.x, at}, {area.to.x, at}, line);
+    list.AddLine({area.Min.x, at}, {area.Max.x, at}, line);
     if (at + height / 2 > last) continue;
     const std::string label = fmt::format("{:g}", tick);
-    list.AddText({area.from.x - height * 0.4F - ImGui::CalcTextSize(label.c_str()).x, at - height / 2}, text,
+    list.AddText({area.Min.x - height * 0.4F - ImGui::CalcTextSize(label.c_str()).x, at - height / 2}, text,
                  label.c_str());
     last = at - height / 2;
   }
@@ -139,17 +119,17 @@ std::string plot(const MethodPlot& methods, const std::string& present, float sc
   const float em = ImGui::GetFontSize(), reach = 4 * scale;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 size(ImGui::GetContentRegionAvail().x, 14 * em);
-  const Rectangle area{{at.x + 3.2F * em, at.y + 0.3F * em}, {at.x + size.x, at.y + size.y - 1.3F * em}};
+  const ImRect area(at.x + 3.2F * em, at.y + 0.3F * em, at.x + size.x, at.y + size.y - 1.3F * em);
   ImGui::InvisibleButton("##plot", size);
   const bool is_hovered = ImGui::IsItemHovered(), is_clicked = ImGui::IsItemClicked();
 
-  std::vector<const MethodPlot::Point*> known;
-  for (const MethodPlot::Point& point : methods.points())
-    if (point.milliseconds > 0) known.push_back(&point);
+  std::vector<Dot> dots;
   double cheapest = 1e9, dearest = 0, largest = 0;
-  for (const MethodPlot::Point* point : known) {
-    cheapest = std::min(cheapest, point->milliseconds), dearest = std::max(dearest, point->milliseconds);
-    largest = std::max(largest, error_of(*point, measure));
+  for (const MethodPlot::Point& point : methods.points()) {
+    if (point.milliseconds <= 0) continue;  // not measured yet
+    dots.push_back({&point, {}});
+    cheapest = std::min(cheapest, point.milliseconds), dearest = std::max(dearest, point.milliseconds);
+    largest = std::max(largest, error_of(point, measure));
   }
   if (largest == 0) largest = 1;
   // What is a thousand times better than another method lies at the lower end.
@@ -157,13 +137,11 @@ std::string plot(const MethodPlot& methods, const std::string& present, float sc
   const auto shown = [&](const MethodPlot::Point& point) {
     return std::max(error_of(point, measure), largest * 1e-3);
   };
-  for (const MethodPlot::Point* point : known) least = std::min(least, shown(*point));
-  const Axis x(cheapest, dearest, area.from.x, area.to.x), y(least, largest, area.to.y, area.from.y);
+  for (const Dot& dot : dots) least = std::min(least, shown(*dot.point));
+  const Axis x(cheapest, dearest, area.Min.x, area.Max.x), y(least, largest, area.Max.y, area.Min.y);
   grid(x, y, area);
 
-  std::vector<Dot> dots;
-  for (const MethodPlot::Point* point : known)
-    dots.push_back({point, {x.at(point->milliseconds), y.at(shown(*point))}});
+  for (Dot& dot : dots) dot.at = {x.at(dot.point->milliseconds), y.at(shown(*dot.point))};
   place_labels(dots, area, reach);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   std::string clicked;
@@ -173,13 +151,12 @@ std::string plot(const MethodPlot& methods, const std::string& present, float sc
                           : dot.point->method == present    ? theme().next
                                                             : theme().text;
     const ImU32 ink = ImGui::GetColorU32(color);
-    const ImVec2 end(dot.label.from.x > dot.at.x ? dot.label.from.x : dot.label.to.x,
-                     (dot.label.from.y + dot.label.to.y) / 2);
+    const ImVec2 end(dot.label.Min.x > dot.at.x ? dot.label.Min.x : dot.label.Max.x, dot.label.GetCenter().y);
     if (std::abs(end.y - dot.at.y) > 1) list.AddLine(dot.at, end, ImGui::GetColorU32(theme().dim), scale);
     list.AddCircleFilled(dot.at, reach, ink);
-    list.AddText(dot.label.from, ink, dot.point->method.c_str());
+    list.AddText(dot.label.Min, ink, dot.point->method.c_str());
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    if (!is_hovered || !(dot.label.holds(mouse) || around(dot.at, 2 * reach).holds(mouse))) continue;
+    if (!is_hovered || !(dot.label.Contains(mouse) || around(dot.at, 2 * reach).Contains(mouse))) continue;
     describe(*dot.point, name_of(measure.unit));
     if (is_clicked) clicked = dot.point->method;
   }
@@ -192,16 +169,8 @@ void methods_section(app::AnyLab& lab, WindowState& state, float scale) {
   state.methods_open = MethodPlot::is_for(lab) && ImGui::CollapsingHeader("Error and cost of the methods");
   if (!state.methods_open || !state.methods) return;
   const MethodPlot& methods = *state.methods;
-  if (!methods.fault().empty()) {
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextColored(theme().next, "%s", methods.fault().c_str());
-    ImGui::PopTextWrapPos();
-    return;
-  }
-  if (!methods.measure()) {
-    ImGui::TextColored(theme().dim, "working out the exact answer");
-    return;
-  }
+  if (!methods.fault().empty()) return wrapped_text(theme().next, methods.fault());
+  if (!methods.measure()) return wrapped_text(theme().dim, "working out the exact answer");
   const char* unit = name_of(methods.measure()->unit);
   ImGui::TextColored(theme().dim, "%s error in %s", app::ranks_by_rms(unit) ? "rms" : "mean", unit);
   params::Parameter& method = lab.parameters().at("method");

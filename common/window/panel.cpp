@@ -7,9 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-
-#include "theme.hpp"
 
 namespace texel::window {
 namespace {
@@ -23,30 +20,26 @@ std::string label_of(std::string_view name) {
   return label;
 }
 
-void tooltip(std::string_view help, std::string_view more = {}) {
-  if (!ImGui::IsItemHovered()) return;
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
-  ImGui::TextUnformatted(help.data(), help.data() + help.size());
-  if (!more.empty()) ImGui::TextColored(theme().dim, "%.*s", static_cast<int>(more.size()), more.data());
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
+/// The name of what the next widget changes, which fills the rest of the line but for `right`.
+void label(const ImVec4& color, const std::string& text, std::string_view help, std::string_view more = {},
+           float right = 1) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextColored(color, "%s", text.c_str());
+  tooltip(help, more);
+  ImGui::SameLine(ImGui::GetFontSize() * 8.6F);
+  ImGui::SetNextItemWidth(-right);
 }
 
-/// A list to choose from; true when another item was chosen.
-bool combo(const char* id, std::span<const params::Item> items, const std::string& current,
-           std::string& chosen) {
-  bool changed = false;
-  if (!ImGui::BeginCombo(id, current.c_str(), ImGuiComboFlags_HeightLarge)) return false;
+/// A list to choose from, and what is chosen.
+std::string combo(const char* id, std::span<const params::Item> items, std::string current) {
+  if (!ImGui::BeginCombo(id, current.c_str(), ImGuiComboFlags_HeightLarge)) return current;
+  std::string chosen = current;
   for (const params::Item& item : items) {
-    if (ImGui::Selectable(item.name, current == item.name)) {
-      chosen = item.name;
-      changed = true;
-    }
+    if (ImGui::Selectable(item.name, current == item.name)) chosen = item.name;
     tooltip(item.help);
   }
   ImGui::EndCombo();
-  return changed;
+  return chosen;
 }
 
 void number_widget(params::Parameter& p) {
@@ -69,20 +62,11 @@ void number_widget(params::Parameter& p) {
 /// One parameter: its name, its widget, and a button that takes it back when it is not the default.
 void parameter_widget(params::Parameter& p) {
   ImGui::PushID(p.name.data());
-  ImGui::AlignTextToFramePadding();
-  const std::string label = label_of(p.name);
-  if (p.is_default())
-    ImGui::TextUnformatted(label.c_str());
-  else
-    ImGui::TextColored(theme().next, "%s", label.c_str());
-  const bool ranged = p.type == Type::integer || p.type == Type::number;
-  const std::string range = ranged ? fmt::format("{} to {} {}", p.least, p.most, p.unit) : std::string();
-  tooltip(p.help, fmt::format("--{}, default {}{}{}\nCtrl+click a slider to type a value", p.flag(),
-                              p.initial(), range.empty() ? "" : ", ", range));
-  ImGui::SameLine(ImGui::GetFontSize() * 8.6F);
-  const float reset_width = ImGui::GetFontSize() * 3.4F;
-  ImGui::SetNextItemWidth(p.is_default() ? -1 : -reset_width);
-  std::string chosen;
+  const bool is_default = p.is_default(), is_ranged = p.type == Type::integer || p.type == Type::number;
+  const std::string range = is_ranged ? fmt::format(", {} to {} {}", p.least, p.most, p.unit) : "";
+  label(is_default ? theme().text : theme().next, label_of(p.name), p.help,
+        fmt::format("--{}, default {}{}\nCtrl+click a slider to type a value", p.flag(), p.initial(), range),
+        is_default ? 1 : ImGui::GetFontSize() * 3.4F);
   switch (p.type) {
     case Type::toggle: {
       bool on = p.value() != 0;
@@ -95,11 +79,11 @@ void parameter_widget(params::Parameter& p) {
       break;
     case Type::choice:
     case Type::file:
-      if (combo("##value", p.items, p.text(), chosen)) p.set(chosen);
+      if (const std::string chosen = combo("##value", p.items, p.text()); chosen != p.text()) p.set(chosen);
       tooltip(p.help);
       break;
   }
-  if (!p.is_default()) {
+  if (!is_default) {
     ImGui::SameLine();
     if (ImGui::SmallButton("reset")) p.reset();
     tooltip(fmt::format("back to {}", p.initial()));
@@ -132,31 +116,27 @@ void view_section(app::AnyLab& lab, WindowState& state) {
 
   if (state.figures) {
     const app::ErrorFigures& f = *state.figures;
-    ImGui::PushTextWrapPos(0);
-    if (const char* reason = app::why_nothing(f))
-      ImGui::TextUnformatted(reason);
-    else
-      ImGui::Text("mean %.3g, P99 %.3g, most %.3g %s over %.1f %% of %lld pixels", f.mean, f.p99, f.max,
-                  name_of(lab.measure()->unit), 100 * f.coverage(), f.truth_pixels);
-    ImGui::TextColored(f.non_finite == 0 ? theme().dim : theme().wrong, "%lld not finite; compared with %s",
-                       f.non_finite, lab.measure()->truth);
-    ImGui::PopTextWrapPos();
+    const app::Measure measure = *lab.measure();
+    const char* reason = app::why_nothing(f);
+    wrapped_text(
+        theme().text,
+        reason != nullptr
+            ? reason
+            : fmt::format("mean {:.3g}, P99 {:.3g}, most {:.3g} {} over {:.1f} % of {} pixels", f.mean, f.p99,
+                          f.max, name_of(measure.unit), 100 * f.coverage(), f.truth_pixels));
+    wrapped_text(f.non_finite == 0 ? theme().dim : theme().wrong,
+                 fmt::format("{} not finite; compared with {}", f.non_finite, measure.truth));
   }
 
   // Compare: another value of one choice or toggle right of a line.
-  const auto comparable = [](const params::Parameter& p) {
-    return p.type == Type::choice || p.type == Type::toggle || p.type == Type::file;
-  };
   const std::string current = state.split ? label_of(state.split->parameter) : "nothing";
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("compare");
-  tooltip("Draws the right part of the picture with another value of a parameter. Drag the line.");
-  ImGui::SameLine(ImGui::GetFontSize() * 8.6F);
-  ImGui::SetNextItemWidth(-1);
+  label(theme().text, "compare",
+        "Draws the right part of the picture with another value of a parameter. Drag the line.");
   if (ImGui::BeginCombo("##compare", current.c_str())) {
     if (ImGui::Selectable("nothing", !state.split)) state.split.reset();
     for (const params::Parameter& p : lab.parameters()) {
-      if (!comparable(p) || !ImGui::Selectable(label_of(p.name).c_str())) continue;
+      if (p.type == Type::integer || p.type == Type::number) continue;
+      if (!ImGui::Selectable(label_of(p.name).c_str())) continue;
       const std::string other = p.type == Type::toggle
                                     ? (p.value() != 0 ? "off" : "on")
                                     : p.items[p.text() == p.items[0].name ? p.items.size() - 1 : 0].name;
@@ -166,13 +146,9 @@ void view_section(app::AnyLab& lab, WindowState& state) {
   }
   if (!state.split) return;
   const params::Parameter& p = lab.parameters().at(state.split->parameter);
-  if (p.type != Type::toggle) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("right side");
-    ImGui::SameLine(ImGui::GetFontSize() * 8.6F);
-    ImGui::SetNextItemWidth(-1);
-    combo("##right", p.items, state.split->value, state.split->value);
-  }
+  if (p.type == Type::toggle) return;
+  label(theme().text, "right side", "The value right of the line");
+  state.split->value = combo("##right", p.items, state.split->value);
 }
 
 std::string bytes_text(long long bytes) {
@@ -197,17 +173,11 @@ void statistics_section(const WindowState& state) {
   for (const auto& use : record.textures)
     ImGui::TextColored(theme().dim, "  %s  %dx%d %s", use.name.c_str(), use.width, use.height,
                        use.format.c_str());
-  const auto lines = [](const std::vector<std::string>& texts, const ImVec4& color) {
-    ImGui::PushTextWrapPos(0);
-    for (const std::string& text : texts) ImGui::TextColored(color, "%s", text.c_str());
-    ImGui::PopTextWrapPos();
-  };
-  lines(state.notes.warnings, theme().next);
-  lines(state.notes.facts, theme().dim);
+  for (const std::string& warning : state.notes.warnings) wrapped_text(theme().next, warning);
+  for (const std::string& fact : state.notes.facts) wrapped_text(theme().dim, fact);
 }
 
-Action buttons(WindowState& state) {
-  Action action = Action::none;
+void buttons(WindowState& state) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const auto width_of = [&](const char* label) {
     return ImGui::CalcTextSize(label).x + 2 * style.FramePadding.x;
@@ -216,14 +186,14 @@ Action buttons(WindowState& state) {
     // On the same line while there is room.
     if (!is_first) ImGui::SameLine();
     if (!is_first && ImGui::GetContentRegionAvail().x < width_of(label)) ImGui::NewLine();
-    if (ImGui::Button(label)) action = value;
+    if (ImGui::Button(label)) state.wanted = value;
     tooltip(help);
   };
-  if (state.looks && !state.looks->entries().empty())
+  const bool has_looks = !state.looks->entries.empty();
+  if (has_looks)
     button("Looks", Action::show_looks, "Small pictures of the gallery's looks: click one to have it (G)",
            true);
-  button("Default", Action::default_look, "Sets the look with which the lab opens (J)",
-         !state.looks || state.looks->entries().empty());
+  button("Default", Action::default_look, "Sets the look with which the lab opens (J)", !has_looks);
   button("Undo", Action::undo, "Takes back the last change of a parameter (Ctrl+Z)");
   button("Redo", Action::redo, "Makes it again (Ctrl+Y)");
   button("Keys", Action::show_keys, "All keys (F1)");
@@ -239,7 +209,6 @@ Action buttons(WindowState& state) {
   tooltip("The file for Save and Load: all parameters, in the format of --config");
   button("Save", Action::save_config, "Writes all parameters to the file");
   button("Load", Action::load_config, "Reads parameters from the file");
-  return action;
 }
 
 /// Two lines of text below a line.
@@ -250,42 +219,40 @@ float status_bar_height() {
 /// What happens, and what the last action did: at the lower end, where it moves nothing.
 void status_bar(const WindowState& state) {
   ImGui::Separator();
-  const std::string checking = state.steps ? state.steps->progress() : "";
-  std::string text = state.message;
-  if (!state.progress.empty()) text.append(text.empty() ? "" : "\n").append(state.progress);
-  if (!checking.empty()) text.append(text.empty() ? "" : "\n").append(checking);
+  std::string text;
+  for (const std::string& line : {state.message, state.progress, state.steps ? state.steps->progress() : ""})
+    if (!line.empty()) text.append(text.empty() ? "" : "\n").append(line);
   ImGui::BeginChild("status", {0, 0}, 0, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  ImGui::PushTextWrapPos(0);
-  if (state.built_again) ImGui::TextColored(theme().next, "The lab was built again: F5 opens it anew");
-  ImGui::TextColored(theme().dim, "%s", text.c_str());
-  ImGui::PopTextWrapPos();
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
+  if (state.built_again) wrapped_text(theme().next, "The lab was built again: F5 opens it anew");
+  wrapped_text(theme().dim, text);
+  if (!text.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
   ImGui::EndChild();
 }
 
 }  // namespace
 
-std::string command_line(app::AnyLab& lab, app::View view) {
-  std::string line = lab.info().program();
-  if (const std::string flags = lab.parameters().flags(); !flags.empty()) line += " " + flags;
-  if (view != app::View::color) line += fmt::format(" --view {}", name_of(view));
-  return line;
+SavedLook save_look(const params::Set& parameters, const WindowState& state) {
+  SavedLook saved{{}, state.view, state.look};
+  for (const params::Parameter& p : parameters) saved.values.push_back(p.name == "turn" ? "" : p.text());
+  return saved;
 }
 
-void cover_picture(WindowState& state) {
-  constexpr float kEdge = 4;  // so far from its edge a window still takes the mouse, to be resized
-  const glm::vec2 from(ImGui::GetWindowPos().x, ImGui::GetWindowPos().y);
-  const glm::vec2 size(ImGui::GetWindowWidth(), ImGui::GetWindowHeight());
-  state.covers.emplace_back(from - kEdge, from + size + kEdge);
+void go_to(const SavedLook& look, params::Set& parameters, WindowState& state) {
+  auto value = look.values.begin();
+  for (params::Parameter& p : parameters) {
+    if (p.name != "turn") p.set(*value);
+    ++value;
+  }
+  state.view = look.view, state.look = look.look;
 }
 
 float default_panel_width(float window, float scale) {
   return std::min(340 * scale, window / 2);
 }
 
-Action draw_panel(app::AnyLab& lab, WindowState& state, float scale) {
+void draw_panel(app::AnyLab& lab, WindowState& state, float scale) {
   state.panel_width = 0;
-  if (!state.panel_visible) return Action::none;
+  if (!state.panel_visible) return;
   const glm::vec2 window(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y);
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize({default_panel_width(window.x, scale), window.y}, ImGuiCond_FirstUseEver);
@@ -293,14 +260,11 @@ Action draw_panel(app::AnyLab& lab, WindowState& state, float scale) {
                                       {window.x * 0.7F, window.y});
   const app::Info& info = lab.info();
   ImGui::Begin(fmt::format("Lab {}: {}###panel", info.number, info.title).c_str(), nullptr,
-               ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                   ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+               kPlaced | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   state.panel_width = ImGui::GetWindowWidth();
   ImGui::BeginChild("sections", {0, -status_bar_height()});
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextColored(theme().dim, "%s", info.lesson);
-  ImGui::PopTextWrapPos();
-  const Action action = buttons(state);
+  wrapped_text(theme().dim, info.lesson);
+  buttons(state);
   steps_section(lab, state);
   view_section(lab, state);
   methods_section(lab, state, scale);
@@ -308,9 +272,7 @@ Action draw_panel(app::AnyLab& lab, WindowState& state, float scale) {
   statistics_section(state);
   ImGui::EndChild();
   status_bar(state);
-  cover_picture(state);
   ImGui::End();
-  return action;
 }
 
 }  // namespace texel::window

@@ -8,6 +8,7 @@
 #include "actions.hpp"
 #include "app/canvas.hpp"
 #include "frame_lines.hpp"
+#include "gui.hpp"
 #include "history.hpp"
 #include "looks.hpp"
 #include "method_plot.hpp"
@@ -23,6 +24,7 @@ struct WindowState {
   std::optional<app::Canvas::Split> split;
   /// Which of the looks was chosen last, or none: the view goes back to its camera.
   std::optional<std::size_t> look;
+  Action wanted = Action::none;  ///< by a button of this frame
   bool paused = false;
   bool panel_visible = true;
   float panel_width = 0;  ///< window units, 0 while hidden
@@ -63,19 +65,18 @@ struct WindowState {
   bool case_is_new = false;           ///< since the last frame
   std::string step_to_open;           ///< in the section "Steps", or ""
   std::optional<SavedLook> own_look;  ///< as it was before a case was picked
-  std::optional<Looks> looks;
+  std::optional<Looks> looks;         ///< always there while the window is open
   std::optional<MethodPlot> methods;  ///< from when its section is first opened
   bool methods_open = false;
   bool looks_open = false, keys_open = false, light_theme = false, wireframe = false, axes = false;
   std::vector<FrameLine> frame_lines;  ///< while `axes` is on
-  /// Where windows of the last frame keep the mouse from the picture: corners in window units.
-  std::vector<std::pair<glm::vec2, glm::vec2>> covers;
-  std::string progress;  ///< what goes on for longer than a frame, or ""
+  std::string progress;                ///< what goes on for longer than a frame, or ""
   std::string config_file;
 };
 
-/// ImGui's present window keeps the mouse from the picture.
-void cover_picture(WindowState& state);
+/// The present look, and back to one: parameters (the model stays turned as it is), view and gallery's look.
+SavedLook save_look(const params::Set& parameters, const WindowState& state);
+void go_to(const SavedLook& look, params::Set& parameters, WindowState& state);
 
 /// The section "Steps": each with its figure; its cases, which set the look when they are picked; its hints.
 void steps_section(app::AnyLab& lab, WindowState& state);
@@ -93,7 +94,7 @@ void see_step(app::AnyLab& lab, WindowState& state, const std::string& step);
 void pick_step(app::AnyLab& lab, WindowState& state, const judge::StepResult& step);
 
 /// Beside the picture: the step and the pictures of the case that was picked, in the room `state.dock`.
-Action draw_step(WindowState& state, glm::vec2 window, float scale);
+void draw_step(WindowState& state, glm::vec2 window, float scale);
 
 /// The room that the step needs beside a picture that would have `size` window units without it.
 glm::vec2 dock_size(const WindowState& state, glm::vec2 size, float scale);
@@ -104,10 +105,6 @@ void draw_looks(app::AnyLab& lab, WindowState& state, glm::vec2 size, float scal
 /// Beside the pixel that was clicked: it and its neighbours magnified, and the value of each view there.
 void draw_pixel(WindowState& state, glm::vec2 size, float pixels_per_unit, float scale);
 
-/// The textures that the lab reads at the clicked pixel, each with its levels or faces and the pixel's
-/// footprint.
-void texture_section(const std::vector<TextureView>& textures, float scale);
-
 /// Over the picture: all keys.
 void draw_keys(WindowState& state, glm::vec2 size);
 
@@ -115,13 +112,10 @@ void draw_keys(WindowState& state, glm::vec2 size);
 float default_panel_width(float window, float scale);
 
 /// Draws the panel for one frame with ImGui, at the left edge; changes parameters and state in place.
-Action draw_panel(app::AnyLab& lab, WindowState& state, float scale);
+void draw_panel(app::AnyLab& lab, WindowState& state, float scale);
 
 /// The split line and its labels, the mark of the inspected pixel, and the error or warning over the picture.
 /// The picture lies right of the panel and is `size` window units large.
-Action draw_overlay(app::AnyLab& lab, WindowState& state, glm::vec2 size, float pixels_per_unit, float scale);
-
-/// "lab05_normal_map --method averaged --view normal": what draws the present look again.
-std::string command_line(app::AnyLab& lab, app::View view);
+void draw_overlay(app::AnyLab& lab, WindowState& state, glm::vec2 size, float pixels_per_unit, float scale);
 
 }  // namespace texel::window

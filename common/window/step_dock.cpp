@@ -11,8 +11,6 @@
 
 #include "image/color.hpp"
 #include "panel.hpp"
-#include "theme.hpp"
-#include "wrapped_text.hpp"
 
 namespace texel::window {
 namespace {
@@ -20,24 +18,23 @@ namespace {
 using Shown = CasePictures::Shown;
 
 /// The file, a button that opens it, the handout's task, and the step's lines.
-Action text_part(WindowState& state) {
-  Action action = Action::none;
-  const CasePictures& pictures = *state.case_pictures;
-  const course::StepText& text = pictures.text;
-  if (ImGui::SmallButton("Open in editor")) action = Action::open_in_editor;
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", "By $VISUAL, else by code -g (E)");
+void text_part(WindowState& state) {
+  const course::StepText& text = state.case_pictures->text;
+  const auto button = [&](const char* name, Action value, const char* help) {
+    if (ImGui::SmallButton(name)) state.wanted = value;
+    tooltip(help);
+  };
+  button("Open in editor", Action::open_in_editor, "By $VISUAL, else by code -g (E)");
   ImGui::SameLine();
-  if (ImGui::SmallButton("See it")) action = Action::see_step;
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", "Sets the look in which the handout shows this step");
+  button("See it", Action::see_step, "Sets the look in which the handout shows this step");
   if (state.own_look) {
     ImGui::SameLine();
-    if (ImGui::SmallButton("Back to my look")) action = Action::own_look;
-    if (ImGui::IsItemHovered())
-      ImGui::SetTooltip("%s", "Sets parameters and view as they were before you picked a case");
+    button("Back to my look", Action::own_look,
+           "Sets parameters and view as they were before you picked a case");
   }
   wrapped_text(theme().dim, fmt::format("{}:{}", text.shown_file, text.line));
   wrapped_text(theme().text, text.task);
-  if (text.lines.empty()) return action;
+  if (text.lines.empty()) return;
   ImGui::Separator();
   for (std::size_t i = 0; i < text.lines.size(); ++i) {
     const int number = text.first_line + static_cast<int>(i);
@@ -51,7 +48,6 @@ Action text_part(WindowState& state) {
     const bool is_given = number <= text.line || line.find("//@") != std::string::npos;
     wrapped_text(is_given ? theme().dim : theme().text, line.substr(indent));
   }
-  return action;
 }
 
 /// The figure that the step is judged by: a ring marks a pixel that has it.
@@ -83,10 +79,6 @@ void heat_scale(const CasePictures& p, float width) {
 }
 
 void picture_part(CasePictures& p, float side, float scale) {
-  if (!p.fault.empty()) {
-    wrapped_text(theme().next, p.fault);
-    return;
-  }
   const auto choose = [&](const char* name, Shown value) {
     if (value != Shown::split) ImGui::SameLine();
     if (ImGui::RadioButton(name, p.shown == value)) p.shown = value;
@@ -97,9 +89,7 @@ void picture_part(CasePictures& p, float side, float scale) {
   const float height = side * static_cast<float>(p.height) / static_cast<float>(p.width);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto show = [&](const gl::Texture& texture, float from, float to) {
-    const auto id = ImTextureID(std::uintptr_t{texture.id()});  // a pointer, since ImGui 1.91 a number
-    // Bottom row first: v runs upwards.
-    list.AddImage(id, {at.x + from * side, at.y}, {at.x + to * side, at.y + height}, {from, 1}, {to, 0});
+    draw_texture(texture, {at.x + from * side, at.y}, {at.x + to * side, at.y + height}, {from, 1}, {to, 0});
   };
   if (p.shown == Shown::split) {
     show(p.own, 0, p.position);
@@ -132,57 +122,52 @@ glm::vec2 dock_size(const WindowState& state, glm::vec2 size, float scale) {
   return {0, std::min(340 * scale, 0.5F * size.y)};
 }
 
-Action draw_step(WindowState& state, glm::vec2 window, float scale) {
-  if (!state.case_pictures || state.dock == glm::vec2(0)) return Action::none;
+void draw_step(WindowState& state, glm::vec2 window, float scale) {
+  if (!state.case_pictures || state.dock == glm::vec2(0)) return;
   const bool is_below = state.dock.y > 0;
   const glm::vec2 at(is_below ? state.panel_width : window.x - state.dock.x,
                      is_below ? window.y - state.dock.y : 0);
   ImGui::SetNextWindowPos({at.x, at.y});
   ImGui::SetNextWindowSize({window.x - at.x, window.y - at.y});
-  const CasePictures& p = *state.case_pictures;
+  CasePictures& p = *state.case_pictures;
   bool is_open = true;
   const bool is_new = std::exchange(state.case_is_new, false);
   // The text begins at its first line, wherever the last one was scrolled to.
   const auto from_the_top = [&] {
     if (is_new) ImGui::SetScrollY(0);
   };
-  ImGui::Begin(fmt::format("{} {}: {}###case", p.step, course::without_markdown(p.title), p.name).c_str(),
-               &is_open,
-               ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoResize);
+  ImGui::Begin(
+      fmt::format("{} {}: {}###case", p.step, course::without_markdown(p.title), p.result.name).c_str(),
+      &is_open, kPlaced | ImGuiWindowFlags_NoResize);
   from_the_top();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float aspect = p.width > 0 ? static_cast<float>(p.height) / static_cast<float>(p.width) : 1;
   // Below the picture: its buttons, the heat map's scale and two lines of text.
   const float texts = ImGui::GetFrameHeightWithSpacing() + 4 * ImGui::GetTextLineHeightWithSpacing();
-  Action action = Action::none;
   if (!p.fault.empty()) {
-    action = text_part(state);
+    text_part(state);
     // A shader's error stands over the picture already, and in one place only.
-    if (!state.error.first.empty())
-      wrapped_text(theme().next, "No picture: the shader does not compile.");
-    else
-      picture_part(*state.case_pictures, 0, scale);
+    wrapped_text(theme().next,
+                 state.error.first.empty() ? p.fault : "No picture: the shader does not compile.");
   } else if (is_below) {
     const float side = std::clamp((room.y - texts) / aspect, 64.0F, 0.5F * room.x);
     const float column = std::max(side, std::min(ImGui::GetFontSize() * 23, 0.54F * room.x));
     ImGui::BeginChild("text", {room.x - column - ImGui::GetStyle().ItemSpacing.x, 0});
     from_the_top();
-    action = text_part(state);
+    text_part(state);
     ImGui::EndChild();
     ImGui::SameLine();
     ImGui::BeginChild("pictures");
-    picture_part(*state.case_pictures, side, scale);
+    picture_part(p, side, scale);
     ImGui::EndChild();
   } else {
-    picture_part(*state.case_pictures,
-                 std::min(room.x - ImGui::GetStyle().ScrollbarSize, (0.6F * room.y - texts) / aspect), scale);
+    picture_part(p, std::min(room.x - ImGui::GetStyle().ScrollbarSize, (0.6F * room.y - texts) / aspect),
+                 scale);
     ImGui::Separator();
-    action = text_part(state);
+    text_part(state);
   }
   ImGui::End();
   if (!is_open) state.case_pictures.reset();
-  return action;
 }
 
 }  // namespace texel::window

@@ -11,11 +11,10 @@
 #include <utility>
 
 #include "check/check.hpp"
-#include "check/files.hpp"
 #include "core/error.hpp"
 #include "core/process.hpp"
-#include "judge/results_json.hpp"
-#include "picture_texture.hpp"
+#include "gui.hpp"
+#include "judge/results.hpp"
 
 namespace texel::window {
 
@@ -40,13 +39,19 @@ struct StepsCheck::Shared {
   course::Lab lab;
   check::OwnTree tree;
   std::mutex mutex;
-  bool is_running = false, is_wanted = false, build_is_wanted = false, is_new = false;
-  std::string building;  ///< what the panel says of a build that goes on
-  std::vector<judge::StepResult> steps;
-  std::string fault, compile_error;
+  bool is_running = false, is_wanted = false, build_is_wanted = false;
+  std::string progress;
+  Found last;
+  bool is_new = false;  ///< `last` was not polled yet
+
+  void say(std::string text) {
+    const std::scoped_lock lock(mutex);
+    progress = std::move(text);
+  }
 
   /// The steps as `texel check` finds them.
-  [[nodiscard]] std::vector<judge::StepResult> check() const {
+  [[nodiscard]] std::vector<judge::StepResult> check() {
+    say("checking your steps");
     const fs::path texel = fs::read_symlink("/proc/self/exe").parent_path() / "texel";
     const Ran ran = run_program({"env", "TEXEL_ROOT=" + tree.source.string(), texel.string(), "check",
                                  fmt::format("{}", lab.number), "--json"},
@@ -55,40 +60,32 @@ struct StepsCheck::Shared {
     return judge::parse_steps(ran.output);
   }
 
+  /// The compiler's messages, or "".
+  std::string build() {
+    say("building");
+    return check::build_program(
+        tree, lab, fmt::format("the window of lab {}", lab.number),
+        [&](const std::string& other) { say("waiting for another build: " + other); });
+  }
+
+  /// Builds and checks until nothing more is wanted.
   void run() {
-    for (;;) {
-      const auto next = [&] {
-        const std::scoped_lock lock(mutex);
-        is_wanted = false;
-        building = build_is_wanted ? "building" : "";
-        return std::exchange(build_is_wanted, false);
-      };
-      const auto waits = [&](const std::string& other) {
-        const std::scoped_lock lock(mutex);
-        building = "waiting for another build: " + other;
-      };
-      std::optional<std::vector<judge::StepResult>> found;
-      std::string why, messages;
+    for (std::unique_lock lock(mutex); is_wanted;) {
+      is_wanted = false;
+      const bool builds = std::exchange(build_is_wanted, false);
+      Found found = {.steps = last.steps, .fault = {}, .compile_error = {}};
+      lock.unlock();
       try {
-        if (next())
-          messages = check::build_program(tree, lab, fmt::format("the window of lab {}", lab.number), waits);
-        if (messages.empty()) {
-          {
-            const std::scoped_lock lock(mutex);
-            building.clear();
-          }
-          found = check();
-        }
+        if (builds) found.compile_error = build();
+        // Else the program is older than what was saved: the steps stay.
+        if (found.compile_error.empty()) found.steps = check();
       } catch (const std::exception& error) {
-        why = error.what();
-        found.emplace();
+        found = {.steps = {}, .fault = error.what(), .compile_error = {}};
       }
-      const std::scoped_lock lock(mutex);
-      if (found) steps = std::move(*found);  // else the program is older than what was saved
-      fault = std::move(why), compile_error = std::move(messages);
+      lock.lock();
+      last = std::move(found);
       is_new = true;
       is_running = is_wanted;
-      if (!is_wanted) return;
     }
   }
 };
@@ -113,16 +110,14 @@ void StepsCheck::request(bool build) {
 
 bool StepsCheck::poll() {
   const std::scoped_lock lock(shared_->mutex);
-  if (!shared_->is_new) return false;
-  shared_->is_new = false;
-  steps_ = shared_->steps, fault_ = shared_->fault, compile_error_ = shared_->compile_error;
+  if (!std::exchange(shared_->is_new, false)) return false;
+  found_ = shared_->last;
   return true;
 }
 
 std::string StepsCheck::progress() const {
   const std::scoped_lock lock(shared_->mutex);
-  if (!shared_->is_running) return {};
-  return shared_->building.empty() ? "checking your steps" : shared_->building;
+  return shared_->is_running ? shared_->progress : "";
 }
 
 const fs::path& StepsCheck::root() const {
@@ -139,8 +134,7 @@ const course::Case& StepsCheck::look_of(const std::string& step) const {
 CasePictures load_case(const fs::path& root, const std::string& lab, const judge::StepResult& step,
                        const judge::CaseResult& one) {
   CasePictures pictures;
-  pictures.step = step.id, pictures.name = one.name, pictures.title = step.title;
-  pictures.result = one;
+  pictures.step = step.id, pictures.title = step.title, pictures.result = one;
   pictures.text = course::read_step_text(root, lab, step.id, step.file, step.line);
   try {
     const image::Compared all = check::compared(one);

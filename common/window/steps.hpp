@@ -18,6 +18,13 @@ namespace texel::window {
 /// Has the steps of a lab checked, one check after the other, in the background.
 class StepsCheck {
  public:
+  /// What a check found.
+  struct Found {
+    std::vector<judge::StepResult> steps;
+    std::string fault;          ///< why there are no steps, or ""
+    std::string compile_error;  ///< what the compiler said of what was saved last, or ""
+  };
+
   /// `root` is the tree whose labs and shaders are checked, by the `texel` beside this program.
   StepsCheck(const std::string& lab_folder, std::filesystem::path root);
 
@@ -26,40 +33,36 @@ class StepsCheck {
   void request(bool build = false);
   /// Takes over what the last check found; whether there is something new.
   bool poll();
+  [[nodiscard]] const Found& found() const { return found_; }
+  [[nodiscard]] const std::vector<judge::StepResult>& steps() const { return found_.steps; }
 
   /// "building", "checking your steps" or "".
   [[nodiscard]] std::string progress() const;
   /// The C++ files that a student edits; none where this program was not built from this tree.
   [[nodiscard]] const std::vector<std::filesystem::path>& program_texts() const { return program_texts_; }
-  /// What the compiler said of what was saved last, or "".
-  [[nodiscard]] const std::string& compile_error() const { return compile_error_; }
   [[nodiscard]] const std::filesystem::path& root() const;
   /// The look in which one sees a step of this lab best, as its handout shows it.
   [[nodiscard]] const course::Case& look_of(const std::string& step) const;
-  [[nodiscard]] const std::vector<judge::StepResult>& steps() const { return steps_; }
-  /// Why there are no steps, or "".
-  [[nodiscard]] const std::string& fault() const { return fault_; }
 
  private:
   struct Shared;
   std::shared_ptr<Shared> shared_;
-  std::vector<judge::StepResult> steps_;
-  std::string fault_, compile_error_;
+  Found found_;
   std::vector<std::filesystem::path> program_texts_;
 };
 
 /// A case's pictures: the student's, the expected one, and how they differ; beside them the step's text.
 struct CasePictures {
-  std::string step, name, fault;  ///< why there is nothing to be seen, or ""
+  std::string step, title;  ///< of the step
+  judge::CaseResult result;
+  course::StepText text;
+  std::string fault;  ///< why there is nothing to be seen, or ""
   enum class Shown { split, difference, heat_map } shown = Shown::split;
   float position = 0.5F;  ///< of the split line, 0 to 1; the expected picture is right of it
   int width = 0, height = 0;
   gl::Texture own, expected, difference, heat_map;  ///< bottom row first
   image::Difference figures;
   double full_scale = 0;  ///< the heat map's hottest colour
-  judge::CaseResult result;
-  std::string title;  ///< of the step
-  course::StepText text;
 };
 
 /// Loads a case's pictures, and the step's text from the tree `root` and its folder `lab`. Files that are

@@ -7,8 +7,6 @@
 
 #include "core/error.hpp"
 #include "panel.hpp"
-#include "theme.hpp"
-#include "wrapped_text.hpp"
 
 namespace texel::window {
 namespace {
@@ -28,9 +26,11 @@ std::string figure(const judge::StepResult& step) {
                      telling->limit);
 }
 
+/// Keeps the user's own look, and sets another.
 void set_look(app::AnyLab& lab, WindowState& state, const course::Case& look) {
+  if (!state.own_look) state.own_look = save_look(lab.parameters(), state);
   try {
-    Looks::choose(look, lab, state.view);
+    choose(look, lab, state.view);
     state.split.reset();
     state.look.reset();
     state.paused = true;
@@ -43,7 +43,7 @@ void set_look(app::AnyLab& lab, WindowState& state, const course::Case& look) {
 void step_details(app::AnyLab& lab, WindowState& state, const judge::StepResult& step) {
   wrapped_plain(theme().dim, fmt::format("{}:{}", step.file, step.line));
   const auto picked = std::ranges::find_if(step.cases, [&](const judge::CaseResult& one) {
-    return state.case_pictures && state.case_pictures->name == one.name;
+    return state.case_pictures && state.case_pictures->result.name == one.name;
   });
   const std::string& message = picked != step.cases.end() ? picked->message : step.message;
   if (step.status != Status::passed && state.shown_error().first.empty())
@@ -71,8 +71,11 @@ void step_details(app::AnyLab& lab, WindowState& state, const judge::StepResult&
 void steps_section(app::AnyLab& lab, WindowState& state) {
   if (!state.steps || !ImGui::CollapsingHeader("Steps", ImGuiTreeNodeFlags_DefaultOpen)) return;
   const std::vector<judge::StepResult>& steps = state.steps->steps();
-  if (!state.steps->fault().empty()) wrapped_plain(theme().next, "Not checked: " + state.steps->fault());
-  if (steps.empty() && state.steps->fault().empty()) ImGui::TextColored(theme().dim, "checking");
+  const std::string& fault = state.steps->found().fault;
+  if (!fault.empty())
+    wrapped_plain(theme().next, "Not checked: " + fault);
+  else if (steps.empty())
+    ImGui::TextColored(theme().dim, "checking");
   bool has_next = false;
   for (const judge::StepResult& step : steps) {
     const bool is_done = step.status == Status::passed, is_open = step.status == Status::failed;
@@ -104,14 +107,12 @@ void steps_section(app::AnyLab& lab, WindowState& state) {
 
 void pick_case(app::AnyLab& lab, WindowState& state, const judge::StepResult& step,
                const judge::CaseResult& one) {
-  if (!state.own_look) state.own_look = save_look(lab.parameters(), state.view, state.look);
   set_look(lab, state, one.is_mesh() ? state.steps->look_of(step.id) : one);
   state.case_pictures = load_case(state.steps->root(), lab.info().folder(), step, one);
   state.case_is_new = true;
 }
 
 void see_step(app::AnyLab& lab, WindowState& state, const std::string& step) {
-  if (!state.own_look) state.own_look = save_look(lab.parameters(), state.view, state.look);
   set_look(lab, state, state.steps->look_of(step));
 }
 

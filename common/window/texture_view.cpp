@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "picture_texture.hpp"
+#include "gui.hpp"
+#include "procedural/cube.hpp"
 
 namespace texel::window {
 namespace {
@@ -59,7 +60,57 @@ void read_pictures(TextureView& view) {
     view.chain.push_back(picture_texture(read_level(face, std::max(level, level_below(kSmall)))));
 }
 
+/// Where a pixel's value lies in a texture.
+struct Place {
+  glm::dvec2 at;
+  int face = 0;
+};
+
+/// Of the pixel with this column and row of the 3x3; nothing where it has no value.
+std::optional<Place> place_at(const image::ImageF& around, int x, int y, bool is_cube) {
+  const glm::dvec3 value(around.at(x, y, 0), around.at(x, y, 1), around.at(x, y, 2));
+  if (around.at(x, y, 3) <= 0 || !std::isfinite(value.x + value.y + value.z)) return std::nullopt;
+  if (!is_cube) return Place{value};
+  if (value == glm::dvec3(0)) return std::nullopt;
+  const procedural::FaceCoordinate met = procedural::face_coordinate(value);
+  return Place{{met.s, met.t}, static_cast<int>(met.face)};
+}
+
 }  // namespace
+
+glm::dvec2 Footprint::sides(glm::dvec2 size) const {
+  const double a = glm::length(dx * size), b = glm::length(dy * size);
+  return {std::max(a, b), std::min(a, b)};
+}
+
+double Footprint::level(glm::dvec2 size, double anisotropy) const {
+  constexpr double kLeast = 0x1p-50;  // as in shaders/lib/level_of_detail.glsl: nothing changes
+  const glm::dvec2 side = glm::max(sides(size), glm::dvec2(kLeast));
+  return std::log2(side.x / std::clamp(std::ceil(side.x / side.y), 1.0, std::max(anisotropy, 1.0)));
+}
+
+std::optional<Footprint> footprint_of(const image::ImageF& around, bool is_cube) {
+  const std::optional<Place> middle = place_at(around, 1, 1, is_cube);
+  if (!middle) return std::nullopt;
+  const auto step = [&](glm::ivec2 to) {
+    std::optional<glm::dvec2> shortest;
+    for (const int side : {1, -1}) {
+      const std::optional<Place> neighbour = place_at(around, 1 + side * to.x, 1 + side * to.y, is_cube);
+      if (!neighbour || neighbour->face != middle->face) continue;
+      const glm::dvec2 moved = static_cast<double>(side) * (neighbour->at - middle->at);
+      if (!shortest || glm::length(moved) < glm::length(*shortest)) shortest = moved;
+    }
+    return shortest.value_or(glm::dvec2(0));
+  };
+  return Footprint{middle->at, step({1, 0}), step({0, 1}), middle->face};
+}
+
+double wrapped(double coordinate, unsigned mode) {
+  const double tile = std::floor(coordinate), within = coordinate - tile;
+  if (mode == GL_REPEAT) return within;
+  if (mode == GL_MIRRORED_REPEAT) return std::fmod(tile, 2) != 0 ? 1 - within : within;
+  return std::clamp(coordinate, 0.0, 1.0);
+}
 
 glm::ivec2 TextureView::size_of(int of_level) const {
   return glm::max(glm::ivec2(size.x >> of_level, size.y >> of_level), glm::ivec2(1));
@@ -67,14 +118,15 @@ glm::ivec2 TextureView::size_of(int of_level) const {
 
 std::vector<TextureView> textures_at(app::Canvas& canvas, app::AnyLab& lab, glm::ivec2 size,
                                      glm::ivec2 pixel) {
-  const auto has = [&](app::View view) { return std::ranges::count(lab.views(), view) > 0; };
   std::vector<TextureView> views;
   const std::vector<gl::Record::TextureUse> textures = canvas.textures(size);
   for (const gl::Record::TextureUse& texture : textures) {
     if (std::ranges::count(textures, texture.name, &gl::Record::TextureUse::name) > 1) continue;
-    if (!has(texture.is_cube ? app::View::direction : app::View::texcoord)) continue;
-    const image::ImageF around =
-        canvas.values_around(texture.is_cube ? app::View::direction : app::View::texcoord, size, pixel);
+    const app::View source = texture.is_cube ? app::View::direction : app::View::texcoord;
+    if (std::ranges::count(lab.views(), source) == 0) continue;
+    const std::optional<Footprint> footprint =
+        footprint_of(canvas.values_around(source, size, pixel), texture.is_cube);
+    if (!footprint) continue;
     const GLenum target = texture.is_cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
     const gl::ScopedBinding binding(target, texture.id);
     TextureView view;
@@ -82,9 +134,6 @@ std::vector<TextureView> textures_at(app::Canvas& canvas, app::AnyLab& lab, glm:
     view.size = {texture.width, texture.height}, view.levels = texture.levels;
     view.wrap_s = static_cast<unsigned>(parameter_of(target, GL_TEXTURE_WRAP_S));
     view.wrap_t = static_cast<unsigned>(parameter_of(target, GL_TEXTURE_WRAP_T));
-    const std::optional<Footprint> footprint =
-        texture.is_cube ? footprint_of_directions(around) : footprint_of_texcoords(around);
-    if (!footprint) continue;
     view.footprint = *footprint;
     find_levels(view, target);
     read_pictures(view);

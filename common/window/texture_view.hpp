@@ -1,12 +1,35 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/canvas.hpp"
-#include "footprint.hpp"
 
 namespace texel::window {
+
+/// What a pixel covers of a texture: the parallelogram with the corners `place` ± dx/2 ± dy/2.
+struct Footprint {
+  glm::dvec2 place{0};      ///< (s, t) at the pixel's middle
+  glm::dvec2 dx{0}, dy{0};  ///< how far (s, t) moves to the next pixel on the right, and to the one above
+  int face = 0;             ///< of a cube map: +X -X +Y -Y +Z -Z
+  [[nodiscard]] glm::dvec2 at(double x, double y) const { return place + x * dx + y * dy; }
+  /// Its longer and its shorter side in texels of a texture of `size` texels.
+  [[nodiscard]] glm::dvec2 sides(glm::dvec2 size) const;
+  /// The level of detail: log2 of the longer side. A filter that takes up to `anisotropy` samples along it
+  /// needs only the level of a part (EXT_texture_filter_anisotropic). Negative: magnified.
+  [[nodiscard]] double level(glm::dvec2 size, double anisotropy) const;
+};
+
+/// From texture coordinates in the 3x3 pixels around a pixel, alpha 0 where there are none; of a cube map
+/// from directions, on the face that the middle one meets. Of the two neighbours in each direction the nearer
+/// one counts: the other may lie beyond a seam or show another part of the model. Neighbours on other faces
+/// do not count. Nothing where the pixel has no coordinate.
+std::optional<Footprint> footprint_of(const image::ImageF& around, bool is_cube);
+
+/// Where a wrap mode of OpenGL takes a coordinate: 0 to 1.
+double wrapped(double coordinate, unsigned mode);
 
 /// A texture that the lab reads, and what the clicked pixel covers of it.
 struct TextureView {

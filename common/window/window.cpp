@@ -3,6 +3,7 @@
 #include "window/window.hpp"
 
 #include <fmt/format.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,6 @@
 #include "app/settings.hpp"
 #include "core/error.hpp"
 #include "core/stages.hpp"
-#include "picture_texture.hpp"
 #include "window_class.hpp"
 
 namespace texel::window {
@@ -44,25 +44,35 @@ image::Image8 around(const image::Image8& picture, glm::ivec2 pixel) {
   return part;
 }
 
+/// Of the main thread: on a software renderer its rasteriser wants the same processors.
+double plumbing_milliseconds() {
+  double sum = 0;
+  for (const auto& [name, time] : stage_times())
+    if (name == "panel" || name == "statistics" || name == "parameters") sum += time.processor;
+  return sum;
+}
+
 }  // namespace
 
 Window::Window(app::AnyLab& lab, const app::Assets& assets, const WindowOptions& options)
     : lab_(lab),
       assets_(assets),
-      samples_(options.samples),
+      options_(options),
       context_(options.size.value_or(kWindowSize).x, options.size.value_or(kWindowSize).y,
                fmt::format("Texel Labs {}: {}", lab.info().number, lab.info().title)),
       canvas_(context_, assets, lab) {
   state_.view = app::find_view(lab, options.view);
   state_.paused = options.turn_given;
-  see_ = options.see;
   state_.config_file = lab.info().program() + ".toml";
-  const std::filesystem::path root = assets.shader_root().parent_path();
   state_.looks.emplace(lab, assets);
-  state_.message = state_.looks->fault();
-  opens_with_hero_ = !options.look_given && !state_.looks->entries().empty();
-  if (opens_with_hero_) perform(Action::default_look);
-  if (std::filesystem::exists(root / "labs" / lab.info().folder() / "expected")) start_steps(root);
+  state_.message = state_.looks->fault;
+  if (!options.look_given && !state_.looks->entries.empty()) perform(Action::default_look);
+  const std::filesystem::path root = assets.shader_root().parent_path();
+  if (std::filesystem::exists(root / "labs" / lab.info().folder() / "expected")) try {
+      state_.steps.emplace(lab.info().folder(), root);
+    } catch (const Error& error) {  // a lab.toml that cannot be read
+      state_.message = error.what();
+    }
   std::error_code unknown;
   own_program_ = std::filesystem::read_symlink("/proc/self/exe", unknown);
   // Our callbacks first: ImGui's then call them.
@@ -70,7 +80,9 @@ Window::Window(app::AnyLab& lab, const app::Assets& assets, const WindowOptions&
   glfwSetKeyCallback(window(), [](GLFWwindow* w, int key, int, int action, int mods) {
     self(w).on_key(key, action, (mods & GLFW_MOD_CONTROL) != 0);
   });
-  glfwSetScrollCallback(window(), [](GLFWwindow* w, double, double dy) { self(w).on_scroll(dy); });
+  glfwSetScrollCallback(window(), [](GLFWwindow* w, double, double dy) {
+    if (self(w).over_picture()) app::zoom(self(w).lab_.parameters(), dy);
+  });
   glfwSetMouseButtonCallback(
       window(), [](GLFWwindow* w, int button, int action, int) { self(w).on_button(button, action); });
   glfwSetCursorPosCallback(window(), [](GLFWwindow* w, double x, double y) { self(w).on_move({x, y}); });
@@ -85,6 +97,7 @@ Window::Window(app::AnyLab& lab, const app::Assets& assets, const WindowOptions&
 void Window::run() {
   open();
   show();
+  if (state_.steps) state_.steps->request();
   while (glfwWindowShouldClose(window()) == 0) {
     if (turning() || is_busy() || frames_due_ > 0) {
       glfwPollEvents();
@@ -110,7 +123,7 @@ void Window::time_frames(int count) {
   std::vector<double> times;
   for (int i = 0; i < count; ++i) {
     const Stopwatch stopwatch;
-    drawn_ = {};
+    drawn_.clear();
     glfwPollEvents();
     frame();
     wait_until_shown();
@@ -131,13 +144,6 @@ void Window::wait_until_shown() const {
   glfwGetCursorPos(window(), &x, &y);
 }
 
-double Window::plumbing_milliseconds() {
-  double sum = 0;
-  for (const auto& [name, time] : stage_times())
-    if (name == "panel" || name == "statistics" || name == "parameters") sum += time.processor;
-  return sum;
-}
-
 bool Window::turning() {
   // The exact answer takes longer than a frame: under the view `error`, and while the methods are measured,
   // the model stands still.
@@ -147,28 +153,12 @@ bool Window::turning() {
 
 bool Window::is_busy() const {
   return truth_share_ < 1 || turntable_ || (state_.methods_open && !state_.progress.empty()) ||
-         (state_.looks_open && state_.looks->drawn() < state_.looks->entries().size());
+         (state_.looks_open && state_.looks->drawn() < state_.looks->entries.size());
 }
 
 void Window::ask_size() {
   glfwGetFramebufferSize(window(), &pixels_.x, &pixels_.y);
   glfwGetWindowSize(window(), &units_.x, &units_.y);
-}
-
-float Window::pixels_per_unit() const {
-  return static_cast<float>(pixels_.x) / static_cast<float>(std::max(units_.x, 1));
-}
-
-glm::vec2 Window::room() const {
-  return {std::max(static_cast<float>(units_.x) - state_.panel_width, 16.0F), static_cast<float>(units_.y)};
-}
-
-glm::ivec2 Window::picture_pixels() const {
-  return glm::ivec2(glm::round(picture_units() * pixels_per_unit()));
-}
-
-glm::vec2 Window::in_picture(glm::vec2 position) const {
-  return {position.x - state_.panel_width, position.y};
 }
 
 void Window::open() {
@@ -193,10 +183,11 @@ void Window::frame() {
     const Stage stage("panel");
     watch();
     follow_steps();
-    advance();
+    const double seconds = std::min(frame_clock_.milliseconds() / 1000, 0.2);
+    frame_clock_ = Stopwatch();
+    if (turning()) app::turn(lab_.parameters(), kTurnPerSecond * seconds);
     state_.dock = dock_size(state_, room(), scale_);
-    if (drag_ == Drag::none && !ImGui::IsAnyItemActive())
-      history_.note(save_look(lab_.parameters(), state_.view, state_.look));
+    if (drag_ == Drag::none && !ImGui::IsAnyItemActive()) history_.note(save_look(lab_.parameters(), state_));
   }
   try {
     if (state_.looks_open && state_.looks->draw_next(context_, assets_, lab_)) {
@@ -223,20 +214,17 @@ void Window::show() {
   show_picture();
   {
     const Stage stage("panel");
-    ImGui_ImplOpenGL3_NewFrame();
-    ImGui_ImplGlfw_NewFrame();
-    ImGui::NewFrame();
-    state_.covers.clear();
-    perform(draw_panel(lab_, state_, scale_));
-    perform(draw_overlay(lab_, state_, picture_units(), pixels_per_unit(), scale_));
-    perform(draw_step(state_, units_, scale_));
+    Gui::begin_frame();
+    draw_panel(lab_, state_, scale_);
+    draw_overlay(lab_, state_, picture_units(), pixels_per_unit(), scale_);
+    draw_step(state_, units_, scale_);
+    perform(std::exchange(state_.wanted, Action::none));  // what it opens is drawn in this frame
     draw_pixel(state_, picture_units(), pixels_per_unit(), scale_);
     draw_looks(lab_, state_, picture_units(), scale_);
     draw_keys(state_, picture_units());
     ImGui::Render();
   }
-  glViewport(0, 0, pixels_.x, pixels_.y);
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  Gui::end_frame(pixels_);
   glfwSwapBuffers(window());
 }
 
@@ -254,39 +242,26 @@ void Window::watch() {
   }
 }
 
-void Window::start_steps(const std::filesystem::path& root) {
-  try {
-    state_.steps.emplace(lab_.info().folder(), root);
-  } catch (const Error& error) {  // a lab.toml that cannot be read
-    state_.message = error.what();
-  }
-}
-
 void Window::follow_steps() {
-  if (!state_.steps) return;
-  if (inspected_once_ && !std::exchange(steps_begun_, true)) state_.steps->request();
-  if (!state_.steps->poll()) return;
-  state_.compile_error = read_message(state_.steps->compile_error(), state_.steps->root());
+  if (!state_.steps || !state_.steps->poll()) return;
+  state_.compile_error = read_message(state_.steps->found().compile_error, state_.steps->root());
   for (const judge::StepResult& step : state_.steps->steps()) {
-    const auto one = std::find_if(step.cases.begin(), step.cases.end(),
-                                  [&](const judge::CaseResult& other) { return other.name == see_; });
-    if (step.id == see_)
+    const auto one = std::ranges::find(step.cases, options_.see, &judge::CaseResult::name);
+    if (step.id == options_.see)
       pick_step(lab_, state_, step);
     else if (one != step.cases.end())
       pick_case(lab_, state_, step, *one);
     else
       continue;
     state_.step_to_open = step.id;
-    see_.clear();
+    options_.see.clear();
   }
-  if (!see_.empty() && !state_.steps->steps().empty()) {
-    state_.message = fmt::format("this lab has no step or case {}", see_);
-    see_.clear();
-  }
+  if (!options_.see.empty() && !state_.steps->steps().empty())
+    state_.message = fmt::format("this lab has no step or case {}", std::exchange(options_.see, {}));
   if (!state_.case_pictures) return;
   for (const judge::StepResult& step : state_.steps->steps())
     for (const judge::CaseResult& one : step.cases)
-      if (one.name == state_.case_pictures->name) {
+      if (one.name == state_.case_pictures->result.name) {
         CasePictures fresh = load_case(state_.steps->root(), lab_.info().folder(), step, one);
         fresh.shown = state_.case_pictures->shown, fresh.position = state_.case_pictures->position;
         state_.case_pictures = std::move(fresh);
@@ -297,24 +272,28 @@ void Window::reload(bool assets) {
   if (state_.steps) state_.steps->request();
   canvas_.programs().clear();
   if (assets) lab_.forget();
-  drawn_ = {};
+  drawn_.clear();
   state_.looks->forget();
   if (state_.methods) state_.methods->forget();
   reloaded_ = assets ? "files reloaded" : "shaders compiled again";
 }
 
-void Window::advance() {
-  const double seconds = frame_clock_.milliseconds() / 1000;
-  frame_clock_ = Stopwatch();
-  if (turning()) app::turn(lab_.parameters(), kTurnPerSecond * std::min(seconds, 0.2));
+void Window::fit_view() {
+  params::Parameter* angle = lab_.parameters().find("field_of_view");
+  if (angle == nullptr) return;
+  const course::Look* look = chosen_look();
+  const double aspect = look != nullptr ? static_cast<double>(look->size.width) / look->size.height : 1;
+  const double own = static_cast<double>(picture_pixels().x) / std::max(picture_pixels().y, 1);
+  const double narrower = own / std::max(aspect, 1.0);
+  if (narrower >= 1) return;
+  const double wider = 2 * std::atan(std::tan(glm::radians(angle->value()) / 2) / narrower);
+  angle->set_value(std::min(glm::degrees(wider), angle->most));
 }
 
 void Window::draw_picture() {
-  const std::string split = state_.split ? fmt::format("{}={} {}", state_.split->parameter,
-                                                       state_.split->value, state_.split->position)
-                                         : "";
   const glm::ivec2 size = picture_pixels();
-  const FittedView fitted = fitted_view();
+  const app::KeptValues before(lab_.parameters());
+  fit_view();
   truth_share_ = 1;
   try {
     state_.progress.clear();
@@ -323,9 +302,8 @@ void Window::draw_picture() {
         truth_share_ = canvas_.work_on_truth(size, kTruthMilliseconds);
       } catch (const Error& error) {
         state_.no_truth = error.what();
-        if (std::ranges::any_of(state_.looks->entries(), [](const Looks::Entry& entry) {
-              return entry.look.view == app::View::error;
-            }))
+        const auto shows_error = [](const Looks::Entry& e) { return e.look.view == app::View::error; };
+        if (std::ranges::any_of(state_.looks->entries, shows_error))
           state_.no_truth += "\nThe looks of the gallery (G) have one with a view of the error.";
       }
     if (truth_share_ < 1)
@@ -334,15 +312,15 @@ void Window::draw_picture() {
     // for the statistics only, and not shown: they would pass for an error.
     const bool is_unknown = !state_.no_truth.empty();
     const app::View view = truth_share_ < 1 || is_unknown ? app::View::color : state_.view;
-    Look look;
+    std::string look;
     {
       const Stage stage("parameters");
-      look = {lab_.parameters().key(),
-              is_unknown ? state_.view : view,
-              size,
-              split,
-              state_.wireframe,
-              state_.axes};
+      look =
+          fmt::format("{} {} {}x{} {} {}", lab_.parameters().key(), name_of(is_unknown ? state_.view : view),
+                      size.x, size.y, state_.wireframe, state_.axes);
+      if (state_.split)
+        look +=
+            fmt::format(" {}={} {}", state_.split->parameter, state_.split->value, state_.split->position);
     }
     if (look == drawn_) return;
     drawn_ = look;
@@ -351,9 +329,9 @@ void Window::draw_picture() {
     glPolygonMode(GL_FRONT_AND_BACK, state_.wireframe && view == app::View::color ? GL_LINE : GL_FILL);
     // While the model turns only the picture changes: what it is made of is not read again.
     if ((turning() && inspected_once_) || state_.split)
-      canvas_.draw(view, size, samples_, state_.split);
+      canvas_.draw(view, size, options_.samples, state_.split);
     else
-      state_.record = canvas_.record(view, size, samples_);
+      state_.record = canvas_.record(view, size, options_.samples);
     if (is_unknown) canvas_.draw_nothing(size);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glFinish();
@@ -377,7 +355,8 @@ void Window::draw_picture() {
 void Window::measure_methods() {
   if (!state_.methods_open || truth_share_ < 1) return;
   if (!state_.methods) state_.methods.emplace(context_, assets_, lab_);
-  const FittedView fitted = fitted_view();
+  const app::KeptValues before(lab_.parameters());
+  fit_view();
   state_.methods->measure_next(picture_pixels());
   if (state_.methods->share() < 1 && state_.methods->fault().empty() && state_.progress.empty())
     state_.progress = fmt::format("measuring the methods: {:.0f} %", 100 * state_.methods->share());

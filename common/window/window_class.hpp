@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
 
-#include "core/scratch_folder.hpp"
+#include "core/files.hpp"
 #include "core/stopwatch.hpp"
-#include "core/watcher.hpp"
-#include "fitted_view.hpp"
-#include "gui.hpp"
-#include "history.hpp"
 #include "panel.hpp"
-#include "turntable.hpp"
 #include "window/window.hpp"
 
 namespace texel::window {
@@ -32,9 +28,6 @@ class Window {
   /// The X server answers when the picture is on the screen.
   void wait_until_shown() const;
 
-  /// Of the main thread: on a software renderer its rasteriser wants the same processors.
-  static double plumbing_milliseconds();
-
   static Window& self(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
   [[nodiscard]] GLFWwindow* window() const { return context_.window(); }
   [[nodiscard]] bool turning();
@@ -43,24 +36,30 @@ class Window {
 
   /// Asks for the window's size, once a frame: each question waits for the window system's answer.
   void ask_size();
-  [[nodiscard]] float pixels_per_unit() const;
+  [[nodiscard]] float pixels_per_unit() const {
+    return static_cast<float>(pixels_.x) / static_cast<float>(std::max(units_.x, 1));
+  }
   /// The picture lies right of the panel, and left of or above the step: its size in units and in pixels, and
   /// a window position within it.
   [[nodiscard]] glm::vec2 picture_units() const { return glm::max(room() - state_.dock, glm::vec2(16)); }
+  [[nodiscard]] glm::ivec2 picture_pixels() const {
+    return glm::ivec2(glm::round(picture_units() * pixels_per_unit()));
+  }
+  [[nodiscard]] glm::vec2 in_picture(glm::vec2 position) const {
+    return {position.x - state_.panel_width, position.y};
+  }
   /// Beside the panel.
-  [[nodiscard]] glm::vec2 room() const;
-  [[nodiscard]] glm::ivec2 picture_pixels() const;
-  [[nodiscard]] glm::vec2 in_picture(glm::vec2 position) const;
+  [[nodiscard]] glm::vec2 room() const {
+    return {std::max(static_cast<float>(units_.x) - state_.panel_width, 16.0F), static_cast<float>(units_.y)};
+  }
 
   /// The look that was chosen last, or null.
   [[nodiscard]] const course::Look* chosen_look() const {
-    return state_.look ? &state_.looks->entries()[*state_.look].look : nullptr;
+    return state_.look ? &state_.looks->entries[*state_.look].look : nullptr;
   }
-  /// The camera of a narrow window: as wide as the chosen look, or as a square.
-  [[nodiscard]] FittedView fitted_view() {
-    return {lab_.parameters(), picture_pixels(),
-            chosen_look() != nullptr ? Looks::aspect_of(*chosen_look()) : 1};
-  }
+  /// Widens the camera's angle where the picture is narrower than the chosen look, or than a square, so that
+  /// nothing of the model is cut off.
+  void fit_view();
 
   [[nodiscard]] bool is_seen() const { return pixels_.x > 0 && pixels_.y > 0; }  // not iconified
 
@@ -68,76 +67,50 @@ class Window {
   void open();
 
   void frame();
-
   void show_picture();
-
   /// The last picture and the panel.
   void show();
-
   /// Edited shaders are compiled again, edited pictures and models loaded again.
   void watch();
-
-  void start_steps(const std::filesystem::path& root);
-  /// Steps are checked when the first picture stands, and after every save.
+  /// Takes over what a check of the steps found.
   void follow_steps();
-
   void reload(bool assets);
   /// Starts the program that was built again in this one's place, with the same look and step.
   void open_anew();
 
-  void advance();
-
-  /// What the picture depends on; nothing is drawn again while it stays the same.
-  struct Look {
-    std::string key;
-    app::View view = app::View::color;
-    glm::ivec2 size{0};
-    std::string split;
-    bool wireframe = false, axes = false;
-    bool operator==(const Look&) const = default;
-  };
-
   void draw_picture();
-
   /// Error and cost of the methods, a little each frame while their section is open.
   void measure_methods();
-
   /// Reads the data views at the clicked pixel.
   void inspect();
-
   void perform(Action action);
-  /// Sets parameters, view and gallery's look.
-  void go_to(const SavedLook& look);
-  /// "lab05_normal_map-001.png": the first such name that is free.
-  [[nodiscard]] std::filesystem::path free_name(const std::string& ending) const;
+  /// The look to which undo and redo lead, or null; then a message says that there is `nothing`.
+  void go_back_to(const SavedLook* look, const char* nothing);
   /// The picture without the panel.
   void write_picture(const std::filesystem::path& file);
-  void copy_picture();
   void go_on_with_turntable();
   /// Closes what lies over all else, up to the split line; false where nothing is open.
   bool close_topmost();
-  /// The shader error's place, else the step's.
-  void open_place();
-  /// The previous or next item of a list.
-  static void step(params::Parameter* parameter, int by);
-  /// The picture that K and L change: `texture`, else `cube_map`.
-  params::Parameter* texture_parameter();
   void on_key(int key, int action, bool control);
   /// A model or a picture that was dropped on the window.
   void on_drop(const std::filesystem::path& file);
   /// By the mouse's place now: what ImGui says is hovered is of the last frame, and a slow frame would lose
   /// clicks.
   [[nodiscard]] bool over_picture() const;
-  void on_scroll(double dy);
   void on_button(int button, int action);
-  void click();
   void on_move(glm::vec2 mouse);
 
   enum class Drag { none, picture, split_line, light };
 
+  /// One turn of the model, or of the camera where the lab turns none, as pictures 000.png, 001.png, …
+  struct Turntable {
+    std::filesystem::path folder;
+    int written = 0;
+  };
+
   app::AnyLab& lab_;
   const app::Assets& assets_;
-  int samples_;
+  WindowOptions options_;  ///< `see` until it is seen
   gl::WindowContext context_;
   app::Canvas canvas_;
   std::optional<Gui> gui_;
@@ -146,17 +119,14 @@ class Window {
   Stopwatch watch_clock_, frame_clock_;
   glm::ivec2 pixels_{0};  ///< of the framebuffer
   glm::ivec2 units_{0};   ///< of the window, in the units in which the mouse's place is told
-  Look drawn_;
+  std::string drawn_;     ///< what the picture depends on; nothing is drawn again while it stays the same
   History history_;
   std::optional<Turntable> turntable_;    ///< while it is written
   std::optional<ScratchFolder> scratch_;  ///< for the clipboard
   double truth_share_ = 1;                ///< of the exact answer that the view `error` needs
   std::string reloaded_;                  ///< what is said once the files that were read again are drawn
   int frames_due_ = 0;                    ///< to draw without a wait
-  bool opens_with_hero_ = false;
   bool inspected_once_ = false;
-  bool steps_begun_ = false;
-  std::string see_;  ///< the step or case that is shown as soon as it is checked, or ""
   std::filesystem::path own_program_;
   float scale_ = 1;
   Drag drag_ = Drag::none;

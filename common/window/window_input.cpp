@@ -8,11 +8,11 @@
 #include <cmath>
 #include <utility>
 
-#include "app/config.hpp"
 #include "app/gestures.hpp"
 #include "app/settings.hpp"
 #include "app/snapshot.hpp"
 #include "core/error.hpp"
+#include "core/files.hpp"
 #include "core/plain_text.hpp"
 #include "desktop.hpp"
 #include "window_class.hpp"
@@ -20,7 +20,56 @@
 namespace texel::window {
 namespace {
 
-constexpr float kClickTolerance = 3;  // window units that a click may move
+constexpr float kClickTolerance = 3;    // window units that a click may move
+constexpr int kTurntablePictures = 36;  // every 10 degrees
+
+/// "lab05_normal_map-001.png": the first such name that is free.
+std::filesystem::path free_name(const app::AnyLab& lab, const std::string& ending) {
+  for (int i = 1; i < 1000; ++i) {
+    const std::filesystem::path name = fmt::format("{}-{:03}{}", lab.info().program(), i, ending);
+    if (!std::filesystem::exists(name)) return name;
+  }
+  throw Error::failed("there are already 999 snapshots here", {}, "remove some of them");
+}
+
+/// Sets the previous or next item of a list.
+void step(params::Parameter* parameter, int by) {
+  if (parameter == nullptr || parameter->items.empty()) return;
+  const auto count = static_cast<int>(parameter->items.size());
+  int index = -1;
+  for (int i = 0; i < count; ++i)
+    if (parameter->text() == parameter->items[static_cast<std::size_t>(i)].name) index = i;
+  parameter->set(parameter->items[static_cast<std::size_t>((index + by + count) % count)].name);
+}
+
+/// The picture that K and L change: `texture`, else `cube_map`.
+params::Parameter* texture_parameter(params::Set& parameters) {
+  params::Parameter* texture = parameters.find("texture");
+  return texture != nullptr ? texture : parameters.find("cube_map");
+}
+
+/// "lab05_normal_map --method averaged --view normal": what draws the present look again.
+std::string command_line(app::AnyLab& lab, app::View view) {
+  std::string line = lab.info().program();
+  if (const std::string flags = lab.parameters().flags(); !flags.empty()) line += " " + flags;
+  if (view != app::View::color) line += fmt::format(" --view {}", name_of(view));
+  return line;
+}
+
+/// Whether a window of the last frame takes the mouse there.
+bool is_covered(glm::vec2 mouse) {
+  constexpr float kEdge = 4;  // so far from its edge a window still takes the mouse, to be resized
+  return std::ranges::any_of(ImGui::GetCurrentContext()->Windows, [&](const ImGuiWindow* window) {
+    ImRect area = window->Rect();
+    area.Expand(kEdge);
+    return window->Active && (window->Flags & ImGuiWindowFlags_NoMouseInputs) == 0 &&
+           area.Contains({mouse.x, mouse.y});
+  });
+}
+
+void toggle(bool& value) {
+  value = !value;
+}
 
 }  // namespace
 
@@ -35,7 +84,10 @@ void Window::perform(Action action) {
         glfwSetClipboardString(window(), state_.message.c_str());
         return;
       case Action::copy_picture:
-        copy_picture();
+        if (!scratch_) scratch_.emplace();
+        write_picture(scratch_->path() / "picture.png");
+        copy_png(scratch_->path() / "picture.png");
+        state_.message = "the picture is in the clipboard";
         return;
       case Action::save_config:
         app::save_config(state_.config_file, lab_.info(), lab_.parameters());
@@ -46,25 +98,28 @@ void Window::perform(Action action) {
         state_.message = "loaded " + state_.config_file;
         return;
       case Action::snapshot: {
-        const std::filesystem::path file = free_name(".png");
+        const std::filesystem::path file = free_name(lab_, ".png");
         write_picture(file);
         state_.message = "wrote " + file.string();
         return;
       }
-      case Action::turntable:
-        turntable_.emplace(free_name("-turntable"));
+      case Action::turntable: {
+        const std::filesystem::path folder = free_name(lab_, "-turntable");
+        make_folder(folder, "start the program in a folder where you may write");
+        turntable_ = {.folder = folder};
         return;
+      }
       case Action::default_look:
         lab_.parameters().reset();
         state_.look.reset();
-        if (opens_with_hero_) state_.look = 0;  // the hero
-        if (const course::Look* hero = chosen_look()) Looks::choose(*hero, lab_, state_.view);
+        if (!options_.look_given && !state_.looks->entries.empty()) state_.look = 0;  // the hero
+        if (const course::Look* hero = chosen_look()) choose(*hero, lab_, state_.view);
         return;
       case Action::show_looks:
-        state_.looks_open = !state_.looks_open && !state_.looks->entries().empty();
+        state_.looks_open = !state_.looks_open && !state_.looks->entries.empty();
         return;
       case Action::own_look:
-        if (state_.own_look) go_to(*state_.own_look);
+        if (state_.own_look) go_to(*state_.own_look, lab_.parameters(), state_);
         state_.own_look.reset();
         state_.case_pictures.reset();
         return;
@@ -72,52 +127,42 @@ void Window::perform(Action action) {
         if (state_.case_pictures) see_step(lab_, state_, state_.case_pictures->step);
         return;
       case Action::undo:
-        if (const SavedLook* look = history_.undo())
-          go_to(*look);
-        else
-          state_.message = "nothing to undo";
-        return;
+        return go_back_to(history_.undo(), "nothing to undo");
       case Action::redo:
-        if (const SavedLook* look = history_.redo())
-          go_to(*look);
-        else
-          state_.message = "nothing to redo";
-        return;
+        return go_back_to(history_.redo(), "nothing to redo");
       case Action::reload:
         if (state_.built_again) open_anew();
-        reload(/*assets=*/true);
-        return;
-      case Action::open_in_editor:
-        open_place();
+        return reload(/*assets=*/true);
+      case Action::open_in_editor:  // the shader error's place, else the step's
+        if (const ErrorMessage& error = state_.shown_error(); !error.file.empty())
+          open_in_editor(error.file, error.line, error.column);
+        else if (state_.case_pictures)
+          open_in_editor(state_.case_pictures->text.file, state_.case_pictures->text.line);
+        else
+          state_.message = "pick a case of a step first";
         return;
       case Action::toggle_normal_map:
         if (params::Parameter* p = lab_.parameters().find("normal_mapping"))
           p->set_value(p->value() != 0 ? 0 : 1);
         return;
       case Action::toggle_pause:
-        state_.paused = !state_.paused;
-        return;
+        return toggle(state_.paused);
       case Action::toggle_panel:
-        state_.panel_visible = !state_.panel_visible;
-        return;
+        return toggle(state_.panel_visible);
       case Action::toggle_theme:
-        state_.light_theme = !state_.light_theme;
-        set_theme(state_.light_theme, scale_);
-        return;
+        toggle(state_.light_theme);
+        return set_theme(state_.light_theme, scale_);
       case Action::toggle_wireframe:
-        state_.wireframe = !state_.wireframe;
-        return;
+        return toggle(state_.wireframe);
       case Action::toggle_axes:
-        state_.axes = !state_.axes;
+        toggle(state_.axes);
         if (std::ranges::count(lab_.views(), app::View::normal) == 0)
           state_.message = "this lab has no normals to show";
         return;
       case Action::previous_texture:
-        step(texture_parameter(), -1);
-        return;
+        return step(texture_parameter(lab_.parameters()), -1);
       case Action::next_texture:
-        step(texture_parameter(), +1);
-        return;
+        return step(texture_parameter(lab_.parameters()), +1);
       case Action::reset_view:
         for (const char* name : {"yaw", "pitch", "distance", "field_of_view", "turn"})
           if (params::Parameter* p = lab_.parameters().find(name)) {
@@ -128,8 +173,7 @@ void Window::perform(Action action) {
           }
         return;
       case Action::show_keys:
-        state_.keys_open = !state_.keys_open;
-        return;
+        return toggle(state_.keys_open);
       case Action::quit:
         if (close_topmost())
           state_.quit_asked = false;
@@ -163,7 +207,7 @@ void Window::open_anew() {
     // A model that is given its turn stands still, as this one does.
     if (!p.is_default() || (p.name == "turn" && state_.paused))
       words.insert(words.end(), {fmt::format("--{}", p.flag()), p.text()});
-  if (state_.case_pictures) words.insert(words.end(), {"--see", state_.case_pictures->name});
+  if (state_.case_pictures) words.insert(words.end(), {"--see", state_.case_pictures->result.name});
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
@@ -171,82 +215,55 @@ void Window::open_anew() {
   throw Error::failed("cannot start it", {own_program_.string()}, "close this window and open the lab again");
 }
 
-void Window::go_to(const SavedLook& look) {
-  restore(look, lab_.parameters());
-  state_.view = look.view, state_.look = look.look;
-}
-
-std::filesystem::path Window::free_name(const std::string& ending) const {
-  for (int i = 1; i < 1000; ++i) {
-    const std::filesystem::path name = fmt::format("{}-{:03}{}", lab_.info().program(), i, ending);
-    if (!std::filesystem::exists(name)) return name;
-  }
-  throw Error::failed("there are already 999 snapshots here", {}, "remove some of them");
+void Window::go_back_to(const SavedLook* look, const char* nothing) {
+  if (look != nullptr)
+    go_to(*look, lab_.parameters(), state_);
+  else
+    state_.message = nothing;
 }
 
 void Window::write_picture(const std::filesystem::path& file) {
   if (truth_share_ < 1)
     throw Error::failed("the exact answer is not there yet", {},
                         "wait until the status line no longer says so");
-  const FittedView fitted = fitted_view();
+  const app::KeptValues before(lab_.parameters());
+  fit_view();
   app::take_snapshot(canvas_, lab_, state_.view, picture_pixels(), file).write();
 }
 
-void Window::copy_picture() {
-  if (!scratch_) scratch_.emplace();
-  const std::filesystem::path file = scratch_->path() / "picture.png";
-  write_picture(file);
-  copy_png(file);
-  state_.message = "the picture is in the clipboard";
-}
-
 void Window::go_on_with_turntable() {
-  const FittedView fitted = fitted_view();
+  auto& [folder, written] = *turntable_;
+  const app::KeptValues before(lab_.parameters());
+  fit_view();
+  params::Parameter* turn = lab_.parameters().find("turn");
+  params::Parameter& angle = turn != nullptr ? *turn : lab_.parameters().at("yaw");
+  angle.set_value(std::remainder(angle.value() + 360.0 * written / kTurntablePictures, 360));
   try {
-    turntable_->write_next(canvas_, lab_, state_.view, picture_pixels(), samples_);
+    canvas_.draw(state_.view, picture_pixels(), options_.samples);
+    const std::filesystem::path file = folder / fmt::format("{:03}.png", written);
+    app::take_snapshot(canvas_, lab_, state_.view, picture_pixels(), file).write();
   } catch (const Error&) {
     turntable_.reset();
     throw;
   }
-  state_.message = fmt::format("{} of {} pictures in {}/", turntable_->written(), Turntable::kPictures,
-                               turntable_->folder().string());
-  if (turntable_->written() == Turntable::kPictures) turntable_.reset();
-  drawn_ = {};
-}
-
-void Window::open_place() {
-  if (const ErrorMessage& error = state_.shown_error(); !error.file.empty())
-    open_in_editor(error.file, error.line, error.column);
-  else if (state_.case_pictures)
-    open_in_editor(state_.case_pictures->text.file, state_.case_pictures->text.line);
-  else
-    state_.message = "pick a case of a step first";
-}
-
-void Window::step(params::Parameter* parameter, int by) {
-  if (parameter == nullptr || parameter->items.empty()) return;
-  const auto count = static_cast<int>(parameter->items.size());
-  int index = -1;
-  for (int i = 0; i < count; ++i)
-    if (parameter->text() == parameter->items[static_cast<std::size_t>(i)].name) index = i;
-  parameter->set(parameter->items[static_cast<std::size_t>((index + by + count) % count)].name);
-}
-
-params::Parameter* Window::texture_parameter() {
-  params::Parameter* texture = lab_.parameters().find("texture");
-  return texture != nullptr ? texture : lab_.parameters().find("cube_map");
+  ++written;
+  state_.message = fmt::format("{} of {} pictures in {}/", written, kTurntablePictures, folder.string());
+  if (written == kTurntablePictures) turntable_.reset();
+  drawn_.clear();
 }
 
 void Window::on_key(int key, int action, bool control) {
   if (action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
   // Held down, Esc would close one thing after the other, and quit.
   if (action == GLFW_REPEAT && key == GLFW_KEY_ESCAPE) return;
-  perform(action_of(key, control));
+  for (const Key& one : kKeys)
+    if (one.key == key && one.control == control) return perform(one.action);
 }
 
 void Window::on_drop(const std::filesystem::path& file) {
   const bool is_model = lower_case(file.extension().string()) == ".obj";
-  params::Parameter* parameter = is_model ? app::model_parameter(lab_.parameters()) : texture_parameter();
+  params::Parameter* parameter =
+      is_model ? app::model_parameter(lab_.parameters()) : texture_parameter(lab_.parameters());
   if (parameter == nullptr || parameter->type != params::Parameter::Type::file) {
     state_.message = fmt::format("this lab takes no {}", is_model ? "model" : "picture");
     return;
@@ -262,17 +279,8 @@ void Window::on_drop(const std::filesystem::path& file) {
 bool Window::over_picture() const {
   const glm::vec2 at = in_picture(mouse_), size = picture_units();
   const bool inside = at.x >= 0 && at.x < size.x && at.y < size.y;
-  const auto covers_mouse = [&](const std::pair<glm::vec2, glm::vec2>& cover) {
-    return glm::all(glm::greaterThanEqual(mouse_, cover.first)) &&
-           glm::all(glm::lessThan(mouse_, cover.second));
-  };
-  const bool is_covered = state_.looks_open || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup) ||
-                          std::any_of(state_.covers.begin(), state_.covers.end(), covers_mouse);
-  return inside && !is_covered;
-}
-
-void Window::on_scroll(double dy) {
-  if (over_picture()) app::zoom(lab_.parameters(), dy);
+  return inside && !state_.looks_open && !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup) &&
+         !is_covered(mouse_);
 }
 
 void Window::on_button(int button, int action) {
@@ -289,16 +297,14 @@ void Window::on_button(int button, int action) {
       drag_ = Drag::split_line;
     pressed_at_ = mouse_;
   } else if (action == GLFW_RELEASE) {
-    if (drag_ == Drag::picture && glm::distance(pressed_at_, mouse_) <= kClickTolerance) click();
+    if (drag_ == Drag::picture && glm::distance(pressed_at_, mouse_) <= kClickTolerance) {
+      const glm::ivec2 pixel(in_picture(mouse_) * pixels_per_unit());
+      state_.inspected.emplace();
+      state_.inspected->pixel = {pixel.x, picture_pixels().y - 1 - pixel.y};
+      drawn_.clear();
+    }
     drag_ = Drag::none;
   }
-}
-
-void Window::click() {
-  const glm::vec2 pixel = in_picture(mouse_) * pixels_per_unit();
-  state_.inspected.emplace();
-  state_.inspected->pixel = {static_cast<int>(pixel.x), picture_pixels().y - 1 - static_cast<int>(pixel.y)};
-  drawn_ = {};
 }
 
 void Window::on_move(glm::vec2 mouse) {

@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <tuple>
 
 #include "app/lab.hpp"
 #include "image/mipmaps.hpp"
@@ -143,12 +144,8 @@ struct TextureQuad : app::Lab<TextureQuadParameters> {
     return p.magnify == Magnify::nearest ? GL_NEAREST : GL_LINEAR;
   }
 
-  struct TextureKey {
-    std::string name;
-    bool flip_v, linear_light, mipmapped;
-    bool operator==(const TextureKey&) const = default;
-  };
-  app::Cache<TextureKey, gl::Texture> textures_;
+  // By picture, flip_v, linear_light and whether it has levels.
+  app::Cache<std::tuple<std::string, bool, bool, bool>, gl::Texture> textures_;
   gl::VertexArray vertex_array_;
   gl::Buffer position_buffer_, texcoord_buffer_, index_buffer_;
 };

@@ -2,18 +2,17 @@
 // Lab 2: two pictures on one square. Each is a texture object on its own unit, read by its own
 // sampler. The fragment shader combines the two colours. The result depends on the values that it combines:
 // the file's encoded values, or the linear light that they stand for.
-#include <fmt/format.h>
-
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <tuple>
 
 #include "app/lab.hpp"
 #include "gl/upload.hpp"
+#include "image/color.hpp"
 #include "image/mipmaps.hpp"
 #include "mesh/primitives.hpp"
 #include "parameters.hpp"
-#include "premultiply.hpp"
 
 namespace texel::multi_texture {
 
@@ -27,6 +26,17 @@ constexpr GLenum kMinifyModes[] = {GL_NEAREST,
                                    GL_NEAREST_MIPMAP_LINEAR,
                                    GL_LINEAR_MIPMAP_LINEAR};
 constexpr GLenum kMagnifyModes[] = {GL_NEAREST, GL_LINEAR};
+
+/// Colour times alpha, multiplied in linear light: a transparent texel then adds nothing to an average.
+image::Image8 premultiplied(image::Image8 picture) {
+  if (picture.channels != 4) return picture;  // opaque
+  for (std::size_t i = 0; i < picture.samples.size(); i += 4) {
+    const float alpha = static_cast<float>(picture.samples[i + 3]) / 255.0F;
+    for (std::size_t c = i; c < i + 3; ++c)
+      picture.samples[c] = image::to_encoding8(alpha * image::from_encoding8(picture.samples[c]));
+  }
+  return picture;
+}
 
 }  // namespace
 
@@ -43,7 +53,7 @@ struct MultiTexture : app::Lab<MultiTextureParameters> {
     gl::Program& program = frame.program("02_multi_texture/multi_texture");
     const glm::mat4 world_from_object = glm::rotate(glm::mat4(1), glm::radians(-p.tilt), glm::vec3(1, 0, 0));
     program.set("clip_from_object", p.camera.clip_from_world(frame.aspect()) * world_from_object);
-    const int second = second_unit(p, frame);
+    const int second = second_unit(p);
 
     // Making an object binds it to the active unit, so make both before binding each to its own. A picture
     // whose unit is off is not even loaded.
@@ -90,12 +100,9 @@ struct MultiTexture : app::Lab<MultiTextureParameters> {
 
  private:
   /// The unit that the parameter names, at most the driver's highest.
-  static int second_unit(const Parameters& p, app::Frame& frame) {
+  static int second_unit(const Parameters& p) {
     GLint count = 0;  // over all stages; each stage may read 16 or more of them
     glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &count);
-    if (p.second_unit >= count)
-      frame.warn(fmt::format("this driver's highest texture unit is {}: it is used instead of {}", count - 1,
-                             p.second_unit));
     return std::min(p.second_unit, count - 1);
   }
 
@@ -141,14 +148,8 @@ struct MultiTexture : app::Lab<MultiTextureParameters> {
                                      .magnify = kMagnifyModes[static_cast<int>(p.magnify)]});
   }
 
-  struct TextureKey {
-    std::string name;
-    bool is_linear, premultiplied, mipmapped;
-    Mipmaps mipmaps;
-    bool operator==(const TextureKey&) const = default;
-  };
   const app::Assets& assets_;
-  app::Cache<TextureKey, gl::Texture> textures_;
+  app::Cache<std::tuple<std::string, bool, bool, bool, Mipmaps>, gl::Texture> textures_;
   gl::MeshBuffers square_{mesh::quad(0.7F)};
 };
 

@@ -5,13 +5,16 @@
 #pragma once
 #include <fmt/format.h>
 
-#include <memory>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string_view>
 #include <unordered_map>
 
 #include "app/assets.hpp"
 #include "app/models.hpp"
 #include "core/progress.hpp"
+#include "image/color.hpp"
 #include "mesh/bounds.hpp"
 #include "mesh/normals.hpp"
 #include "mesh/obj.hpp"
@@ -23,8 +26,8 @@
 namespace texel::obj_texcoords {
 
 struct Imported {
-  std::shared_ptr<const mesh::Mesh> mesh;  ///< centred, its farthest vertex at distance 1
-  std::vector<mesh::Group> parts;          ///< at least one
+  mesh::Mesh mesh;                 ///< centred, its farthest vertex at distance 1
+  std::vector<mesh::Group> parts;  ///< at least one
   std::vector<mesh::Material> materials;
   std::vector<std::size_t> material_of_part;  ///< the first of that name; beyond the list: none
   bool names_pictures = false;                ///< whether some material has a color_map
@@ -44,27 +47,14 @@ inline void find_materials(Imported& imported) {
   }
 }
 
-inline mesh::Projection mesh_projection(Projection projection) {
-  switch (projection) {
-    case Projection::planar:
-      return mesh::Projection::planar;
-    case Projection::cylindrical:
-      return mesh::Projection::cylindrical;
-    case Projection::spherical:
-      return mesh::Projection::spherical;
-    default:
-      return mesh::Projection::box;
-  }
-}
-
 /// Reads the file, generates what is missing, and builds the vertex stream. Errors as mesh::load_obj.
 inline Imported import_obj(const std::filesystem::path& file, Projection projection, Normals normals,
                            Tint tint) {
   Progress progress(file.filename().string());
   const auto say_part = [&](double part) { progress.say(fmt::format("reading, {:.0f} %", 100 * part)); };
-  mesh::ObjData data = mesh::load_obj(file, {.progress = say_part});
+  mesh::ObjData data = mesh::load_obj(file, say_part);
   Imported imported;
-  imported.notes.warnings = data.report.warnings;
+  imported.notes.warnings = data.warnings;
   imported.materials = data.materials;
   if (tint == Tint::groups) data.material_runs = data.group_runs;  // parts by g and o
 
@@ -87,15 +77,60 @@ inline Imported import_obj(const std::filesystem::path& file, Projection project
   } else if (projection != Projection::from_file || mesh.texcoords.empty()) {
     if (projection == Projection::from_file)
       imported.notes.facts.emplace_back("the file has no texture coordinates: a box projection is generated");
-    mesh::generate_texcoords(mesh, mesh_projection(projection));
+    using enum mesh::Projection;
+    // From the first one on: a file without texture coordinates gets a box.
+    constexpr mesh::Projection kByProjection[] = {box, planar, box, cylindrical, spherical};
+    mesh::generate_texcoords(mesh, kByProjection[static_cast<int>(projection)]);
     for (std::string& line : mesh::describe_stretch(mesh)) imported.notes.facts.push_back(std::move(line));
   }
   imported.parts = mesh.groups;
   if (imported.parts.empty())
     imported.parts.push_back({"", 0, static_cast<std::uint32_t>(mesh.indices.size())});
   find_materials(imported);
-  imported.mesh = std::make_shared<const mesh::Mesh>(std::move(mesh));
+  imported.mesh = std::move(mesh);
   return imported;
+}
+
+// ---- Which picture and which colour each part has.
+
+/// The material of part `i`; null for none.
+inline const mesh::Material* material_of(const Imported& imported, std::size_t i) {
+  const std::size_t index = imported.material_of_part[i];
+  return index < imported.materials.size() ? &imported.materials[index] : nullptr;
+}
+
+/// The name or path of the picture of part `i`; "" for none.
+inline std::string picture_of(const std::string& texture, const Imported& imported, std::size_t i) {
+  if (texture != "material") return texture;
+  if (!imported.names_pictures) return "label_grid";
+  const mesh::Material* material = material_of(imported, i);
+  return material != nullptr ? material->color_map : "";
+}
+
+/// The sRGB colour of part `i`: hues a golden section apart, so neighbours in the list
+/// look different.
+inline glm::vec3 part_color(std::size_t i) {
+  const auto hue = static_cast<float>(std::fmod(0.618034 * static_cast<double>(i), 1.0));
+  const glm::vec3 phase = 2 * std::numbers::pi_v<float> * (hue + glm::vec3(0, 1, 2) / 3.0F);
+  return 0.6F + 0.4F * glm::cos(phase);
+}
+
+/// The sRGB colour by which the picture of part `i` is multiplied.
+inline glm::vec3 tint_of(Tint tint, const std::string& texture, const Imported& imported, std::size_t i) {
+  if (tint == Tint::materials || tint == Tint::groups) return part_color(i);
+  const mesh::Material* material = texture == "material" ? material_of(imported, i) : nullptr;
+  return material != nullptr ? material->diffuse : glm::vec3(1);
+}
+
+/// The texel at a coordinate, repeating; linear or encoded.
+inline glm::vec3 pixel_color(const image::Image8& picture, const glm::vec2& texcoord, bool linear) {
+  const glm::vec2 tile = glm::fract(texcoord);
+  const int x = std::min(static_cast<int>(tile.x * static_cast<float>(picture.width)), picture.width - 1);
+  const int y = std::min(static_cast<int>(tile.y * static_cast<float>(picture.height)), picture.height - 1);
+  const image::Encoding encoding = linear ? image::Encoding::srgb : image::Encoding::linear;
+  glm::vec3 color;
+  for (int c = 0; c < 3; ++c) color[c] = image::from_encoding8(picture.at(x, y, c), encoding);
+  return color;
 }
 
 }  // namespace texel::obj_texcoords

@@ -4,11 +4,10 @@
 // then reads the picture at its interpolated coordinate.
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "app/lab.hpp"
-#include "appearance.hpp"
 #include "gl/upload.hpp"
-#include "image/color.hpp"
 #include "import.hpp"
 #include "parameters.hpp"
 
@@ -54,51 +53,33 @@ struct ObjTexcoords : app::Lab<ObjTexcoordsParameters> {
   }
 
  private:
-  struct ModelKey {
-    std::string model;
-    Projection projection;
-    Normals normals;
-    Tint tint;
-    bool operator==(const ModelKey&) const = default;
-  };
+  using ModelKey = std::tuple<std::string, Projection, Normals, Tint>;
   struct Model {
     Imported imported;
     gl::MeshBuffers buffers;
     float longest_side;  // of the box around it
   };
-  struct TextureKey {
-    std::string picture;
-    bool flip_v, linear_light;
-    bool operator==(const TextureKey&) const = default;
-  };
-  struct ColorKey {
-    ModelKey model;
-    TextureKey texture;
-    float texture_scale;
-    bool operator==(const ColorKey&) const = default;
-  };
 
-  static ModelKey model_key(const Parameters& p) {
-    // A color buffer has one coordinate per vertex, so triplanar uses box there.
+  /// A color buffer has one coordinate per vertex, so triplanar uses box there.
+  static Projection projection_of(const Parameters& p) {
     const bool needs_texcoords = p.method == Method::per_vertex && p.projection == Projection::triplanar;
-    return {p.model, needs_texcoords ? Projection::box : p.projection, p.normals, p.tint};
+    return needs_texcoords ? Projection::box : p.projection;
   }
+  static ModelKey model_key(const Parameters& p) { return {p.model, projection_of(p), p.normals, p.tint}; }
 
   Model& model_for(const Parameters& p) {
-    const ModelKey key = model_key(p);
-    return models_.get(key, [&] {
-      Imported imported = import_obj(assets_.model(p.model), key.projection, key.normals, key.tint);
-      gl::MeshBuffers buffers(imported.mesh);
-      const glm::vec3 extent = mesh::bounds(*imported.mesh).extent();
+    return models_.get(model_key(p), [&] {
+      Imported imported = import_obj(assets_.model(p.model), projection_of(p), p.normals, p.tint);
+      gl::MeshBuffers buffers(std::move(imported.mesh));
+      const glm::vec3 extent = mesh::bounds(buffers.mesh()).extent();
       return Model{std::move(imported), std::move(buffers), std::max({extent.x, extent.y, extent.z})};
     });
   }
 
   /// The model with the report's color buffer: at each vertex the texel that getPixelColor(u, v) finds.
   gl::MeshBuffers& colored(const Parameters& p, const Model& model) {
-    const ColorKey key{model_key(p), {p.texture, p.flip_v, p.linear_light}, p.texture_scale};
-    return colored_.get(key, [&] {
-      mesh::Mesh mesh = *model.imported.mesh;
+    return colored_.get({model_key(p), p.texture, p.flip_v, p.linear_light, p.texture_scale}, [&] {
+      mesh::Mesh mesh = model.buffers.mesh();
       mesh.colors.clear();  // those of the file
       const std::vector<mesh::Group>& parts = model.imported.parts;
       std::vector<std::uint32_t> part_of_corner(mesh.indices.size());
@@ -136,8 +117,8 @@ struct ObjTexcoords : app::Lab<ObjTexcoordsParameters> {
 
   const app::Assets& assets_;
   app::Cache<ModelKey, Model> models_;
-  app::Cache<ColorKey, gl::MeshBuffers> colored_;
-  app::Cache<TextureKey, gl::Texture> textures_;
+  app::Cache<std::tuple<ModelKey, std::string, bool, bool, float>, gl::MeshBuffers> colored_;
+  app::Cache<std::tuple<std::string, bool, bool>, gl::Texture> textures_;  // by picture, flip_v, linear_light
 };
 
 }  // namespace texel::obj_texcoords

@@ -45,7 +45,6 @@ inline mesh::Mesh cube_shared(const CubeTexcoords& texcoords, float half_size = 
 /// from outside. Each v has three different vn, so 24 vertices are needed.
 inline mesh::ObjData cube_by_face(float half_size = 1) {
   mesh::ObjData data;
-  data.name = "cube";
   for (const glm::vec3& corner : kCubeCorners) data.positions.push_back(half_size * corner);
   data.texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   for (const CubeFace& face : kCubeFaces) {

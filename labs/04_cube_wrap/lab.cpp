@@ -4,6 +4,8 @@
 // of the picture, nor its own light. Either the picture is stretched over them, or the vertices are split.
 #include <fmt/format.h>
 
+#include <tuple>
+
 #include "app/lab.hpp"
 #include "app/models.hpp"
 #include "cube.hpp"
@@ -93,12 +95,6 @@ struct CubeWrap : app::Lab<CubeWrapParameters> {
   }
 
  private:
-  struct Key {
-    std::string model;
-    Method method;
-    Normals normals;
-    bool operator==(const Key&) const = default;
-  };
   struct Drawn {
     gl::MeshBuffers buffers;
     app::Notes notes;
@@ -127,7 +123,7 @@ struct CubeWrap : app::Lab<CubeWrapParameters> {
   }
 
   const app::Assets& assets_;
-  app::Cache<Key, Drawn> meshes_;
+  app::Cache<std::tuple<std::string, Method, Normals>, Drawn> meshes_;
   app::Cache<std::string, gl::Texture> textures_;
 };
 

@@ -2,11 +2,10 @@
 // Lab 5: a normal map. Each texel holds a normal in the frame of the surface: tangent T where s grows,
 // bitangent B where t grows, normal N. Lighting happens in world space, so each pixel needs that frame. The
 // methods differ in how they make it.
-#include <fmt/format.h>
-
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <tuple>
 
 #include "app/lab.hpp"
 #include "gl/upload.hpp"
@@ -54,12 +53,6 @@ struct NormalMap : app::Lab<NormalMapParameters> {
         return gl::make_texture_2d(assets_.normal_map(normal_map_name(p)), image::Encoding::linear, sampling);
       }));
       program.set("normal_map", 1);
-      if (const std::size_t grey = grey_texels(normal_map_name(p));
-          p.decode == Decode::exact_flat && grey > 0)
-        frame.warn(fmt::format(
-            "{} texels of the normal map, 128 128 128, have no direction: the surface's own normal "
-            "is taken",
-            grey));
     }
     buffers.draw(program);
   }
@@ -86,14 +79,13 @@ struct NormalMap : app::Lab<NormalMapParameters> {
   /// The model with the method's tangents. Only some methods store them in the vertices.
   Drawn& drawn(const Parameters& p) {
     const bool reads_map = p.method == Method::per_vertex && p.normal_mapping;
-    const MeshKey key{
-        p.model,        p.method, reads_map ? normal_map_name(p) : "", reads_map ? p.texture_scale : 0,
-        p.tessellation, p.layout};
-    return meshes_.get(key, [&] {
+    const std::string map = reads_map ? normal_map_name(p) : "";
+    const float repeats = reads_map ? p.texture_scale : 0;
+    return meshes_.get({p.model, p.method, map, repeats, p.tessellation, p.layout}, [&] {
       app::Model model = textured_model(assets_, p);
       if (const auto method = kept_tangents(p.method); method && model.mesh.tangents.empty())
         mesh::compute_tangents(model.mesh, *method);
-      if (reads_map) model.mesh.normals = normals_at_vertices(model.mesh, assets_.normal_map(key.normals), p);
+      if (reads_map) model.mesh.normals = normals_at_vertices(model.mesh, assets_.normal_map(map), p);
       return Drawn{gl::MeshBuffers(std::move(model.mesh)), model.notes};
     });
   }
@@ -113,31 +105,11 @@ struct NormalMap : app::Lab<NormalMapParameters> {
     return normals;
   }
 
-  /// How many texels of a normal map are the null vector in `exact-flat`.
-  std::size_t grey_texels(const std::string& normal_map) {
-    return grey_texels_.get(normal_map, [&] {
-      const image::Image8 map = assets_.normal_map(normal_map);
-      std::size_t count = 0;
-      for (int y = 0; y < map.height; ++y)
-        for (int x = 0; x < map.width; ++x)
-          if (map.at(x, y, 0) == 128 && map.at(x, y, 1) == 128 && map.at(x, y, 2) == 128) ++count;
-      return count;
-    });
-  }
-
-  struct MeshKey {
-    std::string model;
-    Method method;
-    std::string normals;  ///< the map that the vertices' normals were read from, and its repeats
-    float repeats;
-    app::Tessellation tessellation;
-    mesh::TextureLayout layout;
-    bool operator==(const MeshKey&) const = default;
-  };
   const app::Assets& assets_;
-  app::Cache<MeshKey, Drawn> meshes_;
+  app::Cache<std::tuple<std::string, Method, std::string, float, app::Tessellation, mesh::TextureLayout>,
+             Drawn>
+      meshes_;
   app::Cache<std::pair<std::string, Filter>, gl::Texture> textures_;
-  app::Cache<std::string, std::size_t> grey_texels_;
 };
 
 }  // namespace texel::normal_map

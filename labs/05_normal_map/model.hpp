@@ -41,19 +41,11 @@ inline std::string normal_map_name(const NormalMapParameters& p) {
 
 /// How tangents are made for the vertices; nothing if the shader makes them or needs none.
 inline std::optional<mesh::TangentMethod> kept_tangents(Method method) {
-  switch (method) {
-    case Method::averaged:
-      return mesh::TangentMethod::averaged;
-    case Method::gram_schmidt:
-      return mesh::TangentMethod::gram_schmidt;
-    case Method::angle_weighted:
-      return mesh::TangentMethod::angle_weighted;
-    case Method::mikktspace:
-    case Method::analytic:  // where there is no formula
-      return mesh::TangentMethod::mikktspace;
-    default:
-      return std::nullopt;
-  }
+  if (method < Method::averaged) return std::nullopt;
+  using enum mesh::TangentMethod;  // the last is for analytic, where there is no formula
+  constexpr mesh::TangentMethod kTangents[] = {averaged, gram_schmidt, angle_weighted, mikktspace,
+                                               mikktspace};
+  return kTangents[static_cast<int>(method) - static_cast<int>(Method::averaged)];
 }
 
 }  // namespace texel::normal_map

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "03_obj_texcoords/appearance.hpp"
+#include "03_obj_texcoords/import.hpp"
 #include "03_obj_texcoords/parameters.hpp"
 #include "answers/color.hpp"
 #include "answers/shape.hpp"
@@ -32,12 +32,13 @@ struct ExactModel {
 std::optional<ExactModel> exact_model(const std::string& model) {
   // A corner of the cube and of the quad lies at distance 1.
   const double cube = 1 / std::numbers::sqrt3, quad = 1 / std::numbers::sqrt2;
-  if (model == "cube" || model == "cube_before" || model == "cube_split")
-    return ExactModel{answers::cube_shape(cube), {0, 0}, 2 * cube, 2 * cube};
-  if (model == "quad") return ExactModel{answers::quad_shape(quad), {0, 0}, 2 * quad, 2 * quad};
-  if (model == "sphere") return ExactModel{answers::sphere_shape(), {0.5, 0}, 2, 2};
-  if (model == "torus") return ExactModel{answers::torus_shape(0.7, 0.3), {0.5, 0.5}, 2, 0.6};
-  return std::nullopt;
+  const bool is_cube = model == "cube_before" || model == "cube_split";
+  const auto shape = answers::model_shape(is_cube ? "cube" : model, cube, quad);
+  if (!shape) return std::nullopt;
+  if (model == "sphere") return ExactModel{*shape, {0.5, 0}, 2, 2};
+  if (model == "torus") return ExactModel{*shape, {0.5, 0.5}, 2, 0.6};
+  const double side = model == "quad" ? 2 * quad : 2 * cube;
+  return ExactModel{*shape, {0, 0}, side, side};
 }
 
 /// Where the ray meets the model, in object space.
@@ -163,20 +164,14 @@ struct Answer final : app::Answer<ObjTexcoordsParameters> {
     const auto meet_at = [=, model = *model](const truth::Ray& ray) {
       return meet(model, truth::object_ray(ray, place));
     };
-    if (quantity == Quantity::normal)
-      return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
-        const auto at = meet_at(truth::pixel_ray(camera, window).ray);
-        if (!at) return std::nullopt;
-        return place.linear * at->normal;
-      };
-    if (quantity == Quantity::texcoord) {
-      if (p.projection == Projection::triplanar) return {};
+    if (quantity == Quantity::texcoord && p.projection == Projection::triplanar) return {};
+    if (quantity != Quantity::color)
       return [=, model = *model](glm::dvec2 window) -> std::optional<glm::dvec3> {
         const auto at = meet_at(truth::pixel_ray(camera, window).ray);
         if (!at) return std::nullopt;
+        if (quantity == Quantity::normal) return place.linear * at->normal;
         return glm::dvec3(double{p.texture_scale} * exact_texcoord(model, p.projection, *at), 0);
       };
-    }
     if (!texture || p.tint == Tint::vertices) return {};
     glm::dvec3 tint(1);
     for (int c = 0; c < 3 && p.tint != Tint::none; ++c)

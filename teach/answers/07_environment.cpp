@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The right answer of lab 7: the direction in which each pixel of the background looks. In double precision,
 // from the field of view and the camera's angles alone: there is no matrix in it to be inverted, and near and
-// far do not matter. See teach/truth/include/truth/environment.hpp.
-#include <algorithm>
-
+// far do not matter. See teach/truth/include/truth/ray.hpp.
 #include "07_environment/parameters.hpp"
 #include "07_environment/scene.hpp"
 #include "answers/camera.hpp"
 #include "app/answer.hpp"
-#include "truth/environment.hpp"
+#include "truth/ray.hpp"
 
 namespace texel::environment {
 namespace {
@@ -27,12 +25,10 @@ struct Answer final : app::Answer<EnvironmentParameters> {
     return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
       const truth::Ray ray = truth::pixel_ray(camera, window).ray;
       // The triangles lie inside of the true sphere, so whatever passes the sphere passes them too.
-      const bool hidden =
-          std::any_of(std::begin(kSpheres), std::end(kSpheres), [&](const glm::dvec4& sphere) {
-            return truth::hit_sphere({ray.origin - glm::dvec3(sphere), ray.direction}, sphere.w).has_value();
-          });
-      if (hidden) return std::nullopt;
-      return truth::background_direction(camera, window);
+      for (const glm::dvec4 sphere : kSpheres)
+        if (truth::hit_sphere({ray.origin - glm::dvec3(sphere), ray.direction}, sphere.w))
+          return std::nullopt;
+      return ray.direction;
     };
   }
 };

@@ -9,6 +9,7 @@
 #include "answers/color.hpp"
 #include "app/answer.hpp"
 #include "truth/optics.hpp"
+#include "truth/surface.hpp"
 
 namespace texel::reflection {
 namespace {
@@ -26,14 +27,15 @@ struct Seen {
 
 /// Nothing beside the ball.
 std::optional<Seen> see(const truth::PixelRay& pixel, const truth::Placement& ball, double index) {
-  const auto seen = truth::mirror_point(pixel, ball);
-  if (!seen) return std::nullopt;
-  const glm::dvec3 normal = seen->surface.normal;
-  const bool leaves = glm::dot(seen->incident, normal) > 0;  // the eye is inside
+  const auto hit = truth::hit_sphere(truth::object_ray(pixel.ray, ball));
+  if (!hit) return std::nullopt;
+  const glm::dvec3 incident = pixel.ray.direction,
+                   normal = truth::placed(truth::sphere(), ball)(hit->texcoord).normal;
+  const bool leaves = glm::dot(incident, normal) > 0;  // the eye is inside
   const double here = leaves ? index : 1, beyond = leaves ? 1 : index;
-  return Seen{seen->reflected,
-              truth::refracted(seen->incident, normal, here, beyond).value_or(seen->reflected),
-              truth::reflectance(seen->incident, normal, here, beyond)};
+  const glm::dvec3 reflected = truth::reflected(incident, normal);
+  return Seen{reflected, truth::refracted(incident, normal, here, beyond).value_or(reflected),
+              truth::reflectance(incident, normal, here, beyond)};
 }
 
 struct Answer final : app::Answer<ReflectionParameters> {

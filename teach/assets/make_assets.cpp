@@ -13,7 +13,6 @@
 
 #include "core/files.hpp"
 #include "core/parallel.hpp"
-#include "core/scratch_folder.hpp"
 #include "core/terminal.hpp"
 #include "image/color.hpp"
 #include "image/difference.hpp"

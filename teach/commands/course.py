@@ -63,6 +63,18 @@ def text_of(value):
     return str(value).removesuffix(".0") if isinstance(value, float) else str(value)
 
 
+# The tables of a lab.toml that are read here alone: their keys, and those that may be left out.
+TABLES = {"bench": ({"case", "teaches", "vary"}, {"hard", "set", "size"}), "claim": ({"source", "says", "found", "see"}, set())}
+
+
+def check_tables(lab):
+    for kind, (needed, more) in TABLES.items():
+        for table in lab.get(kind, []):
+            if not needed <= set(table) <= needed | more:
+                raise ValueError(f"[[{kind}]] has the keys {', '.join(table)}; it must have {', '.join(sorted(needed))}, "
+                                 f"and no others but {', '.join(sorted(more)) or 'these'}")
+
+
 def read_labs(numbers=()):
     """What each labs/NN_name/lab.toml says, and the lab's number; of those with these numbers, or of all. Copies of a folder are no labs."""
     labs = {}
@@ -71,6 +83,7 @@ def read_labs(numbers=()):
             lab = tomllib.loads(file.read_text(encoding="utf-8"))
             if lab["lab"] != file.parent.name:
                 continue
+            check_tables(lab)
             for bench in lab.get("bench", []):
                 bench["size"] = bench.get("size", "256x256")
                 bench["set"] = {name: text_of(value) for name, value in bench.get("set", {}).items()}

@@ -3,18 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+
 #include "command_line.hpp"
 
 namespace texel::commands {
 namespace {
-
-/// What the four commands of grading take.
-struct GradeCommands {
-  GradeCommand grade;
-  GradeMergeCommand merge;
-  GradeOverrideCommand override_score;
-  GradeReportCommand report;
-};
 
 /// Commands that are scripts: all that follows the name is theirs, --help too.
 struct Script {
@@ -25,17 +19,11 @@ constexpr Script kScripts[] = {
     {"marks", "marks.py", "Check that each mistake of the catalogue loses marks, and no right answer"},
     {"renderers", "renderers.py", "Compare each case's limit with the spread between renderers"}};
 
-void add_scripts(CLI::App& app) {
-  for (const Script& script : kScripts)
-    app.add_subcommand(script.name, script.help)->prefix_command()->set_help_flag();
-}
-
-void add_starter(CLI::App& app, StarterOptions& options) {
+CLI::App* add_starter(CLI::App& app, StarterOptions& options) {
   CLI::App* command = app.add_subcommand("starter", "Write the tree that students start with");
   command->footer(
       "Exit codes: 0 holds, 1 --verify found a fault, 2 wrong usage, 3 could not write, build or draw.");
   CLI::Option* out = command->add_option("--out", options.out, "A new folder");
-  command->add_option("--root", options.root, "The course's tree [the source tree]");
   command->add_option("--solve", options.solve, "Steps that are already solved in it, as 5.1,5.2")
       ->delimiter(',');
   CLI::Option* verify =
@@ -59,16 +47,22 @@ void add_starter(CLI::App& app, StarterOptions& options) {
       ->add_option("--cache", options.cache,
                    "With --verify or --pictures: folder for what is made on the way [build/grade]")
       ->excludes(out);
+  return command;
 }
 
-void add_expected(CLI::App& app, ExpectedCommand& command) {
-  CLI::App* expected =
+void add_cache(CLI::App* command, std::filesystem::path& cache) {
+  command->add_option("--cache", cache, "Folder for starter, references and programs [build/grade]");
+}
+
+CLI::App* add_expected(CLI::App& app, std::vector<int>& labs, std::filesystem::path& cache) {
+  CLI::App* command =
       app.add_subcommand("expected", "Draw the expected pictures of 'check' with the solutions");
-  expected->add_option("LAB", command.labs, "Numbers of labs [all]")->check(CLI::Range(1, 99));
-  expected->add_option("--cache", command.cache, "Folder for starter, references and programs [build/grade]");
+  command->add_option("LAB", labs, "Numbers of labs [all]")->check(CLI::Range(1, 99));
+  add_cache(command, cache);
+  return command;
 }
 
-void add_cases(CLI::App& app, CasesCommand& command) {
+CLI::App* add_cases(CLI::App& app, CasesCommand& command) {
   CLI::App* cases = app.add_subcommand("cases", "What scripts ask of the grader");
   cases->add_option("WHAT", command.what)
       ->required()
@@ -81,8 +75,9 @@ void add_cases(CLI::App& app, CasesCommand& command) {
   cases->add_option("--labs", command.labs, "Numbers of labs, as 1,5 [all]")->delimiter(',');
   cases->add_option("--seeds", command.seeds, "For marks: with so many seeds of the hidden cases [3]");
   cases->add_flag("--places", command.places, "For marks: only what the starter has in each place");
-  cases->add_option("--cache", command.cache, "Folder for starter, references and programs [build/grade]");
+  add_cache(cases, command.cache);
   tools::add_context(cases, command.context);
+  return cases;
 }
 
 void add_formats(CLI::App* command, std::vector<std::string>& formats) {
@@ -93,33 +88,38 @@ void add_formats(CLI::App* command, std::vector<std::string>& formats) {
       ->check(CLI::IsMember({"gradescope", "prairielearn", "junit", "csv"}));
 }
 
-void add_unfinished(CLI::App* command, bool& unfinished) {
-  command->add_flag("--unfinished", unfinished,
+/// What makes new reports of earlier results.
+CLI::App* add_reporting(CLI::App* grade, const char* name, const char* help, EarlierResults& results) {
+  CLI::App* command = grade->add_subcommand(name, help);
+  add_formats(command, results.formats);
+  command->add_flag("--unfinished", results.unfinished,
                     "Exit with 0 even if the run was cut off and students have no mark yet");
+  return command;
 }
 
-void add_grade(CLI::App& app, GradeCommands& all) {
+CLI::App* add_grade(CLI::App& app, GradeCommand& g) {
   CLI::App* grade = app.add_subcommand("grade", "Grade a class from headless snapshots");
   grade->footer(
       "Exit codes: 0 graded, 2 wrong usage, 3 some students could not be graded (they get no zero: run again "
       "with\n"
       "--resume), or the grader itself failed.");
-  GradeCommand& g = all.grade;
   grade->add_option("CLASS", g.class_folder, "Folder with one folder, .zip or .tar.gz per student");
+  g.out = "out/grades";
   grade->add_option("--out", g.out, "Folder for results and reports [out/grades]");
   grade->add_option("--labs", g.labs, "Numbers of labs, as 1,5 [all]")
       ->delimiter(',')
       ->check(CLI::Range(1, 99));
   grade->add_option("--jobs", g.jobs, "Jobs at the same time [one per processor]")
       ->check(CLI::Range(1, 1024));
-  grade->add_flag("--judge-once", g.judge_once,
-                  "Do not draw failed steps once more alone: to measure what that costs");
-  grade->add_option("--shard", g.shard, "Grade one part of the class: 2/8 is the second of eight parts");
+  grade->add_flag_callback(
+      "--judge-once", [&] { g.judge_alone = false; },
+      "Do not draw failed steps once more alone: to measure what that costs");
+  grade->add_option("--shard", g.part, "Grade one part of the class: 2/8 is the second of eight parts");
   grade->add_flag("--resume", g.resume,
                   "Continue an earlier run that was interrupted; nothing is judged twice");
   grade->add_option("--seed-file", g.seed_file,
                     "The course's secret seed for hidden cases [OUT/seed.txt, created if missing]");
-  grade->add_option("--cache", g.cache, "Folder for starter, references and programs [build/grade]");
+  add_cache(grade, g.cache);
   tools::add_context(grade, g.context);
   grade->add_flag("--unsafe", g.unsafe,
                   "Run the students' programs without a sandbox; only for code that you trust");
@@ -132,72 +132,85 @@ void add_grade(CLI::App& app, GradeCommands& all) {
   grade->add_flag("--print-steps", g.print_steps,
                   "Grade nothing: print as JSON the steps that each submission has, and what is not taken");
 
-  CLI::App* merge = grade->add_subcommand("merge", "Merge the results of shards");
-  merge->add_option("PART", all.merge.parts, "Folders that 'texel grade --shard' wrote")->required();
-  merge->add_option("--out", all.merge.out, "A folder for all of them")->required();
-  add_formats(merge, all.merge.formats);
-  add_unfinished(merge, all.merge.unfinished);
-
-  CLI::App* change = grade->add_subcommand("override", "Set a step's score by hand; grading again keeps it");
-  change->add_option("OUT", all.override_score.out, "Folder with the results")->required();
-  change->add_option("STUDENT", all.override_score.student, "The student's id, as in the report")->required();
-  change->add_option("STEP", all.override_score.step, "As 5.1")->required();
-  CLI::Option* score =
-      change->add_option("SCORE", all.override_score.score, "0 to 1")->check(CLI::Range(0.0, 1.0));
-  change->add_option("--reason", all.override_score.reason, "Why; the report shows it to the student");
-  change->add_flag("--drop", all.override_score.drop, "Remove an earlier override")->excludes(score);
-  add_formats(change, all.override_score.formats);
-  add_unfinished(change, all.override_score.unfinished);
-
-  CLI::App* report = grade->add_subcommand("report", "Write the reports of earlier results again");
-  report->add_option("OUT", all.report.out, "Folder with the results")->required();
-  add_formats(report, all.report.formats);
-  add_unfinished(report, all.report.unfinished);
+  return grade;
 }
 
-Exit run_grade(const CLI::App& app, const GradeCommands& all) {
-  const CLI::App* grade = app.get_subcommand("grade");
-  if (grade->got_subcommand("merge")) return grade_merge(all.merge);
-  if (grade->got_subcommand("override")) return grade_override(all.override_score);
-  if (grade->got_subcommand("report")) return grade_report(all.report);
-  if (all.grade.class_folder.empty())
+CLI::App* add_merge(CLI::App* grade, EarlierResults& joined, std::vector<std::filesystem::path>& parts) {
+  CLI::App* command = add_reporting(grade, "merge", "Merge the results of shards", joined);
+  command->add_option("PART", parts, "Folders that 'texel grade --shard' wrote")->required();
+  command->add_option("--out", joined.out, "A folder for all of them")->required();
+  return command;
+}
+
+CLI::App* add_override(CLI::App* grade, GradeOverrideCommand& options) {
+  CLI::App* command =
+      add_reporting(grade, "override", "Set a step's score by hand; grading again keeps it", options);
+  command->add_option("OUT", options.out, "Folder with the results")->required();
+  command->add_option("STUDENT", options.student, "The student's id, as in the report")->required();
+  command->add_option("STEP", options.step, "As 5.1")->required();
+  CLI::Option* score = command->add_option("SCORE", options.score, "0 to 1")->check(CLI::Range(0.0, 1.0));
+  command->add_option("--reason", options.reason, "Why; the report shows it to the student");
+  command->add_flag("--drop", options.drop, "Remove an earlier override")->excludes(score);
+  return command;
+}
+
+CLI::App* add_report(CLI::App* grade, EarlierResults& results) {
+  CLI::App* command = add_reporting(grade, "report", "Write the reports of earlier results again", results);
+  command->add_option("OUT", results.out, "Folder with the results")->required();
+  return command;
+}
+
+Exit run_grade(const GradeCommand& command) {
+  if (command.class_folder.empty())
     throw Error::usage("the class is missing; type texel grade CLASS --out DIR",
                        "CLASS is a folder with one folder or archive per student");
-  return all.grade.print_steps ? print_steps(all.grade) : grade_class(all.grade);
+  return command.print_steps ? print_steps(command) : grade_class(command);
 }
 
 /// All of them.
 class CourseCommands final : public tools::MoreCommands {
  public:
-  explicit CourseCommands(CLI::App& app) : app_(app) {
-    add_scripts(app);
-    add_starter(app, starter_);
-    add_grade(app, grade_);
-    add_expected(app, expected_);
-    add_cases(app, cases_);
-    app.add_subcommand("course", "classroom, gradebook, gradescope, similar: see docs/course.md")
-        ->prefix_command();
+  explicit CourseCommands(CLI::App& app) {
+    for (const Script& script : kScripts) {
+      CLI::App* command = app.add_subcommand(script.name, script.help)->prefix_command();
+      command->set_help_flag();
+      add(command, [=] { return run_script(script.file, command->remaining()); });
+    }
+    add(add_starter(app, starter_), [&] { return starter(starter_); });
+    CLI::App* grade = add_grade(app, grade_);
+    add(add_merge(grade, results_, parts_), [&] { return grade_merge(results_, parts_); });
+    add(add_override(grade, override_), [&] { return grade_override(override_); });
+    add(add_report(grade, results_), [&] { return grade_report(results_); });
+    add(grade, [&] { return run_grade(grade_); });
+    add(add_expected(app, labs_, cache_), [&] { return expected(course_tree(labs_, cache_)); });
+    add(add_cases(app, cases_), [&] { return cases(cases_); });
+    CLI::App* course =
+        app.add_subcommand("course", "classroom, gradebook, gradescope, similar: see docs/course.md")
+            ->prefix_command();
+    add(course, [=] { return run_course_script(course->remaining()); });
   }
 
   [[nodiscard]] std::optional<Exit> run() const override {
-    for (const Script& script : kScripts)
-      if (const CLI::App* command = app_.get_subcommand(script.name); command->parsed())
-        return run_script(script.file, command->remaining());
-    if (app_.got_subcommand("starter")) return starter(starter_);
-    if (app_.got_subcommand("grade")) return run_grade(app_, grade_);
-    if (app_.got_subcommand("expected")) return expected(expected_);
-    if (app_.got_subcommand("cases")) return cases(cases_);
-    if (const CLI::App* course = app_.get_subcommand("course"); course->parsed())
-      return run_course_script(course->remaining());
+    for (const auto& [command, run] : commands_)
+      if (command->parsed()) return run();
     return {};
   }
 
  private:
-  CLI::App& app_;
+  void add(const CLI::App* command, std::function<Exit()> run) {
+    commands_.emplace_back(command, std::move(run));
+  }
+
+  std::vector<std::pair<const CLI::App*, std::function<Exit()>>>
+      commands_;  ///< what is part of one, before it
   StarterOptions starter_;
-  GradeCommands grade_;
-  ExpectedCommand expected_;
+  GradeCommand grade_;
+  EarlierResults results_;
+  GradeOverrideCommand override_;
   CasesCommand cases_;
+  std::vector<std::filesystem::path> parts_;
+  std::vector<int> labs_;
+  std::filesystem::path cache_;
 };
 
 const bool known = [] {

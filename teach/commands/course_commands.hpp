@@ -5,17 +5,17 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "grade/course_tree.hpp"
+#include "grade/grader.hpp"
 
 /// The commands of `texel` for who makes or teaches the course. A student's tree does not have them.
 namespace texel::commands {
 
-struct ExpectedCommand {
-  std::vector<int> labs;        ///< numbers; none for all
-  std::filesystem::path cache;  ///< empty: build/grade of the course
-};
+/// The course with some of its labs, or all. `cache` empty: build/grade of the course.
+grade::CourseTree course_tree(const std::vector<int>& labs, const std::filesystem::path& cache);
 
 /// `texel expected`: draws what `check` compares with.
-Exit expected(const ExpectedCommand& command);
+Exit expected(const grade::CourseTree& tree);
 
 struct CasesCommand {
   std::string what;                  ///< renderer, draw, batch, mutants, spreads or marks
@@ -31,12 +31,12 @@ struct CasesCommand {
 Exit cases(const CasesCommand& command);
 
 struct StarterOptions {
-  std::filesystem::path out, root;  ///< root empty: the course's own
-  std::vector<std::string> solve;   ///< steps that are solved already
-  std::filesystem::path pictures;   ///< write nothing else: a folder for a picture of each step
-  bool verify = false;              ///< write nothing: check the starter
-  std::vector<int> labs;            ///< of those; none for all
-  std::filesystem::path cache;      ///< empty: build/grade of the course
+  std::filesystem::path out;
+  std::vector<std::string> solve;  ///< steps that are solved already
+  std::filesystem::path pictures;  ///< write nothing else: a folder for a picture of each step
+  bool verify = false;             ///< write nothing: check the starter
+  std::vector<int> labs;           ///< of those; none for all
+  std::filesystem::path cache;     ///< empty: build/grade of the course
 };
 
 /// `texel starter`: writes the tree that students start with. With `verify`, differs when a stage between
@@ -47,14 +47,12 @@ Exit starter(const StarterOptions& options);
 /// Throws Error (exit 3) when a stage does not build or draw.
 Exit step_pictures(const StarterOptions& options);
 
-struct GradeCommand {
-  std::filesystem::path class_folder, out = "out/grades";
-  std::filesystem::path cache, seed_file;  ///< empty: build/grade of the course; `out`/seed.txt
-  std::vector<int> labs;                   ///< numbers; none for all
-  unsigned jobs = 0;                       ///< 0: one for each processor
-  std::string shard = "1/1", context = "auto", walls = "namespaces";
+/// `course`, `build`, `run` and the shard's numbers are of no account; `cache` empty: build/grade of the
+/// course.
+struct GradeCommand : grade::GradeOptions {
+  std::string part = "1/1", walls = "namespaces";
   std::vector<std::string> formats;
-  bool resume = false, unsafe = false, print_steps = false, judge_once = false;
+  bool unsafe = false, print_steps = false;
 };
 
 /// `texel grade CLASS --print-steps`: prints as JSON what grading takes from each submission: the text of
@@ -63,38 +61,30 @@ struct GradeCommand {
 Exit print_steps(const GradeCommand& command);
 
 /// `texel grade CLASS`: grades a class and writes its reports.
-Exit grade_class(const GradeCommand& command);
+Exit grade_class(GradeCommand command);
 
-struct GradeMergeCommand {
-  std::vector<std::filesystem::path> parts;
+/// Results that were written before, for new reports.
+struct EarlierResults {
   std::filesystem::path out;
   std::vector<std::string> formats;
   bool unfinished = false;  ///< students without a mark are no failure
 };
 
-/// `texel grade merge`: joins the results of shards. This and the next two throw Error (exit 3) after all is
+/// `texel grade report`: writes the reports again. This and the next two throw Error (exit 3) after all is
 /// written when the run was cut off, unless `unfinished`.
-Exit grade_merge(const GradeMergeCommand& command);
+Exit grade_report(const EarlierResults& results);
 
-struct GradeOverrideCommand {
-  std::filesystem::path out;
+/// `texel grade merge`: joins the results of shards, which lie in `parts`.
+Exit grade_merge(const EarlierResults& joined, const std::vector<std::filesystem::path>& parts);
+
+struct GradeOverrideCommand : EarlierResults {
   std::string student, step, reason;
   double score = 0;
-  bool drop = false, unfinished = false;
-  std::vector<std::string> formats;
+  bool drop = false;
 };
 
 /// `texel grade override`: sets a step's score by hand.
 Exit grade_override(const GradeOverrideCommand& command);
-
-struct GradeReportCommand {
-  std::filesystem::path out;
-  std::vector<std::string> formats;
-  bool unfinished = false;
-};
-
-/// `texel grade report`: writes the reports again.
-Exit grade_report(const GradeReportCommand& command);
 
 /// Runs a script of teach/commands in place of this process, which the script finds in the variable TEXEL.
 /// Returns only by an Error (exit 3), when it cannot be started.

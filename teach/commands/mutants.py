@@ -116,7 +116,7 @@ def order_of(test, tree, file):
     if is_of_libraries and str(file.parent) not in LIBRARIES:
         return None
     # What draws nothing never sees a shader; and no test that is named after one lab runs another.
-    if file.parts[0] == "shaders" and re.fullmatch(r"unit_(?!app$).*|mutants_test", test["target"]):
+    if file.parts[0] == "shaders" and re.fullmatch(r"unit_(?!app$).*", test["target"]):
         return None
     if lab_of(file.parent) and not re.search(subjects[0], test["key"]) and re.search("lab_?0*[1-9]", test["key"]):
         return None

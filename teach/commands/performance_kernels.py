@@ -7,8 +7,7 @@ from performance_report import output_of, run_process
 
 MILLISECONDS = {"ns": 1e-6, "us": 1e-3, "ms": 1, "s": 1e3}
 # Ours, what it stands beside, and whether that is a target.
-COMPARISONS = (("texel", "tinyobjloader", True), ("texel_mesh", "tinyobjloader", False), ("texel", "plain", True),
-               ("texel", "plain_square", False))
+COMPARISONS = (("texel", "tinyobjloader", True), ("texel_mesh", "tinyobjloader", False), ("texel", "plain", True))
 
 
 def target_of(stem):

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
-#include "core/scratch_folder.hpp"
+#include "core/process.hpp"
 #include "core/terminal.hpp"
 #include "course/batch.hpp"
 #include "course_commands.hpp"
-#include "grade/stage.hpp"
+#include "grade/course_tree.hpp"
 #include "image/compared.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
-#include "processes.hpp"
 
 namespace texel::commands {
 namespace {
@@ -72,18 +72,19 @@ image::Image8 step_picture(const fs::path& before, const fs::path& after) {
 void draw_steps(const grade::CourseTree& tree, const course::Lab& lab, const fs::path& folder) {
   const ScratchFolder work;
   const fs::path drawn = work.path() / "drawn";
-  tools::make_folder(drawn);
+  make_folder(drawn);
   const std::map<grade::Solved, Looks> looks = looks_by_stage(tree, lab);
   std::vector<grade::Solved> stages;
   for (const auto& [solved, at_stage] : looks) stages.push_back(solved);
-  std::vector<tools::Command> commands;
+  std::vector<std::vector<std::string>> commands;
   for (const auto& [solved, stage] : grade::make_stages(tree, lab, stages, work.path())) {
     const fs::path list = stage.root / "batch.json";
     write_file(list, course::to_batch(looks.at(solved)));
     commands.push_back({stage.program, "--assets", stage.root, "--batch", list, "--out", drawn});
   }
   // What is missing afterwards was not drawn.
-  tools::run_all(commands, static_cast<int>(processors()), [](std::size_t, int) {});
+  in_parallel(processors(), commands.size(),
+              [&](std::size_t i) { run_into(commands[i], STDOUT_FILENO, STDERR_FILENO); });
   for (const course::Step& step : lab.steps) {
     const fs::path before = drawn / file_of(step, "before"), after = drawn / file_of(step, "after");
     image::save_png(folder / (step.id + ".png"), step_picture(before, after), {}, 9);
@@ -93,11 +94,8 @@ void draw_steps(const grade::CourseTree& tree, const course::Lab& lab, const fs:
 }  // namespace
 
 Exit step_pictures(const StarterOptions& options) {
-  const fs::path root = tools::course_root();
-  const grade::CourseTree tree{root, tools::course_build(),
-                               options.cache.empty() ? root / "build/grade" : options.cache,
-                               tools::course_labs()};
-  tools::make_folder(options.pictures);
+  const grade::CourseTree tree = course_tree({}, options.cache);
+  make_folder(options.pictures);
   for (const course::Lab& lab : tools::chosen_labs(options.labs)) {
     draw_steps(tree, lab, options.pictures);
     fmt::print("  lab {}: {} steps, before and after\n", lab.number, lab.steps.size());

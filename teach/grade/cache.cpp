@@ -1,14 +1,39 @@
 // SPDX-License-Identifier: MIT
 #include "cache.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sodium.h>
+
+#include <algorithm>
+#include <array>
 #include <chrono>
-#include <string>
+#include <cstring>
 #include <vector>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
 
 namespace texel::grade {
 namespace {
 
 namespace fs = std::filesystem;
+
+using Digest = std::array<unsigned char, 32>;
+
+Digest digest_of(std::initializer_list<std::string_view> texts) {
+  crypto_generichash_state state{};
+  // It fails only where the system has no source of random numbers; hashing needs none.
+  crypto_generichash_init(&state, nullptr, 0, Digest().size());
+  for (const std::string_view text : texts) {
+    const std::uint64_t size = text.size();
+    crypto_generichash_update(&state, reinterpret_cast<const unsigned char*>(&size), sizeof size);
+    crypto_generichash_update(&state, reinterpret_cast<const unsigned char*>(text.data()), text.size());
+  }
+  Digest digest{};
+  crypto_generichash_final(&state, digest.data(), digest.size());
+  return digest;
+}
 
 /// Whether a name is `kind` and the first digits of a fingerprint. Nothing else may go: the cache may be any
 /// folder, in which somebody has things of their own.
@@ -32,6 +57,39 @@ void remove_older(const fs::path& folder, const std::string& kind, std::chrono::
 }
 
 }  // namespace
+
+std::string fingerprint(std::initializer_list<std::string_view> texts) {
+  return fmt::format("{:02x}", fmt::join(digest_of(texts), ""));
+}
+
+std::string fingerprint_of_folder(const fs::path& folder,
+                                  const std::function<bool(const fs::path&)>& counts) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    if (it->is_regular_file() && counts(it->path())) files.push_back(it->path());
+  if (error) throw Error::failed(fmt::format("cannot be read: {}", error.message()), {folder.string()});
+  std::sort(files.begin(), files.end());
+  std::string print;
+  for (const fs::path& file : files)
+    print = fingerprint({print, file.lexically_relative(folder).generic_string(), read_file(file)});
+  return print;
+}
+
+std::uint64_t draw(std::initializer_list<std::string_view> texts) {
+  const Digest digest = digest_of(texts);
+  std::uint64_t number = 0;
+  std::memcpy(&number, digest.data(), sizeof number);
+  return number;
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {folder.string()},
+                        "check that it is writable and the disk has free space");
+}
 
 bool is_cached(const fs::path& folder) {
   if (!fs::exists(folder)) return false;

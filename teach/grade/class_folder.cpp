@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <regex>
 #include <set>
+#include <string_view>
 
 #include "core/error.hpp"
 #include "core/plain_text.hpp"
@@ -18,58 +20,36 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What an archive's name ends in.
+constexpr std::pair<std::string_view, Entry::Kind> kEndings[] = {{".zip", Entry::Kind::zip},
+                                                                 {".tar.gz", Entry::Kind::tar},
+                                                                 {".tgz", Entry::Kind::tar},
+                                                                 {".tar", Entry::Kind::tar}};
+
 Entry::Kind kind_of(const fs::path& path) {
   const fs::file_status status = fs::symlink_status(path);
   if (fs::is_directory(status)) return Entry::Kind::folder;
   const std::string name = lower_case(path.filename().string());
-  if (!fs::is_regular_file(status)) return Entry::Kind::other;
-  if (name.ends_with(".zip")) return Entry::Kind::zip;
-  if (name.ends_with(".tar.gz") || name.ends_with(".tgz") || name.ends_with(".tar")) return Entry::Kind::tar;
+  for (const auto& [ending, kind] : kEndings)
+    if (fs::is_regular_file(status) && name.ends_with(ending)) return kind;
   return Entry::Kind::other;
 }
 
 /// A file name without what says its kind.
 std::string stem_of(const std::string& file_name) {
-  for (const char* ending : {".zip", ".tar.gz", ".tgz", ".tar"})
-    if (lower_case(file_name).ends_with(ending))
-      return file_name.substr(0, file_name.size() - std::string_view(ending).size());
+  for (const auto& [ending, kind] : kEndings)
+    if (lower_case(file_name).ends_with(ending)) return file_name.substr(0, file_name.size() - ending.size());
   return file_name;
 }
 
-bool is_number(std::string_view text) {
-  return !text.empty() && text.size() <= 20 &&
-         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-}
-
-/// Splits "name_number" at the last '_'; whether there is a number.
-bool split_number(const std::string& text, std::string& name, std::string& number) {
-  const std::size_t bar = text.rfind('_');
-  if (bar == std::string::npos || bar == 0 || !is_number(std::string_view(text).substr(bar + 1)))
-    return false;
-  name = text.substr(0, bar);
-  number = text.substr(bar + 1);
-  return true;
-}
-
-/// Moodle: name_number_assignsubmission_…
-bool read_moodle(const std::string& stem, std::string& name, std::string& number) {
-  const std::size_t mark = stem.find("_assignsubmission_");
-  return mark != std::string::npos && split_number(stem.substr(0, mark), name, number);
-}
-
-/// Canvas: name_user_submission_file, with LATE behind the name. There is no '_' in Canvas's names.
-bool read_canvas(const std::string& stem, std::string& name, std::string& number) {
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  for (std::size_t bar = stem.find('_'); bar != std::string::npos; bar = stem.find('_', begin)) {
-    parts.push_back(stem.substr(begin, bar - begin));
-    begin = bar + 1;
-  }
-  if (parts.size() > 1 && lower_case(parts[1]) == "late") parts.erase(parts.begin() + 1);
-  if (parts.size() < 3 || parts[0].empty() || !is_number(parts[1]) || !is_number(parts[2])) return false;
-  name = parts[0];
-  number = parts[1];
-  return true;
+/// How an LMS names what it gives out: the student's name, and the number that it knows the student by.
+bool is_of_lms(const std::string& stem, std::smatch& name_and_number) {
+  static const std::regex moodle(R"(([\s\S]+?)_([0-9]{1,20})_assignsubmission_)");
+  // LATE stands behind the name; then the numbers of user and submission, and the file. No name has a '_'.
+  static const std::regex canvas("([^_]+)_(?:late_)?([0-9]{1,20})_[0-9]{1,20}_", std::regex::icase);
+  constexpr auto from_the_first = std::regex_constants::match_continuous;
+  return std::regex_search(stem, name_and_number, moodle, from_the_first) ||
+         std::regex_search(stem, name_and_number, canvas, from_the_first);
 }
 
 /// FNV-1a (G. Fowler, L. Noll, K.-P. Vo), 64 bits, of which 32 are shown.
@@ -117,9 +97,9 @@ Entry read_entry(const fs::path& path) {
   const std::string stem = entry.kind == Entry::Kind::folder ? file_name : stem_of(file_name);
   entry.kind = kind_of(entry.path);
   std::string name = stem;
-  const bool has_number = read_moodle(stem, name, entry.number) || read_canvas(stem, name, entry.number);
+  if (std::smatch found; is_of_lms(stem, found)) name = found[1], entry.number = found[2];
   entry.id = slug_of(name);
-  if (has_number)
+  if (!entry.number.empty())
     entry.id += "-" + entry.number;
   else if (entry.id != name)
     entry.id += "-" + hash_of(file_name);

@@ -8,12 +8,12 @@
 #include <algorithm>
 #include <array>
 
+#include "cache.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "core/plain_text.hpp"
 #include "course/markers.hpp"
-#include "fingerprint.hpp"
 #include "grade/hidden_cases.hpp"
 #include "material/starter.hpp"
 
@@ -39,23 +39,19 @@ std::string read_seed(const fs::path& file) {
   return seed;
 }
 
-bool is_asked_for(const GradeOptions& options, const course::Lab& lab) {
-  return !lab.steps.empty() && (options.labs.empty() || std::find(options.labs.begin(), options.labs.end(),
-                                                                  lab.number) != options.labs.end());
-}
-
 }  // namespace
 
 ClassSetup prepare(const GradeOptions& options, unsigned jobs) {
   ClassSetup p;
-  const std::vector<course::Lab> all = course::read_labs(options.course / "labs");
-  std::copy_if(all.begin(), all.end(), std::back_inserter(p.labs),
-               [&](const course::Lab& lab) { return is_asked_for(options, lab); });
+  p.labs = course::read_labs(options.course / "labs");
+  std::erase_if(p.labs, [&](const course::Lab& lab) {
+    const bool is_asked_for = options.labs.empty() || std::ranges::count(options.labs, lab.number) > 0;
+    return lab.steps.empty() || !is_asked_for;
+  });
   if (p.labs.empty()) throw Error::usage("none of these labs has steps");
   p.seed = read_seed(options.seed_file.empty() ? options.out / "seed.txt" : options.seed_file);
-  p.starter = starter_tree(options.course, options.cache);
-  p.course = std::make_unique<References>(solution_tree(options.course, options.build, p.starter), p.starter,
-                                          options.cache, options.context);
+  p.course = std::make_unique<References>(options.course, options.build, options.cache, options.context);
+  p.starter = p.course->starter();
   p.workshop = std::make_unique<Workshop>(p.starter, options.cache, options.run);
   p.allowed = course::step_files(p.starter.source);
   for (const material::StarterFile& file : material::starter_files(options.course))

@@ -5,14 +5,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <deque>
 #include <memory>
 #include <mutex>
 
-#include "access.hpp"
 #include "cache.hpp"
 #include "class_setup.hpp"
 #include "core/error.hpp"
-#include "core/file_lock.hpp"
+#include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "core/stopwatch.hpp"
 #include "course/markers.hpp"
@@ -28,21 +28,72 @@ namespace fs = std::filesystem;
 /// The students of this shard, by id.
 std::vector<Entry> chosen_entries(const GradeOptions& options) {
   std::vector<Entry> entries = read_class(options.class_folder), chosen;
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.id < b.id; });
-  for (std::size_t i = 0; i < entries.size(); ++i)
-    if (i % options.shards == options.shard - 1) chosen.push_back(entries[i]);
+  std::ranges::sort(entries, {}, &Entry::id);
+  for (std::size_t i = options.shard - 1; i < entries.size(); i += options.shards)
+    chosen.push_back(entries[i]);
   return chosen;
 }
 
-void make_folders(const GradeOptions& options) {
-  for (const fs::path& folder : {options.out, options.out / "pictures", options.cache}) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-      throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {folder.string()},
-                          "name a writable folder");
+// --- What must hold besides when programs run as another user ----------------------------------------------
+
+constexpr fs::perms kOwn = fs::perms::owner_all;
+constexpr fs::perms kEntered = kOwn | fs::perms::group_exec | fs::perms::others_exec;
+
+/// Folders that only the grader may enter.
+std::vector<fs::path> own_folders(const GradeOptions& options) {
+  return {options.out / "pictures", options.out / "references", options.cache / "references",
+          options.cache / "solutions"};
+}
+
+/// Closes to other users what the grader writes and no program of a student may read: the results, references
+/// and the solutions' programs. The cache's other folders can be entered, but not listed.
+void restrict_access(const GradeOptions& options) {
+  try {
+    for (const fs::path& folder : own_folders(options)) {
+      fs::create_directories(folder);
+      fs::permissions(folder, kOwn);
+    }
+    for (const fs::path& folder : {options.out, options.out / "work", options.cache,
+                                   options.cache / "programs", options.cache / "objects"}) {
+      fs::create_directories(folder);
+      fs::permissions(folder, kEntered);
+    }
+    { const store::Store made(store_file(options.out)); }
+    fs::permissions(store_file(options.out), fs::perms::owner_read | fs::perms::owner_write);
+  } catch (const fs::filesystem_error& error) {
+    throw Error::failed("cannot be closed to other users: " + error.code().message(),
+                        {error.path1().string()});
   }
 }
+
+/// Tries as another user to read the course, its programs, the seed and what `restrict_access` closed, and to
+/// write where a program could leave something for a later one. Throws Error (exit 3) with what is open.
+void check_access(const GradeOptions& options) {
+  std::vector<fs::path> secret = own_folders(options);
+  for (const char* path : {"labs", "common", "shaders", "tests", ".git"})
+    secret.push_back(options.course / path);
+  secret.push_back(options.build / "bin");
+  secret.push_back(store_file(options.out));
+  secret.push_back(options.seed_file.empty() ? options.out / "seed.txt" : options.seed_file);
+  std::vector<std::string> words = {"/bin/sh", "-c",
+                                    "until [ \"$1\" = -- ]; do if [ -r \"$1\" ] || [ -x \"$1\" ]; then echo "
+                                    "\"$1\"; fi; shift; done; shift; "
+                                    "for f; do if [ -w \"$f\" ]; then echo \"$f\"; fi; done",
+                                    "sh"};
+  for (const fs::path& path : secret) words.push_back(fs::absolute(path).string());
+  words.insert(words.end(), {"--", "/tmp", "/var/tmp", "/dev/shm", "/dev/mqueue", "/run/lock"});
+  const Outcome outcome = sandbox::run_as_another_user({}, words);
+  if (!outcome.succeeded()) throw Error::failed("cannot try what is open to other users: " + outcome.errors);
+  if (outcome.output.empty()) return;
+  std::string open = outcome.output;
+  open.pop_back();
+  std::replace(open.begin(), open.end(), '\n', ' ');
+  throw Error::failed(
+      "with --walls user, a student's programs could read the course or leave files in: " + open, {},
+      "type chmod go-rwx for what is read, and chmod go-w for what is written");
+}
+
+// --- The students ------------------------------------------------------------------------------------------
 
 /// What an exception says that nobody expected, from a full disk to a mistake of ours.
 std::string incident_of(const std::exception& exception) {
@@ -51,11 +102,16 @@ std::string incident_of(const std::exception& exception) {
   return exception.what();
 }
 
-/// A student whose labs are being graded. Opened by the first thread that comes, gone with the last.
+/// A student whose labs are graded. The submission is opened with the first of them, and closed after the
+/// last.
 class Student {
  public:
   Student(const ClassSetup& setup, const GradeOptions& options, Record& record, Entry entry)
-      : setup_(setup), options_(options), record_(record), entry_(std::move(entry)) {}
+      : setup_(setup),
+        options_(options),
+        record_(record),
+        entry_(std::move(entry)),
+        left_(setup.plans.size()) {}
 
   /// Whatever happens in one lab is an incident of that lab, and never the end of the class's run.
   void grade(const judge::LabPlan& plan) {
@@ -73,6 +129,7 @@ class Student {
         incident = incident_of(exception);
       }
     record_.end_lab(entry_, plan, judged, plan.cases.size() - cases.size(), incident);
+    if (--left_ == 0) run_.reset();
   }
 
  private:
@@ -91,6 +148,7 @@ class Student {
   const GradeOptions& options_;
   Record& record_;
   Entry entry_;
+  std::atomic<std::size_t> left_;  ///< labs
   std::once_flag once_;
   std::unique_ptr<StudentRun> run_;
   std::set<std::string> done_;  ///< cases that were judged before
@@ -102,28 +160,25 @@ class Student {
 void grade_students(const GradeOptions& options, const ClassSetup& setup, Record& record,
                     const std::vector<Entry>& entries, unsigned jobs) {
   const std::size_t labs = setup.plans.size();
-  struct Open {
-    std::unique_ptr<Student> student;
-    std::size_t left;
-  };
-  std::mutex mutex;
-  std::map<std::size_t, Open> open;
-  in_parallel(jobs, entries.size() * labs, [&](std::size_t i) {
-    const std::size_t index = i / labs;
-    Student* student = nullptr;
-    {
-      const std::scoped_lock lock(mutex);
-      Open& slot = open[index];
-      if (!slot.student) slot = {std::make_unique<Student>(setup, options, record, entries[index]), labs};
-      student = slot.student.get();
+  std::deque<Student> students;
+  for (const Entry& entry : entries) students.emplace_back(setup, options, record, entry);
+  in_parallel(jobs, entries.size() * labs,
+              [&](std::size_t i) { students[i / labs].grade(setup.plans[i % labs]); });
+}
+
+/// Counts a student's cases, and takes the marks from steps whose cases are not all judged.
+void count_cases(store::StudentResult& student) {
+  for (judge::LabResult& lab : student.labs)
+    for (judge::StepResult& step : lab.steps) {
+      const auto planned =
+          static_cast<std::size_t>(std::ranges::count(lab.lab.cases, step.id, &course::GradedCase::step));
+      student.planned += planned;
+      student.judged += std::min(step.cases.size(), planned);
+      if (step.cases.size() >= planned || !step.overridden.empty()) continue;
+      step.cases.clear();
+      step.status = judge::Status::failed, step.score = 0;
+      step.message = "This step is not judged yet.", step.mistake = step.mistake_says = "";
     }
-    student->grade(setup.plans[i % labs]);
-    std::unique_ptr<Student> done;  // its files are removed outside the lock
-    const std::scoped_lock lock(mutex);
-    if (--open[index].left > 0) return;
-    done = std::move(open[index].student);
-    open.erase(index);
-  });
 }
 
 }  // namespace
@@ -152,7 +207,7 @@ GradeSummary grade_class(const GradeOptions& given, const std::function<void(con
   if (as_another_user && entries.size() > 1)
     throw Error::usage(fmt::format("these walls hold for one student, and here are {}", entries.size()),
                        "programs of one could leave files for the next; grade on a machine with namespaces");
-  make_folders(options);
+  for (const fs::path& folder : {options.out, options.out / "pictures", options.cache}) make_folder(folder);
   const FileLock lock(options.out / "lock", true);
   // Two programs at a time could read each other's files.
   const unsigned jobs = as_another_user ? 1 : options.jobs > 0 ? options.jobs : processors();
@@ -175,26 +230,6 @@ GradeSummary grade_class(const GradeOptions& given, const std::function<void(con
   remove_unused(options.cache);
   return {entries.size(), record.judged(), record.incidents(), record.seconds()};
 }
-
-namespace {
-
-/// Counts a student's cases, and takes the marks from steps whose cases are not all judged.
-void count_cases(store::StudentResult& student) {
-  for (judge::LabResult& lab : student.labs)
-    for (judge::StepResult& step : lab.steps) {
-      const auto planned = static_cast<std::size_t>(
-          std::count_if(lab.lab.cases.begin(), lab.lab.cases.end(),
-                        [&](const course::GradedCase& one) { return one.step == step.id; }));
-      student.planned += planned;
-      student.judged += std::min(step.cases.size(), planned);
-      if (step.cases.size() >= planned || !step.overridden.empty()) continue;
-      step.cases.clear();
-      step.status = judge::Status::failed, step.score = 0;
-      step.message = "This step is not judged yet.", step.mistake = step.mistake_says = "";
-    }
-}
-
-}  // namespace
 
 store::ClassResult read_results(const fs::path& folder, const fs::path& course) {
   if (!fs::exists(store_file(folder)))

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "cache.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
-#include "fingerprint.hpp"
 #include "material/unseen_model.hpp"
 #include "mesh/bounds.hpp"
 #include "mesh/obj.hpp"
@@ -38,10 +38,7 @@ std::string mesh_of(const std::string& obj, const std::string& name) {
 
 /// Writes the model that stands for `unseen:kind`, or its mesh for `unseen:kind.ply`, and returns its place.
 std::string write_unseen(const std::string& kind, std::uint64_t number, const fs::path& models) {
-  std::error_code error;
-  fs::create_directories(models, error);
-  if (error)
-    throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {models.string()});
+  make_folder(models);
   const fs::path named(kind);
   const std::string shape = named.stem().string(), obj = material::unseen_model(shape, number);
   const bool is_mesh = named.extension() == ".ply";
@@ -54,9 +51,7 @@ Case settled(const course::Lab& lab, const course::GradedCase& graded, const std
              const fs::path& models) {
   Case one = graded;
   for (const course::Hidden& hidden : graded.hidden_settings) {
-    const auto known = std::find_if(one.settings.begin(), one.settings.end(), [&](const course::Setting& s) {
-      return s.parameter == hidden.parameter;
-    });
+    const auto known = std::ranges::find(one.settings, hidden.parameter, &course::Setting::parameter);
     const std::string value = drawn(hidden, draw({seed, lab.folder, graded.name, hidden.parameter}));
     if (known != one.settings.end())
       known->value = value;

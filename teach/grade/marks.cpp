@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "grade/marks.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "course/markers.hpp"
+#include "grade/course_tree.hpp"
 #include "grade/hidden_cases.hpp"
 #include "references.hpp"
 
@@ -30,13 +29,12 @@ void add_places(const fs::path& course, std::vector<Solution>& all) {
   for (const std::string& file : course::step_files(course)) {
     const std::string text = read_file(course / file);
     std::map<std::string, int> in_file;
-    for (const course::Marker& marker : course::markers_of(text, file)) {
-      if (marker.step.empty()) continue;
+    for (const course::StepPart& part : course::parts_of(text)) {
       int seen = 0;
-      const int here = ++in_file[marker.step];
-      const auto is_solved = [&](const std::string& step) { return step != marker.step || ++seen != here; };
-      all.push_back({fmt::format("place-{}-of-{}-as-in-the-starter", ++count[marker.step], marker.step),
-                     marker.step, file, course::with_steps(text, file, is_solved)});
+      const int here = ++in_file[part.step];
+      const auto is_solved = [&](const std::string& step) { return step != part.step || ++seen != here; };
+      all.push_back({fmt::format("place-{}-of-{}-as-in-the-starter", ++count[part.step], part.step),
+                     part.step, file, course::with_steps(text, file, is_solved)});
     }
   }
 }
@@ -53,12 +51,12 @@ void add_catalogue(const fs::path& course, const std::vector<material::Mutant>& 
 
 std::vector<JudgedSolution> judged_solutions(const CourseTree& tree, int seeds, bool only_places,
                                              const std::function<void(const std::string&)>& say) {
-  const BuiltTree starter = starter_tree(tree.course, tree.cache);
-  References course(solution_tree(tree.course, tree.build, starter), starter, tree.cache, "auto");
+  References course(tree.course, tree.build, tree.cache, "auto");
   std::vector<Solution> all;
-  if (!only_places) add_catalogue(tree.course, course.mutants(), all);
-  if (!only_places)
+  if (!only_places) {
+    add_catalogue(tree.course, course.mutants(), all);
     add_catalogue(tree.course, material::read_catalogue(tree.course / "tests/equivalents"), all);
+  }
   add_places(tree.course, all);
 
   std::vector<JudgedSolution> judged;
@@ -88,8 +86,7 @@ std::vector<JudgedSolution> judged_solutions(const CourseTree& tree, int seeds, 
         if (seed == 0 && of.mutant != nullptr && !failed.empty())
           if (const judge::Mistake* known = course.recognize(plan, of.step, failed))
             of_lab[i].called = known->name;
-        const auto step = std::find_if(lab.steps.begin(), lab.steps.end(),
-                                       [&](const course::Step& one) { return one.id == of.step; });
+        const auto step = std::ranges::find(lab.steps, of.step, &course::Step::id);
         hidden.insert(hidden.begin(), shown[i].begin(), shown[i].end());
         of_lab[i].by_seed.push_back(judge::step_result(*step, std::move(hidden)));
       });

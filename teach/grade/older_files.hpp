@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -10,16 +10,13 @@
 /// in.
 namespace texel::grade {
 
-/// A step that an older starter had in another file.
-struct MovedStep {
-  std::string step, from, to;
-};
-
-/// Those of an older starter's file; none for any other file.
-std::vector<MovedStep> moved_steps(const std::string& older_file);
-
 /// The older files of which a step lies in one of these files now.
-std::vector<std::string> older_files(const std::vector<std::string>& allowed);
+std::set<std::string> older_files(const std::vector<std::string>& allowed);
+
+/// The steps that a student began in the text of an allowed or older file: those whose markers the text has
+/// and whose code is not the starter's. One without a marker may be another file of that name.
+std::set<std::string> begun_steps(const std::string& file, const std::string& text,
+                                  const FirstText& first_text);
 
 /// Takes the steps that were begun in older files into the files that have them now, and the older files out
 /// of `files`. What is begun in a file of today stays. Says in `ignored` what became of each older file.

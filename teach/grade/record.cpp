@@ -6,22 +6,20 @@
 #include <algorithm>
 #include <map>
 
+#include "cache.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "course/batch.hpp"
-#include "fingerprint.hpp"
 
 namespace texel::grade {
 namespace {
 
 namespace fs = std::filesystem;
 
-void make_writable_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {folder.string()},
-                        "check that it is writable and the disk has free space");
+store::StudentResult known(const Entry& entry) {
+  store::StudentResult student;
+  student.id = entry.id, student.name = entry.name, student.number = entry.number;
+  return student;
 }
 
 /// What results depend on: two runs may only be joined where all of it is the same.
@@ -63,23 +61,18 @@ Record::Record(const GradeOptions& options, const ClassSetup& setup, std::size_t
 void Record::keep_references() const {
   for (const judge::LabPlan& plan : setup_.plans) {
     const fs::path folder = options_.out / "references" / plan.lab.folder;
-    make_writable_folder(folder);
+    make_folder(folder);
     for (const course::Case& one : plan.cases)
       if (!one.hidden) write_file(folder / one.file, read_file(setup_.course->expected(plan, one).reference));
   }
 }
 
 void Record::expect(const std::vector<Entry>& entries) {
-  for (const Entry& entry : entries) {
-    store::StudentResult student;
-    student.id = entry.id, student.name = entry.name, student.number = entry.number;
-    store_->expect_student(student);
-  }
+  for (const Entry& entry : entries) store_->expect_student(known(entry));
 }
 
 std::set<std::string> Record::begin(const Entry& entry, const StudentRun* run) {
-  store::StudentResult student;
-  student.id = entry.id, student.name = entry.name, student.number = entry.number;
+  store::StudentResult student = known(entry);
   if (run == nullptr) {
     // Known all the same, and with what was judged before.
     store_->put_student(student, "");
@@ -121,9 +114,8 @@ void Record::end_lab(const Entry& entry, const judge::LabPlan& plan, const Judge
 
 std::size_t Record::incidents() const {
   const std::vector<store::StudentResult> students = store_->read(setup_.labs).students;
-  return static_cast<std::size_t>(
-      std::count_if(students.begin(), students.end(),
-                    [](const store::StudentResult& one) { return !one.incident.empty(); }));
+  const auto sound = std::ranges::count(students, "", &store::StudentResult::incident);
+  return students.size() - static_cast<std::size_t>(sound);
 }
 
 void Record::progress() {

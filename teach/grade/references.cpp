@@ -14,7 +14,6 @@
 #include "core/files.hpp"
 #include "course/batch.hpp"
 #include "course/markers.hpp"
-#include "fingerprint.hpp"
 #include "grade/submission.hpp"
 
 namespace texel::grade {
@@ -41,9 +40,9 @@ std::string refused_instead_of(const fs::path& picture) {
 
 }  // namespace
 
-References::References(BuiltTree solution, BuiltTree starter, fs::path cache, std::string context)
-    : solution_(std::move(solution)),
-      starter_(std::move(starter)),
+References::References(const fs::path& course, const fs::path& build, fs::path cache, std::string context)
+    : starter_(starter_tree(course, cache)),
+      solution_(solution_tree(course, build, starter_)),
       cache_(std::move(cache)),
       context_(std::move(context)),
       workshop_(solution_, cache_ / "solutions", run_plainly),
@@ -88,6 +87,13 @@ fs::path References::folder_of(const judge::LabPlan& plan) const {
   return folders_.at(plan.lab.folder);
 }
 
+std::vector<const material::Mutant*> References::mutants_of(const course::Lab& lab) const {
+  std::vector<const material::Mutant*> own;
+  for (const material::Mutant& mutant : mutants_)
+    if (std::stoi(mutant.step) == lab.number) own.push_back(&mutant);
+  return own;
+}
+
 check::ExpectedFiles References::expected(const judge::LabPlan& plan, const Case& of) const {
   const fs::path folder = folder_of(plan);
   return {folder / "solution" / of.file, of.is_mesh() ? fs::path() : folder / "mask" / (of.name + ".png")};
@@ -95,14 +101,10 @@ check::ExpectedFiles References::expected(const judge::LabPlan& plan, const Case
 
 fs::path References::draw_changed(const judge::LabPlan& plan, const std::string& name,
                                   const std::string& step, const std::string& file, const std::string& text) {
-  std::mutex* own = nullptr;
-  {
-    const std::scoped_lock lock(mutex_);
-    auto& slot = drawing_[name + "/" + plan.lab.folder];
-    if (!slot) slot = std::make_unique<std::mutex>();
-    own = slot.get();
-  }
-  const std::scoped_lock lock(*own);
+  std::unique_lock all(mutex_);
+  std::mutex& own = drawing_[name + "/" + plan.lab.folder];
+  all.unlock();
+  const std::scoped_lock lock(own);
   const fs::path folder =
       folder_of(plan) / "mutants" / fingerprint({name, file, text, kRefused}).substr(0, 32);
   if (fs::exists(folder)) return folder;
@@ -112,15 +114,13 @@ fs::path References::draw_changed(const judge::LabPlan& plan, const std::string&
   check::Studio studio = this->studio(solution_, plan);
   if (file.starts_with("shaders/")) {
     studio.root = fresh / "root";
-    overlay(solution_.source / "shaders", {{file.substr(8), text}}, studio.root / "shaders");
-    fs::create_directory_symlink(solution_.source / "assets", studio.root / "assets");
+    make_root(solution_.source, {{file, text}}, studio.root);
   } else {
     studio.program = workshop_.make(plan.lab.program(), {{file, text}}).file;
   }
   // Only the cases of its step: nobody asks for the others.
-  std::vector<Case> cases;
-  std::copy_if(plan.cases.begin(), plan.cases.end(), std::back_inserter(cases),
-               [&](const Case& one) { return one.step == step; });
+  std::vector<Case> cases = plan.cases;
+  std::erase_if(cases, [&](const Case& one) { return one.step != step; });
   const check::Drawn drawn = draw(studio, cases, fresh / "out");
   fs::create_directories(fresh / "out");
   for (const auto& [picture, refused] : drawn.refused)
@@ -130,11 +130,6 @@ fs::path References::draw_changed(const judge::LabPlan& plan, const std::string&
   fs::rename(fresh / "out", folder, exists);
   fs::remove_all(fresh);
   return folder;
-}
-
-judge::Failed References::failed_by(const judge::LabPlan& plan, const material::Mutant& mutant,
-                                    const Case& of) {
-  return drawn_in(drawn_by(plan, mutant), of);
 }
 
 judge::Failed References::drawn_in(const fs::path& folder, const Case& of) {

@@ -3,12 +3,11 @@
 #pragma once
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
 
-#include "check/files.hpp"
+#include "check/check.hpp"
 #include "check/studio.hpp"
 #include "judge/mistakes.hpp"
 #include "judge/plan.hpp"
@@ -21,7 +20,9 @@ namespace texel::grade {
 /// program, shaders, assets, cases, renderer and processor. May be used by several threads.
 class References {
  public:
-  References(BuiltTree solution, BuiltTree starter, std::filesystem::path cache, std::string context);
+  /// Of the course's source tree, where Ninja built it; makes the starter unless the cache has it.
+  References(const std::filesystem::path& course, const std::filesystem::path& build,
+             std::filesystem::path cache, std::string context);
 
   /// Draws what the lab's cases are judged by, unless it is there. Throws Error (exit 3).
   void prepare(const judge::LabPlan& plan);
@@ -38,25 +39,25 @@ class References {
   std::filesystem::path draw_changed(const judge::LabPlan& plan, const std::string& name,
                                      const std::string& step, const std::string& file,
                                      const std::string& text);
-  /// Of one case. Throws Error (exit 3).
-  judge::Failed failed_by(const judge::LabPlan& plan, const material::Mutant& mutant, const course::Case& of);
   /// One of the pictures in such a folder.
   static judge::Failed drawn_in(const std::filesystem::path& folder, const course::Case& of);
   /// Those of the course's steps.
   [[nodiscard]] const std::vector<material::Mutant>& mutants() const { return mutants_; }
+  [[nodiscard]] std::vector<const material::Mutant*> mutants_of(const course::Lab& lab) const;
 
   /// What a mutant looks like in the cases of its step. Throws Error (exit 3).
   judge::Mistake mistake_of(const judge::LabPlan& plan, const material::Mutant& mutant);
 
-  /// grade::known_mistakes, read once. Throws Error (exit 3).
+  /// check::known_mistakes, read once. Throws Error (exit 3).
   const std::vector<judge::Mistake>& known_mistakes(const judge::LabPlan& plan);
 
-  /// grade::recognise for a student's failed cases of a step, or null. The public ones are compared with
+  /// judge::recognize for a student's failed cases of a step, or null. The public ones are compared with
   /// known_mistakes, as `check` does: nothing is drawn. Where no public case failed, the hidden ones are
   /// compared with what the other mutants draw. Throws Error (exit 3).
   const judge::Mistake* recognize(const judge::LabPlan& plan, const std::string& step,
                                   const std::map<std::string, judge::Failed>& failed);
 
+  [[nodiscard]] const BuiltTree& starter() const { return starter_; }
   /// "llvmpipe …": what draws.
   [[nodiscard]] const std::string& renderer() const { return renderer_; }
   /// Where a step is written.
@@ -67,8 +68,7 @@ class References {
   [[nodiscard]] check::Studio studio(const BuiltTree& tree, const judge::LabPlan& plan) const;
   const std::vector<judge::Mistake>& unseen_mistakes(const judge::LabPlan& plan, const std::string& step);
 
-  BuiltTree solution_;
-  BuiltTree starter_;
+  BuiltTree starter_, solution_;
   std::filesystem::path cache_;
   std::string context_;
   Workshop workshop_;
@@ -78,7 +78,7 @@ class References {
   std::map<std::string, Place> places_;
   std::mutex mutex_;
   std::map<std::string, std::filesystem::path> folders_;
-  std::map<std::string, std::unique_ptr<std::mutex>> drawing_;          ///< by mutant and lab
+  std::map<std::string, std::mutex> drawing_;                           ///< by mutant and lab
   std::map<std::string, std::vector<judge::Mistake>> known_mistakes_;   ///< by the lab's folder
   std::map<std::string, std::vector<judge::Mistake>> unseen_mistakes_;  ///< by step
 };

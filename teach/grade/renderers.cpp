@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "grade/renderers.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,10 +6,10 @@
 #include <cmath>
 
 #include "check/check.hpp"
-#include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "course/markers.hpp"
+#include "grade/course_tree.hpp"
 #include "grade/hidden_cases.hpp"
 #include "references.hpp"
 
@@ -46,11 +44,7 @@ check::ExpectedFiles kept(const CourseTree& tree, const judge::LabPlan& lab, con
 }  // namespace
 
 std::string renderer_here(const CourseTree& tree, const std::string& context) {
-  try {
-    return check::renderer_of(studio(tree, tree.labs.front(), context));
-  } catch (const Error&) {
-    return {};
-  }
+  return check::renderer_of(studio(tree, tree.labs.front(), context));
 }
 
 void draw_cases(const CourseTree& tree, const std::string& context, const fs::path& out) {
@@ -70,8 +64,7 @@ void draw_cases(const CourseTree& tree, const std::string& context, const fs::pa
 std::vector<std::string> wrongly_passed(const CourseTree& tree, const std::string& context,
                                         const std::function<void(const std::string&)>& say) {
   std::vector<std::string> faults;
-  const BuiltTree starter = starter_tree(tree.course, tree.cache);
-  References course(solution_tree(tree.course, tree.build, starter), starter, tree.cache, context);
+  References course(tree.course, tree.build, tree.cache, context);
   // By what this renderer draws, as grade has it, or by what is kept, as check has it: one of them is enough.
   const auto is_passed = [&](const judge::LabPlan& lab, const std::string& step, const fs::path& folder) {
     return std::all_of(lab.cases.begin(), lab.cases.end(), [&](const course::Case& of) {
@@ -85,9 +78,7 @@ std::vector<std::string> wrongly_passed(const CourseTree& tree, const std::strin
     for (const course::Step& step : lab.lab.steps)
       if (is_passed(lab, step.id, course.starter_folder(lab)))
         faults.push_back(fmt::format("the starter passes step {}", step.id));
-    std::vector<const material::Mutant*> mutants;
-    for (const material::Mutant& mutant : course.mutants())
-      if (!mutant.step.empty() && std::stoi(mutant.step) == lab.lab.number) mutants.push_back(&mutant);
+    const std::vector<const material::Mutant*> mutants = course.mutants_of(lab.lab);
     std::vector<char> passed(mutants.size());
     in_parallel(processors(), mutants.size(), [&](std::size_t i) {
       passed[i] = is_passed(lab, mutants[i]->step, course.drawn_by(lab, *mutants[i]));
@@ -105,7 +96,6 @@ std::vector<Spread> spreads(const CourseTree& tree, const fs::path& drawn, const
   for (const fs::directory_entry& entry : fs::directory_iterator(drawn))
     if (fs::exists(entry.path() / check::kRendererFile))
       renderers.push_back(entry.path().filename().string());
-  std::sort(renderers.begin(), renderers.end());
   const std::map<std::string, Place> places = course::first_places(tree.course);
   std::vector<Spread> all;
   for (const course::Lab& lab : tree.labs)

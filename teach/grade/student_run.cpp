@@ -6,12 +6,11 @@
 #include <algorithm>
 #include <map>
 
-#include "check/files.hpp"
+#include "cache.hpp"
+#include "check/check.hpp"
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
 #include "course/markers.hpp"
-#include "fingerprint.hpp"
-#include "judged_alone.hpp"
 
 namespace texel::grade {
 namespace {
@@ -37,12 +36,6 @@ std::set<std::string> begun(const ClassSetup& setup, const std::string& path, co
   return steps;
 }
 
-judge::Failed failed_by(const std::map<std::string, std::string>& refused, const Case& of,
-                        const fs::path& out) {
-  const auto found = refused.find(of.file);
-  return {check::picture_bytes(out / of.file), found == refused.end() ? "" : found->second};
-}
-
 /// What macOS and Windows put beside files.
 bool is_of_system(const std::string& path) {
   const std::string name = path.substr(path.rfind('/') + 1);
@@ -57,18 +50,26 @@ StudentRun::StudentRun(const ClassSetup& setup, const GradeOptions& options, con
     : setup_(setup),
       options_(options),
       folder_(std::move(folder)),
-      submission_(unpack(entry, setup.allowed, {},
+      submission_(unpack(entry, setup.allowed,
                          [&](const std::string& file) { return read_file(setup.starter.source / file); })) {
   for (const auto& [path, text] : submission_.files) begun_.merge(begun(setup, path, text));
-  std::map<std::string, std::string> shaders;
-  for (const auto& [path, text] : submission_.files) {
-    digest_ = fingerprint({digest_, path, text});
-    if (path.starts_with("shaders/")) shaders[path.substr(8)] = text;
-  }
+  for (const auto& [path, text] : submission_.files) digest_ = fingerprint({digest_, path, text});
   digest_ = fingerprint({digest_, submission_.fault});
   fs::remove_all(folder_);
-  overlay(setup.starter.source / "shaders", shaders, folder_ / "root/shaders");
-  fs::create_directory_symlink(setup.starter.source / "assets", folder_ / "root/assets");
+  make_root(setup.starter.source, submission_.files, folder_ / "root");
+}
+
+judge::Failed StudentRun::failed_by(const Files& refused, const Case& of, const fs::path& out) {
+  const auto found = refused.find(of.file);
+  return {check::picture_bytes(out / of.file), found == refused.end() ? "" : found->second};
+}
+
+check::Studio StudentRun::studio(const Program& program, const fs::path& root) const {
+  check::Studio studio{
+      program.file, root, options_.context, options_.run, {setup_.starter.source / "assets"}};
+  studio.budget = &budget_;
+  if (fs::exists(setup_.models)) studio.readable.push_back(setup_.models);
+  return studio;
 }
 
 StudentRun::~StudentRun() {
@@ -94,9 +95,8 @@ std::vector<store::Ignored> StudentRun::worth_telling() const {
   constexpr std::size_t most = 100;
   std::vector<store::Ignored> told = submission_.copies;
   for (const store::Ignored& file : submission_.ignored) {
-    const bool is_in_copy =
-        std::any_of(submission_.copies.begin(), submission_.copies.end(),
-                    [&](const store::Ignored& copy) { return file.path.starts_with(copy.path); });
+    const bool is_in_copy = std::ranges::any_of(
+        submission_.copies, [&](const store::Ignored& copy) { return file.path.starts_with(copy.path); });
     if (is_in_copy || is_of_system(file.path) || is_of_course(file.path)) continue;
     if (told.size() >= most) {
       told.push_back({"…", fmt::format("and more: {} files in all", submission_.ignored.size())});
@@ -116,12 +116,9 @@ JudgedLab StudentRun::judge(const judge::LabPlan& plan, const std::vector<Case>&
   const Program program = setup_.workshop->make(plan.lab.program(), sources, &budget_);
 
   const fs::path out = folder_ / plan.lab.folder;
-  check::Studio studio{
-      program.file, folder_ / "root", options_.context, options_.run, {setup_.starter.source / "assets"}};
-  studio.budget = &budget_;
-  if (fs::exists(setup_.models)) studio.readable.push_back(setup_.models);
   fs::remove_all(out);
-  const check::Drawn drawn = submission_.fault.empty() ? draw(studio, cases, out) : check::Drawn();
+  check::Drawn drawn;
+  if (submission_.fault.empty()) drawn = draw(studio(program, folder_ / "root"), cases, out);
 
   // Step by step: a mistake shows in all pictures of its step.
   for (const course::Step& step : plan.lab.steps) {
@@ -150,34 +147,6 @@ JudgedLab StudentRun::judge(const judge::LabPlan& plan, const std::vector<Case>&
   }
   fs::remove_all(out);
   return {program.refused, drawn.notes};
-}
-
-void StudentRun::judge_alone(const judge::LabPlan& plan, const std::string& step, StepCases& cases) const {
-  const fs::path out = folder_ / (plan.lab.folder + ".alone");
-  std::vector<Case> again;
-  for (const judge::CaseResult& result : cases.results)
-    if (!result.passed()) again.push_back(result);
-  const auto refused = draw_alone(setup_, options_, submission_.files, plan, step, again, out / "root",
-                                  out / "pictures", &budget_);
-  for (judge::CaseResult& result : cases.results) {
-    if (result.passed()) continue;
-    if (!refused) {
-      result.judged = judge::Judged::markers_lost;
-      continue;
-    }
-    const judge::Verdict verdict =
-        check::judge(result, setup_.course->expected(plan, result), out / "pictures" / result.file);
-    const double score = coarse_score(verdict.score);
-    if (verdict.passed)
-      cases.failed.erase(result.name);
-    else
-      cases.failed[result.name] = failed_by(*refused, result, out / "pictures");
-    if (score <= result.score) continue;
-    result.judged = judge::Judged::alone, result.score = score;
-    result.status = verdict.passed ? judge::CaseStatus::passed : judge::CaseStatus::failed;
-    result.error = verdict.passed ? 0 : coarse_error(verdict.error);
-  }
-  fs::remove_all(out);
 }
 
 judge::CaseResult StudentRun::judged(const judge::LabPlan& plan, const Case& of, const Program& program,

@@ -3,6 +3,8 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,6 +15,11 @@
 #include "judge/mistakes.hpp"
 
 namespace texel::grade {
+
+/// A mark, or an error in the case's unit, of what was judged alone, in steps of a hundredth of it at least:
+/// exact numbers could carry text out. The mark is rounded down.
+double coarse_score(double score);
+double coarse_error(double error);
 
 /// A case that was judged, and the student's picture where it is wrong.
 struct JudgedCase {
@@ -44,13 +51,18 @@ class StudentRun {
   /// unchanged are no news; of the others the first hundred.
   [[nodiscard]] std::vector<store::Ignored> worth_telling() const;
 
-  /// Compiles the lab's program, draws the cases and judges them, step by step, what failed also alone
-  /// (judged_alone.hpp); `keep` gets each as it is judged. Throws Error (exit 3) for faults of the machine.
+  /// Compiles the lab's program, draws the cases and judges them, step by step, what failed also alone;
+  /// `keep` gets each as it is judged. Throws Error (exit 3) for faults of the machine.
   JudgedLab judge(const judge::LabPlan& plan, const std::vector<course::Case>& cases,
                   const std::function<void(const JudgedCase&)>& keep) const;
 
  private:
+  using Files = std::map<std::string, std::string>;
   [[nodiscard]] bool is_of_course(const std::string& path) const;
+  [[nodiscard]] check::Studio studio(const Program& program, const std::filesystem::path& root) const;
+  /// What was drawn of a case in the folder `out`; `refused` is Drawn::refused.
+  static judge::Failed failed_by(const Files& refused, const course::Case& of,
+                                 const std::filesystem::path& out);
   /// What became of the cases of one step, each judged as the student's tree draws it.
   struct StepCases {
     std::vector<judge::CaseResult> results;
@@ -60,6 +72,23 @@ class StudentRun {
   /// counts. Those that still fail are then the failed ones. Nothing changes but `judged` where it cannot be
   /// done.
   void judge_alone(const judge::LabPlan& plan, const std::string& step, StepCases& cases) const;
+  /// Draws cases of one step into the folder `out`/pictures, where the solution stands in for all other
+  /// steps: in the step's files what stands between their markers is the solution's, and all other files of
+  /// the lab, and those that labs share, are the solution's. So the program of a GLSL step has no C++ of the
+  /// student.
+  ///
+  /// The student's text is compiled and drawn beside the solution's, in the sandbox, and could carry it out.
+  /// So nothing but the pictures comes back, for the judge alone: not what programs, compiler and driver say,
+  /// and not why a picture is missing. Of cases that were refused (Drawn::refused) their file and place come
+  /// back, for judge::recognize alone. Nothing comes back where markers in the step's files are gone. Throws
+  /// Error (exit 3), which says nothing of the files either, for faults of the machine. All of it counts to
+  /// the student's time.
+  [[nodiscard]] std::optional<Files> draw_alone(const judge::LabPlan& plan, const std::string& step,
+                                                const std::vector<course::Case>& cases,
+                                                const std::filesystem::path& out) const;
+  [[nodiscard]] Files draw_spliced(const Files& spliced, const judge::LabPlan& plan,
+                                   const std::vector<course::Case>& cases,
+                                   const std::filesystem::path& out) const;
   [[nodiscard]] judge::CaseResult judged(const judge::LabPlan& plan, const course::Case& of,
                                          const Program& program, const check::Drawn& drawn,
                                          const std::filesystem::path& out) const;

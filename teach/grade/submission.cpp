@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <set>
 #include <string_view>
+#include <tuple>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
-#include "course/markers.hpp"
 #include "older_files.hpp"
 #include "submission_source.hpp"
 
@@ -35,7 +35,7 @@ std::vector<std::string_view> endings_of(std::string_view path) {
 class Endings {
  public:
   /// An older file needs its folder: by its name alone it may be one of today.
-  Endings(const std::vector<std::string>& allowed, const std::vector<std::string>& older) {
+  Endings(const std::vector<std::string>& allowed, const std::set<std::string>& older) {
     for (const std::string& file : allowed)
       for (const std::string_view ending : endings_of(file)) files_[lower_case(ending)].push_back(file);
     for (const std::string& file : older)
@@ -61,16 +61,13 @@ struct Root {
 
   [[nodiscard]] std::ptrdiff_t depth() const { return std::count(folder.begin(), folder.end(), '/'); }
   [[nodiscard]] std::ptrdiff_t clear() const {
-    return std::count_if(files.begin(), files.end(),
-                         [](const auto& file) { return file.second.size() == 1; });
+    return std::ranges::count_if(files, [](const auto& file) { return file.second.size() == 1; });
   }
 };
 
 bool is_better(const Root& a, const Root& b) {
-  if (a.begun.size() != b.begun.size()) return a.begun.size() > b.begun.size();
-  if (a.clear() != b.clear()) return a.clear() > b.clear();
-  if (a.depth() != b.depth()) return a.depth() < b.depth();
-  return a.folder < b.folder;
+  return std::tuple(b.begun.size(), b.clear(), a.depth(), a.folder) <
+         std::tuple(a.begun.size(), a.clear(), b.depth(), b.folder);
 }
 
 /// Below one root the longer path names more of the file's place, then the one with the right capitals; of
@@ -88,17 +85,16 @@ void stand(Root& root, const Item& item, const std::string& file) {
   }
 }
 
+/// The allowed file for which an item stands, and the root that names most of it.
+struct Meaning {
+  std::string file, folder;
+};
+
 /// What stands for the allowed files, wherever it lies.
 struct Found {
   std::map<std::string, Root> roots;                         ///< by folder
   std::map<std::string, std::vector<const Item*>> anywhere;  ///< by allowed file: different paths
-  std::map<const Item*, std::string> file_of,
-      folder_of;  ///< the allowed file, and the root that names most of it
-
-  [[nodiscard]] bool has_choice() const {
-    return std::any_of(anywhere.begin(), anywhere.end(),
-                       [](const auto& file) { return file.second.size() > 1; });
-  }
+  std::map<const Item*, Meaning> meanings;
 };
 
 Found find_roots(const std::vector<Item>& items, const Endings& endings) {
@@ -112,10 +108,11 @@ Found find_roots(const std::vector<Item>& items, const Endings& endings) {
       Root& root = found.roots[folder];
       root.folder = folder;
       stand(root, item, files[0]);
-      found.file_of[&item] = files[0], found.folder_of[&item] = folder;
+      found.meanings[&item] = {files[0], folder};
     }
-    if (!found.file_of.contains(&item)) continue;
-    std::vector<const Item*>& all = found.anywhere[found.file_of[&item]];
+    const auto own = found.meanings.find(&item);
+    if (own == found.meanings.end()) continue;
+    std::vector<const Item*>& all = found.anywhere[own->second.file];
     std::erase_if(all, [&](const Item* one) { return one->path == item.path; });
     all.push_back(&item);
   }
@@ -123,16 +120,15 @@ Found find_roots(const std::vector<Item>& items, const Endings& endings) {
 }
 
 /// Of two copies of the labs the one with more of the work is meant: counts the steps that were begun in
-/// each.
-void count_begun(const Entry& entry, const UnpackLimits& limits, const BegunSteps& begun, Found& found) {
-  std::map<std::size_t, const Item*> items;
-  std::set<std::size_t> wanted;
-  for (const auto& [item, file] : found.file_of) items[item->position] = item, wanted.insert(item->position);
+/// each, where there are two.
+void count_begun(const Entry& entry, const UnpackLimits& limits, const FirstText& first_text, Found& found) {
+  if (std::ranges::all_of(found.anywhere, [](const auto& file) { return file.second.size() == 1; })) return;
+  std::set<const Item*> items;
+  for (const auto& [item, meaning] : found.meanings) items.insert(item);
   std::map<const Item*, std::set<std::string>> steps;
   Submission unused;
-  read(entry, wanted, limits, unused, [&](std::size_t position, const std::string& text) {
-    const Item* item = items.at(position);
-    steps[item] = begun(found.file_of.at(item), text);
+  read(entry, items, limits, unused, [&](const Item& item, const std::string& text) {
+    steps[&item] = begun_steps(found.meanings.at(&item).file, text, first_text);
   });
   for (auto& [folder, root] : found.roots)
     for (const auto& [file, all] : root.files)
@@ -146,15 +142,16 @@ std::string named(const std::string& folder) {
 /// Why an item that is not refused was not taken.
 std::string reason(const Item& item, const Root& root, const Found& found, const Endings& endings,
                    const std::map<std::string, const Item*>& taken) {
-  if (const auto own = found.file_of.find(&item); own != found.file_of.end()) {
-    if (const auto used = taken.find(own->second); used != taken.end())
-      return fmt::format("is not used: '{}' is used for {}", used->second->path, own->second);
-    if (root.files.contains(own->second))
-      return fmt::format("should be called {}: upper and lower case matter where there are two", own->second);
-    if (found.anywhere.at(own->second).size() == 1)
-      return fmt::format("is outside {}, which is graded", named(root.folder));
-    return fmt::format("is one of {} files for {}, and none of them is in {}, which is graded",
-                       found.anywhere.at(own->second).size(), own->second, named(root.folder));
+  if (const auto own = found.meanings.find(&item); own != found.meanings.end()) {
+    const std::string& file = own->second.file;
+    if (const auto used = taken.find(file); used != taken.end())
+      return fmt::format("is not used: '{}' is used for {}", used->second->path, file);
+    if (root.files.contains(file))
+      return fmt::format("should be called {}: upper and lower case matter where there are two", file);
+    const std::size_t count = found.anywhere.at(file).size();
+    if (count == 1) return fmt::format("is outside {}, which is graded", named(root.folder));
+    return fmt::format("is one of {} files for {}, and none of them is in {}, which is graded", count, file,
+                       named(root.folder));
   }
   for (const std::string_view ending : endings_of(item.path))
     if (const std::vector<std::string>& files = endings.find(ending); files.size() > 1)
@@ -186,10 +183,8 @@ void check_place(const std::string& path) {
 
 /// Lets everybody read a file and enter a folder: in the sandbox the reader is nobody in particular.
 void open_to_all(const fs::path& path) {
-  constexpr fs::perms read = fs::perms::owner_read | fs::perms::group_read | fs::perms::others_read;
-  constexpr fs::perms enter = fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec;
   const bool can_enter = (fs::status(path).permissions() & fs::perms::owner_exec) != fs::perms::none;
-  fs::permissions(path, can_enter ? read | enter : read, fs::perm_options::add);
+  fs::permissions(path, fs::perms(can_enter ? 0555 : 0444), fs::perm_options::add);
 }
 
 /// A link would share the permissions, so that a file which is closed to others is copied.
@@ -202,36 +197,22 @@ void link_or_copy(const fs::path& from, const fs::path& to) {
   open_to_all(to);
 }
 
-void make_folder(const fs::path& folder) {
+void make_open_folder(const fs::path& folder) {
   fs::create_directories(folder);
   open_to_all(folder);
 }
 
 }  // namespace
 
-BegunSteps begun_since(const FirstText& first_text) {
-  return [first_text](const std::string& file, const std::string& text) {
-    std::string first;
-    for (const MovedStep& one : moved_steps(file)) first += first_text(one.to);
-    if (first.empty()) first = first_text(file);
-    const std::set<std::string> untouched = course::untouched_steps(text, first);
-    const std::map<std::string, std::string> given = course::step_texts(first);
-    std::set<std::string> steps;
-    for (const auto& [step, own] : course::step_texts(text))
-      if (given.contains(step) && !untouched.contains(step)) steps.insert(step);
-    return steps;
-  };
-}
-
-Submission unpack(const Entry& entry, const std::vector<std::string>& allowed, const UnpackLimits& limits,
-                  const FirstText& first_text) {
+Submission unpack(const Entry& entry, const std::vector<std::string>& allowed, const FirstText& first_text,
+                  const UnpackLimits& limits) {
   Submission submission;
   Listing listing = list(entry, limits);
   submission.fault = listing.fault;
   if (!submission.fault.empty()) return submission;
-  const Endings endings(allowed, first_text ? older_files(allowed) : std::vector<std::string>());
+  const Endings endings(allowed, older_files(allowed));
   Found found = find_roots(listing.items, endings);
-  if (first_text && found.has_choice()) count_begun(entry, limits, begun_since(first_text), found);
+  count_begun(entry, limits, first_text, found);
   Root root;
   for (const auto& [folder, one] : found.roots)
     if (is_better(one, root)) root = one;
@@ -243,21 +224,20 @@ Submission unpack(const Entry& entry, const std::vector<std::string>& allowed, c
   // of the same names.
   for (const auto& [file, items] : found.anywhere)
     if (items.size() == 1 &&
-        items[0]->path.find('/', found.folder_of.at(items[0]).size()) != std::string::npos)
+        items[0]->path.find('/', found.meanings.at(items[0]).folder.size()) != std::string::npos)
       taken[file] = items[0];
-  std::map<std::size_t, std::string> file_at;
-  std::set<std::size_t> wanted;
-  for (const auto& [file, item] : taken) file_at[item->position] = file, wanted.insert(item->position);
+  std::set<const Item*> wanted;
+  for (const auto& [file, item] : taken) wanted.insert(item);
 
   std::set<std::string> copies;
   for (const Item& item : listing.items) {
-    if (item.refused.empty() && wanted.contains(item.position)) continue;
+    if (wanted.contains(&item)) continue;
     const std::string path = item.refused.empty() ? item.path : name_to_show(item.path);
     submission.ignored.push_back(
         {path, item.refused.empty() ? reason(item, root, found, endings, taken) : item.refused});
     submission.sizes[path] = item.size;
-    if (const auto folder = found.folder_of.find(&item); folder != found.folder_of.end())
-      copies.insert(folder->second);
+    if (const auto own = found.meanings.find(&item); own != found.meanings.end())
+      copies.insert(own->second.folder);
   }
   for (const std::string& folder : copies) {
     const Root& copy = found.roots.at(folder);
@@ -267,17 +247,14 @@ Submission unpack(const Entry& entry, const std::vector<std::string>& allowed, c
          fmt::format("is another copy of the labs, and is not graded: {} steps are begun in it, and {} in {}",
                      copy.begun.size(), root.begun.size(), named(root.folder))});
   }
-  read(entry, wanted, limits, submission, [&](std::size_t position, std::string text) {
-    submission.files[file_at.at(position)] = std::move(text);
+  read(entry, wanted, limits, submission, [&](const Item& item, std::string text) {
+    if (is_utf16(text))
+      submission.ignored.push_back({item.path, "is saved as UTF-16; save it as UTF-8"});
+    else
+      submission.files[found.meanings.at(&item).file] = std::move(text);
   });
   if (!submission.fault.empty()) submission.files.clear();
-  for (const auto& [file, item] : taken)
-    if (const auto read = submission.files.find(file);
-        read != submission.files.end() && is_utf16(read->second)) {
-      submission.ignored.push_back({item->path, "is saved as UTF-16; save it as UTF-8"});
-      submission.files.erase(read);
-    }
-  if (first_text) take_older_steps(submission, first_text);
+  take_older_steps(submission, first_text);
   if (submission.files.empty() && submission.fault.empty())
     submission.fault = fmt::format(
         "contains no file with steps, so nothing was taken ({} not used); hand in the folder that contains "
@@ -293,19 +270,19 @@ void overlay(const fs::path& trusted_tree, const std::map<std::string, std::stri
     throw Error::failed("is not empty", {to.string()}, "name a new folder");
   for (const auto& [path, bytes] : files) check_place(path);
   try {
-    make_folder(to);
+    make_open_folder(to);
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(trusted_tree)) {
       const fs::path relative = entry.path().lexically_relative(trusted_tree);
       if (entry.is_symlink() || (!entry.is_directory() && !entry.is_regular_file()))
         throw Error::failed("is neither a file nor a folder", {entry.path().string()},
                             "remove links and devices from the trusted tree");
       if (entry.is_directory())
-        make_folder(to / relative);
+        make_open_folder(to / relative);
       else if (files.count(relative.generic_string()) == 0)
         link_or_copy(entry.path(), to / relative);
     }
     for (const auto& [path, bytes] : files) {
-      make_folder((to / path).parent_path());
+      make_open_folder((to / path).parent_path());
       write_file(to / path, bytes);
       open_to_all(to / path);
     }
@@ -313,6 +290,16 @@ void overlay(const fs::path& trusted_tree, const std::map<std::string, std::stri
     throw Error::failed(fmt::format("cannot write: {}", error.code().message()), {error.path1().string()},
                         "check that the folder is writable and the disk has free space");
   }
+}
+
+void make_root(const fs::path& trusted_tree, const std::map<std::string, std::string>& files,
+               const fs::path& root) {
+  constexpr std::string_view kShaders = "shaders/";
+  std::map<std::string, std::string> shaders;
+  for (const auto& [path, text] : files)
+    if (path.starts_with(kShaders)) shaders[path.substr(kShaders.size())] = text;
+  overlay(trusted_tree / "shaders", shaders, root / "shaders");
+  fs::create_directory_symlink(trusted_tree / "assets", root / "assets");
 }
 
 }  // namespace texel::grade

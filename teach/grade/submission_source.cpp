@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <map>
 #include <memory>
 #include <string_view>
 
@@ -21,6 +22,8 @@
 
 namespace texel::grade {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::size_t longest_path = 1000;
 constexpr int deepest = 32;
@@ -39,29 +42,26 @@ bool has_controls(std::string_view name) {
   return std::any_of(name.begin(), name.end(), [](char c) { return (c >= 0 && c < 0x20) || c == 0x7f; });
 }
 
-/// Why nothing of that name is ever taken, or "". Makes '\' to '/', as archives from Windows have it, and
-/// takes out '.' and empty parts. The names of the course are ASCII, which every encoding has in common: what
-/// is no UTF-8 becomes U+FFFD, so folders around them may be called anything.
+/// Why nothing of that name is ever taken, or "". Else '\' becomes '/', as archives from Windows have it, and
+/// '.' and empty parts go. The names of the course are ASCII, which every encoding has in common: what is no
+/// UTF-8 becomes U+FFFD, so folders around them may be called anything.
 std::string refuse_or_clean(std::string& path) {
   if (path.empty()) return "has no name";
   if (path.size() > longest_path) return "has a name that is too long";
   if (has_controls(path)) return "has a name with control characters";
   path = plain_text(path);
-  std::string clean;
-  std::string_view rest = path;
-  if (rest[0] == '/' || rest[0] == '\\' || (rest.size() > 1 && rest[1] == ':')) return "has an absolute path";
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find_first_of("/\\"), rest.size());
-    const std::string_view part = rest.substr(0, end);
-    rest.remove_prefix(std::min(end + 1, rest.size()));
+  std::string slashed = path;
+  std::ranges::replace(slashed, '\\', '/');
+  if (slashed[0] == '/' || (slashed.size() > 1 && slashed[1] == ':')) return "has an absolute path";
+  fs::path clean;
+  for (const fs::path& part : fs::path(slashed)) {
     if (part == "..") return "has a path with ..";
     if (part.empty() || part == ".") continue;
-    if (part[0] == '.' || part == "__MACOSX") return "is hidden or belongs to the system";
-    if (!clean.empty()) clean += '/';
-    clean += part;
+    if (part.native().starts_with('.') || part == "__MACOSX") return "is hidden or belongs to the system";
+    clean /= part;
   }
   if (clean.empty()) return "has no name";
-  path = clean;
+  path = clean.string();
   return {};
 }
 
@@ -75,8 +75,7 @@ sandbox::Descriptor open_folder(const Entry& entry) {
   return folder;
 }
 
-/// Walks a folder in the order of names. Positions count files and folders, so that a second walk over the
-/// same folder finds the same.
+/// Walks a folder in the order of names.
 class FolderList {
  public:
   explicit FolderList(const UnpackLimits& limits) : limits_(limits) {}
@@ -85,9 +84,9 @@ class FolderList {
   void walk(const sandbox::Descriptor& folder, const std::string& prefix, const std::string& place,
             int depth) {
     for (const std::string& name : sandbox::names_in(folder, limits_.entries + 1)) {
-      if (count_ == limits_.entries) listing.fault = too_many(limits_);
+      if (count_++ == limits_.entries) listing.fault = too_many(limits_);
       if (!listing.fault.empty()) return;
-      add(folder, name, {prefix + name, {}, count_++, place + name}, depth);
+      add(folder, name, {.path = prefix + name, .place = place + name}, depth);
     }
   }
 
@@ -104,7 +103,7 @@ class FolderList {
       item.refused = "is in too many nested folders";
     }
     if (item.refused.empty()) item.refused = refuse_kind(is_known, status);
-    item.size = static_cast<std::uint64_t>(is_known ? status.st_size : 0);
+    item.size = static_cast<std::uint64_t>(status.st_size);
     listing.items.push_back(std::move(item));
   }
 
@@ -125,33 +124,17 @@ Listing list_folder(const Entry& entry, const UnpackLimits& limits) {
   return std::move(list.listing);
 }
 
-/// Opens a file below a folder, part by part, so that no link on the way is followed.
-sandbox::Descriptor open_below(sandbox::Descriptor folder, std::string_view path) {
-  while (folder.is_open() && !path.empty()) {
-    const std::size_t end = std::min(path.find('/'), path.size());
-    folder = sandbox::open_in(folder, std::string(path.substr(0, end)));
-    path.remove_prefix(std::min(end + 1, path.size()));
-  }
-  return folder;
-}
-
-using Take = std::function<void(std::size_t, std::string)>;
-
-void read_folder(const Entry& entry, const std::set<std::size_t>& wanted, const UnpackLimits& limits,
+void read_folder(const Entry& entry, const std::set<const Item*>& wanted, std::size_t most,
                  Submission& submission, const Take& take) {
-  for (const Item& item : list_folder(entry, limits).items) {
-    if (!wanted.contains(item.position)) continue;
-    const sandbox::Descriptor file = open_below(open_folder(entry), item.place);
+  for (const Item* item : wanted) {
+    sandbox::Descriptor file = open_folder(entry);
+    // Part by part, so that no link on the way is followed.
+    for (const fs::path& part : fs::path(item->place)) file = sandbox::open_in(file, part.string());
     struct stat status {};
-    if (!item.refused.empty() || ::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode)) {
-      submission.ignored.push_back({item.path, "changed while it was read"});
-      continue;
-    }
-    std::string bytes = sandbox::read_some(file, limits.file + 1);
-    if (bytes.size() > limits.file)
-      submission.ignored.push_back({item.path, too_large(limits)});
+    if (::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode))
+      submission.ignored.push_back({item->path, "changed while it was read"});
     else
-      take(item.position, std::move(bytes));
+      take(*item, sandbox::read_some(file, most));
   }
 }
 
@@ -218,18 +201,12 @@ class Archive {
     return entry;
   }
 
-  /// The current entry's bytes, one more than `most` at most. Sets the fault when they are broken.
+  /// The current entry's first `most` bytes. Sets the fault when they are broken.
   std::string data(std::size_t most) {
-    std::string bytes(most + 1, '\0');
-    std::size_t done = 0;
-    while (done < bytes.size()) {
-      const la_ssize_t got = ::archive_read_data(archive_.get(), bytes.data() + done, bytes.size() - done);
-      if (got == ARCHIVE_RETRY) continue;
-      if (got < 0) fault_ = "is a broken archive: " + error();
-      if (got <= 0) break;
-      done += static_cast<std::size_t>(got);
-    }
-    bytes.resize(done);
+    std::string bytes(most, '\0');
+    const la_ssize_t got = ::archive_read_data(archive_.get(), bytes.data(), bytes.size());
+    if (got < 0) fault_ = "is a broken archive: " + error();
+    bytes.resize(static_cast<std::size_t>(std::max<la_ssize_t>(got, 0)));
     return bytes;
   }
 
@@ -298,7 +275,7 @@ Listing list_archive(const Entry& entry, std::string_view bytes, const UnpackLim
   std::size_t position = 0;
   // Sizes are added before the next header, for which a compressed tar must unpack what is between.
   while (archive_entry* found = archive.next()) {
-    Item item{name_of(found), {}, position++};
+    Item item{.path = name_of(found), .position = position++};
     const std::uint64_t size = size_of(found);
     if (position > limits.entries) listing.fault = too_many(limits);
     if (size > limits.unpacked || is_bomb(bytes.size(), unpacked += size, limits) ||
@@ -321,34 +298,28 @@ Listing list_archive(const Entry& entry, std::string_view bytes, const UnpackLim
   return listing;
 }
 
-void read_archive(const Entry& entry, std::string_view bytes, const std::set<std::size_t>& wanted,
-                  const UnpackLimits& limits, Submission& submission, const Take& take) {
+void read_archive(const Entry& entry, std::string_view bytes, const std::set<const Item*>& wanted,
+                  std::size_t most, Submission& submission, const Take& take) {
   Archive archive(entry, bytes);
-  std::size_t position = 0;
-  std::size_t missing = wanted.size();
-  archive_entry* found = nullptr;
-  while (missing > 0 && (found = archive.next()) != nullptr) {
-    if (!wanted.contains(position++)) continue;
-    --missing;
-    const std::string name = plain_text(name_of(found));
-    std::string content = archive.data(limits.file);
+  std::map<std::size_t, const Item*> missing;
+  for (const Item* item : wanted) missing[item->position] = item;
+  for (std::size_t position = 0; !missing.empty() && archive.next() != nullptr; ++position) {
+    const auto found = missing.extract(position);
+    if (found.empty()) continue;
+    std::string content = archive.data(most);
     if (!archive.fault().empty()) break;
-    // A zip may say a smaller size than it has.
-    if (content.size() > limits.file)
-      submission.ignored.push_back({name, too_large(limits)});
-    else
-      take(position - 1, std::move(content));
+    take(*found.mapped(), std::move(content));
   }
   submission.fault = archive.fault();
 }
 
 /// Why a file is no archive that we open, or "".
 std::string refuse_archive(const Entry& entry, const UnpackLimits& limits) {
-  if (std::filesystem::is_symlink(entry.path))
+  if (fs::is_symlink(entry.path))
     return "is a symbolic link, which is not followed: put the folder or the archive itself there";
   if (entry.kind == Entry::Kind::other) return "is not a folder, a .zip or a .tar.gz file";
   std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(entry.path, error);
+  const std::uintmax_t size = fs::file_size(entry.path, error);
   if (error) throw Error::failed(fmt::format("cannot open: {}", error.message()), {entry.path.string()});
   if (size == 0) return "is empty";
   if (size > limits.archive)
@@ -365,12 +336,19 @@ Listing list(const Entry& entry, const UnpackLimits& limits) {
   return list_archive(entry, MappedFile(entry.path).bytes(), limits);
 }
 
-void read(const Entry& entry, const std::set<std::size_t>& wanted, const UnpackLimits& limits,
+void read(const Entry& entry, const std::set<const Item*>& wanted, const UnpackLimits& limits,
           Submission& submission, const Take& take) {
+  // A file may be larger than the disk or a zip said.
+  const auto take_small = [&](const Item& item, std::string bytes) {
+    if (bytes.size() > limits.file)
+      submission.ignored.push_back({item.path, too_large(limits)});
+    else
+      take(item, std::move(bytes));
+  };
   if (entry.kind == Entry::Kind::folder)
-    read_folder(entry, wanted, limits, submission, take);
+    read_folder(entry, wanted, limits.file + 1, submission, take_small);
   else
-    read_archive(entry, MappedFile(entry.path).bytes(), wanted, limits, submission, take);
+    read_archive(entry, MappedFile(entry.path).bytes(), wanted, limits.file + 1, submission, take_small);
 }
 
 }  // namespace texel::grade

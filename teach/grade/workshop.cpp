@@ -4,18 +4,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
+#include <wordexp.h>
 
 #include <algorithm>
-#include <atomic>
 #include <sstream>
 #include <string_view>
 
 #include "cache.hpp"
 #include "core/error.hpp"
-#include "core/file_lock.hpp"
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
-#include "fingerprint.hpp"
 #include "material/starter.hpp"
 
 namespace texel::grade {
@@ -24,33 +22,12 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-/// A command's words, as a shell takes them apart.
+/// A command's words, as a shell takes them apart; none where it is more than one command.
 Words split(const std::string& command) {
-  Words words;
-  std::string word;
-  bool any = false;
-  char quote = 0;
-  for (std::size_t i = 0; i < command.size(); ++i) {
-    const char c = command[i];
-    if (quote != 0) {
-      if (c == quote)
-        quote = 0;
-      else if (quote == '"' && c == '\\' && i + 1 < command.size())
-        word += command[++i];
-      else
-        word += c;
-    } else if (c == '\'' || c == '"') {
-      quote = c, any = true;
-    } else if (c == '\\' && i + 1 < command.size()) {
-      word += command[++i], any = true;
-    } else if (c == ' ') {
-      if (any) words.push_back(word);
-      word.clear(), any = false;
-    } else {
-      word += c, any = true;
-    }
-  }
-  if (any) words.push_back(word);
+  wordexp_t found{};
+  if (::wordexp(command.c_str(), &found, WRDE_NOCMD) != 0) return {};
+  Words words(found.we_wordv, found.we_wordv + found.we_wordc);
+  ::wordfree(&found);
   return words;
 }
 
@@ -85,16 +62,20 @@ bool is_for_people(const std::string& path) {
          path.find("/expected/") != path.npos;
 }
 
-/// The word after `option`; where there is none, "".
+/// The word after `option`, or null.
+std::string* word_after(Words& words, const std::string& option) {
+  const auto found = std::ranges::find(words, option);
+  return found == words.end() || found + 1 == words.end() ? nullptr : &found[1];
+}
+
 std::string& after(Words& words, const std::string& option) {
-  const auto found = std::find(words.begin(), words.end(), option);
-  if (found == words.end() || found + 1 == words.end())
-    throw Error::failed(fmt::format("a build command has no '{}'", option));
-  return *(found + 1);
+  std::string* const word = word_after(words, option);
+  if (word == nullptr) throw Error::failed(fmt::format("a build command has no '{}'", option));
+  return *word;
 }
 
 void drop(Words& words, const std::string& option, std::ptrdiff_t count) {
-  const auto found = std::find(words.begin(), words.end(), option);
+  const auto found = std::ranges::find(words, option);
   if (found != words.end()) words.erase(found, found + count);
 }
 
@@ -126,25 +107,19 @@ const Workshop::Recipe& Workshop::recipe(const std::string& program) {
   Recipe recipe;
   std::istringstream lines(output_of({"ninja", "-t", "commands", "bin/" + program}, tree_.build, 60));
   for (std::string line; std::getline(lines, line);) {
-    Words words = split(line);
-    if (words.empty()) continue;
     // ": && c++ … -o PROGRAM.new … && mv PROGRAM.new PROGRAM && :" is how CMake has a linker run.
-    if (words.front() == ":" && words.size() > 1) {
-      words.erase(words.begin(), words.begin() + 2);
-      words.erase(std::find(words.begin(), words.end(), "&&"), words.end());
-    }
-    if (const auto launcher = std::find_if(words.begin(), words.end(),
-                                           [](const std::string& w) { return w.ends_with("/ccache"); });
-        launcher != words.end())
-      words.erase(words.begin(), launcher + 1);
-    if (const auto c = std::find(words.begin(), words.end(), "-c");
-        c != words.end() && c + 1 != words.end()) {
-      const std::string path = fs::path(*(c + 1)).lexically_relative(tree_.source).generic_string();
+    if (line.starts_with(": && ")) line = line.substr(5, line.find(" && ", 5) - 5);
+    Words words = split(line);
+    const auto launcher =
+        std::ranges::find_if(words, [](const std::string& word) { return word.ends_with("/ccache"); });
+    if (launcher != words.end()) words.erase(words.begin(), launcher + 1);
+    if (const std::string* source = word_after(words, "-c")) {
+      const std::string path = fs::path(*source).lexically_relative(tree_.source).generic_string();
       // A student's warnings are no errors, and nobody reads the lists of what was read.
       drop(words, "-Werror", 1), drop(words, "-MD", 1), drop(words, "-MT", 2), drop(words, "-MF", 2);
       recipe.compile[path] = words;
-    } else if (const auto o = std::find(words.begin(), words.end(), "-o");
-               o != words.end() && o + 1 != words.end() && *(o + 1) == "bin/" + program + ".new") {
+    } else if (const std::string* made = word_after(words, "-o");
+               made != nullptr && *made == "bin/" + program + ".new") {
       std::erase_if(words, [](const std::string& w) { return w.starts_with("-Wl,--dependency-file"); });
       recipe.link = words;
     }
@@ -180,38 +155,21 @@ Workshop::Object Workshop::compile(const Recipe& recipe, const std::string& path
                                    TimeBudget* budget) {
   Words command = recipe.compile.at(path);
   const std::string name = fs::path(after(command, "-o")).filename().string();
-  Object object;
-  object.key =
+  const std::string key =
       fingerprint({tree_.fingerprint, fmt::format("{}", fmt::join(command, "\n")), path, text, name});
-  std::mutex* own = nullptr;
-  {
-    const std::scoped_lock lock(mutex_);
-    auto& slot = compiling_[object.key];
-    if (!slot) slot = std::make_unique<std::mutex>();
-    own = slot.get();
-  }
+  std::unique_lock all(mutex_);
+  Compilation& own = compilations_[key];
+  all.unlock();
   // The labs of one student, side by side, all want the file: the first compiles it.
-  const std::scoped_lock compiling(*own);
-  const fs::path kept = cache_ / "objects" / object.key;
+  const std::scoped_lock compiling(own.mutex);
+  const fs::path kept = cache_ / "objects" / key;
   if (is_cached(kept)) {
-    if (fs::exists(kept / name))
-      object.file = kept / name;
-    else
-      object.log = read_file(kept / "log");
-    return object;
+    if (fs::exists(kept / name)) return {kept / name, key, {}};
+    return {{}, key, read_file(kept / "log")};
   }
-  {
-    const std::scoped_lock lock(mutex_);
-    if (const auto known = stopped_.find(object.key); known != stopped_.end()) {
-      object.log = known->second;
-      return object;
-    }
-  }
+  if (!own.stopped.empty()) return {{}, key, own.stopped};
   const double seconds = budget == nullptr ? kWallSeconds : std::min(kWallSeconds, budget->left());
-  if (seconds <= 0) {
-    object.log = "not compiled: the submission used up its time\n";
-    return object;
-  }
+  if (seconds <= 0) return {{}, key, "not compiled: the submission used up its time\n"};
   const fs::path work = new_folder("compile"), sources = work / "source", out = work / "out";
   fs::create_directories((sources / path).parent_path());
   fs::create_directories(out);
@@ -225,25 +183,24 @@ Workshop::Object Workshop::compile(const Recipe& recipe, const std::string& path
   const Outcome outcome = run(command, {sources}, out, seconds);
   if (budget != nullptr) budget->spend(outcome.wall_seconds);
   const bool done = outcome.succeeded() && fs::is_regular_file(out / name);
+  std::string log;
   if (!done) {
-    object.log = readable_log(outcome.errors, sources, tree_.source);
+    log = readable_log(outcome.errors, sources, tree_.source);
     if (outcome.limit != Limit::none)
-      object.log += fmt::format("\nthe compiler was stopped: it used too much {}\n", name_of(outcome.limit));
+      log += fmt::format("\nthe compiler was stopped: it used too much {}\n", name_of(outcome.limit));
     fs::remove(out / name);
-    write_file(out / "log", object.log);
+    write_file(out / "log", log);
   }
   // What a limit ended may have been the machine's fault: another run of the grader tries it again.
   if (outcome.limit == Limit::none) {
     std::error_code exists;
     fs::create_directories(kept.parent_path());
     fs::rename(out, kept, exists);
-    if (done) object.file = kept / name;
   } else if (seconds == kWallSeconds) {
-    const std::scoped_lock lock(mutex_);
-    stopped_[object.key] = object.log;
+    own.stopped = log;
   }
   fs::remove_all(work);
-  return object;
+  return {done ? kept / name : fs::path(), key, log};
 }
 
 std::string Workshop::link(const Recipe& recipe, const std::string& program,
@@ -254,7 +211,7 @@ std::string Workshop::link(const Recipe& recipe, const std::string& program,
   for (const auto& [path, object] : objects) {
     Words compiled = recipe.compile.at(path);
     const std::string own = after(compiled, "-o");
-    const auto place = std::find(command.begin(), command.end(), own);
+    const auto place = std::ranges::find(command, own);
     if (place == command.end())
       throw Error::failed(fmt::format("does not find '{}' among what '{}' links", own, program));
     *place = object.file.string();
@@ -271,8 +228,7 @@ std::string Workshop::link(const Recipe& recipe, const std::string& program,
     const fs::path alone = out / "program";
     fs::create_directories(alone);
     fs::rename(out / program, alone / program);
-    fs::permissions(alone / program, fs::perms::owner_all | fs::perms::group_exec | fs::perms::group_read |
-                                         fs::perms::others_exec | fs::perms::others_read);
+    fs::permissions(alone / program, fs::perms(0755));
     fs::create_directories(to.parent_path());
     fs::rename(alone, to, exists);
   }
@@ -310,10 +266,7 @@ Program Workshop::make(const std::string& program, const std::map<std::string, s
   std::vector<store::CompilerLog> refused;
   for (const auto& [path, object] : objects) {
     std::vector<store::CompilerLog> alone = {{path, log}};
-    if (objects.size() > 1) {
-      const std::map<std::string, std::string> one_file = {{path, files.at(path)}};
-      alone = make(program, one_file, budget).refused;
-    }
+    if (objects.size() > 1) alone = make(program, {{path, files.at(path)}}, budget).refused;
     if (alone.empty())
       sound[path] = files.at(path);
     else

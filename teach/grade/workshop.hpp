@@ -4,13 +4,11 @@
 #pragma once
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
 
-#include "core/confines.hpp"
-#include "core/time_budget.hpp"
+#include "core/process.hpp"
 #include "store/class_results.hpp"
 
 namespace texel::grade {
@@ -24,8 +22,8 @@ struct BuiltTree {
 /// A program with some changed files in it.
 struct Program {
   std::filesystem::path file;  ///< alone in its folder
-  std::vector<store::CompilerLog>
-      refused;  ///< changed files that did not compile or link: the tree's are in place
+  /// Changed files that did not compile or link: the tree's are in place.
+  std::vector<store::CompilerLog> refused;
 };
 
 /// Makes programs and keeps them in `cache`, under the fingerprint of what they were made of. Members may be
@@ -52,6 +50,10 @@ class Workshop {
     std::map<std::string, Words> compile;  ///< by the file's path in the tree
     Words link;
   };
+  struct Compilation {
+    std::mutex mutex;     ///< held by who compiles
+    std::string stopped;  ///< what is said where the compiler had to be stopped
+  };
   struct Object {
     std::filesystem::path file;  ///< none when it did not compile
     std::string key, log;
@@ -70,8 +72,7 @@ class Workshop {
   Run run_;
   std::mutex mutex_;
   std::map<std::string, Recipe> recipes_;
-  std::map<std::string, std::unique_ptr<std::mutex>> compiling_;  ///< by an object's key
-  std::map<std::string, std::string> stopped_;  ///< logs of objects at which the compiler had to be stopped
+  std::map<std::string, Compilation> compilations_;  ///< by an object's key
   int count_ = 0;
 };
 

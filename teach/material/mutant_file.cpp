@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "course/lab_file.hpp"
 #include "course/reader.hpp"
 
 namespace texel::material {
@@ -14,32 +15,27 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_name(const std::string& name) {
-  return std::all_of(name.begin(), name.end(),
-                     [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; });
+  return name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == name.npos;
 }
 
 bool is_below_root(const fs::path& file) {
   return file.is_relative() && std::find(file.begin(), file.end(), "..") == file.end();
 }
 
-/// The names of the tables, which are also the words for what is in them.
-constexpr const char* kMutant = "mutant";
-constexpr const char* kEquivalent = "equivalent";
-
-Mutant read_mutant(const toml::table& table, const std::string& file, const std::string& kind) {
-  course::Reader reader(table, file);
+/// `kind` is the table's name, which is also the word for what is in it.
+Mutant read_mutant(course::Reader& reader, const std::string& kind) {
   Mutant mutant;
-  mutant.is_right = kind == kEquivalent;
-  mutant.place = course::place_of(table, file);
+  mutant.is_right = kind == "equivalent";
+  mutant.place = reader.place();
   mutant.name = reader.text("name");
   mutant.file = reader.text("file");
   mutant.what = reader.text("what");
-  const toml::node* by = reader.find("by");
-  if (by == nullptr) throw reader.error(table, "'by' is missing", "write by = \"\" to remove the text");
+  if (reader.find("by") == nullptr)
+    throw reader.error("by", "'by' is missing", "write by = \"\" to remove the text");
   mutant.by = reader.text("by", "");
   mutant.step = reader.text("step", "");
   mutant.says = reader.text("says");
-  if (kind == kMutant) {
+  if (kind == "mutant") {
     mutant.same = reader.text("same", "");
     mutant.survives = reader.text("survives", "");
   }
@@ -58,24 +54,11 @@ Mutant read_mutant(const toml::table& table, const std::string& file, const std:
 
 /// Adds a mutant whose name no other has.
 void add(std::vector<Mutant>& mutants, Mutant mutant, const std::string& kind) {
-  const auto same = std::find_if(mutants.begin(), mutants.end(),
-                                 [&](const Mutant& other) { return other.name == mutant.name; });
+  const auto same = std::ranges::find(mutants, mutant.name, &Mutant::name);
   if (same != mutants.end())
     throw Error::failed(fmt::format("two {}s are called '{}'", kind, mutant.name), mutant.place,
                         fmt::format("the other one is at {}:{}", same->place.file, same->place.line));
   mutants.push_back(std::move(mutant));
-}
-
-/// The tables of these kinds in a file, one kind after the other.
-std::vector<Mutant> read_file_of(const fs::path& file, const std::vector<std::string>& kinds) {
-  const toml::table table = course::read_toml(file);
-  course::Reader reader(table, file.string());
-  std::vector<Mutant> mutants;
-  for (const std::string& kind : kinds)
-    for (const toml::table* entry : reader.tables(kind))
-      add(mutants, read_mutant(*entry, file.string(), kind), kind);
-  reader.reject_unknown();
-  return mutants;
 }
 
 }  // namespace
@@ -87,11 +70,13 @@ std::vector<Mutant> read_catalogue(const fs::path& folder, const std::vector<std
     if (entry.path().extension() == ".toml") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   std::vector<Mutant> mutants;
-  for (const fs::path& file : files)
-    for (Mutant& mutant : read_file_of(file, kinds)) {
-      const std::string kind = kinds.size() == 1 ? kinds[0] : mutant.is_right ? kEquivalent : kMutant;
-      add(mutants, std::move(mutant), kind);
-    }
+  for (const fs::path& file : files) {
+    const toml::table table = course::read_toml(file);
+    course::Reader reader(table, file.string());
+    for (const std::string& kind : kinds)
+      for (course::Reader& entry : reader.tables(kind)) add(mutants, read_mutant(entry, kind), kind);
+    reader.reject_unknown();
+  }
   if (mutants.empty())
     throw Error::failed(fmt::format("holds no {}s", fmt::join(kinds, "s and no ")), {folder.string()},
                         "name another catalogue");
@@ -105,7 +90,7 @@ std::string title_of(const std::string& says) {
 
 std::vector<Mutant> read_mistakes(const fs::path& tree) {
   std::vector<Mutant> all = read_catalogue(tree / "tests/mutants");
-  for (Mutant& mutant : read_catalogue(tree / "tests/mistakes")) add(all, std::move(mutant), kMutant);
+  for (Mutant& mutant : read_catalogue(tree / "tests/mistakes")) add(all, std::move(mutant), "mutant");
   std::erase_if(all, [](const Mutant& mutant) { return mutant.step.empty(); });
   for (const Mutant& mutant : all)
     if (!mutant.same.empty() && std::none_of(all.begin(), all.end(), [&](const Mutant& other) {

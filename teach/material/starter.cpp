@@ -67,8 +67,7 @@ std::vector<StarterFile> starter_files(const fs::path& root,
   }
   // What students read first.
   if (fs::exists(root / kStudentsGuide)) files.push_back({"README.md", root / kStudentsGuide, {}});
-  std::sort(files.begin(), files.end(),
-            [](const StarterFile& a, const StarterFile& b) { return a.path < b.path; });
+  std::ranges::sort(files, {}, &StarterFile::path);
   return files;
 }
 

@@ -28,13 +28,10 @@ class Random {
     return least + (most - least) * (static_cast<double>(bits() >> 11) * 0x1p-53);
   }
   /// least to most, both of them too.
-  int whole(int least, int most) {
-    return least + static_cast<int>(bits() % static_cast<std::uint64_t>(most - least + 1));
-  }
   std::size_t index(std::size_t least, std::size_t most) {
     return least + static_cast<std::size_t>(bits() % (most - least + 1));
   }
-  bool one_in(int n) { return whole(1, n) == 1; }
+  bool coin() { return bits() % 2 == 0; }
   template <class Value>
   void shuffle(std::vector<Value>& values) {
     for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[bits() % i]);
@@ -80,7 +77,7 @@ class ObjText {
   /// With `both_ways` each second index, by chance, is counted backwards from the list's latest entry.
   void face(const std::vector<Corner>& corners, Random* both_ways = nullptr) {
     const auto written = [&](int index, int count) {
-      return both_ways != nullptr && both_ways->one_in(2) ? index - count - 1 : index;
+      return both_ways != nullptr && both_ways->coin() ? index - count - 1 : index;
     };
     text_ += 'f';
     for (const Corner& corner : corners) {
@@ -89,9 +86,6 @@ class ObjText {
       text_ += fmt::format(" {}/{}/{}", v, vt, written(corner.vn, normals_));
     }
     text_ += '\n';
-  }
-  void faces(const std::vector<std::vector<Corner>>& all) {
-    for (const std::vector<Corner>& corners : all) face(corners);
   }
   std::string take() { return std::move(text_); }
 
@@ -151,9 +145,9 @@ std::string numbers(Random& random) {
   std::vector<Corner> corners(relief.points.size());
   const std::vector<std::size_t> all = numbers_from(0, corners.size());
   write_shuffled(all, random, corners, &Corner::v, [&](std::size_t point) {
-    const std::string weight = random.one_in(2) ? " 1.000000" : "";
+    const std::string weight = random.coin() ? " 1.000000" : "";
     std::string color;
-    if (random.one_in(2)) {
+    if (random.coin()) {
       const glm::dvec3 rgb = random.vector(0, 1);
       color = fmt::format(" {:.6f} {:.6f} {:.6f}", rgb.r, rgb.g, rgb.b);
     }
@@ -162,7 +156,7 @@ std::string numbers(Random& random) {
   write_shuffled(all, random, corners, &Corner::vt, [&](std::size_t point) {
     const glm::dvec2 st = relief.texcoords[point];
     if (st.t == 0) return text.texcoord(fmt::format("{:.6f}", st.s));
-    const std::string third = random.one_in(2) ? fmt::format(" {:.6f}", random.between(0, 1)) : "";
+    const std::string third = random.coin() ? fmt::format(" {:.6f}", random.between(0, 1)) : "";
     return text.texcoord(fmt::format("{:.6f} {:.6f}{}", st.s, st.t, third));
   });
   write_shuffled(all, random, corners, &Corner::vn,
@@ -238,7 +232,7 @@ std::string shared(Random& random) {
   for (std::size_t k = 0; k < 3; ++k)
     faces.back()[k].v = text.position(relief.points[above[k]] + glm::dvec3(0, 0, 0.3));
   random.shuffle(faces);  // equal corners lie far apart
-  text.faces(faces);
+  for (const std::vector<Corner>& corners : faces) text.face(corners);
   return text.take();
 }
 
@@ -350,7 +344,7 @@ std::string polygons(Random& random) {
 
 /// A ball out of an octahedron whose edges are cut into so many pieces.
 std::string no_vt(Random& random) {
-  const int pieces = random.whole(3, 5);
+  const int pieces = static_cast<int>(random.index(3, 5));
   const glm::dvec3 x = random.direction();
   const glm::dvec3 y = glm::normalize(glm::cross(x, random.direction()));
   const glm::dmat3 turn(x, y, glm::cross(x, y));
@@ -384,35 +378,19 @@ std::string no_vt(Random& random) {
       }
   }
   random.shuffle(faces);
-  text.faces(faces);
+  for (const std::vector<Corner>& corners : faces) text.face(corners);
   return text.take();
 }
 
-using Make = std::string (*)(Random&);
-constexpr std::array<std::pair<std::string_view, Make>, 5> makers{{{"numbers", numbers},
-                                                                   {"negative", negative},
-                                                                   {"polygons", polygons},
-                                                                   {"shared", shared},
-                                                                   {"no_vt", no_vt}}};
-
 }  // namespace
 
-const std::vector<std::string>& unseen_kinds() {
-  static const std::vector<std::string> kinds = [] {
-    std::vector<std::string> names;
-    for (const auto& [name, make] : makers) names.emplace_back(name);
-    return names;
-  }();
-  return kinds;
-}
-
 std::string unseen_model(std::string_view kind, std::uint64_t seed) {
-  for (const auto& [name, make] : makers) {
-    if (name != kind) continue;
-    Random random(seed);
-    return make(random);
-  }
-  const std::string near = nearest(std::string(kind), unseen_kinds());
+  constexpr std::string (*makers[])(Random&) = {numbers, negative, polygons, shared, no_vt};
+  static_assert(std::size(makers) == std::size(kUnseenKinds));
+  Random random(seed);
+  for (std::size_t i = 0; i < std::size(makers); ++i)
+    if (kind == kUnseenKinds[i]) return makers[i](random);
+  const std::string near = nearest(std::string(kind), {std::begin(kUnseenKinds), std::end(kUnseenKinds)});
   throw Error::usage(fmt::format("there is no unseen model of kind '{}'", kind),
                      near.empty() ? "" : fmt::format("did you mean '{}'?", near));
 }

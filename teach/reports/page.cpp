@@ -2,9 +2,7 @@
 #include "page.hpp"
 
 #include <fmt/format.h>
-
-#include <charconv>
-#include <string_view>
+#include <sodium.h>
 
 #include "material/mutant_file.hpp"
 #include "wording.hpp"
@@ -14,13 +12,9 @@ namespace {
 
 /// "'sha256-…'", as a Content-Security-Policy names a text that it allows.
 std::string allowed(const Embedded& text) {
-  const std::string_view digits = text.sha256;
-  std::string bytes;
-  for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {
-    unsigned byte = 0;
-    std::from_chars(&digits[i], &digits[i] + 2, byte, 16);
-    bytes += static_cast<char>(byte);
-  }
+  std::string bytes(32, '\0');
+  ::sodium_hex2bin(reinterpret_cast<unsigned char*>(bytes.data()), bytes.size(), text.sha256,
+                   2 * bytes.size(), nullptr, nullptr, nullptr);
   return fmt::format("'sha256-{}'", base64(bytes));
 }
 

@@ -10,7 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
-#include "image/data_view.hpp"
+#include "image/compared.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
 #include "wording.hpp"
@@ -89,9 +89,9 @@ Picture Pictures::read(const std::string& path, const std::string& view, Shown s
       picture.height = values.height;
       picture.channels = values.channels;
     } else {
-      const image::Info info = image::info(file);
-      picture.width = info.width;
-      picture.height = info.height;
+      const image::Size size = image::png_size(MappedFile(file).bytes(), file.string());
+      picture.width = size.width;
+      picture.height = size.height;
       picture.channels = 3;
     }
     if (std::max(picture.width, picture.height) > kLargestSide)

@@ -2,29 +2,24 @@
 #include "wording.hpp"
 
 #include <fmt/format.h>
+#include <sodium.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/html.hpp"
 #include "core/plain_text.hpp"
 #include "course/markers.hpp"
 
 namespace texel::reports {
 
 std::string clean(std::string_view text) {
-  std::string result;
-  while (true) {
-    const std::size_t end = text.find('\n');
-    std::string_view line = text.substr(0, end);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    std::string spaced;
-    for (const char c : line) spaced += c == '\t' ? std::string("  ") : std::string(1, c);
-    result += plain_text(spaced);
-    if (end == std::string_view::npos) return result;
-    result += '\n';
-    text.remove_prefix(end + 1);
-  }
+  std::string lines;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '\t')
+      lines += "  ";
+    else if (text[i] != '\r' || (i + 1 < text.size() && text[i + 1] != '\n'))
+      lines += text[i];
+  return plain_lines(lines);
 }
 
 std::string shortened(const std::string& text, std::size_t bytes) {
@@ -44,18 +39,11 @@ std::string escaped(std::string_view text) {
 }
 
 std::string base64(std::string_view bytes) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string result;
-  result.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](std::size_t j) {
-      return i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0U;
-    };
-    const unsigned group = byte(0) << 16U | byte(1) << 8U | byte(2);
-    for (unsigned j = 0; j < 4; ++j)
-      result += i + j <= bytes.size() ? digits[group >> (18 - 6 * j) & 63U] : '=';
-  }
-  return result;
+  std::string text(sodium_base64_ENCODED_LEN(bytes.size(), sodium_base64_VARIANT_ORIGINAL), '\0');
+  ::sodium_bin2base64(text.data(), text.size(), reinterpret_cast<const unsigned char*>(bytes.data()),
+                      bytes.size(), sodium_base64_VARIANT_ORIGINAL);
+  text.pop_back();  // its zero at the end
+  return text;
 }
 
 std::string number(double value, int decimals) {
@@ -104,15 +92,11 @@ std::string command(const judge::CaseResult& result) {
   return result.hidden && result.reference.empty() ? "" : result.command;
 }
 
-std::size_t count(const std::vector<judge::CaseResult>& cases, bool hidden) {
-  return static_cast<std::size_t>(std::count_if(
-      cases.begin(), cases.end(), [&](const judge::CaseResult& result) { return result.hidden == hidden; }));
-}
-
-std::size_t count_failed(const std::vector<judge::CaseResult>& cases, bool hidden) {
-  return static_cast<std::size_t>(std::count_if(
-      cases.begin(), cases.end(),
-      [&](const judge::CaseResult& result) { return result.hidden == hidden && !result.passed(); }));
+std::size_t count(const std::vector<judge::CaseResult>& cases, bool hidden, bool only_failed) {
+  return static_cast<std::size_t>(
+      std::count_if(cases.begin(), cases.end(), [&](const judge::CaseResult& result) {
+        return result.hidden == hidden && !(only_failed && result.passed());
+      }));
 }
 
 }  // namespace texel::reports

@@ -44,8 +44,8 @@ std::string place(const judge::StepResult& step);
 /// The command that draws a case's picture, or "" where it would tell what is secret.
 std::string command(const judge::CaseResult& result);
 
-std::size_t count_failed(const std::vector<judge::CaseResult>& cases, bool hidden);
-std::size_t count(const std::vector<judge::CaseResult>& cases, bool hidden);
+/// How many public or hidden cases there are, or how many of them failed.
+std::size_t count(const std::vector<judge::CaseResult>& cases, bool hidden, bool only_failed = false);
 
 /// What is said of a student whom the grader failed.
 inline constexpr const char* kIncident =

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 namespace texel::sandbox {
@@ -49,61 +50,39 @@ constexpr long forbidden[] = {
     // counted by no limit.
     SYS_socket, SYS_socketpair};
 
-class Program {
- public:
-  void load(std::size_t offset) { add(BPF_LD | BPF_W | BPF_ABS, 0, 0, static_cast<std::uint32_t>(offset)); }
-  void give(std::uint32_t action) { add(BPF_RET | BPF_K, 0, 0, action); }
-  void give_error(int error) { give(SECCOMP_RET_ERRNO | static_cast<std::uint32_t>(error)); }
+sock_filter load(std::size_t offset) {
+  return BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(offset));
+}
 
-  /// Skips as many of the next instructions when the loaded word compares so (`unless`: when it does not).
-  void skip_if(std::uint16_t comparison, std::uint32_t value, std::uint8_t count) {
-    add(static_cast<std::uint16_t>(BPF_JMP | comparison | BPF_K), count, 0, value);
-  }
-  void skip_unless(std::uint16_t comparison, std::uint32_t value, std::uint8_t count) {
-    add(static_cast<std::uint16_t>(BPF_JMP | comparison | BPF_K), 0, count, value);
-  }
+sock_filter give(std::uint32_t action) {
+  return BPF_STMT(BPF_RET | BPF_K, action);
+}
 
-  [[nodiscard]] std::string bytes() const {
-    return {reinterpret_cast<const char*>(instructions_.data()), instructions_.size() * sizeof(sock_filter)};
-  }
-
- private:
-  void add(std::uint16_t code, std::uint8_t if_true, std::uint8_t if_false, std::uint32_t value) {
-    instructions_.push_back({code, if_true, if_false, value});
-  }
-  std::vector<sock_filter> instructions_;
-};
+/// Skips the next instructions: so many when the loaded word compares so, and so many when it does not.
+sock_filter skip(int comparison, std::uint32_t value, std::uint8_t if_true, std::uint8_t if_false) {
+  return BPF_JUMP(static_cast<std::uint16_t>(BPF_JMP | comparison | BPF_K), value, if_true, if_false);
+}
 
 }  // namespace
 
 std::string seccomp_filter() {
   if constexpr (architecture == 0) return {};
-  // The low half of the first argument; both processors are little-endian.
-  constexpr std::size_t first_argument = offsetof(seccomp_data, args);
-  Program program;
-  program.load(offsetof(seccomp_data, arch));
-  program.skip_if(BPF_JEQ, architecture, 1);
-  program.give(SECCOMP_RET_KILL_PROCESS);
-
-  program.load(offsetof(seccomp_data, nr));
-  program.skip_unless(BPF_JGE, x32_calls, 1);
-  program.give_error(ENOSYS);
-  for (const long call : forbidden) {
-    program.skip_unless(BPF_JEQ, static_cast<std::uint32_t>(call), 1);
-    program.give_error(EPERM);
-  }
+  constexpr std::uint32_t not_permitted = SECCOMP_RET_ERRNO | EPERM,
+                          no_such_call = SECCOMP_RET_ERRNO | ENOSYS;
+  std::vector<sock_filter> program;
+  const auto add = [&](std::initializer_list<sock_filter> part) { program.insert(program.end(), part); };
+  add({load(offsetof(seccomp_data, arch)), skip(BPF_JEQ, architecture, 1, 0),
+       give(SECCOMP_RET_KILL_PROCESS)});
+  add({load(offsetof(seccomp_data, nr)), skip(BPF_JGE, x32_calls, 0, 1), give(no_such_call)});
+  for (const long call : forbidden)
+    add({skip(BPF_JEQ, static_cast<std::uint32_t>(call), 0, 1), give(not_permitted)});
   // clone3 has its flags in memory, where a filter cannot look: the C library then takes clone.
-  program.skip_unless(BPF_JEQ, SYS_clone3, 1);
-  program.give_error(ENOSYS);
-
-  program.skip_unless(BPF_JEQ, SYS_clone, 4);
-  program.load(first_argument);
-  program.skip_unless(BPF_JSET, new_namespaces, 1);
-  program.give_error(EPERM);
-  program.give(SECCOMP_RET_ALLOW);
-
-  program.give(SECCOMP_RET_ALLOW);
-  return program.bytes();
+  add({skip(BPF_JEQ, SYS_clone3, 0, 1), give(no_such_call)});
+  // clone has them in the low half of its first argument; both processors are little-endian.
+  add({skip(BPF_JEQ, SYS_clone, 0, 3), load(offsetof(seccomp_data, args))});
+  add({skip(BPF_JSET, new_namespaces, 0, 1), give(not_permitted)});
+  add({give(SECCOMP_RET_ALLOW)});
+  return {reinterpret_cast<const char*>(program.data()), program.size() * sizeof(sock_filter)};
 }
 
 }  // namespace texel::sandbox

@@ -3,11 +3,14 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/vfs.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -19,12 +22,13 @@ extern "C" {
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
+#include <thread>
 
-#include "another_user.hpp"
 #include "copy.hpp"
 #include "core/stopwatch.hpp"
 
@@ -69,6 +73,7 @@ Descriptor file_of(const std::string& bytes) {
   return file;
 }
 
+/// The words as exec takes them.
 std::vector<char*> pointers(const std::vector<std::string>& words) {
   std::vector<char*> all;
   for (const std::string& word : words) all.push_back(const_cast<char*>(word.c_str()));
@@ -76,42 +81,52 @@ std::vector<char*> pointers(const std::vector<std::string>& words) {
   return all;
 }
 
-/// Starts a program in a process group of its own. It gets copies of `descriptors` as its 0, 1, 2, … and no
-/// other.
-pid_t spawn(const Launch& launch, const std::vector<int>& descriptors) {
-  posix_spawn_file_actions_t actions;
-  posix_spawnattr_t attributes;
-  ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawnattr_init(&attributes);
+/// Starts a program in a session of its own, without namespaces with the filter and no way to new rights. It
+/// gets copies of `descriptors` as its 0, 1, 2, … and no other.
+pid_t spawn(const Launch& launch, const std::filesystem::path& folder, const std::vector<int>& descriptors) {
+  const std::vector<char*> words = pointers(launch.command), variables = pointers(launch.environment);
+  std::string instructions = launch.filter;
+  const sock_fprog filter{static_cast<unsigned short>(instructions.size() / sizeof(sock_filter)),
+                          reinterpret_cast<sock_filter*>(instructions.data())};
   const int count = static_cast<int>(descriptors.size());
-  // First out of each other's way, then each to its place.
-  std::vector<Descriptor> copies;
-  for (int i = 0; i < count; ++i) {
-    copies.emplace_back(::fcntl(descriptors[static_cast<std::size_t>(i)], F_DUPFD_CLOEXEC, count));
-    ::posix_spawn_file_actions_adddup2(&actions, copies.back().get(), i);
-  }
-  ::posix_spawn_file_actions_addclosefrom_np(&actions, count);
-  sigset_t none;
-  sigset_t all;
-  ::sigemptyset(&none);
-  ::sigfillset(&all);
-  ::posix_spawnattr_setsigmask(&attributes, &none);
-  ::posix_spawnattr_setsigdefault(&attributes, &all);
-  ::posix_spawnattr_setflags(&attributes,
-                             POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-  pid_t child = -1;
-  const int error = ::posix_spawnp(&child, launch.command[0].c_str(), &actions, &attributes,
-                                   pointers(launch.command).data(), pointers(launch.environment).data());
-  ::posix_spawn_file_actions_destroy(&actions);
-  ::posix_spawnattr_destroy(&attributes);
-  if (error == ENOENT && launch.command[0] == "bwrap")
-    throw sandbox_error("there is no bwrap", "install bubblewrap, or use --unsafe for code that you trust");
-  if (error != 0)
+  std::vector<int> copies(descriptors);
+  Pipe said;  // stays empty if the program starts
+  copies.push_back(said.write_end.get());
+  const pid_t child = ::fork();
+  if (child < 0) throw error_of_system("start a process");
+  if (child > 0) {
+    said.write_end.close();
+    int error = 0;
+    ssize_t got = 0;
+    while ((got = ::read(said.read_end.get(), &error, sizeof error)) < 0 && errno == EINTR) continue;
+    if (got == 0) return child;
+    ::waitpid(child, nullptr, 0);
+    if (error == ENOENT && launch.command[0] == "bwrap")
+      throw sandbox_error("there is no bwrap", "install bubblewrap, or use --unsafe for code that you trust");
     throw sandbox_error(fmt::format("cannot start {}: {}", launch.command[0], std::strerror(error)));
-  return child;
+  }
+  // Other threads held locks when the process was copied: from here on nothing that takes one.
+  ::setsid();
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  for (int signal = 1; signal < NSIG; ++signal) ::signal(signal, SIG_DFL);
+  // First out of each other's way, then each to its place. Behind them is the pipe that tells of an error.
+  bool is_set = true;
+  for (int& copy : copies) is_set = (copy = ::fcntl(copy, F_DUPFD_CLOEXEC, count + 1)) >= 0 && is_set;
+  for (int i = 0; i < count; ++i) is_set = ::dup2(copies[static_cast<std::size_t>(i)], i) == i && is_set;
+  is_set = ::dup3(copies.back(), count, O_CLOEXEC) == count && is_set;
+  ::closefrom(count + 1);
+  const bool is_confined =
+      launch.user == 0 || (::chdir(folder.c_str()) == 0 && ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+                           ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0);
+  if (is_set && is_confined) ::execvpe(words[0], words.data(), variables.data());
+  const int error = errno;
+  const bool is_told = ::write(count, &error, sizeof error) == sizeof error;
+  ::_exit(is_told ? 1 : 2);
 }
 
-/// The number behind a word of /proc/…/status, or 0.
+/// The number behind a word of a text, or 0.
 std::uint64_t number_behind(const std::string& key, const std::string& status) {
   const std::size_t found = status.find(key);
   return found == status.npos ? 0 : std::strtoull(status.c_str() + found + key.size(), nullptr, 10);
@@ -134,8 +149,11 @@ double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
 }
 
-}  // namespace
+Descriptor open_folder(const std::filesystem::path& folder, int flags = 0) {
+  return Descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | flags));
+}
 
+/// Of the processes that a /proc shows, with those of their children that have ended: of one user, or of all.
 Usage usage_of_all(const Descriptor& proc, unsigned user) {
   constexpr std::size_t longest = 4096;
   static const double ticks = static_cast<double>(::sysconf(_SC_CLK_TCK));
@@ -158,94 +176,87 @@ Usage usage_of_all(const Descriptor& proc, unsigned user) {
   return usage;
 }
 
+/// Kills all processes of a user id, and waits until none is left. They cannot kill the killer first.
+/// Whether all ended within half a minute.
+bool kill_all_of(unsigned user) {
+  for (int i = 0; i < 3000; ++i) {
+    // The kernel asks for the sender's real or effective id, and for the receiver's real or saved one. So it
+    // reaches all of the user's processes, and none of them reaches it.
+    const pid_t killer = ::fork();
+    if (killer == 0) {
+      if (::syscall(SYS_setresuid, user + 1, user, user + 1) == 0) ::kill(-1, SIGKILL);
+      ::_exit(0);
+    }
+    if (killer > 0) ::waitpid(killer, nullptr, 0);
+    if (usage_of_all(open_folder("/proc"), user).processes == 0) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
+
+}  // namespace
+
 Error sandbox_error(const std::string& what, const std::string& remedy) {
   return Error::failed("the sandbox failed: " + what, {}, remedy);
 }
 
-std::vector<std::string> first_process() {
-  return {"/bin/sh", "-c",
-          "printf r >&3; exec 3>&-; read -r go <&4 || exit 1; exec 4<&- 5<&- 6<&- 7>&-; \"$@\"; exit $?",
-          "sh"};
-}
-
-Stream::Stream(Descriptor descriptor) : descriptor_(std::move(descriptor)) {
-  ::fcntl(descriptor_.get(), F_SETFL, O_NONBLOCK);
-}
-
-void Stream::drain(std::size_t keep) {
-  std::array<char, block_size> block;
-  for (int i = 0; i < 64 && descriptor_.is_open(); ++i) {
-    const ssize_t got = ::read(descriptor_.get(), block.data(), block.size());
-    if (got < 0) return;
-    if (got == 0) return descriptor_.close();
-    const auto size = static_cast<std::size_t>(got);
-    bytes_ += size;
-    kept_.append(block.data(), std::min(size, keep - std::min(keep, kept_.size())));
-  }
-}
-
 Process::Process(const Confines& confines, const Launch& launch)
     : confines_(confines), group_(most_memory(confines)), user_(launch.user) {
+  const Descriptor nothing(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+  Pipe output, errors;
+  for (Pipe* pipe : {&output, &errors}) {
+    ::fcntl(pipe->read_end.get(), F_SETFL, O_NONBLOCK);
+    streams_.push_back({std::move(pipe->read_end)});
+  }
   try {
-    if (user_ == 0)
-      start_in_namespaces(launch);
-    else
-      start_as_another_user(launch);
+    const std::vector<int> streams = {nothing.get(), output.write_end.get(), errors.write_end.get()};
+    user_ == 0 ? start_in_namespaces(launch, streams) : start_as_another_user(launch, streams);
   } catch (...) {
     if (child_ > 0) end();
     throw;
   }
 }
 
-void Process::take_streams(Descriptor output, Descriptor errors) {
+void Process::start(const Launch& launch, const std::vector<int>& descriptors) {
+  child_ = spawn(launch, confines_.working_folder, descriptors);
   child_handle_ = Descriptor(::pidfd_open(child_, 0));
   if (!child_handle_.is_open()) throw error_of_system("watch a process");
-  streams_.emplace_back(std::move(output));
-  streams_.emplace_back(std::move(errors));
 }
 
-void Process::start_as_another_user(const Launch& launch) {
-  const Descriptor nothing(::open("/dev/null", O_RDONLY | O_CLOEXEC));
-  proc_ = Descriptor(::open("/proc", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+void Process::start_as_another_user(const Launch& launch, const std::vector<int>& streams) {
+  proc_ = open_folder("/proc");
   for (const std::filesystem::path& folder : confines_.writable)
-    disks_.emplace_back(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-  Pipe output;
-  Pipe errors;
-  child_ = spawn_filtered(launch.command, launch.environment, launch.filter,
-                          {nothing.get(), output.write_end.get(), errors.write_end.get()},
-                          confines_.working_folder);
-  if (child_ < 0) throw error_of_system("start a process");
+    disks_.push_back(open_folder(folder, O_NOFOLLOW));
+  start(launch, streams);
   group_.take(child_);
-  take_streams(std::move(output.read_end), std::move(errors.read_end));
 }
 
-void Process::start_in_namespaces(const Launch& launch) {
-  const Descriptor nothing(::open("/dev/null", O_RDONLY | O_CLOEXEC));
-  const Descriptor arguments = file_of(launch.arguments);
-  const Descriptor filter = file_of(launch.filter);
-  Pipe output;
-  Pipe errors;
-  Pipe ready;
-  Pipe go;
-  Pipe info;
-  child_ =
-      spawn(launch, {nothing.get(), output.write_end.get(), errors.write_end.get(), ready.write_end.get(),
-                     go.read_end.get(), arguments.get(), filter.get(), info.write_end.get()});
-  go_ = std::move(go.write_end);
-  for (Pipe* pipe : {&output, &errors, &ready, &info}) pipe->write_end.close();
-  take_streams(std::move(output.read_end), std::move(errors.read_end));
-  wait_until_ready(ready.read_end, info.read_end);
-  open_inside();
-  group_.take(first_);
+void Process::start_in_namespaces(const Launch& launch, std::vector<int> descriptors) {
+  const Descriptor arguments = file_of(launch.arguments), filter = file_of(launch.filter);
+  Pipe ready, go, info;
+  descriptors.insert(descriptors.end(), {ready.write_end.get(), go.read_end.get(), arguments.get(),
+                                         filter.get(), info.write_end.get()});
+  start(launch, descriptors);
+  for (Pipe* pipe : {&ready, &info}) pipe->write_end.close();
+  const pid_t first = wait_until_ready(ready.read_end, info.read_end);
+  const auto open_inside = [&](const std::filesystem::path& folder) {
+    Descriptor opened = open_folder(fmt::format("/proc/{}/root{}", first, folder.string()));
+    if (!opened.is_open()) throw error_of_system("look at " + folder.string() + " inside");
+    return opened;
+  };
+  proc_ = open_inside("/proc");
+  for (const std::filesystem::path& folder : confines_.writable) disks_.push_back(open_inside(folder));
+  disks_.push_back(open_inside("/tmp"));
+  group_.take(first);
   // While the other end is open here too, this cannot meet a closed pipe.
-  if (::write(go_.get(), "\n", 1) != 1) throw error_of_system("start the program");
+  if (::write(go.write_end.get(), "\n", 1) != 1) throw error_of_system("start the program");
 }
 
 Process::~Process() {
   if (child_ > 0) end();
 }
 
-void Process::wait_until_ready(const Descriptor& ready, const Descriptor& info) {
+pid_t Process::wait_until_ready(const Descriptor& ready, const Descriptor& info) {
   char byte = 0;
   pollfd waited{ready.get(), POLLIN, 0};
   int changed = 0;
@@ -256,31 +267,18 @@ void Process::wait_until_ready(const Descriptor& ready, const Descriptor& info) 
   if (changed != 1 || ::read(ready.get(), &byte, 1) != 1) {
     end();
     drain();
-    throw sandbox_error(streams_[1].kept().empty() ? "it does not start" : streams_[1].kept(),
+    throw sandbox_error(streams_[1].kept.empty() ? "it does not start" : streams_[1].kept,
                         "allow this user to create namespaces, or use --unsafe for code that you trust");
   }
-  std::array<char, 4096> text{};
-  const ssize_t got = ::read(info.get(), text.data(), text.size() - 1);
-  const char* const key = "\"child-pid\":";
-  const char* found = got > 0 ? std::strstr(text.data(), key) : nullptr;
-  first_ = found == nullptr ? -1 : static_cast<pid_t>(std::strtol(found + std::strlen(key), nullptr, 10));
-  first_handle_ = Descriptor(first_ <= 0 ? -1 : ::pidfd_open(first_, 0));
+  std::string text(4096, '\0');
+  const bool is_reported = ::read(info.get(), text.data(), text.size()) > 0;
+  const auto first = is_reported ? static_cast<pid_t>(number_behind("\"child-pid\":", text)) : 0;
+  first_handle_ = Descriptor(first <= 0 ? -1 : ::pidfd_open(first, 0));
   if (!first_handle_.is_open()) throw sandbox_error("bubblewrap does not report its process");
+  return first;
 }
 
-void Process::open_inside() {
-  const auto open_folder = [&](const std::filesystem::path& folder) {
-    const std::string path = fmt::format("/proc/{}/root{}", first_, folder.string());
-    Descriptor opened(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (!opened.is_open()) throw error_of_system("look at " + folder.string() + " inside");
-    return opened;
-  };
-  proc_ = open_folder("/proc");
-  for (const std::filesystem::path& folder : confines_.writable) disks_.push_back(open_folder(folder));
-  disks_.push_back(open_folder("/tmp"));
-}
-
-Outcome Process::watch() {
+Outcome Process::watch(const std::vector<std::filesystem::path>& results) {
   const Stopwatch stopwatch;
   const auto seconds = [&] { return stopwatch.milliseconds() / 1000; };
   Outcome outcome;
@@ -307,11 +305,14 @@ Outcome Process::watch() {
   // The kernel forgets the times of a sandbox that was killed.
   outcome.cpu_seconds = std::max(outcome.cpu_seconds, ended.usage.cpu_seconds);
   outcome.peak_memory = std::max(outcome.peak_memory, ended.usage.memory);
-  outcome.output = streams_[0].kept();
-  outcome.errors = streams_[1].kept();
-  outcome.output_bytes = streams_[0].bytes();
-  outcome.error_bytes = streams_[1].bytes();
+  outcome.output = streams_[0].kept;
+  outcome.errors = streams_[1].kept;
+  outcome.output_bytes = streams_[0].bytes;
+  outcome.error_bytes = streams_[1].bytes;
   if (outcome.limit == Limit::none) outcome.limit = limit_behind(outcome);
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (!copy_results(disks_[i], results[i], confines_.limits.disk) && outcome.limit == Limit::none)
+      outcome.limit = Limit::disk;
   return outcome;
 }
 
@@ -321,7 +322,7 @@ Limit Process::exceeded(double seconds, const Usage& usage) const {
   if (usage.cpu_seconds > limits.cpu_seconds) return Limit::cpu;
   if (usage.memory > limits.memory) return Limit::memory;
   if (is_disk_full()) return Limit::disk;
-  if (streams_[0].bytes() + streams_[1].bytes() > limits.output) return Limit::output;
+  if (streams_[0].bytes + streams_[1].bytes > limits.output) return Limit::output;
   return Limit::none;
 }
 
@@ -346,14 +347,25 @@ bool Process::is_disk_full() const {
 }
 
 bool Process::has_ended() {
-  std::array<pollfd, 3> waited{
-      {{child_handle_.get(), POLLIN, 0}, {streams_[0].fd(), POLLIN, 0}, {streams_[1].fd(), POLLIN, 0}}};
+  std::array<pollfd, 3> waited{{{child_handle_.get(), POLLIN, 0},
+                                {streams_[0].read_end.get(), POLLIN, 0},
+                                {streams_[1].read_end.get(), POLLIN, 0}}};
   ::poll(waited.data(), waited.size(), watch_milliseconds);
   return waited[0].revents != 0;
 }
 
 void Process::drain() {
-  for (Stream& stream : streams_) stream.drain(confines_.limits.kept_output);
+  const std::size_t keep = confines_.limits.kept_output;
+  std::array<char, block_size> block;
+  for (Stream& stream : streams_)
+    for (int i = 0; i < 64; ++i) {  // not more, so that the watcher gets its turn
+      const ssize_t got = ::read(stream.read_end.get(), block.data(), block.size());
+      if (got == 0) stream.read_end.close();
+      if (got <= 0) break;
+      const auto size = static_cast<std::size_t>(got);
+      stream.bytes += size;
+      stream.kept.append(block.data(), std::min(size, keep - std::min(keep, stream.kept.size())));
+    }
 }
 
 void Process::stop() {
@@ -378,13 +390,6 @@ Process::Ended Process::end() {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
           {static_cast<std::uint64_t>(usage.ru_maxrss) * 1024,
            seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime)}};
-}
-
-bool Process::copy_writable(const std::vector<std::filesystem::path>& to) const {
-  bool all = true;
-  for (std::size_t i = 0; i < to.size(); ++i)
-    all = copy_results(disks_[i], to[i], confines_.limits.disk) && all;
-  return all;
 }
 
 }  // namespace texel::sandbox

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
-#include "core/scratch_folder.hpp"
+#include "core/files.hpp"
 #include "filter.hpp"
 #include "process.hpp"
 
@@ -104,41 +104,40 @@ Words walls(const Confines& confines) {
   return line;
 }
 
-/// The words that make root somebody else. Only for the program: the first process must remain root's, or
-/// bwrap's death, that of a process without capabilities, would not reach it.
-Words become_nobody() {
-  const std::string id = fmt::format("{}", unprivileged_id());
-  return {"setpriv", "--reuid", id, "--regid", id, "--clear-groups", "--inh-caps=-all", "--bounding-set=-all",
-          "--"};
+/// The words that make root somebody else, without any right.
+Words become(unsigned user) {
+  const std::string id = fmt::format("{}", user);
+  return {"/usr/bin/setpriv",    "--reuid", id, "--regid", id, "--clear-groups", "--inh-caps=-all",
+          "--bounding-set=-all", "--"};
 }
 
+/// The command, held to its limits.
+Words held(const ProcessLimits& limits, const Words& command) {
+  Words line = prlimit_words(limits);
+  append(line, {fmt::format("--nproc={}", limits.processes), "--"});
+  append(line, command);
+  return line;
+}
+
+/// What bwrap starts: its own words, then the shell that runs first inside, then the program. The shell says
+/// that all walls stand (descriptor 3), waits until we watch (4), and gives back how the program ended. Being
+/// process 1 of its namespace, it takes all others with it when it ends.
 Launch launch_of(const Confines& confines, const Words& command) {
   Launch launch;
-  Words inside = first_process();
-  if (::geteuid() == 0) append(inside, become_nobody());
-  append(inside, prlimit_words(confines.limits));
-  append(inside, {fmt::format("--nproc={}", confines.limits.processes), "--"});
-  append(inside, command);
   launch.filter = seccomp_filter();
   launch.command = {"bwrap", "--args", "5"};
   if (!launch.filter.empty()) append(launch.command, {"--seccomp", "6"});
-  launch.command.emplace_back("--");
+  append(
+      launch.command,
+      {"--", "/bin/sh", "-c",
+       "printf r >&3; exec 3>&-; read -r go <&4 || exit 1; exec 4<&- 5<&- 6<&- 7>&-; \"$@\"; exit $?", "sh"});
+  // Only the program is somebody else. The first process must remain root's, or bwrap's death, that of a
+  // process without capabilities, would not reach it.
+  if (::geteuid() == 0) append(launch.command, become(unprivileged_id()));
+  append(launch.command, held(confines.limits, command));
   for (const std::string& word : walls(confines)) launch.arguments.append(word).push_back('\0');
-  append(launch.command, inside);
   return launch;
 }
-
-}  // namespace
-
-Outcome run_locked_in(const Confines& confines, const Words& command) {
-  check(confines, command);
-  Process process(confines, launch_of(confines, command));
-  Outcome outcome = process.watch();
-  if (!process.copy_writable(confines.writable) && outcome.limit == Limit::none) outcome.limit = Limit::disk;
-  return outcome;
-}
-
-namespace {
 
 /// An empty folder in place of a real one, which is put aside; afterwards the real one is back.
 class Instead {
@@ -173,6 +172,11 @@ std::string fault_of(Run run) {
 
 }  // namespace
 
+Outcome run_locked_in(const Confines& confines, const Words& command) {
+  check(confines, command);
+  return Process(confines, launch_of(confines, command)).watch(confines.writable);
+}
+
 Outcome run_as_another_user(const Confines& given, const Words& command) {
   if (::geteuid() != 0) throw sandbox_error("only root can run a program as another user");
   check(given, command);
@@ -192,20 +196,12 @@ Outcome run_as_another_user(const Confines& given, const Words& command) {
   launch.user = user;
   launch.filter = seccomp_filter();
   if (launch.filter.empty()) throw sandbox_error("there is no filter for this processor's system calls");
-  const std::string id = fmt::format("{}", user);
-  launch.command = {
-      "setpriv", "--reuid", id, "--regid", id, "--clear-groups", "--inh-caps=-all", "--bounding-set=-all",
-      "--"};
-  append(launch.command, prlimit_words(confines.limits));
-  append(launch.command, {fmt::format("--nproc={}", confines.limits.processes), "--"});
-  append(launch.command, command);
+  launch.command = become(user);
+  append(launch.command, held(confines.limits, command));
   for (const auto& [name, value] : environment_of(confines)) launch.environment.push_back(name + "=" + value);
-  Process process(confines, launch);
-  Outcome outcome = process.watch();
   std::vector<fs::path> real;
   for (std::size_t i = 0; i < given.writable.size(); ++i) real.push_back(folders[i]->aside());
-  if (!process.copy_writable(real) && outcome.limit == Limit::none) outcome.limit = Limit::disk;
-  return outcome;
+  return Process(confines, launch).watch(real);
 }
 
 const std::string& sandbox_fault() {

@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <limits>
 
 #include "core/error.hpp"
 
@@ -30,6 +29,21 @@ int plain_code(int code, int reason) {
   return plain;
 }
 
+/// What people read of a code of SQLite's.
+struct Fault {
+  int code;
+  const char *says, *remedy;
+};
+constexpr Fault kFaults[] = {
+    {SQLITE_FULL, "the disk is full", "free some space and continue: earlier results are kept"},
+    {SQLITE_READONLY, "the store or its folder cannot be written",
+     "get write permission for both, or choose another folder"},
+    {SQLITE_CANTOPEN, "it or a file beside it cannot be opened",
+     "check that you own these files and the disk has free space"},
+    {SQLITE_NOTADB, "is not a store of grades", "name another file, or move this one away"},
+    {SQLITE_CORRUPT, "the store is damaged", "replace it by a backup, or move it away and grade again"},
+    {SQLITE_BUSY, "another program uses the store", "try again when it has ended"}};
+
 /// Throws Error (exit 3) for a code of SQLite's. `reason`: the system's, or 0.
 [[noreturn]] void fail_of(const fs::path& file, int code, int reason, const std::string& says) {
   const auto error = [&](const std::string& what, const char* remedy) {
@@ -46,30 +60,12 @@ int plain_code(int code, int reason) {
         (fs::exists(file, unknown) && ::access(file.c_str(), R_OK | W_OK) != 0))
       plain = SQLITE_READONLY;
   }
-  switch (plain) {
-    case SQLITE_FULL:
-      throw error("the disk is full", "free some space and continue: earlier results are kept");
-    case SQLITE_READONLY:
-    case SQLITE_PERM:
-      throw error("the store or its folder cannot be written",
-                  "get write permission for both, or choose another folder");
-    case SQLITE_CANTOPEN:
-      throw error("it or a file beside it cannot be opened",
-                  "check that you own these files and the disk has free space");
-    case SQLITE_NOTADB:
-      throw error("is not a store of grades", "name another file, or move this one away");
-    case SQLITE_CORRUPT:
-      throw error("the store is damaged", "replace it by a backup, or move it away and grade again");
-    case SQLITE_BUSY:
-    case SQLITE_LOCKED:
-      throw error("another program uses the store", "try again when it has ended");
-    case SQLITE_CONSTRAINT:
-      throw error(fmt::format("a row breaks the store's rules: {}", says), "this is a bug of the grader");
-    default:
-      throw error(fmt::format("SQLite says: {}{}", says,
-                              reason == 0 ? "" : fmt::format(" ({})", std::strerror(reason))),
-                  "check the disk, then try again");
-  }
+  for (const Fault& fault : kFaults)
+    if (fault.code == plain) throw error(fault.says, fault.remedy);
+  if (plain == SQLITE_CONSTRAINT)
+    throw error(fmt::format("a row breaks the store's rules: {}", says), "this is a bug of the grader");
+  const std::string of_system = reason == 0 ? "" : fmt::format(" ({})", std::strerror(reason));
+  throw error(fmt::format("SQLite says: {}{}", says, of_system), "check the disk, then try again");
 }
 
 SQLite::Database opened(const std::string& file) {
@@ -98,27 +94,6 @@ void Connection::use_write_ahead_log() {
 
 void Connection::fail(int code, const std::string& says) const {
   fail_of(file_, code, sqlite3_system_errno(database_.getHandle()), says);
-}
-
-Query& Query::operator>>(std::string& value) {
-  value = getColumn(column_++).getString();
-  return *this;
-}
-
-Query& Query::operator>>(double& value) {
-  const SQLite::Column column = getColumn(column_++);
-  value = column.isNull() ? std::numeric_limits<double>::quiet_NaN() : column.getDouble();
-  return *this;
-}
-
-Query& Query::operator>>(int& value) {
-  value = getColumn(column_++).getInt();
-  return *this;
-}
-
-Query& Query::operator>>(bool& value) {
-  value = getColumn(column_++).getInt() != 0;
-  return *this;
 }
 
 }  // namespace texel::store

@@ -3,6 +3,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
 
+#include <limits>
 #include <mutex>
 #include <string>
 
@@ -26,6 +27,16 @@ class Connection {
     }
   }
 
+  /// The same in one transaction: all of the work is done, or nothing.
+  template <class Work>
+  void change(const Work& work) {
+    use([&](SQLite::Database& database) {
+      SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+      work(database);
+      transaction.commit();
+    });
+  }
+
   /// Keeps a log beside the file, so that readers and a writer do not wait for each other. A new file is
   /// changed to that by one program alone, and for this SQLite does not wait of itself.
   void use_write_ahead_log();
@@ -44,7 +55,7 @@ class Connection {
 /// A statement with its values in place of the question marks, row by row:
 ///
 ///     Query rows(database, "SELECT name, value FROM facts WHERE name = ?", name);
-///     while (rows.next()) rows >> name >> value;
+///     while (rows.next()) facts.push_back({rows.text(), rows.text()});
 class Query : public SQLite::Statement {
  public:
   template <typename... Values>
@@ -59,11 +70,13 @@ class Query : public SQLite::Statement {
     return executeStep();
   }
 
-  /// The row's next column. NaN where a number is missing.
-  Query& operator>>(std::string& value);
-  Query& operator>>(double& value);
-  Query& operator>>(int& value);
-  Query& operator>>(bool& value);
+  /// The row's next column.
+  std::string text() { return getColumn(column_++).getString(); }
+  /// The row's next column; NaN where there is no number.
+  double number() {
+    const SQLite::Column column = getColumn(column_++);
+    return column.isNull() ? std::numeric_limits<double>::quiet_NaN() : column.getDouble();
+  }
 
  private:
   int column_ = 0;

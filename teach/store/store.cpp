@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -23,7 +25,6 @@ namespace fs = std::filesystem;
 using Facts = std::map<std::string, std::string>;
 using SQLite::Database;
 using SQLite::Transaction;
-using SQLite::TransactionBehavior;
 
 constexpr int kApplication = 0x5458474c;  ///< "TXGL": tells a store from SQLite files of other programs
 constexpr int kVersion = 3;
@@ -64,48 +65,47 @@ CREATE TABLE earlier (
 
 struct Table {
   const char* name;
-  const char* order;              ///< by its key
   std::string_view of_step = {};  ///< what a row is of a student's step; else it is part of the student
 };
 
 /// All tables; a student's come after the students.
-constexpr Table kTables[] = {
-    {"facts", "1"},
-    {"students", "1"},
-    {"ignored", "1, 2"},
-    {"logs", "1, 2"},
-    {"notes", "1, 2, 3"},
-    {"incidents", "1, 2"},
-    {"cases", "1, 2, 3"},
-    {"overrides", "1, 2", "the override"},
-    {"earlier", "1, 2", "the earlier score"},
-};
+constexpr Table kTables[] = {{"facts"},
+                             {"students"},
+                             {"ignored"},
+                             {"logs"},
+                             {"notes"},
+                             {"incidents"},
+                             {"cases"},
+                             {"overrides", "the override"},
+                             {"earlier", "the earlier score"}};
+constexpr const Table *kFacts = &kTables[0], *kStudents = &kTables[1];
 
-/// A row with its table; NULL is a number that is not there.
+/// A row with its table; where NULL is, there is no value.
 struct Row {
   const Table* table;
-  std::vector<std::variant<std::string, double>> values;
+  std::vector<std::variant<std::monostate, std::string, double>> values;
 
-  /// A number in the fewest digits that give it back, "nan" where it is missing.
-  [[nodiscard]] std::string text(std::size_t column) const {
-    return std::visit([](const auto& value) { return fmt::format("{}", value); }, values[column]);
+  [[nodiscard]] const std::string& text(std::size_t column) const {
+    return std::get<std::string>(values[column]);
   }
+  auto operator<=>(const Row&) const = default;
 };
 
-/// Every row of a store, table by table, in the order of its key.
-std::vector<Row> rows_of(Database& database) {
+/// Every row of some tables.
+std::vector<Row> rows_of(Database& database, std::span<const Table> tables = kTables) {
   std::vector<Row> rows;
-  for (const Table& table : kTables) {
-    Query query(database, fmt::format("SELECT * FROM {} ORDER BY {}", table.name, table.order));
+  for (const Table& table : tables) {
+    Query query(database, fmt::format("SELECT * FROM {}", table.name));
     while (query.next()) {
       Row& row = rows.emplace_back(Row{&table, {}});
       for (int i = 0; i < query.getColumnCount(); ++i) {
-        std::string text;
-        double number = 0;
-        if (query.getColumn(i).isText())
-          query >> text, row.values.emplace_back(text);
+        const SQLite::Column column = query.getColumn(i);
+        if (column.isText())
+          row.values.emplace_back(column.getString());
+        else if (column.isNull())
+          row.values.emplace_back();
         else
-          query >> number, row.values.emplace_back(number);
+          row.values.emplace_back(column.getDouble());
       }
     }
   }
@@ -117,56 +117,34 @@ std::vector<Row> rows_at_one_moment(Database& database) {
   return rows_of(database);
 }
 
-/// A row on one line.
-std::string line_of(const Row& row) {
-  std::string line = row.table->name;
-  for (std::size_t i = 0; i < row.values.size(); ++i) {
-    line += '\t';
-    for (const char c : row.text(i)) {
-      if (c == '\\' || c == '\t' || c == '\n') line += '\\';
-      line += c == '\t' ? 't' : c == '\n' ? 'n' : c;
-    }
-  }
-  return line + '\n';
-}
-
-bool is_fact(const Row& row) {
-  return row.table == kTables;
-}
-
 Facts facts_in(const std::vector<Row>& rows) {
   Facts facts;
   for (const Row& row : rows)
-    if (is_fact(row)) facts[row.text(0)] = row.text(1);
+    if (row.table == kFacts) facts[row.text(0)] = row.text(1);
   return facts;
-}
-
-/// All lines of a store but its facts, those together that are about the same.
-std::map<std::string, std::string> lines_by_matter(const std::vector<Row>& rows) {
-  std::map<std::string, std::string> lines;
-  for (const Row& row : rows) {
-    if (is_fact(row)) continue;
-    std::string matter = "the student " + row.text(0);
-    if (!row.table->of_step.empty())
-      matter = fmt::format("{} of step {} of {}", row.table->of_step, row.text(1), matter);
-    lines[matter] += line_of(row);
-  }
-  return lines;
 }
 
 Facts facts_of(Database& database) {
-  Facts facts;
-  std::string name, value;
-  for (Query row(database, "SELECT name, value FROM facts"); row.next();) {
-    row >> name >> value;
-    facts[name] = value;
+  return facts_in(rows_of(database, {kFacts, 1}));
+}
+
+/// All rows of a store but its facts, those together that are about the same.
+std::map<std::string, std::set<Row>> rows_by_matter(const std::vector<Row>& rows) {
+  std::map<std::string, std::set<Row>> by_matter;
+  for (const Row& row : rows) {
+    if (row.table == kFacts) continue;
+    std::string matter = "the student " + row.text(0);
+    if (!row.table->of_step.empty())
+      matter = fmt::format("{} of step {} of {}", row.table->of_step, row.text(1), matter);
+    by_matter[matter].insert(row);
   }
-  return facts;
+  return by_matter;
 }
 
 /// Whether it has facts or students: else it has no facts to differ in.
 bool is_begun(const std::vector<Row>& rows) {
-  return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.table <= &kTables[1]; });
+  return std::any_of(rows.begin(), rows.end(),
+                     [](const Row& row) { return row.table == kFacts || row.table == kStudents; });
 }
 
 /// Throws Error (exit 2) that names the first thing in which two stores differ.
@@ -185,9 +163,10 @@ void expect_no_difference(const std::vector<Row>& our_rows, const std::string& o
       throw Error::usage(fmt::format("{} and {} were graded differently: {} is {} in one and {} in the other",
                                      ours, theirs, name, value_in(a, name), value_in(b, name)),
                          "merge only stores with the same course, labs, seed and renderer");
-  const auto our_lines = lines_by_matter(our_rows);
-  for (const auto& [matter, lines] : lines_by_matter(their_rows))
-    if (const auto found = our_lines.find(matter); found != our_lines.end() && found->second != lines)
+  const auto ours_by_matter = rows_by_matter(our_rows);
+  for (const auto& [matter, rows] : rows_by_matter(their_rows))
+    if (const auto found = ours_by_matter.find(matter);
+        found != ours_by_matter.end() && found->second != rows)
       throw Error::usage(fmt::format("{} and {} disagree about {}", ours, theirs, matter),
                          "leave one of them out, or grade this student again");
 }
@@ -213,16 +192,6 @@ void write_incident(Database& database, const std::string& student, const std::s
     Query(database, "INSERT OR REPLACE INTO incidents VALUES (?, ?, ?)", student, lab, text).exec();
 }
 
-std::vector<Override> read_overrides(Database& database) {
-  std::vector<Override> overrides;
-  for (Query row(database, "SELECT student, step, score, reason FROM overrides ORDER BY student, step");
-       row.next();) {
-    Override& one = overrides.emplace_back();
-    row >> one.student >> one.step >> one.score >> one.reason;
-  }
-  return overrides;
-}
-
 /// Whether a step's score was found since the last beginning, and is not only missing yet.
 bool is_judged(const StudentResult& student, const judge::StepResult& step) {
   return !step.cases.empty() || !student.fault.empty() || !step.overridden.empty();
@@ -231,31 +200,21 @@ bool is_judged(const StudentResult& student, const judge::StepResult& step) {
 /// The students without their labs, by id.
 std::map<std::string, StudentResult> read_students(Database& database) {
   std::map<std::string, StudentResult> students;
-  std::string id;
   for (Query row(database, "SELECT student, name, number, fault FROM students"); row.next();) {
-    row >> id;
+    const std::string id = row.text();
     StudentResult& student = students[id];
-    student.id = id;
-    row >> student.name >> student.number >> student.fault;
+    student.id = id, student.name = row.text(), student.number = row.text(), student.fault = row.text();
   }
-  for (Query row(database, "SELECT student, path, reason FROM ignored ORDER BY student, place");
-       row.next();) {
-    row >> id;
-    Ignored& ignored = students.at(id).ignored.emplace_back();
-    row >> ignored.path >> ignored.reason;
-  }
-  for (Query row(database, "SELECT student, file, text FROM logs ORDER BY student, file"); row.next();) {
-    row >> id;
-    CompilerLog& log = students.at(id).logs.emplace_back();
-    row >> log.file >> log.text;
-  }
-  std::string lab, text;
+  for (Query row(database, "SELECT student, path, reason FROM ignored ORDER BY student, place"); row.next();)
+    students.at(row.text()).ignored.push_back({row.text(), row.text()});
+  for (Query row(database, "SELECT student, file, text FROM logs ORDER BY student, file"); row.next();)
+    students.at(row.text()).logs.push_back({row.text(), row.text()});
   for (Query row(database, "SELECT student, lab, text FROM incidents ORDER BY student, lab"); row.next();) {
-    row >> id >> lab >> text;
-    std::string& incident = students.at(id).incident;
+    std::string& incident = students.at(row.text()).incident;
+    const std::string lab = row.text();
     if (!incident.empty()) incident += '\n';
     if (!lab.empty()) incident += lab + ": ";
-    incident += text;
+    incident += row.text();
   }
   return students;
 }
@@ -275,12 +234,12 @@ std::vector<judge::CaseResult> read_cases(Database& database, const std::string&
   for (Query row(database, fmt::format("SELECT {} FROM cases WHERE student = ?", kCaseColumns), student);
        row.next();) {
     judge::CaseResult& one = cases.emplace_back();
-    std::string view, status, judged;
-    row >> one.lab >> one.name >> one.step >> view >> one.hidden >> one.score >> one.error >> one.limit >>
-        one.message >> one.mistake >> one.mistake_says >> one.command >> one.picture >> one.reference >>
-        status >> judged;
-    one.view = view_called(view), one.status = judge::case_status_of(status),
-    one.judged = judge::judged_of(judged);
+    one.lab = row.text(), one.name = row.text(), one.step = row.text();
+    one.view = view_called(row.text()), one.hidden = row.number() != 0;
+    one.score = row.number(), one.error = row.number(), one.limit = row.number();
+    one.message = row.text(), one.mistake = row.text(), one.mistake_says = row.text();
+    one.command = row.text(), one.picture = row.text(), one.reference = row.text();
+    one.status = judge::of_name<judge::CaseStatus>(row.text()), one.judged = judge::of_name<judge::Judged>(row.text());
   }
   return cases;
 }
@@ -304,25 +263,20 @@ ClassResult read_class_result(Database& database, const std::vector<course::Lab>
   std::map<std::string, StudentResult> students = read_students(database);
   for (auto& [id, student] : students) {
     student.labs = judge::lab_results(labs, read_cases(database, id));
-    std::string note;
     for (judge::LabResult& lab : student.labs)
       for (Query row(database, "SELECT text FROM notes WHERE student = ? AND lab = ? ORDER BY place", id,
                      lab.lab.folder);
-           row.next();) {
-        row >> note;
-        lab.notes.push_back(note);
-      }
+           row.next();)
+        lab.notes.push_back(row.text());
   }
-  for (const Override& override : read_overrides(database))
+  for (Query row(database, "SELECT student, step, score, reason FROM overrides"); row.next();) {
+    const Override override{row.text(), row.text(), row.number(), row.text()};
     if (const auto found = students.find(override.student); found != students.end())
       apply(override, found->second);
-
-  std::map<std::pair<std::string, std::string>, double> earlier;
-  std::string id, step_id;
-  for (Query row(database, "SELECT student, step, score FROM earlier"); row.next();) {
-    row >> id >> step_id;
-    row >> earlier[{id, step_id}];
   }
+  std::map<std::pair<std::string, std::string>, double> earlier;  // by student and step
+  for (Query row(database, "SELECT student, step, score FROM earlier"); row.next();)
+    earlier.insert({{row.text(), row.text()}, row.number()});
   for (auto& [student_id, student] : students) {
     for (const judge::LabResult& lab : student.labs)
       for (const judge::StepResult& step : lab.steps) {
@@ -353,14 +307,13 @@ void prepare(Connection& connection) {
   // ones would be. Measured: 5 ms a case, a minute for 200 students with 60 cases each (NORMAL: 0.3 ms a
   // case).
   connection.use_write_ahead_log();
-  connection.use([&](Database& database) {
-    database.exec("PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON");
-    if (!is_new) return;
-    Transaction transaction(database, TransactionBehavior::IMMEDIATE);
+  connection.use(
+      [](Database& database) { database.exec("PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON"); });
+  if (!is_new) return;
+  connection.change([](Database& database) {
     if (database.execAndGet("PRAGMA user_version").getInt() == 0)
       database.exec(fmt::format("{} PRAGMA application_id = {}; PRAGMA user_version = {}", kSchema,
                                 kApplication, kVersion));
-    transaction.commit();
   });
 }
 
@@ -376,26 +329,21 @@ void Store::run(const std::string& sql, const Values&... values) {
 }
 
 Store::~Store() = default;
-Store::Store(Store&&) noexcept = default;
-Store& Store::operator=(Store&&) noexcept = default;
 
 Facts Store::facts() const {
   return connection_->use(facts_of);
 }
 
 void Store::put_facts(const Facts& facts) {
-  connection_->use([&](Database& database) {
-    Transaction transaction(database, TransactionBehavior::IMMEDIATE);
+  connection_->change([&](Database& database) {
     database.exec("DELETE FROM facts");
     for (const auto& [name, value] : facts)
       Query(database, "INSERT INTO facts VALUES (?, ?)", name, value).exec();
-    transaction.commit();
   });
 }
 
 void Store::begin_anew(const std::vector<course::Lab>& labs) {
-  connection_->use([&](Database& database) {
-    Transaction transaction(database, TransactionBehavior::IMMEDIATE);
+  connection_->change([&](Database& database) {
     for (const StudentResult& student : read_class_result(database, labs).students)
       for (const judge::LabResult& lab : student.labs)
         for (const judge::StepResult& step : lab.steps)
@@ -404,13 +352,11 @@ void Store::begin_anew(const std::vector<course::Lab>& labs) {
                   step.score)
                 .exec();
     database.exec("DELETE FROM students");
-    transaction.commit();
   });
 }
 
 void Store::put_student(const StudentResult& student, const std::string& digest) {
-  connection_->use([&](Database& database) {
-    Transaction transaction(database, TransactionBehavior::IMMEDIATE);
+  connection_->change([&](Database& database) {
     if (!digest.empty())
       Query(database, "DELETE FROM students WHERE student = ? AND digest <> ?", student.id, digest).exec();
     Query(database,
@@ -427,7 +373,6 @@ void Store::put_student(const StudentResult& student, const std::string& digest)
     for (const judge::LabResult& lab : student.labs)
       write_notes(database, student.id, lab.lab.folder, lab.notes);
     write_incident(database, student.id, "", student.incident);
-    transaction.commit();
   });
 }
 
@@ -442,11 +387,7 @@ void Store::put_log(const std::string& student, const CompilerLog& log) {
 
 void Store::put_notes(const std::string& student, const std::string& lab,
                       const std::vector<std::string>& notes) {
-  connection_->use([&](Database& database) {
-    Transaction transaction(database, TransactionBehavior::IMMEDIATE);
-    write_notes(database, student, lab, notes);
-    transaction.commit();
-  });
+  connection_->change([&](Database& database) { write_notes(database, student, lab, notes); });
 }
 
 void Store::put(const std::string& student, const judge::CaseResult& result) {
@@ -463,12 +404,8 @@ void Store::put_incident(const std::string& student, const std::string& lab, con
 std::set<std::string> Store::judged(const std::string& student) const {
   return connection_->use([&](Database& database) {
     std::set<std::string> cases;
-    std::string name;
-    for (Query row(database, "SELECT lab || '/' || name FROM cases WHERE student = ?", student);
-         row.next();) {
-      row >> name;
-      cases.insert(name);
-    }
+    for (Query row(database, "SELECT lab || '/' || name FROM cases WHERE student = ?", student); row.next();)
+      cases.insert(row.text());
     return cases;
   });
 }
@@ -487,10 +424,6 @@ void Store::drop_override(const std::string& student, const std::string& step) {
   run("DELETE FROM overrides WHERE student = ? AND step = ?", student, step);
 }
 
-std::vector<Override> Store::overrides() const {
-  return connection_->use(read_overrides);
-}
-
 ClassResult Store::read(const std::vector<course::Lab>& labs) const {
   return connection_->use([&](Database& database) {
     // Other programs may write meanwhile: the rows are those of one moment.
@@ -499,19 +432,12 @@ ClassResult Store::read(const std::vector<course::Lab>& labs) const {
   });
 }
 
-std::string Store::dump() const {
-  std::string text;
-  for (const Row& row : connection_->use(rows_at_one_moment)) text += line_of(row);
-  return text;
-}
-
 void Store::merge(const Store& other) {
   const std::string &ours = connection_->file(), &theirs = other.connection_->file();
   std::error_code gone;
   if (this == &other || fs::equivalent(ours, theirs, gone)) return;
   const std::vector<Row> their_rows = other.connection_->use(rows_at_one_moment);
-  connection_->use([&](Database& database) {
-    Transaction transaction(database, TransactionBehavior::IMMEDIATE);
+  connection_->change([&](Database& database) {
     expect_no_difference(rows_of(database), ours, their_rows, theirs);
     for (const Row& row : their_rows) {
       // What both have is the same.
@@ -519,10 +445,12 @@ void Store::merge(const Store& other) {
                                        marks(row.values.size())));
       int place = 0;
       for (const auto& value : row.values)
-        std::visit([&](const auto& one) { copy.bind(++place, one); }, value);
+        if (++place; const auto* text = std::get_if<std::string>(&value))
+          copy.bind(place, *text);
+        else if (const auto* number = std::get_if<double>(&value))
+          copy.bind(place, *number);
       copy.exec();
     }
-    transaction.commit();
   });
 }
 

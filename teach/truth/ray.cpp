@@ -8,8 +8,6 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 
-#include "truth/basis.hpp"
-
 namespace texel::truth {
 
 using glm::dvec2;
@@ -21,6 +19,11 @@ namespace {
 dvec3 toward(double yaw, double pitch) {
   const double a = glm::radians(yaw), b = glm::radians(pitch);
   return {std::sin(a) * std::cos(b), std::sin(b), std::cos(a) * std::cos(b)};
+}
+
+/// The derivative of v / |v| when v changes by dv: the part of dv across v, as a fraction of v's length.
+dvec3 normalized_derivative(dvec3 v, dvec3 dv) {
+  return (dv - v * (glm::dot(v, dv) / glm::dot(v, v))) / glm::length(v);
 }
 
 }  // namespace

@@ -7,8 +7,6 @@
 #include <numbers>
 #include <utility>
 
-#include "truth/basis.hpp"
-
 namespace texel::truth {
 
 using glm::dvec2;
@@ -24,12 +22,8 @@ Surface square(dvec3 center, dvec3 right, dvec3 up) {
   const dvec3 normal = glm::normalize(glm::cross(right, up));
   return [=](dvec2 texcoord) {
     const dvec2 xy = 2.0 * texcoord - 1.0;
-    return SurfacePoint{.position = center + xy.x * right + xy.y * up,
-                        .ds = 2.0 * right,
-                        .dt = 2.0 * up,
-                        .normal = normal,
-                        .normal_ds = dvec3(0),
-                        .normal_dt = dvec3(0)};
+    return SurfacePoint{
+        .position = center + xy.x * right + xy.y * up, .ds = 2.0 * right, .dt = 2.0 * up, .normal = normal};
   };
 }
 
@@ -58,14 +52,11 @@ Surface sphere(double radius) {
     const dvec3 outward(std::sin(longitude), 0, std::cos(longitude));
     const dvec3 east(std::cos(longitude), 0, -std::sin(longitude));
     const dvec3 north = std::cos(latitude) * dvec3(0, 1, 0) - std::sin(latitude) * outward;
-    SurfacePoint point;
-    point.normal = std::cos(latitude) * outward + std::sin(latitude) * dvec3(0, 1, 0);
-    point.normal_ds = tau * std::cos(latitude) * east;
-    point.normal_dt = pi * north;
-    point.position = radius * point.normal;
-    point.ds = radius * point.normal_ds;
-    point.dt = radius * point.normal_dt;
-    return point;
+    const dvec3 normal = std::cos(latitude) * outward + std::sin(latitude) * dvec3(0, 1, 0);
+    return SurfacePoint{.position = radius * normal,
+                        .ds = radius * (tau * std::cos(latitude) * east),
+                        .dt = radius * (pi * north),
+                        .normal = normal};
   };
 }
 
@@ -74,14 +65,11 @@ Surface torus(double major, double minor) {
     const double a = tau * texcoord.s, b = tau * texcoord.t;
     const dvec3 outward(std::sin(a), 0, std::cos(a));
     const dvec3 east(std::cos(a), 0, -std::sin(a));
-    SurfacePoint point;
-    point.normal = std::cos(b) * outward + std::sin(b) * dvec3(0, 1, 0);
-    point.normal_ds = tau * std::cos(b) * east;
-    point.normal_dt = tau * (std::cos(b) * dvec3(0, 1, 0) - std::sin(b) * outward);
-    point.position = major * outward + minor * point.normal;
-    point.ds = tau * major * east + minor * point.normal_ds;
-    point.dt = minor * point.normal_dt;
-    return point;
+    const dvec3 normal = std::cos(b) * outward + std::sin(b) * dvec3(0, 1, 0);
+    return SurfacePoint{.position = major * outward + minor * normal,
+                        .ds = tau * major * east + minor * (tau * std::cos(b) * east),
+                        .dt = minor * (tau * (std::cos(b) * dvec3(0, 1, 0) - std::sin(b) * outward)),
+                        .normal = normal};
   };
 }
 
@@ -101,12 +89,10 @@ Surface reparameterized(Surface surface, const TexcoordMap& map) {
   return [surface = std::move(surface), map](dvec2 texcoord) {
     const SurfacePoint own = surface(map.parameter(texcoord));
     const glm::dmat2 change = glm::inverse(map.linear);  // columns: how the parameters go with s and with t
-    SurfacePoint point = own;
-    point.ds = own.ds * change[0].x + own.dt * change[0].y;
-    point.dt = own.ds * change[1].x + own.dt * change[1].y;
-    point.normal_ds = own.normal_ds * change[0].x + own.normal_dt * change[0].y;
-    point.normal_dt = own.normal_ds * change[1].x + own.normal_dt * change[1].y;
-    return point;
+    return SurfacePoint{.position = own.position,
+                        .ds = own.ds * change[0].x + own.dt * change[0].y,
+                        .dt = own.ds * change[1].x + own.dt * change[1].y,
+                        .normal = own.normal};
   };
 }
 
@@ -114,24 +100,21 @@ Surface placed(Surface surface, const Placement& world_from_object) {
   const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(world_from_object.linear));
   return [surface = std::move(surface), world_from_object, normal_matrix](dvec2 texcoord) {
     const SurfacePoint own = surface(texcoord);
-    const dvec3 normal = normal_matrix * own.normal;
-    const glm::dmat3& linear = world_from_object.linear;
-    return SurfacePoint{.position = linear * own.position + world_from_object.offset,
-                        .ds = linear * own.ds,
-                        .dt = linear * own.dt,
-                        .normal = glm::normalize(normal),
-                        .normal_ds = normalized_derivative(normal, normal_matrix * own.normal_ds),
-                        .normal_dt = normalized_derivative(normal, normal_matrix * own.normal_dt)};
+    return SurfacePoint{.position = world_from_object.linear * own.position + world_from_object.offset,
+                        .ds = world_from_object.linear * own.ds,
+                        .dt = world_from_object.linear * own.dt,
+                        .normal = glm::normalize(normal_matrix * own.normal)};
   };
 }
 
-Frame orthonormal_frame(const SurfacePoint& point) {
-  return orthonormal_frame(point.normal, point.ds, point.dt);
+double handedness(dvec3 tangent, dvec3 bitangent, dvec3 normal) {
+  const double volume = glm::dot(glm::cross(normal, tangent), bitangent);
+  return static_cast<double>(volume > 0) - static_cast<double>(volume < 0);
 }
 
-Frame orthonormal_frame(dvec3 normal, dvec3 ds, dvec3 dt) {
-  const dvec3 tangent = glm::normalize(ds - normal * glm::dot(normal, ds));
-  const double side = handedness(ds, dt, normal);
+Frame orthonormal_frame(const SurfacePoint& point) {
+  const dvec3 normal = point.normal, tangent = glm::normalize(point.ds - normal * glm::dot(normal, point.ds));
+  const double side = handedness(point.ds, point.dt, normal);
   return {tangent, side * glm::cross(normal, tangent), normal, side};
 }
 

@@ -72,17 +72,16 @@ std::optional<dvec4> RepeatedTexture::mean(std::array<dvec2, 4> corners) const {
   return sum / area;
 }
 
-dvec4 QuadPicture::at(dvec2 window) const {
-  const auto hit = hit_quad(object_ray(pixel_ray(camera, window).ray, world_from_object), half_size);
-  return hit ? texture(texcoord_map.texcoord(hit->texcoord)) : background;
+dvec4 QuadPicture::operator()(dvec2 window) const {
+  const auto hit = hit_quad(object_ray(pixel_ray(camera, window).ray, world_from_object));
+  return hit ? texture(texcoord_map.texcoord(hit->texcoord)) : dvec4(0);
 }
 
 std::optional<dvec4> QuadPicture::mean(const RepeatedTexture& repeated, dvec2 middle) const {
   std::array<dvec2, 4> corners;
   constexpr dvec2 around[] = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
   for (std::size_t i = 0; i < 4; ++i) {
-    const auto hit =
-        hit_quad(object_ray(pixel_ray(camera, middle + around[i]).ray, world_from_object), half_size);
+    const auto hit = hit_quad(object_ray(pixel_ray(camera, middle + around[i]).ray, world_from_object));
     if (!hit) return std::nullopt;
     corners[i] = texcoord_map.texcoord(hit->texcoord);
   }

@@ -3,23 +3,23 @@
 // table is a test: its name, what it defines, and the reason that the compiler must give.
 // clang-format off
 //
-// choice_default_is_no_item | METHOD=static_cast<Method>(2) | the default is not one of the items
-// choice_item_without_help | HELP= | an item needs a name and a line of help
-// choice_with_duplicate_items | ITEM=nearest | two items have the same name
-// file_default_is_no_item | FILE_NAME=brick | the default is not one of the items
-// number_default_out_of_range | TILT=90 | the default is outside the range
-// number_logarithmic_from_zero | NEAREST=0 | a logarithmic range must be positive
-// number_with_bad_name | NUMBER=BumpStrength | a parameter's name is snake_case
-// number_with_empty_range | LEAST=89 | a range goes from a smaller to a larger value
-// toggle_with_trailing_underscore | TOGGLE=flip_ | a parameter's name is snake_case
-// toggle_without_help | TOGGLE_HELP= | a parameter needs a line of help
-// lab_with_misspelt_draw | DRAW=drawn | override
-// lab_with_misspelt_mesh | MESH=meshes | override
-// lab_with_misspelt_preparation | PREPARATION=preparations | override
-// lab_with_the_view_error | VIEW=error | a lab has the view error by its answer
-// answer_with_misspelt_declare | DECLARE=declares | override
-// answer_with_misspelt_measure | MEASURE=measures | override
-// answer_with_misspelt_truth | TRUTH=truths | override
+// choice_default_is_no_item | METHOD=~,static_cast<Method>(2) | the default is not one of the items
+// choice_item_without_help | HELP=~, | an item needs a name and a line of help
+// choice_with_duplicate_items | ITEM=~,nearest | two items have the same name
+// file_default_is_no_item | FILE_NAME=~,brick | the default is not one of the items
+// number_default_out_of_range | TILT=~,90 | the default is outside the range
+// number_logarithmic_from_zero | NEAREST=~,0 | a logarithmic range must be positive
+// number_with_bad_name | NUMBER=~,BumpStrength | a parameter's name is snake_case
+// number_with_empty_range | LEAST=~,89 | a range goes from a smaller to a larger value
+// toggle_with_trailing_underscore | TOGGLE=~,flip_ | a parameter's name is snake_case
+// toggle_without_help | TOGGLE_HELP=~, | a parameter needs a line of help
+// lab_with_misspelt_draw | DRAW=~,drawn | override
+// lab_with_misspelt_mesh | MESH=~,meshes | override
+// lab_with_misspelt_preparation | PREPARATION=~,preparations | override
+// lab_with_the_view_error | VIEW=~,error | a lab has the view error by its answer
+// answer_with_misspelt_declare | DECLARE=~,declares | override
+// answer_with_misspelt_measure | MEASURE=~,measures | override
+// answer_with_misspelt_truth | TRUTH=~,truths | override
 //
 // clang-format on
 #include "app/lab.hpp"
@@ -27,71 +27,27 @@
 
 #define QUOTED(words) #words
 #define TEXT(words) QUOTED(words)
-
-#ifndef METHOD
-#define METHOD Method::linear
-#endif
-#ifndef ITEM
-#define ITEM linear
-#endif
-#ifndef HELP
-#define HELP Four texels
-#endif
-#ifndef FILE_NAME
-#define FILE_NAME linear
-#endif
-#ifndef TILT
-#define TILT 60
-#endif
-#ifndef LEAST
-#define LEAST -89
-#endif
-#ifndef NEAREST
-#define NEAREST 0.1
-#endif
-#ifndef NUMBER
-#define NUMBER bump_strength
-#endif
-#ifndef TOGGLE
-#define TOGGLE flip_v
-#endif
-#ifndef TOGGLE_HELP
-#define TOGGLE_HELP Turns the picture over
-#endif
-#ifndef DRAW
-#define DRAW draw
-#endif
-#ifndef MESH
-#define MESH mesh
-#endif
-#ifndef PREPARATION
-#define PREPARATION preparation
-#endif
-#ifndef MEASURE
-#define MEASURE measure
-#endif
-#ifndef TRUTH
-#define TRUTH truth
-#endif
-#ifndef VIEW
-#define VIEW color
-#endif
-#ifndef DECLARE
-#define DECLARE declare
-#endif
+// USUALLY(ITEM, linear) is linear, unless ITEM is defined: as "~, nearest" it is nearest.
+#define SECOND(first, second, ...) second
+#define USUALLY(...) SECOND(__VA_ARGS__, ~)
 
 namespace texel {
 namespace params {
 
 enum class Method { nearest, linear };
-constexpr Item methods[] = {{"nearest", "The nearest texel"}, {TEXT(ITEM), TEXT(HELP)}};
-constexpr Choice<Method> choice("method", METHOD, methods, "How the texture is filtered");
+constexpr Item methods[] = {{"nearest", "The nearest texel"},
+                            {TEXT(USUALLY(ITEM, linear)), TEXT(USUALLY(HELP, Four texels))}};
+constexpr Choice<Method> choice("method", USUALLY(METHOD, Method::linear), methods,
+                                "How the texture is filtered");
 constexpr Item files[] = {{"nearest", "The nearest texel"}, {"linear", "Four texels"}};
-constexpr File file("texture", TEXT(FILE_NAME), files, "The picture on the square");
-constexpr Number tilt("tilt", TILT, LEAST, 89, "degrees", "How far the quad leans back");
-constexpr Number near("near", 1, NEAREST, 10, "", "Distance of the near plane", Scale::logarithmic);
-constexpr Number number(TEXT(NUMBER), 1, 0, 4, "", "How deep the bumps are");
-constexpr Toggle toggle(TEXT(TOGGLE), true, TEXT(TOGGLE_HELP));
+constexpr File file("texture", TEXT(USUALLY(FILE_NAME, linear)), files, "The picture on the square");
+constexpr Number tilt("tilt", USUALLY(TILT, 60), USUALLY(LEAST, -89), 89, "degrees",
+                      "How far the quad leans back");
+constexpr Number near("near", 1, USUALLY(NEAREST, 0.1), 10, "", "Distance of the near plane",
+                      Scale::logarithmic);
+constexpr Number number(TEXT(USUALLY(NUMBER, bump_strength)), 1, 0, 4, "", "How deep the bumps are");
+constexpr Toggle toggle(TEXT(USUALLY(TOGGLE, flip_v)), true,
+                        TEXT(USUALLY(TOGGLE_HELP, Turns the picture over)));
 
 }  // namespace params
 
@@ -100,21 +56,21 @@ struct SmallParameters {
 };
 
 struct SmallLab : app::Lab<SmallParameters> {
-  static constexpr app::View kViews[] = {app::View::VIEW};
+  static constexpr app::View kViews[] = {app::View::USUALLY(VIEW, color)};
   static constexpr app::Info info{10, "small", "Small", "As small as a lab can be.", kViews};
   explicit SmallLab(const app::Assets&) {}
-  void DRAW(const Parameters&, app::Frame&) override {}
-  const mesh::Mesh* MESH(const Parameters&) override { return nullptr; }
-  std::optional<app::Preparation> PREPARATION(const Parameters&) override { return {}; }
+  void USUALLY(DRAW, draw)(const Parameters&, app::Frame&) override {}
+  const mesh::Mesh* USUALLY(MESH, mesh)(const Parameters&) override { return nullptr; }
+  std::optional<app::Preparation> USUALLY(PREPARATION, preparation)(const Parameters&) override { return {}; }
 };
 template class app::LabOf<SmallLab>;
 
 struct SmallAnswer final : app::Answer<SmallParameters> {
-  void DECLARE(params::Set&) override {}
-  app::Measure MEASURE(const SmallParameters&) const override {
+  void USUALLY(DECLARE, declare)(params::Set&) override {}
+  app::Measure USUALLY(MEASURE, measure)(const SmallParameters&) const override {
     return {app::View::color, app::Unit::steps, "a truth"};
   }
-  app::Truth TRUTH(const SmallParameters&, glm::ivec2) const override { return {}; }
+  app::Truth USUALLY(TRUTH, truth)(const SmallParameters&, glm::ivec2) const override { return {}; }
 };
 const bool known = app::know<SmallParameters, SmallAnswer>();
 

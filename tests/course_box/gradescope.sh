@@ -48,7 +48,7 @@ inside /autograder/source/setup.sh >"$work/setup.log" 2>&1 || fail "setup.sh: $(
 printf 'setup.sh: %s s\n' $((SECONDS - begin))
 
 # The class's generator makes submissions whose marks are known.
-"$bin/make_class" --root "$TEXEL_ROOT" --labs 9 --kinds solution,starter,mutant,threat --limit 2 --out "$work/class" >/dev/null
+"$TEXEL_ROOT/tests/tools/make_class.py" "$bin" --labs 9 --kinds solution,starter,mutant,threat --limit 2 --out "$work/class" >/dev/null
 tried=0
 for entry in "$work"/class/*; do
   case ${entry##*/} in solution*1* | starter*1* | mutant* | threat*) ;; *) continue ;; esac

@@ -6,7 +6,7 @@ bin=$1 work=$2/similar
 course=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
 command -v sim_c >/dev/null || { echo 'skipped: there is no sim_c'; exit 77; }
 rm -rf "$work" && mkdir -p "$work/class" && cd "$work"
-"$bin/make_class" --root "$course" --labs 5 --kinds solution,starter --out "$work/class" >/dev/null
+"$course/tests/tools/make_class.py" "$bin" --labs 5 --kinds solution,starter --out "$work/class" >/dev/null
 # A wrong answer of one student, and the same with other names, comments and spaces of another.
 file=shaders/05_normal_map/tangent_frame.glsl
 for student in first second; do

@@ -63,7 +63,7 @@ processes+=($!)
 for _ in {1..100}; do sinfo -h -o %T 2>/dev/null | grep -q idle && break || sleep 0.3; done
 sinfo -h -o %T | grep -q idle || fail "the node does not come up: $(sinfo 2>&1)"
 
-"$bin/make_class" --root "$course" --labs 9 --kinds solution,starter,prefix,mutant --limit 1 --out class >/dev/null
+"$course/tests/tools/make_class.py" "$bin" --labs 9 --kinds solution,starter,prefix,mutant --limit 1 --out class >/dev/null
 printf 'a seed of the course\n' >seed.txt
 export TEXEL=$bin/texel TEXEL_CACHE=${3:-$work/cache}
 grade() { "$TEXEL" grade class --labs 9 --seed-file seed.txt --cache "$TEXEL_CACHE" "$@"; }

@@ -11,7 +11,6 @@
 #include "../support/picture_files.hpp"
 #include "core/error.hpp"
 #include "image/load.hpp"
-#include "mesh/primitives.hpp"
 
 namespace texel::app {
 namespace {
@@ -125,9 +124,7 @@ class PixelsPerProgram : public testing::Test {
     parameters_.add(flip_, {"flip", false, "Upside down"});
     parameters_.add(tilt_, {"tilt", 0, -90, 90, "degrees", "How far it leans"});
   }
-  void expect(double pixels, const Batch& batch) const {
-    EXPECT_DOUBLE_EQ(pixels_per_program(batch, parameters_), pixels);
-  }
+  [[nodiscard]] double of(const Batch& batch) const { return pixels_per_program(batch, parameters_); }
 
  private:
   Method method_{};
@@ -136,26 +133,22 @@ class PixelsPerProgram : public testing::Test {
   params::Set parameters_;
 };
 
-TEST_F(PixelsPerProgram, are_all_of_a_turning_model) {
-  expect(3 * 64 * 48,
-         {one("a.png", View::color, {64, 48}, {}), one("b.png", View::color, {64, 48}, {{"tilt", "10"}}),
-          one("c.png", View::color, {64, 48}, {{"tilt", "20"}})});
-}
-
-TEST_F(PixelsPerProgram, are_shared_among_methods_toggles_and_views) {
-  expect(100 * 100, {one("a.png", View::color, {100, 100}, {}),
-                     one("b.png", View::color, {100, 100}, {{"method", "linear"}}),
-                     one("c.png", View::color, {100, 100}, {{"flip", "on"}}),
-                     one("d.png", View::depth, {100, 100}, {})});
+TEST_F(PixelsPerProgram, are_shared_among_methods_toggles_and_views_and_none_of_a_vertex_stream) {
+  const auto turned = [](const char* file, const char* tilt) {
+    return one(file, View::color, {64, 48}, {{"tilt", tilt}});
+  };
+  EXPECT_EQ(of({turned("a.png", "0"), turned("b.png", "10"), turned("c.png", "20")}), 3 * 64 * 48);
+  EXPECT_EQ(of({one("a.png", View::color, {100, 100}, {}),
+                one("b.png", View::color, {100, 100}, {{"method", "linear"}}),
+                one("c.png", View::color, {100, 100}, {{"flip", "on"}}),
+                one("d.png", View::depth, {100, 100}, {})}),
+            100 * 100);
   // In whichever order they are named.
-  expect(2 * 100 * 100, {one("a.png", View::color, {100, 100}, {{"flip", "on"}, {"method", "linear"}}),
-                         one("b.png", View::color, {100, 100}, {{"method", "linear"}, {"flip", "on"}})});
-}
-
-TEST_F(PixelsPerProgram, are_none_of_a_vertex_stream) {
-  expect(0, {});
-  expect(0, {one("a.ply", View::mesh, {512, 512}, {})});
-  expect(64, {one("a.ply", View::mesh, {512, 512}, {}), one("b.pfm", View::depth, {8, 8}, {})});
+  EXPECT_EQ(of({one("a.png", View::color, {100, 100}, {{"flip", "on"}, {"method", "linear"}}),
+                one("b.png", View::color, {100, 100}, {{"method", "linear"}, {"flip", "on"}})}),
+            2 * 100 * 100);
+  EXPECT_EQ(of({}), 0);
+  EXPECT_EQ(of({one("a.ply", View::mesh, {512, 512}, {}), one("b.pfm", View::depth, {8, 8}, {})}), 64);
 }
 
 struct PicturesParameters {
@@ -165,57 +158,38 @@ struct PicturesParameters {
     set.add(count, {"count", 1, 0, 100, "", "How many it draws"});
   }
 };
-/// Makes a texture of 16x16 texels, which are 1024 bytes, and a mesh for each number from `first` on.
+/// Needs something for each number from `first` on.
 struct Pictures : Lab<PicturesParameters> {
   static constexpr View kViews[] = {View::color};
   static constexpr Info info{1, "pictures", "Pictures", "Many pictures.", kViews};
-  static constexpr std::size_t kBound = 10 * 1024;
   explicit Pictures(const Assets&) {}
   void draw(const Parameters& parameters, Frame&) override {
-    for (int i = parameters.first; i < parameters.first + parameters.count; ++i) {
-      textures_.get(i, [] {
-        ++made;
-        gl::Texture texture;
-        glBindTexture(GL_TEXTURE_2D, texture.id());
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, 16, 16, 0, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
-        return Counted{std::move(texture), std::make_unique<Alive>()};
-      });
-      meshes_.get(i, [] {
-        ++meshes_made;
-        return gl::MeshBuffers(mesh::quad(1));
-      });
-    }
+    for (int i = parameters.first; i < parameters.first + parameters.count; ++i)
+      cache_.get(i, [] { return std::make_unique<Alive>(); });
   }
 
   struct Alive {
-    Alive() { ++alive; }
+    Alive() { ++alive, ++made; }
     ~Alive() { --alive; }
     Alive(const Alive&) = delete;
     Alive& operator=(const Alive&) = delete;
   };
-  struct Counted {
-    gl::Texture texture;
-    std::unique_ptr<Alive> kept;
-  };
-  static inline int made = 0, meshes_made = 0, alive = 0;
+  static inline int made = 0, alive = 0;
 
  private:
-  Cache<int, Counted> textures_{kBound};
-  Cache<int, gl::MeshBuffers> meshes_{2 * gl::MeshBuffers(mesh::quad(1)).bytes()};
+  Cache<int, std::unique_ptr<Alive>> cache_;
 };
 
 class CachedPictures : public testing::Test {
  protected:
-  /// How many textures, and in `meshes` how many meshes, are made for this frame.
+  /// How many are made for this frame.
   int made(int first, int count, const std::optional<Canvas::Split>& split = {}) {
     lab_.parameters().at("first").set(std::to_string(first));
     lab_.parameters().at("count").set(std::to_string(count));
-    Pictures::made = Pictures::meshes_made = 0;
+    Pictures::made = 0;
     canvas_.draw(View::color, {8, 8}, 1, split);
-    meshes = Pictures::meshes_made;
     return Pictures::made;
   }
-  int meshes = 0;
 
  private:
   const std::unique_ptr<gl::Context> context_ = gl::create_headless();
@@ -225,10 +199,9 @@ class CachedPictures : public testing::Test {
 };
 
 TEST_F(CachedPictures, are_all_kept_that_a_scene_needs_even_beyond_the_bound) {
-  for (const int count : {5, 10, 40}) {
+  for (const int count : {5, 16, 40}) {
     made(0, count);
     EXPECT_EQ(made(0, count), 0) << count;
-    EXPECT_EQ(meshes, 0) << count;
   }
   made(0, 40, Canvas::Split{"first", "100", 0.5F});
   EXPECT_EQ(made(0, 40, Canvas::Split{"first", "100", 0.5F}), 0) << "both sides of a split";
@@ -236,13 +209,12 @@ TEST_F(CachedPictures, are_all_kept_that_a_scene_needs_even_beyond_the_bound) {
 
 TEST_F(CachedPictures, are_bounded_while_a_slider_is_dragged) {
   for (int i = 0; i < 200; ++i) EXPECT_EQ(made(i, 1), 1);
-  EXPECT_EQ(Pictures::alive, 10);
-  EXPECT_EQ(made(190, 10), 0) << "the last ones are there";
-  EXPECT_EQ(meshes, 9) << "of the meshes only the last frame's, since two are the bound";
+  EXPECT_EQ(Pictures::alive, 16);
+  EXPECT_EQ(made(184, 16), 0) << "the last ones are there";
   made(300, 40);
   made(300, 1);
   made(300, 1);
-  EXPECT_EQ(Pictures::alive, 10) << "a large scene's pictures go when it is over";
+  EXPECT_EQ(Pictures::alive, 16) << "a large scene's pictures go when it is over";
 }
 
 }  // namespace

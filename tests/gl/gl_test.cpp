@@ -4,17 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "../support/osmesa.hpp"
 #include "../support/picture_files.hpp"
-#include "../support/probe.hpp"
 #include "../support/said.hpp"
 #include "../support/tolerance.hpp"
-#include "core/error.hpp"
 #include "core/files.hpp"
 #include "gl/context.hpp"
-#include "gl/make_cube_map.hpp"
 #include "gl/mesh_buffers.hpp"
 #include "gl/program.hpp"
 #include "gl/recorder.hpp"
@@ -39,15 +35,18 @@ Image8 filled(int width, int height, std::initializer_list<int> color) {
 }
 
 /// Everything below is done once with each kind of context.
-class OpenGl : public testing::TestWithParam<ContextKind> {
+class OpenGl : public testing::TestWithParam<const char*> {
  protected:
-  OpenGl() : context_(create_headless(GetParam())), folder_("gl_test") {
+  OpenGl() : context_(create_headless(Shaders::quick_to_compile, GetParam())), folder_("gl_test") {
     write_file(folder_ / "full.vert",
                "#version 330 core\nin vec3 position;\nin vec2 texcoord;\nout vec2 st;\n"
                "void main() { st = texcoord; gl_Position = vec4(position, 1.0); }\n");
     write_file(folder_ / "map.frag",
                "#version 330 core\nin vec2 st;\nuniform sampler2D map;\nout vec4 color;\n"
                "void main() { color = texture(map, st); }\n");
+    write_file(folder_ / "plain.vert",
+               "#version 330 core\nin vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }\n");
+    write_file(folder_ / "white.frag", "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");
   }
   ~OpenGl() override {
     for (const std::string& error : context_->take_errors()) ADD_FAILURE() << error;
@@ -62,9 +61,26 @@ class OpenGl : public testing::TestWithParam<ContextKind> {
     return error_of([&] { cache.get("full.vert", "student.frag", {}); });
   }
 
+  /// The program of two of the files, in use.
+  Program& use(const std::string& vertex, const std::string& fragment) {
+    Program& program = cache_.get(vertex, fragment, {});
+    program.use();
+    return program;
+  }
+
   std::unique_ptr<Context> context_;
   test::TemporaryFolder folder_;
+  ProgramCache cache_{shaders()};
 };
+
+/// Fills the whole picture, in linear light.
+void fill(const Target& target, const glm::vec4& color) {
+  target.bind();
+  glEnable(GL_FRAMEBUFFER_SRGB);
+  glClearColor(color.r, color.g, color.b, color.a);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  target.resolve();
+}
 
 /// softpipe has 1.
 int most_samples() {
@@ -94,26 +110,33 @@ TEST_P(OpenGl, a_syntax_error_names_file_and_line) {
   EXPECT_EQ(error, "student.frag:4: error: a ';' is missing at the end of this line: c = vec4(1.0)");
 }
 
-TEST_P(OpenGl, a_type_error_names_file_and_line) {
-  const std::string error =
-      compile_error("#version 330 core\nout vec4 c;\nvoid main() {\n  c = vec3(1.0);\n}\n");
-  EXPECT_TRUE(error.starts_with("student.frag:4:")) << error;
-}
-
-TEST_P(OpenGl, an_error_in_an_included_file_names_that_file) {
+TEST_P(OpenGl, an_error_names_the_file_and_line_in_which_it_is) {
   std::filesystem::create_directories(folder_ / "lib");
   write_file(folder_ / "lib/step.glsl", "// one\nfloat twice(float x) {\n  return undeclared * x;\n}\n");
-  const std::string error = compile_error(
-      "#version 330 core\n#include \"lib/step.glsl\"\nout vec4 c;\nvoid main() { c = vec4(twice(1.0)); }\n");
-  EXPECT_NE(error.find("lib/step.glsl:3:"), std::string::npos) << error;
-  EXPECT_NE(error.find("undeclared"), std::string::npos) << error;
-}
-
-TEST_P(OpenGl, an_error_comes_without_warnings_and_empty_lines) {
-  const std::string error = compile_error(
-      "#version 330 core\nout vec4 c;\nvoid main() {\n  float never;\n  c = vec4(never);\n  oops;\n}\n");
-  EXPECT_TRUE(error.starts_with("student.frag:6:")) << error;  // not the line of the warning
-  EXPECT_FALSE(error.ends_with("\n"));
+  write_file(folder_ / "one.glsl", "float one() { return 1.0; }\n\n\n\n");
+  write_file(folder_ / "a.glsl", "#include \"b.glsl\"\n");
+  write_file(folder_ / "b.glsl", "#include \"a.glsl\"\n");
+  struct Row {
+    std::string shader, begins, says;
+  };
+  const std::string color = "out vec4 c;\nvoid main() {";
+  const Row rows[] = {
+      {color + "\n  c = vec3(1.0);\n}\n", "student.frag:4:", ""},
+      {"#include \"lib/step.glsl\"\n" + color + " c = vec4(twice(1.0)); }\n",
+       "lib/step.glsl:3:", "undeclared"},
+      // Not the line of the warning, nor an empty one at the end.
+      {color + "\n  float never;\n  c = vec4(never);\n  oops;\n}\n", "student.frag:6:", ""},
+      {"#include \"one.glsl\"\n" + color + " c = vec4(one()); oops; }\n", "student.frag:4:", ""},
+      {"#if 0\n#include \"one.glsl\"\n#endif\n" + color + " c = vec3(1.0); }\n", "student.frag:6:", ""},
+      {"\n#include \"nowhere.glsl\"\nvoid main() {}\n",
+       "student.frag:3: ", "there is no file 'nowhere.glsl'"},
+      {"#include \"a.glsl\"\nvoid main() {}\n", "b.glsl:1: ", "'a.glsl' includes itself"}};
+  for (const Row& row : rows) {
+    const std::string error = compile_error("#version 330 core\n" + row.shader);
+    EXPECT_TRUE(error.starts_with(row.begins)) << error;
+    EXPECT_NE(error.find(row.says), std::string::npos) << error;
+    EXPECT_FALSE(error.ends_with("\n"));
+  }
 }
 
 TEST_P(OpenGl, files_are_named_from_the_folder_of_shaders_on) {
@@ -130,33 +153,6 @@ TEST_P(OpenGl, a_byte_order_mark_at_the_head_of_a_file_is_no_error) {
   EXPECT_EQ(compile_error("\xEF\xBB\xBF#version 330 core\n#include \"step.glsl\"\nout vec4 c;\n"
                           "void main() { c = vec4(one()); }\n"),
             "");
-}
-
-TEST_P(OpenGl, lines_after_an_include_keep_their_numbers) {
-  write_file(folder_ / "step.glsl", "float one() { return 1.0; }\n\n\n\n");
-  const std::string error = compile_error(
-      "#version 330 core\n#include \"step.glsl\"\nout vec4 c;\nvoid main() { c = vec4(one()); oops; }\n");
-  EXPECT_TRUE(error.starts_with("student.frag:4:")) << error;
-}
-
-TEST_P(OpenGl, lines_after_an_include_that_is_left_out_keep_their_numbers) {
-  write_file(folder_ / "step.glsl", "float one() { return 1.0; }\n\n\n\n");
-  const std::string error = compile_error(
-      "#version 330 core\n#if 0\n#include \"step.glsl\"\n#endif\nout vec4 c;\nvoid main() { c = vec3(1.0); "
-      "}\n");
-  EXPECT_TRUE(error.starts_with("student.frag:6:")) << error;
-}
-
-TEST_P(OpenGl, a_missing_include_names_the_line_that_asks_for_it) {
-  const std::string error = compile_error("#version 330 core\n\n#include \"nowhere.glsl\"\nvoid main() {}\n");
-  EXPECT_NE(error.find("student.frag:3: there is no file 'nowhere.glsl'"), std::string::npos) << error;
-}
-
-TEST_P(OpenGl, files_that_include_each_other_are_an_error) {
-  write_file(folder_ / "a.glsl", "#include \"b.glsl\"\n");
-  write_file(folder_ / "b.glsl", "#include \"a.glsl\"\n");
-  const std::string error = compile_error("#version 330 core\n#include \"a.glsl\"\nvoid main() {}\n");
-  EXPECT_NE(error.find("b.glsl:1: 'a.glsl' includes itself"), std::string::npos) << error;
 }
 
 // Each row's shader compiles, and a mistake behind it is said to be in its own line.
@@ -223,33 +219,25 @@ TEST_P(OpenGl, an_include_that_cannot_be_followed_is_one_short_message) {
 TEST_P(OpenGl, an_unknown_vertex_attribute_is_an_error) {
   write_file(folder_ / "odd.vert",
              "#version 330 core\nin vec4 vPosition;\nvoid main() { gl_Position = vPosition; }\n");
-  ProgramCache cache(shaders());
-  write_file(folder_ / "white.frag", "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");
-  const std::string error = error_of([&] { cache.get("odd.vert", "white.frag", {}); });
+  const std::string error = error_of([&] { use("odd.vert", "white.frag"); });
   EXPECT_NE(error.find("'vPosition'"), std::string::npos) << error;
 }
 
 TEST_P(OpenGl, setting_a_misspelt_uniform_is_an_error_and_an_inactive_one_is_not) {
   write_file(folder_ / "unused.frag",
              "#version 330 core\nuniform float tilt;\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");
-  ProgramCache cache(shaders());
-  Program& program = cache.get("full.vert", "unused.frag", {});
-  program.use();
+  Program& program = use("full.vert", "unused.frag");
   EXPECT_EQ(error_of([&] { program.set("tilt", 1.0F); }), "");
   EXPECT_NE(error_of([&] { program.set("tlit", 1.0F); }), "");
 }
 
 TEST_P(OpenGl, a_uniform_of_another_type_is_an_error) {
-  ProgramCache cache(shaders());
-  Program& program = cache.get("full.vert", "map.frag", {});
-  program.use();
+  Program& program = use("full.vert", "map.frag");
   EXPECT_NE(error_of([&] { program.set("map", 1.0F); }), "");
 }
 
 TEST_P(OpenGl, a_uniform_that_nobody_sets_is_an_error) {
-  ProgramCache cache(shaders());
-  Program& program = cache.get("full.vert", "map.frag", {});
-  program.use();
+  Program& program = use("full.vert", "map.frag");
   EXPECT_NE(error_of([&] { program.check_uniforms(); }).find("'map' is read but never set"),
             std::string::npos);
   program.set("map", 0);
@@ -260,29 +248,21 @@ TEST_P(OpenGl, a_variant_is_compiled_once_and_only_for_constants_that_its_source
   write_file(folder_ / "variant.frag",
              "#version 330 core\nout vec4 c;\nvoid main() {\n#if METHOD == 1\n  c = vec4(1.0);\n#else\n  c = "
              "vec4(0.5);\n#endif\n}\n");
-  ProgramCache cache(shaders());
-  const Program& one = cache.get("full.vert", "variant.frag", {{"METHOD", "1"}, {"OTHER", "1"}});
-  EXPECT_EQ(&one, &cache.get("full.vert", "variant.frag", {{"METHOD", "1"}, {"OTHER", "2"}}));
-  EXPECT_NE(&one, &cache.get("full.vert", "variant.frag", {{"METHOD", "2"}, {"OTHER", "1"}}));
-  EXPECT_EQ(cache.size(), 2U);
+  const Program& one = cache_.get("full.vert", "variant.frag", {{"METHOD", "1"}, {"OTHER", "1"}});
+  EXPECT_EQ(&one, &cache_.get("full.vert", "variant.frag", {{"METHOD", "1"}, {"OTHER", "2"}}));
+  EXPECT_NE(&one, &cache_.get("full.vert", "variant.frag", {{"METHOD", "2"}, {"OTHER", "1"}}));
+  EXPECT_EQ(cache_.programs().size(), 2U);
 }
 
 /// Draws a texture over a whole target of the same size and reads it back.
-Image8 round_trip(const std::filesystem::path& shaders, const Image8& image, Encoding encoding) {
+Image8 round_trip(Program& program, const Image8& image, Encoding encoding) {
   const Target target(Target::Kind::color, image.width, image.height, 1);
   target.bind();
-  if (encoding == Encoding::srgb)
-    glEnable(GL_FRAMEBUFFER_SRGB);
-  else
-    glDisable(GL_FRAMEBUFFER_SRGB);
-  ProgramCache cache(shaders);
-  Program& program = cache.get("full.vert", "map.frag", {});
-  program.use();
+  (encoding == Encoding::srgb ? glEnable : glDisable)(GL_FRAMEBUFFER_SRGB);
   const Texture texture = make_texture_2d(image, encoding, {.minify = GL_NEAREST, .magnify = GL_NEAREST});
   bind(0, GL_TEXTURE_2D, texture);
   program.set("map", 0);
-  MeshBuffers square(mesh::quad(1));
-  square.draw(program);
+  MeshBuffers(mesh::quad(1)).draw(program);
   return target.read8();
 }
 
@@ -292,7 +272,7 @@ TEST_P(OpenGl, every_channel_count_and_row_length_comes_back_as_it_was) {
       Image8 image(width, 3, channels);
       for (std::size_t i = 0; i < image.samples.size(); ++i)
         image.samples[i] = static_cast<std::uint8_t>(i * 37 + 5);
-      const Image8 drawn = round_trip(shaders(), image, Encoding::linear);
+      const Image8 drawn = round_trip(use("full.vert", "map.frag"), image, Encoding::linear);
       for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < width; ++x)
           for (int c = 0; c < channels; ++c)
@@ -304,12 +284,12 @@ TEST_P(OpenGl, all_256_values_survive_decoding_from_and_encoding_to_srgb) {
   Image8 image(256, 1, 3);
   for (int x = 0; x < 256; ++x)
     for (int c = 0; c < 3; ++c) image.at(x, 0, c) = static_cast<std::uint8_t>(x);
-  const Image8 drawn = round_trip(shaders(), image, Encoding::srgb);
+  const Image8 drawn = round_trip(use("full.vert", "map.frag"), image, Encoding::srgb);
   for (int x = 0; x < 256; ++x) EXPECT_EQ(drawn.at(x, 0, 1), x);
 }
 
 TEST_P(OpenGl, grey_color_pictures_are_decoded_from_srgb_too) {
-  const Image8 drawn = round_trip(shaders(), filled(2, 2, {100}), Encoding::srgb);
+  const Image8 drawn = round_trip(use("full.vert", "map.frag"), filled(2, 2, {100}), Encoding::srgb);
   EXPECT_EQ(drawn.at(1, 1, 0), 100);
   EXPECT_EQ(drawn.at(1, 1, 2), 100);
 }
@@ -318,19 +298,11 @@ TEST_P(OpenGl, four_samples_are_averaged_in_linear_light) {
   if (most_samples() < 4) GTEST_SKIP() << "this driver has one sample a pixel";
   const Target target(Target::Kind::color, 8, 8, 4);
   ASSERT_EQ(target.samples(), 4);
+  fill(target, {0, 0, 0, 1});
   target.bind();
-  glEnable(GL_FRAMEBUFFER_SRGB);
-  glClearColor(0, 0, 0, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  write_file(folder_ / "white.frag", "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");
-  write_file(folder_ / "plain.vert",
-             "#version 330 core\nin vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }\n");
-  ProgramCache cache(shaders());
-  Program& program = cache.get("plain.vert", "white.frag", {});
-  program.use();
   mesh::Mesh half = mesh::quad(1);  // its diagonal edge leaves half of the samples of a pixel there
   half.indices.resize(3);
-  MeshBuffers(std::move(half)).draw(program);
+  MeshBuffers(std::move(half)).draw(use("plain.vert", "white.frag"));
   target.resolve();
   // Two of four samples are white: linear 0.5 is 188 encoded. In encoded space it would be 128.
   EXPECT_WITHIN(target.read8().at(4, 4, 0), 188, 2);
@@ -340,14 +312,10 @@ TEST_P(OpenGl, a_data_target_keeps_values_and_nan) {
   const Target target(Target::Kind::data, 1, 1, 1);
   target.bind();
   glDisable(GL_DEPTH_TEST);
-  write_file(folder_ / "plain.vert",
-             "#version 330 core\nin vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }\n");
   write_file(folder_ / "nan.frag",
              "#version 330 core\nuniform float zero;\nout vec4 c;\nvoid main() { c = vec4(-3.25, 1e6, zero / "
              "zero, 1.0); }\n");
-  ProgramCache cache(shaders());
-  Program& program = cache.get("plain.vert", "nan.frag", {});
-  program.use();
+  Program& program = use("plain.vert", "nan.frag");
   program.set("zero", 0.0F);
   MeshBuffers(mesh::quad(1)).draw(program);
   const image::ImageF values = target.read_float();
@@ -365,24 +333,11 @@ TEST_P(OpenGl, making_a_texture_leaves_the_units_as_they_were) {
   EXPECT_EQ(bound, static_cast<GLint>(first.id()));
 }
 
-TEST_P(OpenGl, cube_map_faces_must_be_squares_of_one_size) {
-  std::array<Image8, 6> faces;
-  faces.fill(filled(4, 4, {1, 2, 3}));
-  EXPECT_EQ(error_of([&] { make_cube_map(faces, Encoding::srgb, {}); }), "");
-  faces[3] = filled(2, 2, {1, 2, 3});
-  EXPECT_NE(error_of([&] { make_cube_map(faces, Encoding::srgb, {}); }).find("face -Y has 2x2 texels"),
-            std::string::npos);
-  faces.fill(filled(4, 2, {1, 2, 3}));
-  EXPECT_NE(error_of([&] { make_cube_map(faces, Encoding::srgb, {}); }), "");
-}
-
 TEST_P(OpenGl, a_mesh_without_an_attribute_that_the_program_reads_is_an_error) {
   mesh::Mesh square = mesh::quad(1);
   square.texcoords.clear();
   MeshBuffers buffers(std::move(square));
-  ProgramCache cache(shaders());
-  Program& program = cache.get("full.vert", "map.frag", {});
-  program.use();
+  Program& program = use("full.vert", "map.frag");
   EXPECT_NE(error_of([&] { buffers.draw(program); }).find("'texcoord'"), std::string::npos);
 }
 
@@ -390,43 +345,15 @@ TEST_P(OpenGl, an_empty_mesh_draws_nothing) {
   const Target target(Target::Kind::color, 1, 1, 1);
   target.bind();
   MeshBuffers buffers(mesh::Mesh{});
-  ProgramCache cache(shaders());
   write_file(folder_ / "none.vert", "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n");
-  write_file(folder_ / "white.frag", "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");
-  Program& program = cache.get("none.vert", "white.frag", {});
-  program.use();
-  EXPECT_EQ(error_of([&] { buffers.draw(program); }), "");
-}
-
-TEST_P(OpenGl, a_probe_gives_back_what_a_function_makes_of_each_row) {
-  std::filesystem::create_directories(folder_ / "app");
-  write_file(folder_ / "app/present.vert", read_file("shaders/app/present.vert"));
-  write_file(folder_ / "step.glsl", "vec3 scaled(vec3 v, float factor) { return factor * v; }\n");
-  std::vector<std::vector<glm::vec4>> columns(2);
-  for (int i = 0; i < 2500; ++i) {  // more than one row of the folded table
-    columns[0].emplace_back(i, 1e-20F * static_cast<float>(i), -i, 0);
-    columns[1].emplace_back(0.5F);
-  }
-  const auto values = test::probe(shaders(), "step.glsl", "vec4(scaled(a.xyz, b.x), 1.0)", {}, columns);
-  ASSERT_EQ(values.size(), 2500U);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    ASSERT_EQ(values[i], glm::vec4(0.5F * glm::vec3(columns[0][i]), 1)) << i;  // halving is exact
-}
-
-TEST_P(OpenGl, a_probe_of_columns_of_different_length_is_an_error) {
-  const std::vector<std::vector<glm::vec4>> columns = {{glm::vec4(1)}, {}};
-  EXPECT_NE(error_of([&] { test::probe(shaders(), "step.glsl", "a", {}, columns); }), "");
+  EXPECT_EQ(error_of([&] { buffers.draw(use("none.vert", "white.frag")); }), "");
 }
 
 TEST_P(OpenGl, a_picture_of_one_color_is_told_from_one_with_a_pixel_of_another) {
   const glm::vec4 slate(0.035F, 0.042F, 0.055F, 1);
   for (const Target::Kind kind : {Target::Kind::color, Target::Kind::data}) {
     const Target target(kind, 9, 9, kind == Target::Kind::color ? 4 : 1);
-    target.bind();
-    glEnable(GL_FRAMEBUFFER_SRGB);
-    glClearColor(slate.r, slate.g, slate.b, slate.a);
-    glClear(GL_COLOR_BUFFER_BIT);
-    target.resolve();
+    fill(target, slate);
     EXPECT_TRUE(target.shows_only(slate));
     EXPECT_FALSE(target.shows_only(glm::vec4(0)));
     EXPECT_FALSE(target.shows_only(glm::vec4(glm::vec3(slate), 0)));
@@ -434,16 +361,11 @@ TEST_P(OpenGl, a_picture_of_one_color_is_told_from_one_with_a_pixel_of_another) 
       target.bind();
       glEnable(GL_SCISSOR_TEST);
       glScissor(pixel.x, pixel.y, 1, 1);
-      glClearColor(0.06F, 0.042F, 0.055F, 1);
-      glClear(GL_COLOR_BUFFER_BIT);
-      target.resolve();
+      fill(target, {0.06F, 0.042F, 0.055F, 1});
       EXPECT_FALSE(target.shows_only(slate)) << pixel.x << ' ' << pixel.y;
-      target.bind();
       glEnable(GL_SCISSOR_TEST);
-      glClearColor(slate.r, slate.g, slate.b, slate.a);
-      glClear(GL_COLOR_BUFFER_BIT);
+      fill(target, slate);
       glDisable(GL_SCISSOR_TEST);
-      target.resolve();
       EXPECT_TRUE(target.shows_only(slate)) << pixel.x << ' ' << pixel.y;
     }
   }
@@ -453,14 +375,8 @@ TEST_P(OpenGl, a_picture_stays_when_another_is_drawn_with_its_samples_and_depth)
   for (const int samples : {1, 4}) {
     const Target first(Target::Kind::color, 8, 8, samples);
     const Target second(Target::Kind::color, 8, 8, samples, &first);
-    const auto clear = [](const Target& target, float red) {
-      target.bind();
-      glClearColor(red, 0, 0, 1);
-      glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-      target.resolve();
-    };
-    clear(first, 1);
-    clear(second, 0);
+    fill(first, {1, 0, 0, 1});
+    fill(second, {0, 0, 0, 1});
     EXPECT_TRUE(first.shows_only({1, 0, 0, 1})) << samples;
     EXPECT_TRUE(second.shows_only({0, 0, 0, 1})) << samples;
   }
@@ -478,16 +394,10 @@ TEST_P(OpenGl, only_a_picture_of_the_same_kind_size_and_samples_shares_them) {
   EXPECT_EQ(samples_of(first), 4);
   EXPECT_LE(samples_of(Target(Target::Kind::color, 8, 8, 1, &first)), 1);
   const Target wide(Target::Kind::color, 16, 8, 4, &first);
-  wide.bind();
-  glClearColor(0, 1, 0, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  wide.resolve();
+  fill(wide, {0, 1, 0, 1});
   EXPECT_TRUE(wide.shows_only({0, 1, 0, 1}));
   const Target data(Target::Kind::data, 8, 8, 4, &first);
-  data.bind();
-  glClearColor(2.5F, 0, 0, 1);  // more than a colour's samples hold
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  data.resolve();
+  fill(data, {2.5F, 0, 0, 1});  // more than a colour's samples hold
   EXPECT_EQ(data.read_float().at(3, 3, 0), 2.5F);
 }
 
@@ -521,13 +431,10 @@ TEST_P(OpenGl, a_texture_has_the_anisotropy_that_is_asked_for) {
 /// The recorder, with a square that is drawn into a small target.
 class Recording : public OpenGl {
  protected:
-  Recording() : target_(Target::Kind::color, 4, 4, 1), cache_(shaders()), square_(mesh::quad(1)) {
-    target_.bind();
-  }
+  Recording() : target_(Target::Kind::color, 4, 4, 1), square_(mesh::quad(1)) { target_.bind(); }
 
   Record draw(const Texture& texture) {
-    Program& program = cache_.get("full.vert", "map.frag", {});
-    program.use();
+    Program& program = use("full.vert", "map.frag");
     bind(0, GL_TEXTURE_2D, texture);
     program.set("map", 0);
     Recorder recorder;
@@ -542,7 +449,6 @@ class Recording : public OpenGl {
   }
 
   Target target_;
-  ProgramCache cache_;
   MeshBuffers square_;
 };
 
@@ -579,8 +485,7 @@ TEST_P(Recording, says_that_mipmaps_are_missing) {
 }
 
 TEST_P(Recording, says_that_a_unit_has_no_texture) {
-  Program& program = cache_.get("full.vert", "map.frag", {});
-  program.use();
+  Program& program = use("full.vert", "map.frag");
   program.set("map", 5);
   Recorder recorder;
   square_.draw(program);
@@ -592,13 +497,13 @@ TEST_P(Recording, says_that_nothing_is_drawn) {
   EXPECT_TRUE(warns_of(recorder.take(), "nothing is drawn"));
 }
 
-std::string kind_name(const testing::TestParamInfo<ContextKind>& kind) {
-  return kind.param == ContextKind::osmesa ? "osmesa" : "egl";
+std::string context_name(const testing::TestParamInfo<const char*>& kind) {
+  return kind.param;
 }
-const auto headless = testing::ValuesIn(
-    test::has_osmesa() ? std::vector{ContextKind::osmesa, ContextKind::egl} : std::vector{ContextKind::egl});
-INSTANTIATE_TEST_SUITE_P(Contexts, OpenGl, headless, kind_name);
-INSTANTIATE_TEST_SUITE_P(Contexts, Recording, headless, kind_name);
+const auto headless =
+    testing::ValuesIn(test::has_osmesa() ? std::vector{"osmesa", "egl"} : std::vector{"egl"});
+INSTANTIATE_TEST_SUITE_P(Contexts, OpenGl, headless, context_name);
+INSTANTIATE_TEST_SUITE_P(Contexts, Recording, headless, context_name);
 
 }  // namespace
 }  // namespace texel::gl

@@ -9,11 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "../../labs/08_reflection/parameters.hpp"
+#include "../../labs/09_bump/parameters.hpp"
 #include "../support/directions.hpp"
 #include "../support/oracles.hpp"
 #include "../support/probe.hpp"
 #include "../support/tolerance.hpp"
 #include "answers/basis.hpp"
+#include "app/lab.hpp"
 #include "gl/context.hpp"
 #include "procedural/cube.hpp"
 #include "truth/cube_map.hpp"
@@ -46,21 +49,14 @@ class HardCase : public testing::Test {
   static inline std::unique_ptr<Context> context_;
 };
 
-/// What a lab's choice is in the shader: METHOD, METHOD_A, METHOD_B, … with `names` in the parameter's order.
-std::vector<Define> choice(const std::string& parameter, const std::vector<std::string>& names,
-                           const std::string& chosen) {
-  std::vector<Define> defines;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    defines.push_back({parameter + "_" + names[i], std::to_string(i)});
-    if (names[i] == chosen) defines.push_back({parameter, std::to_string(i)});
-  }
-  return defines;
-}
-
-/// "rotate-to-normal" → "ROTATE_TO_NORMAL"
-std::string constant(std::string name) {
-  for (char& c : name) c = c == '-' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return name;
+/// What a lab's parameters are in its shaders.
+template <class Parameters>
+std::vector<Define> constants(std::initializer_list<std::pair<const char*, const char*>> settings) {
+  Parameters parameters;
+  params::Set set;
+  parameters.declare(set);
+  for (const auto& [name, value] : settings) set.at(name).set(value);
+  return app::constants(set, app::View::color);
 }
 
 bool is_finite(const vec4& v) {
@@ -78,10 +74,7 @@ Table column_of(const std::vector<vec3>& directions) {
 class HardCaseOfFrames : public HardCase {
  protected:
   static std::vector<Define> method(const std::string& name) {
-    std::vector<std::string> names;
-    answers::for_each_basis([&](const std::string& basis, auto) { names.push_back(constant(basis)); });
-    names.push_back("BLINN");
-    return choice("METHOD", names, constant(name));
+    return constants<bump::BumpParameters>({{"method", name.c_str()}});
   }
 
   static std::vector<glm::mat3> frames(const std::string& name, const std::vector<vec3>& directions) {
@@ -238,12 +231,8 @@ TEST_F(HardCaseOfCoordinates, a_direction_on_an_edge_or_corner_of_the_cube_has_o
 
 class HardCaseOfRays : public HardCase {
  protected:
-  /// What rays.glsl and fresnel.glsl need to be compiled.
-  static std::vector<Define> surface(const std::string& name) {
-    std::vector<Define> defines = choice("SURFACE", {"MIRROR", "REFRACTION", "FRESNEL", "SCHLICK"}, name);
-    for (const Define& define : choice("METHOD", {"CONSTANT_EYE", "PER_FRAGMENT"}, "PER_FRAGMENT"))
-      defines.push_back(define);
-    return defines;
+  static std::vector<Define> surface(const char* name) {
+    return constants<reflection::ReflectionParameters>({{"surface", name}});
   }
 
   struct Cases {
@@ -276,7 +265,7 @@ TEST_F(HardCaseOfRays, refraction_follows_snell_s_law_to_the_critical_angle_and_
   const auto [incidents, etas] = cases();
   const Table refracted =
       values_of("08_reflection/rays.glsl", "vec4(refracted_ray(a.xyz, vec3(0, 0, 1), b.x), 1.0)",
-                surface("REFRACTION"), {incidents, etas});
+                surface("refraction"), {incidents, etas});
   int total_reflections = 0;
   for (std::size_t i = 0; i < refracted.size(); ++i) {
     const double eta = etas[i].x;
@@ -305,7 +294,7 @@ TEST_F(HardCaseOfRays, refraction_follows_snell_s_law_to_the_critical_angle_and_
 TEST_F(HardCaseOfRays, fresnel_is_right_straight_on_at_brewster_s_angle_at_the_critical_one_and_grazing) {
   const auto [incidents, etas] = cases();
   const Table reflected = values_of("08_reflection/fresnel.glsl", "vec4(fresnel(a.w, b.x))",
-                                    surface("FRESNEL"), {incidents, etas});
+                                    surface("fresnel"), {incidents, etas});
   for (std::size_t i = 0; i < reflected.size(); ++i) {
     const double eta = etas[i].x, cosine = incidents[i].w;
     SCOPED_TRACE(testing::Message() << "eta " << eta << " cosine " << cosine);
@@ -322,7 +311,7 @@ TEST_F(HardCaseOfRays, fresnel_is_right_straight_on_at_brewster_s_angle_at_the_c
   }
   // At Brewster's angle, tan i = 1 / eta, only half of the light is reflected at all: that across the plane.
   const double eta = 1 / 1.5, brewster = std::atan(1 / eta), across = std::cos(2 * brewster);
-  const Table value = values_of("08_reflection/fresnel.glsl", "vec4(fresnel(a.w, b.x))", surface("FRESNEL"),
+  const Table value = values_of("08_reflection/fresnel.glsl", "vec4(fresnel(a.w, b.x))", surface("fresnel"),
                                 {{vec4(0, 0, 0, std::cos(brewster))}, {vec4(static_cast<float>(eta))}});
   EXPECT_WITHIN(value[0].x, 0.5 * across * across, 1e-7);
 }
@@ -334,7 +323,7 @@ TEST_F(HardCaseOfRays, schlick_s_reflectance_is_finite_and_at_most_so_far_from_f
   c.incidents.emplace_back(0, 0, -1, 1.0000002F);
   c.etas.emplace_back(1 / 1.5F);
   const Table reflected = values_of("08_reflection/fresnel.glsl", "vec4(fresnel(a.w, b.x))",
-                                    surface("SCHLICK"), {c.incidents, c.etas});
+                                    surface("schlick"), {c.incidents, c.etas});
   double worst = 0;
   for (std::size_t i = 0; i < reflected.size(); ++i) {
     const double eta = c.etas[i].x, cosine = c.incidents[i].w;
@@ -352,7 +341,7 @@ TEST_F(HardCaseOfRays, reflection_keeps_the_angle_and_the_length_at_any_incidenc
   const auto [incidents, etas] = cases();
   const Table reflected =
       values_of("08_reflection/rays.glsl", "vec4(reflected_ray(a.xyz, vec3(0, 0, 1)), 1.0)",
-                surface("MIRROR"), {incidents});
+                surface("mirror"), {incidents});
   for (std::size_t i = 0; i < reflected.size(); ++i)
     ASSERT_EQ(vec3(reflected[i]), vec3(incidents[i].x, 0, -incidents[i].z));
 }

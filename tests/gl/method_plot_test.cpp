@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "core/scratch_folder.hpp"
+#include "core/files.hpp"
 
 namespace texel::window {
 namespace {

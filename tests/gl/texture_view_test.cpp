@@ -5,13 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <filesystem>
 
 #include "core/files.hpp"
-#include "core/scratch_folder.hpp"
-#include "gl/cube_map.hpp"
-#include "gl/make_cube_map.hpp"
 #include "gl/upload.hpp"
 #include "image/mipmaps.hpp"
 

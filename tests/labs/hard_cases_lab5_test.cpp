@@ -13,7 +13,6 @@
 #include "../support/oracles.hpp"
 #include "../support/tolerance.hpp"
 #include "core/files.hpp"
-#include "image/load.hpp"
 #include "labs.hpp"
 #include "mesh/ply.hpp"
 #include "mesh/primitives.hpp"
@@ -66,8 +65,7 @@ Spread degrees_off(const ImageF& picture, const std::string& model, const truth:
       const truth::Surface surface = truth::reparameterized(surface_of(model, hit->face), map);
       const dvec2 texcoord = map.texcoord(hit->texcoord);
       const dvec3 right = exact(surface(texcoord), texcoord);
-      degrees.push_back(
-          glm::degrees(std::atan2(glm::length(glm::cross(drawn, right)), glm::dot(drawn, right))));
+      degrees.push_back(test::angle_in_degrees(drawn, right));
       sum += degrees.back();
     }
   if (degrees.empty()) return {};
@@ -166,18 +164,6 @@ TEST(HardCaseOfLab5, derivative_frame_has_the_slope_of_a_height_field_but_for_on
     };
     EXPECT_BELOW(degrees_off(normals, "quad", layout.map, relief).mean, 0.45) << layout.name;
   }
-}
-
-TEST(HardCaseOfLab5, normals_that_mipmaps_shorten_are_made_unit_again) {
-  // Far away a pixel covers many bumps, whose mean is shorter than 1 and nearly (0, 0, 1).
-  const Settings far = {
-      {"model", "cube"}, {"texture_scale", "20"}, {"distance", "10"}, {"bump_strength", "4"}};
-  const ImageF normals = float_pictures(kLab5, {{"normal", far, "normal", "64x64"}}).at("normal");
-  for (int y = 0; y < 64; ++y)
-    for (int x = 0; x < 64; ++x) {
-      const double length = glm::length(dvec3(normals.at(x, y, 0), normals.at(x, y, 1), normals.at(x, y, 2)));
-      EXPECT_TRUE(length == 0 || std::abs(length - 1) < 1e-6) << length;
-    }
 }
 
 // ---- Models that are hard.
@@ -317,8 +303,7 @@ double worst_tangent(const mesh::Mesh& drawn) {
     const dvec2 st(drawn.texcoords[v]);
     if (st.s == 0 || st.s == 1 || st.t == 0 || st.t == 1) continue;
     const dvec3 exact = along_s(truth::torus(0.7, 0.3)(st)), tangent(glm::vec3(drawn.tangents[v]));
-    worst = std::max(
-        worst, glm::degrees(std::atan2(glm::length(glm::cross(exact, tangent)), glm::dot(exact, tangent))));
+    worst = std::max(worst, test::angle_in_degrees(exact, tangent));
   }
   return worst;
 }

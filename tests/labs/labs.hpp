@@ -12,6 +12,7 @@
 #include "../support/places.hpp"
 #include "../support/process.hpp"
 #include "../support/said.hpp"
+#include "core/json.hpp"
 #include "image/image.hpp"
 
 namespace texel::test {
@@ -54,13 +55,9 @@ struct Shot {
   std::string size = "128x128";
 };
 
-/// Draws the pictures from one process into `folder`.
-Result run_batch(const std::string& lab, const std::vector<Shot>& shots, const TemporaryFolder& folder,
-                 const std::string& arguments = {}, const std::string& before = {});
-
-/// The same; a failure, or anything that is said, fails the running test.
-void draw(const std::string& lab, const std::vector<Shot>& shots, const TemporaryFolder& folder,
-          const std::string& arguments = {}, const std::string& before = {});
+/// Draws the pictures from one process into `folder`. A failure, or anything that is said, fails the running
+/// test.
+void draw(const std::string& lab, const std::vector<Shot>& shots, const TemporaryFolder& folder);
 
 /// The float pictures of the shots, whose names need no ".pfm", by name; drawn from one process.
 using Pictures = std::map<std::string, image::ImageF>;
@@ -68,23 +65,8 @@ Pictures float_pictures(const std::string& lab, std::vector<Shot> shots);
 /// The settings as flags of the command line.
 std::string flags(const Settings& settings);
 
-/// What --list-parameters --json says of a parameter.
-struct Parameter {
-  std::string name, type, initial, unit, help;
-  double least = 0, most = 0;
-  std::vector<std::string> choices;
-  [[nodiscard]] std::string flag() const;
-};
-std::vector<Parameter> parameters_of(const std::string& lab);
 bool has_parameter(const std::string& lab, const std::string& name);
-
 /// What --stats - prints of a look.
-struct Stats {
-  std::string lab, renderer, version;
-  double vertices = 0, triangles = 0, draw_calls = 0, peak_bytes = 0;
-  std::vector<std::string> attributes, textures, notes, warnings;
-  std::map<std::string, double> stages;  ///< milliseconds
-};
-Stats stats_of(const std::string& lab, const std::string& arguments = {});
+Json stats_of(const std::string& lab, const std::string& arguments = {});
 
 }  // namespace texel::test

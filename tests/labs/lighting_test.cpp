@@ -12,6 +12,7 @@
 #include "image/load.hpp"
 #include "image/save.hpp"
 #include "labs.hpp"
+#include "truth/ray.hpp"
 
 namespace texel::test {
 namespace {
@@ -44,13 +45,10 @@ double blinn(const Case& c, double albedo, const dvec3& point, const dvec3& eye)
   return albedo * (c.ambient + (1 - c.ambient) * diffuse) + c.specular * highlight;
 }
 
-/// Where the ray through a pixel's middle meets z = 0; x and y count from the lower left.
-dvec3 on_square(double x, double y, const Case& c) {
-  const dvec3 back = direction(c.eye_yaw, 0), right = glm::normalize(glm::cross(dvec3(0, 1, 0), back));
-  const double t = std::tan(glm::radians(kFieldOfView) / 2) * 2 / kPixels;
-  const dvec3 ray = t * ((x - kPixels / 2.0) * right + (y - kPixels / 2.0) * dvec3(0, 1, 0)) - back;
-  const dvec3 eye = kDistance * back;
-  return eye - eye.z / ray.z * ray;
+/// Where the ray through a place of the picture meets z = 0.
+dvec3 on_square(const truth::Camera& camera, glm::dvec2 window) {
+  const truth::Ray ray = truth::pixel_ray(camera, window).ray;
+  return ray.origin - ray.origin.z / ray.direction.z * ray.direction;
 }
 
 class Lighting : public EveryLab {};
@@ -92,15 +90,19 @@ TEST_P(Lighting, of_a_square_is_blinn_s) {
   for (std::size_t i = 0; i < shots.size(); ++i) {
     SCOPED_TRACE(flags(shots[i].values));
     const image::Image8 picture = image::load8(folder_ / (shots[i].name + ".png"));
-    const dvec3 eye = kDistance * direction(cases[i].eye_yaw, 0);
+    const truth::Camera camera{.yaw = cases[i].eye_yaw,
+                               .distance = kDistance,
+                               .field_of_view = kFieldOfView,
+                               .width = kPixels,
+                               .height = kPixels};
     int seen = 0;
     double worst = 0;
     for (int y = 0; y < kPixels; ++y)
       for (int x = 0; x < kPixels; ++x) {
-        const dvec3 point = on_square(x + 0.5, y + 0.5, cases[i]);
+        const dvec3 point = on_square(camera, {x + 0.5, y + 0.5});
         if (std::max(std::abs(point.x), std::abs(point.y)) > 0.6) continue;  // half-size 0.7 in all three
         ++seen;
-        const double expected = 255 * image::srgb_from_linear(blinn(cases[i], albedo, point, eye));
+        const double expected = 255 * image::srgb_from_linear(blinn(cases[i], albedo, point, camera.eye()));
         for (int channel = 0; channel < 3; ++channel)
           worst = std::max(worst, std::abs(picture.at(x, y, channel) - expected));
       }

@@ -3,7 +3,6 @@
 // map.
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <functional>
 #include <glm/glm.hpp>
@@ -16,6 +15,7 @@
 #include "labs.hpp"
 #include "procedural/cube.hpp"
 #include "procedural/textures.hpp"
+#include "truth/ray.hpp"
 
 namespace texel::test {
 namespace {
@@ -25,39 +25,21 @@ using image::Image8;
 // ---- The labelled cube map: each pixel of a picture against the colour of the direction that it should
 // show.
 
-struct Ray {
-  glm::dvec3 origin, direction;
-};
-
-/// Where a pixel of an orbit camera looks; x and y count from the lower left.
-Ray ray_of(double x, double y, const Image8& picture, double yaw, double pitch, double distance, double fov) {
-  const double a = glm::radians(yaw), b = glm::radians(pitch), t = std::tan(glm::radians(fov) / 2);
-  const glm::dvec3 back(std::sin(a) * std::cos(b), std::sin(b), std::cos(a) * std::cos(b));
-  const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), back)),
-                   up = glm::cross(back, right);
-  const double u = (2 * x - picture.width) / picture.height, v = 2 * y / picture.height - 1;
-  return {distance * back, glm::normalize(t * (u * right + v * up) - back)};
-}
-
 /// Where a ray meets the unit sphere; NaN where it passes by, and at the rim, where a pixel holds all
 /// directions.
-glm::dvec3 on_unit_sphere(const Ray& ray) {
+glm::dvec3 on_unit_sphere(const truth::Ray& ray) {
   const double b = glm::dot(ray.origin, ray.direction), d = b * b - glm::dot(ray.origin, ray.origin) + 1;
   if (d < 0.1) return glm::dvec3(std::numeric_limits<double>::quiet_NaN());
   return ray.origin - (b + std::sqrt(d)) * ray.direction;
 }
 
 /// The linear-light colour that a ray should show; NaN where it is not asked.
-using Expected = std::function<glm::dvec3(const Ray&)>;
-
-struct Camera {
-  double yaw, pitch, distance, fov;
-};
+using Expected = std::function<glm::dvec3(const truth::Ray&)>;
 
 /// Mean difference in 8-bit steps from what is expected, with the picture as it is or mirrored. Pixels that
 /// are white in the mask are left out.
-double difference(const Image8& picture, const Image8* mask, const Expected& expected, const Camera& camera,
-                  bool is_mirrored) {
+double difference(const Image8& picture, const Image8* mask, const Expected& expected,
+                  const truth::Camera& camera, bool is_mirrored) {
   constexpr int kStep = 3;     // every third pixel of every third row: 4096 of them
   constexpr int kSamples = 3;  // a side: a pixel shows the mean of what it covers
   double sum = 0;
@@ -66,8 +48,9 @@ double difference(const Image8& picture, const Image8* mask, const Expected& exp
     for (int x = 0; x < picture.width; x += kStep) {
       glm::dvec3 color(0);
       for (int i = 0; i < kSamples * kSamples; ++i)
-        color += expected(ray_of(x + (i % kSamples + 0.5) / kSamples, y + (i / kSamples + 0.5) / kSamples,
-                                 picture, camera.yaw, camera.pitch, camera.distance, camera.fov));
+        color += expected(truth::pixel_ray(camera, {x + (i % kSamples + 0.5) / kSamples,
+                                                    y + (i / kSamples + 0.5) / kSamples})
+                              .ray);
       const int column = is_mirrored ? picture.width - 1 - x : x;
       if (!std::isfinite(color.x) || (mask != nullptr && mask->at(column, y) == 255)) continue;
       for (int c = 0; c < 3; ++c) {
@@ -104,7 +87,12 @@ void expect_six_sides(const std::string& lab, const Settings& common, double dis
     Image8 mask;
     if (part == Part::background) mask = image::load8(folder / fmt::format("mask{}_{}.png", yaw, pitch));
     const Image8* left_out = part == Part::background ? &mask : nullptr;
-    const Camera camera{double(yaw), double(pitch), distance, fov};
+    const truth::Camera camera{.yaw = double(yaw),
+                               .pitch = double(pitch),
+                               .distance = distance,
+                               .field_of_view = fov,
+                               .width = picture.width,
+                               .height = picture.height};
     const double right = difference(picture, left_out, expected, camera, false);
     const double mirrored = difference(picture, left_out, expected, camera, true);
     // Measured 11.1 in a ball that mirrors by llvmpipe, 13.6 by softpipe; mirrored by mistake 59.
@@ -121,22 +109,22 @@ glm::dvec3 if_finite(const glm::dvec3& direction) {
   return std::isfinite(direction.x) ? procedural::labelled_color(direction) : kNotAsked;
 }
 
-glm::dvec3 by_reflection(const Ray& ray) {
+glm::dvec3 by_reflection(const truth::Ray& ray) {
   const glm::dvec3 normal = on_unit_sphere(ray);
   return if_finite(glm::reflect(ray.direction, normal));
 }
 
-glm::dvec3 by_background(const Ray& ray) {
+glm::dvec3 by_background(const truth::Ray& ray) {
   return procedural::labelled_color(ray.direction);
 }
 
 TEST(LabelledCube, faces_the_normal_in_lab_6) {
   expect_six_sides("lab06_cube_map", kLabelled, 3, 45,
-                   [](const Ray& ray) { return if_finite(on_unit_sphere(ray)); });
+                   [](const truth::Ray& ray) { return if_finite(on_unit_sphere(ray)); });
 }
 
 TEST(LabelGrid, is_turned_by_180_degrees_on_the_sphere_of_lab_6) {
-  const auto by_angles = [](const Ray& ray) {
+  const auto by_angles = [](const truth::Ray& ray) {
     const glm::dvec3 n = on_unit_sphere(ray);
     if (!std::isfinite(n.x)) return kNotAsked;
     const double u = std::atan2(n.x, n.z) / (-2 * glm::pi<double>());

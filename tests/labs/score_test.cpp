@@ -6,10 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
-#include "check/files.hpp"
+#include "check/check.hpp"
 #include "core/files.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
@@ -21,7 +20,6 @@ namespace {
 using check::ExpectedFiles;
 using course::Case;
 using image::Image8;
-using image::ImageF;
 using judge::Verdict;
 
 /// Pictures of different kinds: a texture on a square, a lit relief, a ball in its surroundings.
@@ -44,7 +42,7 @@ class ScoreOf : public testing::TestWithParam<int> {
     expected_ = {file("reference"), file("mask")};
     reference_ = image::load8(file("reference"), 3);
     // As most starters do: the object is there, and grey.
-    const Image8 mask = image::load8(file("mask"), 1);
+    const Image8 mask = image::load8(file("mask"));
     image::save_png(file("starter"),
                     changed([&](int x, int y, int c) { return mask.at(x, y) > 127 ? 128 : at(x, y, c); }));
   }
@@ -142,86 +140,6 @@ TEST_P(ScoreOf, a_recolored_picture_falls_with_the_steps) {
 INSTANTIATE_TEST_SUITE_P(Scene, ScoreOf, testing::Range(0, 3), [](const testing::TestParamInfo<int>& scene) {
   return std::string(kScenes[scene.param].lab).substr(0, 5);
 });
-
-TEST(Score, is_full_up_to_the_limit_half_past_it_and_nothing_from_five_times_on) {
-  EXPECT_EQ(judge::score(0), 1);
-  EXPECT_EQ(judge::score(1), 1);
-  EXPECT_NEAR(judge::score(1.0001), 0.5, 1e-4);
-  EXPECT_NEAR(judge::score(2), 0.375, 1e-12);
-  EXPECT_NEAR(judge::score(3), 0.25, 1e-12);
-  EXPECT_EQ(judge::score(5), 0);
-  EXPECT_EQ(judge::score(1e9), 0);
-  EXPECT_EQ(judge::score(std::numeric_limits<double>::infinity()), 0);
-  EXPECT_EQ(judge::score(std::nan("")), 0);
-}
-
-/// A float picture of unit vectors on a disc.
-ImageF disc_of_vectors(float tilt) {
-  ImageF picture(64, 64, 3);
-  for (int y = 0; y < 64; ++y)
-    for (int x = 0; x < 64; ++x)
-      if (std::hypot(x - 31.5, y - 31.5) < 24) {
-        picture.at(x, y, 0) = std::sin(tilt);
-        picture.at(x, y, 2) = std::cos(tilt);
-      }
-  return picture;
-}
-
-TEST(ScoreOfDirections, falls_with_the_angle_and_is_zero_for_what_is_not_finite) {
-  const TemporaryFolder folder(fmt::format("directions_{}", ::getpid()));
-  Image8 mask(64, 64, 3);
-  for (int y = 0; y < 64; ++y)
-    for (int x = 0; x < 64; ++x)
-      for (int c = 0; c < 3; ++c) mask.at(x, y, c) = std::hypot(x - 31.5, y - 31.5) < 24 ? 255 : 0;
-  image::save_png(folder / "mask.png", mask);
-  image::save_pfm(folder / "reference.pfm", disc_of_vectors(0));
-  Case one;
-  one.name = "n", one.view = course::View::normal, one.size = {64, 64}, one.limit = 0.1;
-  const ExpectedFiles expected{folder / "reference.pfm", folder / "mask.png"};
-  const auto verdict = [&](const ImageF& picture) {
-    image::save_pfm(folder / "picture.pfm", picture);
-    return check::judge(one, expected, folder / "picture.pfm");
-  };
-  const auto score = [&](const Verdict& of) { return of.score; };
-  constexpr float degree = 3.14159265F / 180;
-  EXPECT_TRUE(verdict(disc_of_vectors(0.09F * degree)).passed);
-  const Verdict off = verdict(disc_of_vectors(0.3F * degree));
-  EXPECT_NEAR(off.error, 0.3, 1e-3);
-  EXPECT_NEAR(score(off), 0.25, 1e-2);
-  EXPECT_TRUE(off.message.starts_with("Off by 0.3 degrees, 3 times the limit of 0.1;")) << off.message;
-  EXPECT_EQ(score(verdict(disc_of_vectors(1 * degree))), 0);
-  ImageF one_nan = disc_of_vectors(0);
-  one_nan.at(31, 31, 1) = std::nanf("");
-  EXPECT_EQ(score(verdict(one_nan)), 0) << "though no more than one pixel is off";
-  EXPECT_NE(verdict(one_nan).message.find("not finite"), std::string::npos);
-  image::save_pfm(folder / "reference.pfm", one_nan);
-  EXPECT_FALSE(verdict(one_nan).passed) << "what is no number is not right, though the reference has it too";
-  image::save_pfm(folder / "reference.pfm", disc_of_vectors(0));
-  // Of 1804 pixels one may be off, 3 not.
-  ImageF few = disc_of_vectors(0);
-  few.at(31, 31, 0) = 1;
-  EXPECT_TRUE(verdict(few).passed);
-  few.at(20, 31, 0) = few.at(31, 20, 0) = 1;
-  EXPECT_FALSE(verdict(few).passed);
-}
-
-TEST(ScoreOfDirections, is_zero_for_a_float_picture_of_other_channels_or_size) {
-  const TemporaryFolder folder(fmt::format("channels_{}", ::getpid()));
-  image::save_png(folder / "mask.png", Image8(64, 64, 3));
-  image::save_pfm(folder / "reference.pfm", disc_of_vectors(0));
-  Case one;
-  one.name = "n", one.size = {64, 64}, one.limit = 0.1;
-  const ExpectedFiles expected{folder / "reference.pfm", folder / "mask.png"};
-  for (const course::View view : {course::View::normal, course::View::texcoord, course::View::depth}) {
-    one.view = view;
-    for (const ImageF& picture : {ImageF(64, 64, 1), ImageF(63, 64, 3)}) {
-      image::save_pfm(folder / "picture.pfm", picture);
-      const Verdict verdict = check::judge(one, expected, folder / "picture.pfm");
-      EXPECT_EQ(verdict.score, 0) << name_of(view);
-      EXPECT_TRUE(verdict.message.starts_with("The picture ")) << verdict.message;
-    }
-  }
-}
 
 }  // namespace
 }  // namespace texel::test

@@ -3,17 +3,15 @@
 // edges of one picture for all directions.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <glm/glm.hpp>
 
+#include "../../labs/07_environment/scene.hpp"
 #include "../support/tolerance.hpp"
 #include "image/color.hpp"
-#include "image/difference.hpp"
 #include "image/load.hpp"
-#include "image/save.hpp"
 #include "labs.hpp"
+#include "truth/ray.hpp"
 
 namespace texel::test {
 namespace {
@@ -45,30 +43,19 @@ TEST(GlassOfLab8, reflects_four_percent_where_one_looks_straight_at_it) {
   }
 }
 
-/// Centre and radius, as labs/07_environment/scene.hpp has them.
-struct Sphere {
-  dvec3 center;
-  double radius;
-};
-constexpr Sphere kSpheres[] = {{{0, 0, 0}, 1},
-                               {{3.1, -0.6, -2.2}, 0.9},
-                               {{-4.6, -0.6, -7}, 1.2},
-                               {{6.5, 1.8, -8}, 1.2},
-                               {{-7, 8, -16}, 2}};
-
 /// The normal of the first sphere on a ray; zero where there is none and near a rim, which triangles cut off.
 dvec3 first_normal(const dvec3& eye, const dvec3& ray) {
   double nearest = 1e9;
   dvec3 normal(0);
-  for (const Sphere& sphere : kSpheres) {
-    const dvec3 from = eye - sphere.center;
-    const double b = glm::dot(from, ray), root = b * b - glm::dot(from, from) + sphere.radius * sphere.radius;
-    const double share = root / (sphere.radius * sphere.radius);  // 1 in the middle, 0 at the rim
+  for (const glm::dvec4 sphere : environment::kSpheres) {  // centre and radius
+    const dvec3 from = eye - dvec3(sphere);
+    const double b = glm::dot(from, ray), root = b * b - glm::dot(from, from) + sphere.w * sphere.w;
+    const double share = root / (sphere.w * sphere.w);  // 1 in the middle, 0 at the rim
     if (share < -0.1) continue;
     if (share < 0.1) return dvec3(0);
     if (const double distance = -b - std::sqrt(root); distance < nearest) {
       nearest = distance;
-      normal = (from + distance * ray) / sphere.radius;
+      normal = (from + distance * ray) / sphere.w;
     }
   }
   return normal;
@@ -93,19 +80,19 @@ TEST(SpheresOfLab7, show_the_normal_of_the_nearest_one_by_every_depth_method) {
                         {"depth_method", method}},
                        "direction"});
   draw("lab07_environment", shots, folder);
-  const double half = std::tan(glm::radians(60.0) / 2);
   for (const double yaw : yaws)
     for (const std::string& method : methods) {
       const image::ImageF direction = image::load_pfm(folder / fmt::format("{} {}.pfm", method, yaw));
-      const double a = glm::radians(yaw);
-      const dvec3 back(std::sin(a), 0, std::cos(a)), right(std::cos(a), 0, -std::sin(a));
+      const truth::Camera camera{.yaw = yaw,
+                                 .distance = 4,
+                                 .field_of_view = 60,
+                                 .width = direction.width,
+                                 .height = direction.height};
       int seen = 0;
       for (int y = 0; y < direction.height; ++y)
         for (int x = 0; x < direction.width; ++x) {
-          const double u = half * (2 * (x + 0.5) / direction.width - 1),
-                       v = half * (2 * (y + 0.5) / direction.height - 1);
-          const dvec3 normal =
-              first_normal(4.0 * back, glm::normalize(u * right + v * dvec3(0, 1, 0) - back));
+          const truth::Ray ray = truth::pixel_ray(camera, {x + 0.5, y + 0.5}).ray;
+          const dvec3 normal = first_normal(ray.origin, ray.direction);
           if (normal == dvec3(0)) continue;
           ++seen;
           // Between the vertices of 64 x 32 quads, which cut corners: measured 0.005.

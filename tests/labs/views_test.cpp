@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What the data views show is the quantity that they name, in its unit.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,6 @@
 #include <glm/trigonometric.hpp>
 
 #include "procedural/noise.hpp"
-#include "truth/basis.hpp"
 #include "truth/surface.hpp"
 
 namespace texel::test {

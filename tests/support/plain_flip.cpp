@@ -43,19 +43,14 @@ double plain_color_error(double distance) {
 
 namespace {
 
-using Plane = std::vector<double>;    // of one channel, row after row
+using Plane = Image<double>;          // of one channel
 using Weights = std::vector<double>;  // along one axis, from -radius to radius
-using Picture = std::vector<Vector>;  // three channels, row after row
 
 /// One product of a filter along x and one along y; filters are sums of such.
 struct Product {
   Weights along_x, along_y;
 };
 using Filter = std::vector<Product>;
-
-int radius_of(const Filter& filter) {
-  return static_cast<int>(filter[0].along_x.size() / 2);
-}
 
 /// `value(x)` for each x of -radius to radius.
 template <class Value>
@@ -78,173 +73,114 @@ double sum_of(const Filter& filter, bool positive) {
   return sum;
 }
 
-class Size {
- public:
-  Size(int width, int height) : width_(width), height_(height) {}
+/// The weighted sum of the pixels (k step_x, k step_y) away; beyond the border the picture goes on as its
+/// border pixels.
+Plane filtered_along(const Plane& plane, const Weights& weights, int step_x, int step_y) {
+  Plane result(plane.width, plane.height, 1);
+  const int radius = static_cast<int>(weights.size() / 2);
+  for (int k = -radius; k <= radius; ++k)
+    for (int y = 0; y < plane.height; ++y)
+      for (int x = 0; x < plane.width; ++x)
+        result.at(x, y) += weights[static_cast<std::size_t>(k + radius)] *
+                           plane.at(std::clamp(x + k * step_x, 0, plane.width - 1),
+                                    std::clamp(y + k * step_y, 0, plane.height - 1));
+  return result;
+}
 
-  /// The filter at each pixel; beyond the border the picture goes on as its border pixels.
-  [[nodiscard]] Plane filtered(const Plane& plane, const Filter& filter, PlainFilters kind) const {
-    if (kind == PlainFilters::square) return filtered_by_square(plane, filter);
-    Plane result(plane.size());
-    for (const Product& product : filter) {
-      const Plane rows = moved_sum(plane, product.along_x, 1, 0);
-      const Plane both = moved_sum(rows, product.along_y, 0, 1);
-      for (std::size_t i = 0; i < result.size(); ++i) result[i] += both[i];
+Plane filtered(const Plane& plane, const Filter& filter) {
+  Plane result(plane.width, plane.height, 1);
+  for (const Product& product : filter) {
+    const Plane both = filtered_along(filtered_along(plane, product.along_x, 1, 0), product.along_y, 0, 1);
+    for (std::size_t i = 0; i < result.samples.size(); ++i) result.samples[i] += both.samples[i];
+  }
+  return result;
+}
+
+/// The opponent channels 116 y - 16, 500 (x - y) and 200 (y - z) of XYZ relative to white.
+std::array<Plane, 3> opponents_of(const Image8& picture) {
+  std::array<Plane, 3> opponents;
+  opponents.fill(Plane(picture.width, picture.height, 1));
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      Vector rgb{};
+      for (int c = 0; c < 3; ++c)
+        rgb[c] = plain_linear(picture.at(x, y, picture.channels < 3 ? 0 : c) / 255.0);
+      const Vector xyz = plain_xyz(rgb) / white_xyz;
+      opponents[0].at(x, y) = 116 * xyz.y - 16;
+      opponents[1].at(x, y) = 500 * (xyz.x - xyz.y);
+      opponents[2].at(x, y) = 200 * (xyz.y - xyz.z);
     }
-    return result;
-  }
+  return opponents;
+}
 
- private:
-  [[nodiscard]] std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(std::clamp(y, 0, height_ - 1)) * static_cast<std::size_t>(width_) +
-           static_cast<std::size_t>(std::clamp(x, 0, width_ - 1));
-  }
-
-  /// The plane with `radius` repeated pixels on every side.
-  [[nodiscard]] Plane padded(const Plane& plane, int radius) const {
-    Plane result;
-    result.reserve(static_cast<std::size_t>(width_ + 2 * radius) *
-                   static_cast<std::size_t>(height_ + 2 * radius));
-    for (int y = -radius; y < height_ + radius; ++y)
-      for (int x = -radius; x < width_ + radius; ++x) result.push_back(plane[index(x, y)]);
-    return result;
-  }
-
-  [[nodiscard]] Plane filtered_by_square(const Plane& plane, const Filter& filter) const {
-    const int radius = radius_of(filter), size = 2 * radius + 1;
-    std::vector<double> square(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
-    for (const Product& product : filter)
-      for (std::size_t i = 0; i < square.size(); ++i)
-        square[i] += product.along_y[i / static_cast<std::size_t>(size)] *
-                     product.along_x[i % static_cast<std::size_t>(size)];
-    const Plane wide = padded(plane, radius);
-    const auto stride = static_cast<std::size_t>(width_ + 2 * radius);
-    Plane result;
-    result.reserve(plane.size());
-    for (std::size_t y = 0; y < static_cast<std::size_t>(height_); ++y)
-      for (std::size_t x = 0; x < static_cast<std::size_t>(width_); ++x) {
-        double sum = 0;
-        const double* weight = square.data();
-        for (std::size_t v = 0; v < static_cast<std::size_t>(size); ++v) {
-          const double* row = &wide[(y + v) * stride + x];
-          for (std::size_t u = 0; u < static_cast<std::size_t>(size); ++u) sum += *weight++ * row[u];
-        }
-        result.push_back(sum);
-      }
-    return result;
-  }
-
-  /// The weighted sum of the plane moved by (k step_x, k step_y) for k of -radius to radius.
-  [[nodiscard]] Plane moved_sum(const Plane& plane, const Weights& weights, int step_x, int step_y) const {
-    const int radius = static_cast<int>(weights.size() / 2);
-    const Plane wide = padded(plane, radius);
-    const auto stride = static_cast<std::size_t>(width_ + 2 * radius);
-    Plane result(plane.size());
-    for (int k = -radius; k <= radius; ++k) {
-      const double weight = weights[static_cast<std::size_t>(k + radius)];
-      for (std::size_t y = 0; y < static_cast<std::size_t>(height_); ++y) {
-        const double* from = &wide[(y + static_cast<std::size_t>(radius + k * step_y)) * stride +
-                                   static_cast<std::size_t>(radius + k * step_x)];
-        double* to = &result[y * static_cast<std::size_t>(width_)];
-        for (std::size_t x = 0; x < static_cast<std::size_t>(width_); ++x) to[x] += weight * from[x];
-      }
+/// L*a*b* with the Hunt effect, of the colours as the eye sees them.
+std::vector<Vector> seen_colors(const std::array<Plane, 3>& opponents) {
+  // a1, b1, a2, b2 of each channel: the paper's table 1.
+  constexpr double table[3][4] = {{1, 0.0047, 0, 1e-5}, {1, 0.0053, 0, 1e-5}, {34.1, 0.04, 13.5, 0.025}};
+  constexpr double pi = std::numbers::pi, ppd = pixels_per_degree;
+  const int radius = static_cast<int>(std::ceil(3 * std::sqrt(0.04 / (2 * pi * pi)) * ppd));
+  std::array<Plane, 3> seen;
+  for (std::size_t c = 0; c < 3; ++c) {
+    Filter filter;
+    for (const std::size_t term : {0U, 2U}) {
+      const double a = table[c][term], b = table[c][term + 1];
+      if (a == 0) continue;
+      const auto bell = [&](int x) { return std::exp(-pi * pi * x * x / (ppd * ppd) / b); };
+      filter.push_back({sampled(radius, bell), sampled(radius, bell)});
+      for (double& weight : filter.back().along_y) weight *= a * std::sqrt(pi / b);
     }
-    return result;
+    const double sum = sum_of(filter, true);
+    for (Product& product : filter)
+      for (double& weight : product.along_y) weight /= sum;
+    seen[c] = filtered(opponents[c], filter);
   }
-
-  int width_, height_;
-};
-
-/// One picture on its way through both pipelines.
-class Seen {
- public:
-  Seen(const Image8& picture, PlainFilters kind, double ppd)
-      : size_(picture.width, picture.height), kind_(kind), ppd_(ppd) {
-    for (Plane& plane : opponents_) plane.reserve(picture.samples.size());
-    for (int y = 0; y < picture.height; ++y)
-      for (int x = 0; x < picture.width; ++x) {
-        Vector rgb{};
-        for (int c = 0; c < 3; ++c)
-          rgb[c] = plain_linear(picture.at(x, y, picture.channels < 3 ? 0 : c) / 255.0);
-        const Vector xyz = plain_xyz(rgb) / white_xyz;
-        opponents_[0].push_back(116 * xyz.y - 16);
-        opponents_[1].push_back(500 * (xyz.x - xyz.y));
-        opponents_[2].push_back(200 * (xyz.y - xyz.z));
-      }
-    see_colors();
-    const double sigma = 0.5 * 0.082 * ppd_;
-    edges = features([](double x) { return x; });
-    points = features([&](double x) { return x * x / (sigma * sigma) - 1; });
+  const glm::dmat3 rgb_of_xyz =
+      glm::inverse(glm::dmat3(plain_xyz({1, 0, 0}), plain_xyz({0, 1, 0}), plain_xyz({0, 0, 1})));
+  std::vector<Vector> colors;
+  for (std::size_t i = 0; i < seen[0].samples.size(); ++i) {
+    const double y = (seen[0].samples[i] + 16) / 116;
+    const Vector xyz(y + seen[1].samples[i] / 500, y, y - seen[2].samples[i] / 200);
+    colors.push_back(plain_hunt_lab(glm::clamp(rgb_of_xyz * (xyz * white_xyz), 0.0, 1.0)));
   }
+  return colors;
+}
 
-  Picture colors;  // L*a*b* with the Hunt effect
-  Plane edges, points;
+constexpr double detector_sigma = 0.5 * 0.082 * pixels_per_degree;
 
- private:
-  void see_colors() {
-    // a1, b1, a2, b2 of each channel: the paper's table 1.
-    constexpr double table[3][4] = {{1, 0.0047, 0, 1e-5}, {1, 0.0053, 0, 1e-5}, {34.1, 0.04, 13.5, 0.025}};
-    constexpr double pi = std::numbers::pi;
-    const int radius = static_cast<int>(std::ceil(3 * std::sqrt(0.04 / (2 * pi * pi)) * ppd_));
-    std::array<Plane, 3> filtered;
-    for (std::size_t c = 0; c < 3; ++c) {
-      Filter filter;
-      for (const std::size_t term : {0U, 2U}) {
-        const double a = table[c][term], b = table[c][term + 1];
-        if (a == 0) continue;
-        const auto bell = [&](int x) { return std::exp(-pi * pi * x * x / (ppd_ * ppd_) / b); };
-        filter.push_back({sampled(radius, bell), sampled(radius, bell)});
-        for (double& weight : filter.back().along_y) weight *= a * std::sqrt(pi / b);
-      }
-      const double sum = sum_of(filter, true);
-      for (Product& product : filter)
-        for (double& weight : product.along_y) weight /= sum;
-      filtered[c] = size_.filtered(opponents_[c], filter, kind_);
-    }
-    const glm::dmat3 rgb_of_xyz =
-        glm::inverse(glm::dmat3(plain_xyz({1, 0, 0}), plain_xyz({0, 1, 0}), plain_xyz({0, 0, 1})));
-    for (std::size_t i = 0; i < filtered[0].size(); ++i) {
-      const double y = (filtered[0][i] + 16) / 116;
-      const Vector rgb =
-          rgb_of_xyz * (Vector(y + filtered[1][i] / 500, y, y - filtered[2][i] / 200) * white_xyz);
-      colors.push_back(plain_hunt_lab(glm::clamp(rgb, 0.0, 1.0)));
-    }
-  }
+/// The length of a detector's answers along x and y: `profile(x)` times a Gaussian.
+template <class Profile>
+std::vector<double> features(Plane light, const Profile& profile) {
+  const int radius = static_cast<int>(std::ceil(3 * detector_sigma));
+  const auto bell = [](int x) { return std::exp(-x * x / (2 * detector_sigma * detector_sigma)); };
+  const Weights smooth = sampled(radius, bell);
+  Weights detector = sampled(radius, [&](int x) { return profile(x) * bell(x); });
+  const double positive = sum_of({{detector, smooth}}, true), negative = sum_of({{detector, smooth}}, false);
+  for (double& weight : detector) weight /= weight > 0 ? positive : -negative;
+  for (double& v : light.samples) v = (v + 16) / 116;
+  const Plane x = filtered(light, {{detector, smooth}}), y = filtered(light, {{smooth, detector}});
+  std::vector<double> lengths;
+  for (std::size_t i = 0; i < x.samples.size(); ++i)
+    lengths.push_back(std::hypot(x.samples[i], y.samples[i]));
+  return lengths;
+}
 
-  /// The length of a detector's answers along x and y: `profile(x)` times a Gaussian.
-  template <class Profile>
-  [[nodiscard]] Plane features(const Profile& profile) const {
-    const double sigma = 0.5 * 0.082 * ppd_;
-    const int radius = static_cast<int>(std::ceil(3 * sigma));
-    const auto bell = [&](int x) { return std::exp(-x * x / (2 * sigma * sigma)); };
-    const Weights smooth = sampled(radius, bell);
-    Weights detector = sampled(radius, [&](int x) { return profile(x) * bell(x); });
-    const double positive = sum_of({{detector, smooth}}, true),
-                 negative = sum_of({{detector, smooth}}, false);
-    for (double& weight : detector) weight /= weight > 0 ? positive : -negative;
-    Plane light = opponents_[0];
-    for (double& v : light) v = (v + 16) / 116;
-    const Plane x = size_.filtered(light, {{detector, smooth}}, kind_),
-                y = size_.filtered(light, {{smooth, detector}}, kind_);
-    Plane lengths;
-    lengths.reserve(x.size());
-    for (std::size_t i = 0; i < x.size(); ++i) lengths.push_back(std::hypot(x[i], y[i]));
-    return lengths;
-  }
+/// One picture behind both pipelines.
+struct Seen {
+  explicit Seen(const std::array<Plane, 3>& opponents)
+      : colors(seen_colors(opponents)),
+        edges(features(opponents[0], [](double x) { return x; })),
+        points(
+            features(opponents[0], [](double x) { return x * x / (detector_sigma * detector_sigma) - 1; })) {}
 
-  Size size_;
-  PlainFilters kind_;
-  double ppd_;
-  std::array<Plane, 3> opponents_;
+  std::vector<Vector> colors;
+  std::vector<double> edges, points;
 };
 
 }  // namespace
 
-std::vector<double> plain_flip(const Image8& reference, const Image8& image, PlainFilters filters,
-                               double pixels_per_degree) {
-  const Seen a(reference, filters, pixels_per_degree), b(image, filters, pixels_per_degree);
+std::vector<double> plain_flip(const Image8& reference, const Image8& image) {
+  const Seen a(opponents_of(reference)), b(opponents_of(image));
   std::vector<double> errors;
-  errors.reserve(a.colors.size());
   for (std::size_t i = 0; i < a.colors.size(); ++i) {
     const double color = plain_color_error(plain_hyab(a.colors[i], b.colors[i]));
     const double edges = std::abs(a.edges[i] - b.edges[i]), points = std::abs(a.points[i] - b.points[i]);

@@ -23,13 +23,7 @@ double plain_hyab(const Vector& a, const Vector& b);
 /// A HyAB distance as an error of 0 to 1.
 double plain_color_error(double distance);
 
-enum class PlainFilters {
-  square,    ///< each pixel as a weighted sum over the square around it, as the paper defines the filters
-  separable  ///< the same filters along the rows and then along the columns
-};
-
 /// The error of each pixel, row after row.
-std::vector<double> plain_flip(const Image8& reference, const Image8& image, PlainFilters filters,
-                               double pixels_per_degree = default_pixels_per_degree);
+std::vector<double> plain_flip(const Image8& reference, const Image8& image);
 
 }  // namespace texel::image

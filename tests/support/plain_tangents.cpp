@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "mesh/vectors.hpp"
+#include "mesh/weld.hpp"
 
 namespace texel::mesh {
 namespace {
@@ -42,14 +43,13 @@ class Plain {
  public:
   explicit Plain(Mesh& mesh) : mesh_(mesh) {}
 
-  TangentReport compute() {
+  void compute() {
     find_triangles();
     find_points();
     find_neighbours();
     find_groups();
     find_tangents();
     give_each_tangent_its_vertices();
-    return report_;
   }
 
  private:
@@ -61,12 +61,8 @@ class Plain {
 
   void find_triangles() {
     for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
-      std::array<vec3, 3> p;
-      std::array<vec2, 3> st;
-      for (std::size_t k = 0; k < 3; ++k) {
-        p[k] = mesh_.positions[mesh_.indices[3 * t + k]];
-        st[k] = mesh_.texcoords[mesh_.indices[3 * t + k]];
-      }
+      const std::array<vec3, 3> p = of_triangle(mesh_, mesh_.positions, t);
+      const std::array<vec2, 3> st = of_triangle(mesh_, mesh_.texcoords, t);
       Triangle triangle;
       triangle.takes_part = p[0] != p[1] && p[0] != p[2] && p[1] != p[2];
       const vec2 a = st[1] - st[0], b = st[2] - st[0];
@@ -81,7 +77,6 @@ class Plain {
         if (counts(glm::length(s) / std::abs(area)) && counts(glm::length(t_up) / std::abs(area)))
           triangle.turn = area > 0 ? 1 : -1;
       }
-      if (triangle.turn == 0) ++report_.degenerate_triangles;
       triangles_.push_back(triangle);
     }
   }
@@ -231,15 +226,14 @@ class Plain {
       if (is_new) {
         copy->second = duplicate_vertex(mesh_, vertex);
         of_vertex.emplace_back(labels[corner]);
-        ++report_.split_vertices;
       }
       vertex = copy->second;
     }
     // Without an area in the texture, (1, 0, 0) is turned into the plane of the normal.
     std::vector<bool> is_flat(mesh_.vertex_count());
     for (CornerNumber corner = 0; corner < point_.size(); ++corner) {
-      const auto st = [&](std::size_t k) { return mesh_.texcoords[mesh_.indices[corner / 3 * 3 + k]]; };
-      const vec2 a = st(1) - st(0), b = st(2) - st(0);
+      const std::array<vec2, 3> st = of_triangle(mesh_, mesh_.texcoords, corner / 3);
+      const vec2 a = st[1] - st[0], b = st[2] - st[0];
       if (triangles_[corner / 3].takes_part && !counts(a.x * b.y - a.y * b.x))
         is_flat[mesh_.indices[corner]] = true;
     }
@@ -248,7 +242,6 @@ class Plain {
     for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
       const auto [group, x, y, z, w] = of_vertex[v].value_or(nothing);
       const bool has_none = is_along(vec3(x, y, z), mesh_.normals[v]);
-      if (has_none || group == group_turns_.size()) ++report_.fallback_vertices;
       vec3 tangent(x, y, z);
       if (group == group_turns_.size() && is_flat[v])
         tangent = unit_or_zero(orthogonal_part(tangent, mesh_.normals[v]));
@@ -257,7 +250,6 @@ class Plain {
   }
 
   Mesh& mesh_;
-  TangentReport report_;
   std::vector<Triangle> triangles_;
   std::vector<std::uint32_t> point_;  // of each corner, and the next two
   std::vector<std::optional<CornerNumber>> across_;
@@ -268,10 +260,10 @@ class Plain {
 
 }  // namespace
 
-TangentReport plain_mikktspace(Mesh& mesh) {
+void plain_mikktspace(Mesh& mesh) {
   mesh.tangents.clear();
   mesh.bitangents.clear();
-  return Plain(mesh).compute();
+  Plain(mesh).compute();
 }
 
 }  // namespace texel::mesh

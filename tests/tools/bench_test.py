@@ -20,7 +20,7 @@ os.environ["TEXEL"] = sys.argv.pop(1)
 from bench_plot import Panel, Plot, Point, panel_svgs, svg  # noqa: E402
 from bench_report import by_lab  # noqa: E402
 from bench_results import ALL_CASES, differences, number_of, over_all_cases, read_lab_output, read_report, slopes, to_json  # noqa: E402
-from course import BIN, Failure, program_of, read_labs, text_of  # noqa: E402
+from course import BIN, Failure, check_tables, program_of, read_labs, text_of  # noqa: E402
 
 LAB = {"lab": "05_normal_map", "number": 5, "bench": [{"case": "flat", "vary": {"method": []}}, {"case": "round", "vary": {"method": []}},
        {"case": "finer", "vary": {"method": ["slow"], "segments": ["8", "16", "32"]}}]}
@@ -145,6 +145,14 @@ class Plots(unittest.TestCase):
         for i, (x, y) in enumerate(places):
             for u, v in places[:i]:  # six letters of 6.3 units, and the height of a line
                 self.assertTrue(abs(x - u) > 37 or abs(y - v) > 11, places)
+
+
+class LabFile(unittest.TestCase):
+    def test_has_the_keys_of_its_tables_and_no_others(self):
+        claim = dict.fromkeys(("source", "says", "found", "see"), "")
+        check_tables({"claim": [claim]})
+        for table in ({"says": ""}, claim | {"sea": ""}):
+            self.assertRaises(ValueError, check_tables, {"claim": [table]})
 
 
 class TexelBench(unittest.TestCase):

@@ -52,7 +52,7 @@ class Class:
         WORK.mkdir(parents=True, exist_ok=True)
         (WORK / "seed.txt").write_text(SEED)
         if kinds:
-            code, said = shell(f"{quoted(BIN / 'make_class', '--root', ROOT, '--out', self.folder)} --labs {labs} --kinds {kinds}")
+            code, said = shell(f"{quoted(ROOT / 'tests/tools/make_class.py', BIN, '--out', self.folder)} --labs {labs} --kinds {kinds}")
             assert code == 0, said
             self.students = json.loads((WORK / f"{name}.json").read_text())["students"]
         else:

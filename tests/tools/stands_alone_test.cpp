@@ -55,17 +55,11 @@ class StandsAlone : public testing::Test {
 
   /// The command that runs a lab's program with these files in place of the starter's.
   [[nodiscard]] std::string with(const course::Lab& lab, const Files& files, const std::string& name) {
-    Files sources, shaders;
-    for (const auto& [path, text] : files) {
-      if (path.ends_with(".cpp")) sources[path] = text;
-      if (path.starts_with("shaders/")) shaders[path.substr(8)] = text;
-    }
-    const grade::Program program = workshop_.make(lab.program(), sources);
+    const grade::Program program = workshop_.make(lab.program(), files);
     for (const store::CompilerLog& refused : program.refused) ADD_FAILURE() << refused.file << refused.text;
     const fs::path root = work_ / lab.folder / name;
     fs::create_directories(root);
-    grade::overlay(starter_.source / "shaders", shaders, root / "shaders");
-    fs::create_directory_symlink(starter_.source / "assets", root / "assets");
+    grade::make_root(starter_.source, files, root);
     return fmt::format("TEXEL_ROOT={} {}", shell_word(root.string()), shell_word(program.file.string()));
   }
 

@@ -280,7 +280,7 @@ class Checked(StudentTree):
         before = (self.root / file).read_text(encoding="utf-8")
         # What passed is remembered: the step that changed is wrong, and not the one that it spoils.
         with self.changed(file, before.replace("incident - 2.0 *", "incident + 2.0 *", 1)):
-            shows("Your last save changed 8.1; this step passed before it.")
+            shows("It passed until you changed 8.1.")
             shows("wrong  8.1")
         shows("done   8.2", 2)
         # A marker that is gone is said, and the watch goes on.

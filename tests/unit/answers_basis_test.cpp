@@ -12,7 +12,7 @@
 
 #include "../support/directions.hpp"
 #include "../support/oracles.hpp"
-#include "truth/basis.hpp"
+#include "truth/surface.hpp"
 
 namespace texel::answers {
 namespace {

@@ -9,7 +9,6 @@
 #include "../support/picture_files.hpp"
 #include "app/assets.hpp"
 #include "core/error.hpp"
-#include "core/files.hpp"
 #include "mesh/ply.hpp"
 
 namespace texel::app {

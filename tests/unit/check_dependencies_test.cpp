@@ -18,14 +18,11 @@ judge::LabResult lab(int number, const std::vector<std::pair<std::string, bool>>
   judge::LabResult result;
   result.lab.number = number;
   for (const auto& [id, passed] : steps) {
-    course::Step step;
+    judge::StepResult& step = result.steps.emplace_back();
     step.id = id;
     if (const auto found = needs.find(id); found != needs.end()) step.needs = found->second;
-    result.lab.steps.push_back(step);
-    judge::StepResult& judged = result.steps.emplace_back();
-    judged.id = id;
-    judged.status = passed ? judge::Status::passed : judge::Status::failed;
-    if (!passed) judged.message = "message of " + id;
+    step.status = passed ? judge::Status::passed : judge::Status::failed;
+    if (!passed) step.message = "message of " + id;
   }
   return result;
 }
@@ -35,8 +32,8 @@ class MemoryTest : public testing::Test {
   MemoryTest() : folder_("order"), file_(folder_ / "check/passed.json") {}
 
   /// One check: the steps' texts, and which of them passed.
-  std::map<std::string, Changed> check(const std::map<std::string, std::string>& texts,
-                                       const std::set<std::string>& passed) {
+  std::map<std::string, Steps> check(const std::map<std::string, std::string>& texts,
+                                     const std::set<std::string>& passed) {
     const auto is = [&](const char* id) { return std::pair<std::string, bool>(id, passed.contains(id)); };
     return changed_since_it_passed(file_, texts, {lab(1, {is("1.3"), is("1.5")}), lab(2, {is("2.1")})});
   }
@@ -53,24 +50,16 @@ std::map<std::string, std::string> with(const std::string& step, const std::stri
   return texts;
 }
 
-TEST_F(MemoryTest, names_the_step_that_the_last_save_changed) {
+TEST_F(MemoryTest, names_the_steps_that_changed_since_one_passed_until_it_passes_again) {
   EXPECT_TRUE(check(kTexts, {"1.3"}).empty());
-  const auto changed = check(with("1.5", "wrong"), {});
-  ASSERT_EQ(changed.size(), 1U);
-  EXPECT_EQ(changed.at("1.3").steps, Steps{"1.5"});
-  EXPECT_TRUE(changed.at("1.3").by_last_save);
-}
-
-TEST_F(MemoryTest, says_the_same_when_nothing_was_saved_and_goes_on_over_later_saves) {
-  check(kTexts, {"1.3"});
-  check(with("1.5", "wrong"), {});
-  EXPECT_TRUE(check(with("1.5", "wrong"), {}).at("1.3").by_last_save);
   auto texts = with("1.5", "wrong");
+  const std::map<std::string, Steps> expected = {{"1.3", {"1.5"}}};
+  EXPECT_EQ(check(texts, {}), expected);
+  EXPECT_EQ(check(texts, {}), expected) << "nothing was saved";
   texts["6.1"] = "too";
-  const auto later = check(texts, {});
-  EXPECT_EQ(later.at("1.3").steps, Steps{"1.5"}) << "another lab's step cannot spoil it";
-  EXPECT_FALSE(later.at("1.3").by_last_save);
-  EXPECT_TRUE(check(texts, {"1.3"}).empty()) << "it passes again";
+  EXPECT_EQ(check(texts, {}), expected) << "another lab's step cannot spoil it";
+  EXPECT_TRUE(check(kTexts, {}).empty()) << "all is as it was";
+  EXPECT_TRUE(check(texts, {"1.3"}).empty());
 }
 
 TEST_F(MemoryTest, blames_neither_a_step_that_changed_itself_or_never_passed_nor_another_labs_own_step) {
@@ -90,55 +79,48 @@ TEST_F(MemoryTest, is_empty_where_it_is_broken) {
 }
 
 TEST(Waiting, skips_what_passed_before_another_step_changed) {
-  std::vector<judge::LabResult> labs = {lab(1, {{"1.3", false}, {"1.5", false}}, {{"1.5", {"1.3"}}})};
-  skip_those_that_wait(labs, {{"1.3", {{"1.5"}, true}}});
-  const std::vector<judge::StepResult>& steps = labs[0].steps;
-  EXPECT_EQ(steps[0].status, judge::Status::skipped);
-  EXPECT_EQ(steps[0].message, "Your last save changed 1.5; this step passed before it.");
-  EXPECT_EQ(steps[0].spoilt_by, Steps{"1.5"});
-  EXPECT_EQ(steps[1].status, judge::Status::failed) << "1.5 does not wait for 1.3";
-  EXPECT_EQ(steps[1].message, "message of 1.5");
-
-  std::vector<judge::LabResult> later = {lab(1, {{"1.3", false}})};
-  skip_those_that_wait(later, {{"1.3", {{"1.4", "1.5"}, false}}});
-  EXPECT_EQ(later[0].steps[0].message, "You changed 1.4 and 1.5; this step passed before that.");
+  judge::LabResult first = lab(1, {{"1.3", false}, {"1.5", false}}, {{"1.5", {"1.3"}}});
+  skip_those_that_wait(first, {{"1.3", {"1.4", "1.5"}}});
+  EXPECT_EQ(first.steps[0].status, judge::Status::skipped);
+  EXPECT_EQ(first.steps[0].message, "It passed until you changed 1.4 and 1.5.");
+  EXPECT_EQ(first.steps[0].spoilt_by, (Steps{"1.4", "1.5"}));
+  EXPECT_EQ(first.steps[1].status, judge::Status::failed) << "1.5 does not wait for 1.3";
+  EXPECT_EQ(first.steps[1].message, "message of 1.5");
 }
 
 TEST(Waiting, skips_what_needs_a_step_that_did_not_pass) {
-  std::vector<judge::LabResult> labs = {
-      lab(1, {{"1.1", false}, {"1.2", true}, {"1.3", false}}, {{"1.2", {"1.1"}}}),
-      lab(2, {{"2.1", true}, {"2.2", false}, {"2.3", false}, {"2.4", true}, {"2.5", false}},
-          {{"2.1", {"1.2"}}, {"2.2", {"2.1"}}, {"2.4", {"1.1"}}, {"2.5", {"1.1", "1.3"}}})};
-  skip_those_that_wait(labs, {});
+  judge::LabResult first =
+      lab(1, {{"1.1", false}, {"1.2", true}, {"1.3", false}, {"1.4", false}, {"1.5", true}, {"1.6", false}},
+          {{"1.2", {"1.1"}}, {"1.3", {"1.1", "1.2"}}, {"1.5", {"1.1"}}, {"1.6", {"1.1", "1.4"}}});
+  skip_those_that_wait(first, {});
   struct Row {
     judge::Status status;
     const char* message;
     Steps spoilt_by;
   };
-  const Row rows[] = {{judge::Status::passed, "", {}},
-                      // 2.2 needs 2.1, which passed, and so 1.1, which did not.
+  const Row rows[] = {{judge::Status::failed, "message of 1.1", {}},
+                      {judge::Status::passed, "", {}},  // although it needs 1.1
                       {judge::Status::skipped, "It needs 1.1 first.", {"1.1"}},
-                      {judge::Status::failed, "message of 2.3", {}},  // it needs nothing
-                      {judge::Status::passed, "", {}},                // although it needs 1.1
-                      {judge::Status::skipped, "It needs 1.1 and 1.3 first.", {"1.1", "1.3"}}};
+                      {judge::Status::failed, "message of 1.4", {}},  // it needs nothing
+                      {judge::Status::passed, "", {}},
+                      {judge::Status::skipped, "It needs 1.1 and 1.4 first.", {"1.1", "1.4"}}};
   for (std::size_t i = 0; i < std::size(rows); ++i) {
-    const judge::StepResult& step = labs[1].steps[i];
+    const judge::StepResult& step = first.steps[i];
     EXPECT_EQ(step.status, rows[i].status) << step.id;
     EXPECT_EQ(step.message, rows[i].message) << step.id;
     EXPECT_EQ(step.spoilt_by, rows[i].spoilt_by) << step.id;
   }
-  EXPECT_EQ(labs[0].steps[0].status, judge::Status::failed);
 }
 
 TEST(Waiting, does_not_skip_a_known_mistake_while_nothing_explains_what_it_needs) {
   const auto steps_with = [](const std::string& mistake_of_first, bool is_untouched) {
-    std::vector<judge::LabResult> labs = {
-        lab(1, {{"1.1", false}, {"1.2", false}, {"1.3", false}}, {{"1.2", {"1.1"}}, {"1.3", {"1.2"}}})};
-    labs[0].steps[0].mistake = mistake_of_first;
-    if (is_untouched) labs[0].steps[0].cases.emplace_back().status = judge::CaseStatus::untouched;
-    labs[0].steps[2].mistake = "flipped";
-    skip_those_that_wait(labs, {});
-    return labs[0].steps;
+    judge::LabResult first =
+        lab(1, {{"1.1", false}, {"1.2", false}, {"1.3", false}}, {{"1.2", {"1.1"}}, {"1.3", {"1.1", "1.2"}}});
+    first.steps[0].mistake = mistake_of_first;
+    if (is_untouched) first.steps[0].cases.emplace_back().status = judge::CaseStatus::untouched;
+    first.steps[2].mistake = "flipped";
+    skip_those_that_wait(first, {});
+    return first.steps;
   };
   const std::vector<judge::StepResult> unexplained = steps_with("", false);
   EXPECT_EQ(unexplained[1].status, judge::Status::skipped);

@@ -21,13 +21,11 @@ TEST(Drawings, are_the_same_when_they_were_written_and_read) {
 }
 
 TEST(Drawings, of_a_program_that_nobody_trusts_are_only_what_fits) {
-  for (const char* text : {"", "{", "3", "{\"name\": \"a.png\"}", "[3, null, [], {}, {\"name\": 7}]"})
+  for (const char* text : {"", "{", "3", "{\"name\": \"a.png\"}", "[3, null, [], {}, {\"name\": 7}]",
+                           R"([{"name": "a.png", "status": 1}])", R"([{"name": "a.png", "message": ["x"]}])",
+                           R"([{"name": "a.png", "milliseconds": "y"}])"})
     EXPECT_TRUE(parse_drawings(text).empty()) << text;
-  const std::vector<Drawing> read = parse_drawings(
-      R"([{"name": "a.png", "status": 1, "message": ["x"], "milliseconds": "y"}, {"name": "b.png", "status": "drawn"}])");
-  ASSERT_EQ(read.size(), 2U);
-  EXPECT_EQ(read[0], (Drawing{"a.png", false, "", "", "", 0}));
-  EXPECT_TRUE(read[1].is_drawn);
+  EXPECT_TRUE(parse_drawings(R"([3, {"name": "b.png", "status": "drawn"}])").at(0).is_drawn);
   const std::vector<Drawing> lengthy = {{"a.png", false, std::string(5000, 'x'), "", "", 0}};
   EXPECT_EQ(parse_drawings(to_json(lengthy)).at(0).message.size(), 2000U);
 }

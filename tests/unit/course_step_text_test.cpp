@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "core/files.hpp"
-#include "core/scratch_folder.hpp"
 
 namespace texel::course {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "../../teach/grade/cache.hpp"
 #include "core/files.hpp"
-#include "core/scratch_folder.hpp"
 
 namespace texel::grade {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "../../teach/grade/judged_alone.hpp"
+#include "../../teach/grade/student_run.hpp"
 #include "core/files.hpp"
 #include "core/json.hpp"
 #include "course/batch.hpp"
@@ -24,22 +24,11 @@ namespace fs = std::filesystem;
 using course::GradedCase;
 using course::Hidden;
 using course::Lab;
-using course::Step;
 
-Lab lab_of(int number, std::vector<Step> steps, std::vector<GradedCase> cases = {}) {
+Lab lab_of(int number, std::vector<GradedCase> cases) {
   Lab lab;
-  lab.number = number;
-  lab.folder = "0" + std::to_string(number) + "_lab";
-  lab.steps = std::move(steps);
-  lab.cases = std::move(cases);
+  lab.number = number, lab.folder = fmt::format("0{}_lab", number), lab.cases = std::move(cases);
   return lab;
-}
-
-Step step_of(const std::string& id, std::vector<std::string> needs = {}) {
-  Step step;
-  step.id = id;
-  step.needs = std::move(needs);
-  return step;
 }
 
 GradedCase case_of(const std::string& name, std::vector<course::Setting> settings = {},
@@ -60,19 +49,11 @@ class Plan : public testing::Test {
   }
 
   fs::path models_ = fs::temp_directory_path() / ("texel_plan_" + std::to_string(::getpid()));
-  const Lab lab_ = lab_of(1, {step_of("1.1")},
-                          {case_of("open", {{"turn", "10"}}),
-                           case_of("secret", {{"turn", "10"}, {"tilt", "1"}},
-                                   {{"turn", -90, 90, {}}, {"wood", 0, 0, {"a", "b", "c"}}}),
-                           case_of("unseen", {{"model", "unseen:polygons"}}, {}, course::View::mesh)});
+  const Lab lab_ = lab_of(1, {case_of("open", {{"turn", "10"}}),
+                              case_of("secret", {{"turn", "10"}, {"tilt", "1"}},
+                                      {{"turn", -90, 90, {}}, {"wood", 0, 0, {"a", "b", "c"}}}),
+                              case_of("unseen", {{"model", "unseen:polygons"}}, {}, course::View::mesh)});
 };
-
-TEST_F(Plan, leaves_hidden_cases_out_where_students_check) {
-  const judge::LabPlan plan = judge::public_plan({lab_}).front();
-  ASSERT_EQ(plan.cases.size(), 1U);
-  EXPECT_EQ(plan.cases[0].name, "open");
-  EXPECT_FALSE(fs::exists(models_));
-}
 
 TEST_F(Plan, draws_hidden_values_from_the_seed_within_their_range) {
   const judge::LabPlan plan = plan_of(lab_, "a seed").front();
@@ -109,8 +90,7 @@ TEST_F(Plan, writes_models_that_nobody_has_seen) {
 /// So the student's reader of OBJ files does not matter.
 TEST_F(Plan, writes_the_mesh_of_such_a_model_where_a_lab_does_not_teach_the_reader) {
   const auto model = [&](const char* value) -> fs::path {
-    const Lab lab =
-        lab_of(1, {step_of("1.1")}, {case_of("unseen", {{"model", value}}, {}, course::View::mesh)});
+    const Lab lab = lab_of(1, {case_of("unseen", {{"model", value}}, {}, course::View::mesh)});
     return plan_of(lab, "s").front().cases[0].settings[0].value;
   };
   const fs::path obj = model("unseen:shared"), ply = model("unseen:shared.ply");
@@ -147,17 +127,6 @@ TEST(Coarse, marks_are_rounded_down_and_errors_to_two_digits) {
   for (const auto& [error, coarse] : {std::pair(0.01234, 0.012), {0.0168, 0.017}, {179.4, 180.0}, {0.0, 0.0}})
     EXPECT_EQ(coarse_error(error), coarse);
   EXPECT_TRUE(std::isnan(coarse_error(NAN)));
-}
-
-TEST(WithNeeded, adds_the_labs_whose_steps_are_needed_through_others_too) {
-  const std::vector<Lab> all = {lab_of(1, {step_of("1.1")}), lab_of(2, {step_of("2.1")}),
-                                lab_of(6, {step_of("6.1", {"1.1"})}), lab_of(9, {step_of("9.1", {"6.1"})})};
-  const std::vector<Lab> needed = judge::with_needed({all[3]}, all);
-  ASSERT_EQ(needed.size(), 3U);
-  EXPECT_EQ(needed[0].number, 1);
-  EXPECT_EQ(needed[1].number, 6);
-  EXPECT_EQ(needed[2].number, 9);
-  EXPECT_EQ(judge::with_needed({all[1]}, all).size(), 1U);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <clocale>
 #include <map>
+#include <numeric>
 
 #include "../support/archives.hpp"
 #include "../support/picture_files.hpp"
@@ -39,12 +40,24 @@ fs::path path_of(const test::TemporaryFolder& folder) {
   return (folder / "x").parent_path();
 }
 
+void put(const fs::path& root, const Texts& files) {
+  for (const auto& [path, text] : files) {
+    fs::create_directories((root / path).parent_path());
+    write_file(root / path, text);
+  }
+}
+
+/// A starter without steps.
+std::string no_step(const std::string& /*file*/) {
+  return {};
+}
+
 /// What an archive of that name holds, alone in a class.
 Submission unpacked(Format name, const std::string& bytes, const UnpackLimits& limits = {},
-                    const FirstText& first_text = {}) {
+                    const FirstText& first_text = no_step) {
   const test::TemporaryFolder folder("submission");
   write_file(folder / (name == Format::zip ? "jane.zip" : "jane.tar.gz"), bytes);
-  return unpack(read_class(path_of(folder)).at(0), allowed, limits, first_text);
+  return unpack(read_class(path_of(folder)).at(0), allowed, first_text, limits);
 }
 
 std::string reason_of(const Submission& submission, const std::string& path) {
@@ -87,7 +100,7 @@ TEST(ReadClass, knows_the_names_of_canvas_moodle_and_plain_ones) {
     EXPECT_EQ(entry.number, number) << file;
     EXPECT_EQ(entry.kind, kind) << file;
     if (kind != Kind::other) continue;
-    EXPECT_EQ(unpack(entry, allowed).fault, "is not a folder, a .zip or a .tar.gz file");
+    EXPECT_EQ(unpack(entry, allowed, no_step).fault, "is not a folder, a .zip or a .tar.gz file");
   }
 }
 
@@ -116,13 +129,11 @@ TEST(ReadClass, makes_ids_safe_and_keeps_names_as_text) {
 
 TEST(ReadClass, takes_an_archive_alone_in_a_folder_for_the_submission) {
   const test::TemporaryFolder folder("class");
-  const fs::path student = folder / "Jane Doe_1_assignsubmission_file";
-  fs::create_directory(student);
-  write_file(student / "labs.zip", pack(Format::zip, {{kLab, "mine"}}));
+  put(folder / "Jane Doe_1_assignsubmission_file", {{"labs.zip", pack(Format::zip, {{kLab, "mine"}})}});
   const Entry entry = read_class(path_of(folder)).at(0);
   EXPECT_EQ(entry.id, "jane-doe-1");
   EXPECT_EQ(entry.kind, Entry::Kind::zip);
-  EXPECT_EQ(unpack(entry, allowed).files, (Texts{{kLab, "mine"}}));
+  EXPECT_EQ(unpack(entry, allowed, no_step).files, (Texts{{kLab, "mine"}}));
 }
 
 TEST(ReadClass, follows_no_link_and_throws_for_a_missing_folder) {
@@ -130,18 +141,16 @@ TEST(ReadClass, follows_no_link_and_throws_for_a_missing_folder) {
   fs::create_directory_symlink("/etc", folder / "jane");
   const Entry link = read_class(path_of(folder)).at(0);
   EXPECT_EQ(link.kind, Entry::Kind::other);
-  EXPECT_TRUE(unpack(link, allowed).fault.starts_with("is a symbolic link, which is not followed"));
+  EXPECT_TRUE(unpack(link, allowed, no_step).fault.starts_with("is a symbolic link, which is not followed"));
   EXPECT_THROW(read_class(folder / "missing"), Error);
 }
 
 TEST(StepFiles, are_the_files_of_the_tree_with_a_marker) {
   const test::TemporaryFolder tree("step_files");
-  for (const char* name : {"labs/01_a", "shaders/lib", "common/mesh", "tests"})
-    fs::create_directories(tree / name);
-  write_file(tree / "labs/01_a/lab.cpp", "int x;\n    //@step 1.1 begin\n//@end\n");
-  write_file(tree / "labs/01_a/other.hpp", "// the marker //@step is explained here\n");
-  write_file(tree / "shaders/lib/light.glsl", "//@step 5.1 begin\n");
-  write_file(tree / "tests/test.cpp", "//@step 5.1 begin\n");
+  put(path_of(tree), {{"labs/01_a/lab.cpp", "int x;\n    //@step 1.1 begin\n//@end\n"},
+                      {"labs/01_a/other.hpp", "// the marker //@step is explained here\n"},
+                      {"shaders/lib/light.glsl", "//@step 5.1 begin\n"},
+                      {"tests/test.cpp", "//@step 5.1 begin\n"}});
   EXPECT_EQ(course::step_files(path_of(tree)),
             (std::vector<std::string>{"labs/01_a/lab.cpp", "shaders/lib/light.glsl"}));
   EXPECT_THROW(course::step_files(tree / "tests"), Error);
@@ -227,7 +236,7 @@ TEST(Unpack, takes_steps_out_of_the_files_that_an_older_starter_had_them_in) {
     SCOPED_TRACE(row.name);
     const test::TemporaryFolder folder("older");
     write_file(folder / "jane.zip", pack(Format::zip, row.handed));
-    const Submission submission = unpack(read_class(path_of(folder)).at(0), files, {}, first_text);
+    const Submission submission = unpack(read_class(path_of(folder)).at(0), files, first_text);
     EXPECT_EQ(submission.fault, "");
     EXPECT_EQ(submission.files, row.taken);
     EXPECT_EQ(reason_of(submission, row.path), row.reason);
@@ -404,15 +413,9 @@ TEST(Unpack, takes_files_from_folders_with_names_in_any_encoding_and_locale) {
   const std::vector<std::string> utf8 = {"\u00dcbung 9 \u2013 L\u00f6sung", "\u4f5c\u4e1a\u4e5d",
                                          "final \U0001F642"};
   // The same in CP437, CP1252, GBK (whose second bytes may be '\\') and Shift-JIS, without a word of it.
-  const std::vector<std::string> others = {
-      "\x9a"
-      "bung 9 - L\x94sung",
-      "\xdc"
-      "bung 9 \x96 L\xf6sung",
-      "\xd7\xf7\xd2\xb5\xbe\xc5",
-      "\x81\\ \xd7\x5c",
-      "\x83\x5c\x95\x5c",
-      "\xC0\xAF"};
+  const std::vector<std::string> others = {"\232bung 9 - L\224sung",   "\334bung 9 \226 L\366sung",
+                                           "\xd7\xf7\xd2\xb5\xbe\xc5", "\x81\\ \xd7\x5c",
+                                           "\x83\x5c\x95\x5c",         "\xC0\xAF"};
   for (const char* locale : {"C", "C.UTF-8"}) {
     ASSERT_NE(std::setlocale(LC_ALL, locale), nullptr);
     for (const bool is_utf8 : {true, false})
@@ -432,9 +435,8 @@ TEST(Unpack, takes_files_from_folders_with_names_in_any_encoding_and_locale) {
         }
     for (const std::string& name : {utf8[0], others[0]}) {
       const test::TemporaryFolder folder("class");
-      fs::create_directories((folder / "jane" / name / kLab).parent_path());
-      write_file(folder / "jane" / name / kLab, "mine");
-      EXPECT_EQ(unpack(read_class(path_of(folder)).at(0), allowed).files.count(kLab), 1U) << name;
+      put(folder / "jane" / name, {{kLab, "mine"}});
+      EXPECT_EQ(unpack(read_class(path_of(folder)).at(0), allowed, no_step).files.count(kLab), 1U) << name;
     }
   }
   std::setlocale(LC_ALL, "C");
@@ -473,6 +475,12 @@ TEST(Unpack, refuses_bombs_and_what_is_broken_or_no_archive) {
                     many_in_tar = pack(Format::tar_gz, many);
   std::string flipped = zip;
   flipped[zip.size() / 2] = static_cast<char>(zip[zip.size() / 2] ^ 0x55);
+  // A file in pieces, the second one before the first: GNU's header of a sparse file.
+  std::string sparse = pack(Format::tar, {{kLab, std::string(1024, 'x')}});
+  sparse.replace(156, 1, "S").replace(257, 8, std::string("ustar  \0", 8)).replace(148, 8, 8, ' ');
+  for (const auto& [at, number] : {std::pair(386U, 512), {398, 512}, {410, 0}, {422, 512}, {483, 1024}})
+    sparse.replace(at, 11, fmt::format("{:011o}", number));
+  sparse.replace(148, 6, fmt::format("{:06o}", std::accumulate(sparse.begin(), sparse.begin() + 512, 0)));
   UnpackLimits small, smaller;
   small.unpacked = 1000;
   smaller.archive = 100;
@@ -489,6 +497,7 @@ TEST(Unpack, refuses_bombs_and_what_is_broken_or_no_archive) {
            {Format::tar_gz, "not an archive", "broken"},
            {Format::tar_gz, tar.substr(0, tar.size() / 2), "broken"},
            {Format::tar_gz, tar.substr(0, tar.size() - 100), "broken"},
+           {Format::tar_gz, sparse, "broken archive: Encountered out-of-order sparse blocks"},
            {Format::zip, "", "is empty"},
            {Format::zip, pack(Format::zip, {}), "is an archive without files"},
            {Format::zip, "%PDF-1.4", "hand in a folder, a .zip or a .tar.gz"},
@@ -510,16 +519,13 @@ TEST(Unpack, takes_a_folder_and_follows_nothing_in_it) {
   const test::TemporaryFolder folder("class"), outside("outside");
   write_file(outside / "lab.cpp", "secret");
   const fs::path work = folder / "jane/my work";
-  for (const char* name : {"labs/01_texture_quad", "shaders/05_normal_map", ".git"})
-    fs::create_directories(work / name);
+  put(work, {{kQuad, kMebibyte}, {"large.txt", kMebibyte + "/"}, {".git/config", "hidden"}});
+  fs::create_directories(work / "shaders/05_normal_map");
   fs::create_directory_symlink(path_of(outside), work / "labs/05_normal_map");
   fs::create_symlink(outside / "lab.cpp", work / kDecode);
   ASSERT_EQ(::mkfifo((work / kFrame).c_str(), 0600), 0);
-  write_file(work / kQuad, kMebibyte);
-  write_file(work / "large.txt", kMebibyte + "/");
-  write_file(work / ".git/config", "hidden");
   const Entry entry = read_class(path_of(folder)).at(0);
-  const Submission submission = unpack(entry, allowed);
+  const Submission submission = unpack(entry, allowed, no_step);
   EXPECT_EQ(submission.root, "my work/");
   EXPECT_TRUE(submission.files == (Texts{{kQuad, kMebibyte}}));
   for (const auto& [path, reason] : Texts{{"labs/05_normal_map", "is a symbolic link"},
@@ -530,16 +536,14 @@ TEST(Unpack, takes_a_folder_and_follows_nothing_in_it) {
     EXPECT_EQ(reason_of(submission, "my work/" + path), reason);
   UnpackLimits few;
   few.entries = 3;
-  EXPECT_TRUE(has(unpack(entry, allowed, few).fault, "more than 3 files"));
+  EXPECT_TRUE(has(unpack(entry, allowed, no_step, few).fault, "more than 3 files"));
 }
 
 TEST(Overlay, lays_files_over_a_tree_that_the_sandbox_can_read_whatever_the_umask) {
   const test::TemporaryFolder tree("overlay_tree"), out("overlay_out");
   const fs::path to = out / "work";
   const mode_t before = ::umask(077);
-  fs::create_directories(tree / "labs/01_texture_quad");
-  write_file(tree / kQuad, "starter");
-  write_file(tree / "CMakeLists.txt", "trusted");
+  put(path_of(tree), {{kQuad, "starter"}, {"CMakeLists.txt", "trusted"}});
   overlay(path_of(tree), {{kQuad, "mine"}, {"labs/new/file.hpp", "new"}}, to);
   ::umask(before);
   for (const auto& [path, text] :

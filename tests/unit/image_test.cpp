@@ -13,6 +13,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "image/color.hpp"
+#include "image/compared.hpp"
 #include "image/difference.hpp"
 #include "image/load.hpp"
 #include "image/mipmaps.hpp"
@@ -93,11 +94,6 @@ TEST_F(Png, keeps_every_sample_when_saved_and_loaded) {
       save_png(path_, image, {}, compression);
       EXPECT_EQ(load8(path_), image) << channels << " channels, compression " << compression;
       EXPECT_EQ(encode_png(image, "b.png", {}, compression), read_file(path_)) << "the same bytes each time";
-      const Info header = info(path_);
-      EXPECT_EQ(header.width, 5);
-      EXPECT_EQ(header.height, 3);
-      EXPECT_EQ(header.channels, channels);
-      EXPECT_FALSE(header.is_16_bit);
     }
 }
 
@@ -106,21 +102,28 @@ TEST_F(Png, has_its_top_row_first_in_the_file) {
   EXPECT_EQ(loaded(test::png(2, 2, 8, 0, bytes({0, 10, 20, 0, 30, 40}))), grey(2, 2, {30, 40, 10, 20}));
 }
 
-TEST_F(Png, of_16_bits_is_rounded_to_the_nearest_of_8) {
-  // A step of 8 bits is 257 of 16: 128 is just below its middle.
-  EXPECT_EQ(loaded(test::png(4, 1, 16, 0, bytes({0, 0x12, 0x34, 0xff, 0xfe, 0x00, 0x80, 0x00, 0x81}))),
-            grey(4, 1, {0x12, 0xff, 0, 1}));
-  EXPECT_TRUE(info(path_).is_16_bit);
-}
-
-TEST_F(Png, converts_channels_when_asked) {
-  save_png(path_, grey(1, 1, {77}));
-  EXPECT_EQ(load8(path_, 4).samples, (Bytes{77, 77, 77, 255}));
-  save_png(path_, four_colors());
-  EXPECT_EQ(load8(path_, 4).channels, 4);
-  EXPECT_EQ(load8(path_, 4).at(1, 0, 3), 255);
-  EXPECT_EQ(load8(path_, 1).at(1, 1), 255);
-  for (const int channels : {-1, 5}) EXPECT_THROW(load8(path_, channels), Error);
+TEST_F(Png, has_the_channels_of_the_file_or_three_when_asked) {
+  // A palette of two colours, of which the second is clear; then grey of 1 bit, and of 16 with alpha.
+  struct Row {
+    std::string file;
+    int channels;
+    Bytes own, rgb;
+  };
+  const std::string palette = test::png(2, 1, 8, 3, bytes({0, 0, 1}));
+  const std::size_t data = palette.find("IDAT") - 4;
+  const std::string colors =
+      test::png_chunk("PLTE", bytes({1, 2, 3, 4, 5, 6})) + test::png_chunk("tRNS", bytes({255, 0}));
+  for (const Row& row : std::vector<Row>{
+           {std::string(palette).insert(data, colors), 4, {1, 2, 3, 255, 4, 5, 6, 0}, {1, 2, 3, 4, 5, 6}},
+           {test::png(2, 1, 1, 0, bytes({0, 0x40})), 1, {0, 255}, {0, 0, 0, 255, 255, 255}},
+           {test::png(1, 1, 16, 4, bytes({0, 9, 200, 8, 0})), 2, {10, 8}, {10, 10, 10}},
+           // 16 bits are rounded. A step of 8 bits is 257 of 16: 128 is just below its middle.
+           {test::png(2, 1, 16, 0, bytes({0, 0x00, 0x80, 0x00, 0x81})), 1, {0, 1}, {0, 0, 0, 1, 1, 1}}}) {
+    const Image8 own = loaded(row.file);
+    EXPECT_EQ(own.channels, row.channels);
+    EXPECT_EQ(own.samples, row.own);
+    EXPECT_EQ(load8(path_, 3).samples, row.rgb);
+  }
 }
 
 TEST_F(Png, of_a_stranger_has_the_size_that_is_asked_for) {
@@ -147,13 +150,9 @@ TEST_F(PngText, comes_back_in_order_without_those_that_are_empty) {
 }
 
 TEST_F(PngText, is_refused_and_no_file_left_when_it_cannot_be_held) {
-  const std::vector<Text> bad = {{"", "value"},          {std::string(80, 'k'), "value"},
-                                 {" space", "value"},    {"two  spaces", "value"},
-                                 {"schlüssel", "value"}, {"key", std::string("a\0b", 3)}};
-  for (const Text& text : bad) {
-    const std::string message = error_of([&] { save_png(path_, four_colors(), std::span(&text, 1)); });
-    EXPECT_TRUE(has(message, "a.png")) << text.key;
-    EXPECT_TRUE(has(message, "79 printable")) << message;
+  for (const char* key : {"", " space", "two  spaces"}) {
+    const Text text = {key, "value"};
+    EXPECT_TRUE(has(error_of([&] { save_png(path_, four_colors(), std::span(&text, 1)); }), "a.png")) << key;
   }
   EXPECT_TRUE(folder_.empty());
 }
@@ -168,9 +167,8 @@ TEST_F(PngText, is_an_error_when_the_file_is_no_png) {
 
 TEST_F(Save, leaves_no_file_when_it_fails_and_keeps_the_old_one) {
   const auto fail = [&] {
-    EXPECT_TRUE(has(error_of([&] { save_png(path_, Image8{}); }), "a.png"));
     EXPECT_TRUE(has(error_of([&] { save_png(path_, four_colors(), {}, 99); }), "a.png"));
-    EXPECT_TRUE(has(error_of([&] { save_pfm(folder_ / "a.pfm", ImageF{}); }), "a.pfm"));
+    EXPECT_TRUE(has(error_of([&] { save_pfm(folder_ / "no/a.pfm", ImageF(1, 1, 1)); }), "a.pfm"));
     EXPECT_TRUE(has(error_of([&] { save_png(folder_ / "no/folder.png", four_colors()); }), "folder.png"));
   };
   fail();
@@ -188,7 +186,7 @@ std::string tga(int palette, int kind, int first, int entries, int index_bits, i
          "ID";
 }
 
-TEST_F(Load, reads_the_same_picture_from_every_format_and_order_of_rows_columns_and_palettes) {
+TEST_F(Load, reads_the_same_picture_from_every_format_and_order_of_rows) {
   const std::string rows = test::tga_2x2().substr(18);
   const auto pixels = [&](std::initializer_list<std::size_t> order) {
     std::string result;
@@ -206,19 +204,14 @@ TEST_F(Load, reads_the_same_picture_from_every_format_and_order_of_rows_columns_
       test::gif_2x2(),
       bmp,
       tga(0, 2, 0, 0, 24, 0) + pixels({0, 1, 2, 3}) + footer,
-      tga(0, 2, 0, 0, 24, 0x10) + pixels({1, 0, 3, 2}),
       tga(0, 2, 0, 0, 24, 0x20) + pixels({2, 3, 0, 1}),
-      tga(0, 2, 0, 0, 24, 0x30) + pixels({3, 2, 1, 0}),
-      tga(0, 10, 0, 0, 24, 0x30) + bytes({3}) + pixels({3, 2, 1, 0}) + footer,
-      tga(1, 1, 0, 4, 8, 0x30) + rows + bytes({3, 2, 1, 0}),
-      tga(1, 1, 7, 4, 8, 0) + rows + bytes({7, 8, 9, 10}),
-      tga(1, 9, 200, 4, 8, 0) + rows + bytes({3, 200, 201, 202, 203}) + footer,
-      tga(1, 2, 0, 4, 24, 0) + std::string(12, 'p') + pixels({0, 1, 2, 3})};  // a palette that is not used
+      tga(0, 10, 0, 0, 24, 0x20) + bytes({3}) + pixels({2, 3, 0, 1}) + footer,
+      tga(1, 1, 0, 4, 8, 0x20) + rows + bytes({2, 3, 0, 1}),
+      tga(1, 9, 0, 4, 8, 0) + rows + bytes({3, 0, 1, 2, 3}) + footer};
   for (std::size_t i = 0; i < files.size(); ++i) {
     EXPECT_EQ(load_error(files[i]), "") << i;
     const bool is_gif = files[i].starts_with("GIF");  // which has alpha
     EXPECT_EQ(load8(path_, is_gif ? 3 : 0), four_colors()) << i;
-    EXPECT_EQ(std::pair(info(path_).width, info(path_).height), std::pair(2, 2)) << i;
   }
 }
 
@@ -248,10 +241,8 @@ TEST_F(Load, turns_a_photo_as_the_camera_was_held) {
   for (int orientation = 0; orientation <= 9; ++orientation)
     for (const bool little_endian : {false, true}) {
       const Image8 photo = loaded(test::jpeg_of_camera(orientation, little_endian));
-      const Info header = info(path_);
       const bool upright = orientation >= 5 && orientation <= 8;
       EXPECT_EQ(std::pair(photo.width, photo.height), upright ? std::pair(16, 24) : std::pair(24, 16));
-      EXPECT_EQ(std::pair(header.width, header.height), std::pair(photo.width, photo.height));
       Bytes blocks;
       for (int y = photo.height - 4; y > 0; y -= 8)
         for (int x = 4; x < photo.width; x += 8) blocks.push_back(photo.at(x, y));
@@ -274,15 +265,14 @@ TEST_F(Load, names_file_fault_and_remedy) {
   huffman[huffman.find("\xff\xc4") + 5 + 13] = '\x01';
   sampling[sampling.find("\x01\x22") + 1] = '\x32';  // three across, of which two are no whole part
   sampling[sampling.find("\x02\x11") + 1] = '\x21';
-  std::string packed_bmp = test::bmp_2x2(), interleaved = test::tga_2x2();
+  std::string packed_bmp = test::bmp_2x2();
   packed_bmp[30] = 1;
-  interleaved[17] = '\x40';
+  const std::string rows = test::tga_2x2().substr(18);
   const std::string text_png = encode_png(Image8(9, 7, 3), "", std::vector<Text>{{"lab", "a text"}});
   std::string header = text_png, samples = text_png, text = text_png;
   header[text_png.find("IHDR") + 17] ^= 1;  // in the checksum
   samples[text_png.find("IDAT") + 6] ^= 1;  // in the data
   text[text_png.find("a text")] = 'b';
-  EXPECT_EQ(load_error(text), "") << "no part of the picture";
   const std::vector<std::pair<std::string, std::string>> files = {
       {"", "is empty"},
       {"rubbish", "cannot be read as a picture"},
@@ -290,15 +280,17 @@ TEST_F(Load, names_file_fault_and_remedy) {
       {std::string(1000, '\xff'), ""},
       {"v 1 2 3\nf 1 2 3\n", ""},
       {jpeg(0xc0, 12), "JPEG of 12 bits a sample"},
-      {jpeg(0xc9, 8), "JPEG with arithmetic coding"},
-      {jpeg(0xc3, 8), "lossless JPEG"},
-      {jpeg(0xc5, 8), "hierarchical JPEG"},
+      {jpeg(0xc9, 8), "lossless or hierarchical JPEG or one with arithmetic coding"},
+      {jpeg(0xc3, 8), "lossless or hierarchical JPEG or one with arithmetic coding"},
+      {jpeg(0xc5, 8), "lossless or hierarchical JPEG or one with arithmetic coding"},
       {inks, "JPEG of four channels"},
       {huffman, "invalid JPEG tables"},
       {"\xff" + huffman, "invalid JPEG tables"},
       {sampling, "invalid JPEG tables"},
       {packed_bmp, "run-length-encoded BMP"},
-      {interleaved, "TGA file with interleaved rows"},
+      {tga(0, 2, 0, 0, 24, 0x40) + rows, "TGA file with interleaved rows or mirrored"},
+      {tga(0, 2, 0, 0, 24, 0x10) + rows, "TGA file with interleaved rows or mirrored"},
+      {tga(1, 1, 7, 4, 8, 0) + rows + bytes({7, 8, 9, 10}), "TGA file whose palette does not begin at 0"},
       {std::string(30, 'x') + "TRUEVISION-XFILE." + '\0', "TGA file of an unusual kind"},
       {"RIFF1234WEBPVP8 ", "is a WebP file"},
       {bytes({0, 0, 0, 28}) + "ftypavif", "is an AVIF file"},
@@ -307,10 +299,12 @@ TEST_F(Load, names_file_fault_and_remedy) {
       {"DDS |", "is a DDS file"},
       {"#?RADIANCE\n", "is a Radiance HDR file"},
       {bytes({'I', 'I', 42, 0}), "is a TIFF file"},
-      {"P6\n1 1\n65535\n123456", "is a PPM file"},
+      {"P6\n1 1\n65535\n123456", "is a PBM, PGM, PPM, PAM or PFM file"},
       {"<!DOCTYPE html>", "is a file of text"},
-      {header, "checksum of its chunk IHDR is wrong"},
-      {samples, "checksum of its chunk IDAT is wrong"},
+      {header, "is a damaged PNG (invalid chunk checksum)"},
+      {samples, "is a damaged PNG (invalid chunk checksum)"},
+      {text, "is a damaged PNG (invalid chunk checksum)"},
+      {test::png(0x7fffffff, 0x7fffffff, 8, 2, "rows"), "is a damaged PNG (arithmetic overflow)"},
       // A tiny file with a huge header, within the limits.
       {test::png(16384, 16384, 8, 0, bytes({0, 1, 2, 3})), "cut short"}};
   for (const auto& [content, fault] : files) {
@@ -318,14 +312,15 @@ TEST_F(Load, names_file_fault_and_remedy) {
     EXPECT_TRUE(has(message, fault) && has(message, "a.png: ")) << message;
     EXPECT_TRUE(has(message, "PNG, JPEG, GIF, BMP or TGA")) << message;
   }
-  EXPECT_NE(error_of([&] { info(path_); }), "");
   EXPECT_TRUE(has(error_of([&] { load8(folder_ / "none.png"); }), "none.png"));
   EXPECT_NE(error_of([&] { load8(folder_ / "."); }), "");
 }
 
 TEST_F(Load, is_an_error_wherever_the_file_is_cut) {
+  const std::string picture_file = encode_png(counted(9, 9, 3), "a.png");
   for (const std::string& content :
-       {encode_png(counted(9, 9, 3), "a.png"), test::jpeg_8x8(), test::jpeg_16x16(false),
+       {// The end's checksum is not missed.
+        picture_file.substr(0, picture_file.size() - 4), test::jpeg_8x8(), test::jpeg_16x16(false),
         test::jpeg_16x16(true), test::bmp_2x2().substr(0, 68),  // the last row's filling is not missed
         test::tga_2x2(), test::tga_rle_2x2(),
         test::gif_2x2().substr(0, 25 + test::gif_frame({}).size())}) {  // the first frame
@@ -339,8 +334,7 @@ TEST_F(Load, refuses_a_picture_that_is_too_large_by_its_header) {
   for (const auto& [width, height] : {std::pair<std::uint32_t, std::uint32_t>{100000, 100000},
                                       {16385, 1},
                                       {1, 16385},
-                                      {16384, 16384},  // three channels are beyond 2^28 samples
-                                      {0xffffffff, 0xffffffff}}) {
+                                      {16384, 16384}}) {  // three channels are beyond 2^28 samples
     const std::string message = load_error(test::png(width, height, 8, 2, bytes({0, 1, 2, 3})));
     EXPECT_TRUE(has(message, "a.png")) << message;
     EXPECT_TRUE(has(message, "of 3 channels are too large")) << message;
@@ -574,11 +568,9 @@ TEST(Difference, looks_only_where_the_mask_is_light) {
 
 TEST(Difference, is_an_error_when_sizes_or_channels_differ) {
   EXPECT_TRUE(has(error_of([] { compare(Image8(2, 3, 1), Image8(3, 2, 1)); }), "2x3 and 3x2"));
-  EXPECT_NE(error_of([] { heatmap(Image8(2, 3, 1), Image8(3, 2, 1)); }), "");
   EXPECT_NE(error_of([] { compare(Image8(), Image8()); }), "");
   EXPECT_NE(error_of([] { compare(ImageF(1, 1, 1), ImageF(1, 1, 3)); }), "");
   EXPECT_NE(error_of([] { compare(ImageF(1, 1, 2), ImageF(1, 1, 2), {.unit = Unit::degrees}); }), "");
-  EXPECT_NE(error_of([] { compare(ImageF(2, 1, 1), ImageF(2, 1, 1), {.unit = Unit::texels}); }), "");
 }
 
 TEST(FloatDifference, counts_and_leaves_out_what_is_not_finite) {
@@ -616,19 +608,6 @@ TEST(FloatDifference, gives_directions_in_degrees_and_tells_a_missing_one_from_b
   EXPECT_NEAR(compare(floats(2, 3, {0, 0, 0, 1, 0, 0}), floats(2, 3, {0, 0, 0, 0, 1, 0}), in_degrees).mean,
               90, roundings);
   EXPECT_EQ(compare(floats(1, 3, {nan, 0, 0}), floats(1, 3, {1, 0, 0}), in_degrees).non_finite, 1);
-}
-
-TEST(FloatDifference, gives_texture_coordinates_in_texels) {
-  ImageF a = floats(2, 3, {0.5F, 0.25F, 7, 0, 0, 0});
-  // 3 and 4 texels, exact in floats; the third channel is none of it.
-  const ImageF b = floats(2, 3, {0.5F + 3.0F / 512, 0.25F + 4.0F / 256, -7, 0, 0, 1});
-  Comparing comparing = {.unit = Unit::texels, .texture_width = 512, .texture_height = 256};
-  EXPECT_DOUBLE_EQ(compare(a, b, comparing).max, 5);
-  EXPECT_DOUBLE_EQ(compare(a, b, comparing).mean, 2.5);
-  comparing.texture_height = 512;
-  EXPECT_DOUBLE_EQ(compare(a, b, comparing).max, std::hypot(3.0, 8.0));
-  a.at(1, 0, 1) = nan;
-  EXPECT_EQ(compare(a, b, comparing).non_finite, 1);
 }
 
 /// A disc with hard edges on a background that grows lighter by 2 steps a pixel; what lies inside is rows of
@@ -763,15 +742,33 @@ TEST(Heatmap, colors_each_pixel_by_its_largest_difference) {
     return samples;
   };
   const Image8 a = grey(3, 1, {0, 0, 0}), b = grey(3, 1, {0, 10, 20}), mask = grey(3, 1, {255, 255, 0});
-  EXPECT_EQ(heatmap(a, b).samples, heat_samples({0, 0.5F, 1}));
-  EXPECT_EQ(heatmap(a, b, 40).samples, heat_samples({0, 0.25F, 0.5F}));
-  EXPECT_EQ(heatmap(a, b, 5).samples, heat_samples({0, 1, 1}));
-  EXPECT_EQ(heatmap(a, a).samples, heat_samples({0, 0, 0}));
-  EXPECT_EQ(heatmap(a, b, 20, {.mask = &mask}).samples, heat_samples({0, 0.5F, 0}));
+  EXPECT_EQ(heatmap(compare(a, b)).samples, heat_samples({0, 0.5F, 1}));
+  EXPECT_EQ(heatmap(compare(a, b), 40).samples, heat_samples({0, 0.25F, 0.5F}));
+  EXPECT_EQ(heatmap(compare(a, b), 5).samples, heat_samples({0, 1, 1}));
+  EXPECT_EQ(heatmap(compare(a, a)).samples, heat_samples({0, 0, 0}));
+  EXPECT_EQ(heatmap(compare(a, b, {.mask = &mask}), 20).samples, heat_samples({0, 0.5F, 0}));
   // What is not finite is green.
-  const Bytes green = heatmap(floats(3, 1, {0, nan, 1}), floats(3, 1, {0, 0, 3}), 2).samples;
+  const Bytes green = heatmap(compare(floats(3, 1, {0, nan, 1}), floats(3, 1, {0, 0, 3})), 2).samples;
   EXPECT_EQ(green, heat_samples({0, nan, 1}));
   EXPECT_EQ((Bytes(green.begin() + 3, green.begin() + 6)), (Bytes{0, 255, 0}));
+}
+
+TEST(DataViews, are_shown_in_the_labs_colors) {
+  struct Row {
+    const char* view;
+    std::vector<float> value;
+    std::vector<std::uint8_t> color;
+  };
+  const Row rows[] = {{"normal", {0, 0, 1}, {128, 128, 255}},        {"direction", {-1, 1, 0}, {0, 255, 128}},
+                      {"texcoord", {1.25F, -0.75F, 0}, {64, 64, 0}}, {"depth", {4, 4, 4}, {128, 128, 128}},
+                      {"mask", {1, 1, 1}, {255, 255, 255}},          {"lod", {9, 0, 0}, {250, 230, 28}},
+                      {"normal", {0, 0, 0}, {51, 56, 64}},           {"lod", {nan, 0, 0}, {255, 0, 255}},
+                      {"depth", {-infinity, 0, 0}, {255, 0, 255}}};
+  for (const Row& row : rows) {
+    ImageF one(1, 1, 3);
+    one.samples = row.value;
+    EXPECT_EQ(shown(one, row.view).samples, row.color) << row.view;
+  }
 }
 
 }  // namespace

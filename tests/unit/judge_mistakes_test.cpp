@@ -8,7 +8,6 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
-#include "core/scratch_folder.hpp"
 #include "image/save.hpp"
 #include "judge/mistakes.hpp"
 

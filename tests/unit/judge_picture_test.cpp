@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "core/files.hpp"
-#include "core/scratch_folder.hpp"
 #include "image/compared.hpp"
 #include "image/save.hpp"
 #include "judge/judge.hpp"
@@ -116,6 +115,11 @@ TEST_F(JudgeOfPictures, passes_up_to_the_limit_and_what_a_gpu_rounds_and_no_furt
   }
 }
 
+TEST_F(JudgeOfPictures, says_by_how_much_a_direction_is_off) {
+  const Verdict off = judged(course::View::normal, 0.1, directions(0), directions(0.3));
+  EXPECT_TRUE(off.message.starts_with("Off by 0.3 degrees, 3 times the limit of 0.1;")) << off.message;
+}
+
 TEST_F(JudgeOfPictures, sees_a_wrong_background_of_one_pixel) {
   image::Image8 mask(kSide, kSide, 1), wrong(kSide, kSide, 3);
   std::fill(mask.samples.begin(), mask.samples.end(), std::uint8_t{255});
@@ -132,6 +136,8 @@ TEST_F(JudgeOfPictures, fails_what_has_another_size_or_numbers_that_are_not_fini
   const Verdict low = judged(course::View::texcoord, 1, right, values(zero, kSide - 1));
   EXPECT_FALSE(low.passed);
   EXPECT_EQ(low.message, "The picture is 40x39 pixels, not 40x40");
+  const Verdict grey = judged(course::View::texcoord, 1, right, bytes_of(image::ImageF(kSide, kSide, 1)));
+  EXPECT_TRUE(!grey.passed && grey.message.starts_with("The picture ")) << grey.message;
   for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
     const std::string picture =
         values([=](int x, int y) { return std::pair(0.0, x == 20 && y == 20 ? value : 0.0); });
@@ -141,8 +147,15 @@ TEST_F(JudgeOfPictures, fails_what_has_another_size_or_numbers_that_are_not_fini
 }
 
 TEST(Score, is_half_just_past_the_limit_and_nothing_from_five_times_on) {
-  for (const auto& [times_limit, expected] :
-       {std::pair{0.0, 1.0}, {1, 1}, {2, 0.375}, {3, 0.25}, {5, 0}, {7, 0}, {1e9, 0}})
+  for (const auto& [times_limit, expected] : {std::pair{0.0, 1.0},
+                                              {1, 1},
+                                              {1.25, 0.46875},
+                                              {2, 0.375},
+                                              {3, 0.25},
+                                              {5, 0},
+                                              {7, 0},
+                                              {1e9, 0},
+                                              {std::numeric_limits<double>::infinity(), 0}})
     EXPECT_DOUBLE_EQ(score(times_limit), expected) << times_limit;
   EXPECT_EQ(score(std::nan("")), 0);
 }

@@ -9,7 +9,6 @@
 #include "../support/said.hpp"
 #include "core/error.hpp"
 #include "judge/plan.hpp"
-#include "judge/results_json.hpp"
 
 namespace texel::judge {
 namespace {
@@ -154,30 +153,20 @@ TEST(StepResult, is_told_by_the_failed_case_that_is_furthest_beyond_its_limit) {
 }
 
 TEST(LabResults, name_the_steps_that_spoil_one_that_was_judged_alone) {
-  const std::vector<course::Lab> labs = {
-      lab_with("01_quad", {named_step("1.1"), named_step("1.2", {"1.1"}), named_step("1.3")}),
-      lab_with("02_multi", {named_step("2.1", {"1.2"}), named_step("2.2"), named_step("2.3"),
-                            named_step("2.4"), named_step("2.5")})};
-  CaseResult not_begun = judged_in("02_multi", "2.4", "d", 0);
-  not_begun.status = CaseStatus::untouched;
-  const std::vector<LabResult> results = lab_results(
-      labs, {judged_in("01_quad", "1.1", "a", 0), judged_in("01_quad", "1.2", "b", 1),
-             judged_in("01_quad", "1.3", "b", 0), alone(judged_in("02_multi", "2.1", "a", 1)),
-             alone(judged_in("02_multi", "2.2", "b", 0.5)), judged_in("02_multi", "2.3", "c", 0.5), not_begun,
-             judged_in("02_multi", "2.5", "e", 1)});
-  const std::vector<StepResult>& steps = results.at(1).steps;
-  // What it needs, through others too, and what was begun in its lab.
-  EXPECT_EQ(steps[0].spoilt_by, (Words{"1.1", "2.2", "2.3"}));
-  EXPECT_EQ(steps[1].spoilt_by, Words{"2.3"}) << "not the step itself";
-  for (const StepResult& other : {steps[2], steps[3], steps[4], results[0].steps[0]})
-    EXPECT_TRUE(other.spoilt_by.empty()) << other.id;
-}
-
-TEST(Needs, are_found_through_others_and_in_the_courses_order) {
-  const Needs needs({lab_with("01_quad", {named_step("1.1"), named_step("1.2"), named_step("1.3", {"1.2"})}),
-                     lab_with("02_multi", {named_step("2.1", {"1.3", "1.1"})})});
-  EXPECT_EQ(needs.of("2.1"), (Words{"1.1", "1.2", "1.3"}));
-  EXPECT_TRUE(needs.of("1.1").empty());
+  CaseResult not_begun = judged("c", 0), needed = not_begun;
+  not_begun.step = "1.3", needed.step = "1.4", not_begun.status = needed.status = CaseStatus::untouched;
+  const std::vector<LabResult> results =
+      lab_results({lab_with("01_quad", {named_step("1.1", {"1.4"}), named_step("1.2"), named_step("1.3"),
+                                        named_step("1.4"), named_step("1.5"), named_step("1.6")}),
+                   lab_with("02_multi", {named_step("2.1")})},
+                  {alone(judged_in("01_quad", "1.1", "a", 1)), alone(judged_in("01_quad", "1.2", "b", 0.5)),
+                   not_begun, needed, judged_in("01_quad", "1.5", "e", 0.5),
+                   judged_in("01_quad", "1.6", "f", 1), judged_in("02_multi", "2.1", "g", 0)});
+  const std::vector<StepResult>& steps = results.at(0).steps;
+  // What it needs, and what was begun in its lab.
+  EXPECT_EQ(steps[0].spoilt_by, (Words{"1.2", "1.4", "1.5"}));
+  EXPECT_EQ(steps[1].spoilt_by, Words{"1.5"}) << "not the step itself";
+  for (std::size_t i = 2; i < steps.size(); ++i) EXPECT_TRUE(steps[i].spoilt_by.empty()) << steps[i].id;
 }
 
 TEST(Listed, has_commas_and_an_and) {
@@ -253,11 +242,11 @@ TEST(Status, has_a_name_and_is_found_by_it) {
   for (const auto& [status, name] :
        {std::pair{Status::passed, "passed"}, {Status::failed, "failed"}, {Status::skipped, "skipped"}}) {
     EXPECT_STREQ(name_of(status), name);
-    EXPECT_EQ(status_of(name), status);
+    EXPECT_EQ(of_name<Status>(name), status);
   }
   for (const Judged judged : {Judged::together, Judged::alone, Judged::markers_lost})
-    EXPECT_EQ(judged_of(name_of(judged)), judged);
-  EXPECT_TRUE(test::has(test::error_of([] { status_of("Passed"); }), "'Passed'"));
+    EXPECT_EQ(of_name<Judged>(name_of(judged)), judged);
+  EXPECT_TRUE(test::has(test::error_of([] { of_name<Status>("Passed"); }), "'Passed'"));
 }
 
 }  // namespace

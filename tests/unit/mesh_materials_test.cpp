@@ -115,10 +115,10 @@ TEST_F(ObjFiles, material_libraries_are_read_beside_the_file) {
   EXPECT_EQ(find_material(data, "red")->color_map, "");
   EXPECT_EQ(find_material(data, "blue")->normal_map, "n.png");
   EXPECT_EQ(find_material(data, "green"), nullptr);
-  ASSERT_EQ(data.report.warnings.size(), 3u);
-  EXPECT_TRUE(has(data.report.warnings[0], "red brick.png")) << "the picture is missing";
-  EXPECT_TRUE(has(data.report.warnings[1], "missing.mtl"));
-  EXPECT_TRUE(has(data.report.warnings[2], "'green'"));
+  ASSERT_EQ(data.warnings.size(), 3u);
+  EXPECT_TRUE(has(data.warnings[0], "red brick.png")) << "the picture is missing";
+  EXPECT_TRUE(has(data.warnings[1], "missing.mtl"));
+  EXPECT_TRUE(has(data.warnings[2], "'green'"));
   EXPECT_THROW(load_obj(folder_ / "none.obj"), Error);
   EXPECT_THROW(load_obj(folder_ / ""), Error);
 }
@@ -144,7 +144,7 @@ TEST_F(ObjFiles, pictures_are_found_beside_the_library_then_beside_the_model) {
     const ObjData data = load("mtllib lib/my #1.mtl # a note\nusemtl m\n" + face_);
     ASSERT_EQ(data.materials.size(), 1u) << written;
     EXPECT_EQ(data.materials[0].color_map, found ? (folder_ / found).string() : "") << written;
-    EXPECT_EQ(data.report.warnings.size(), found ? 0u : 1u) << written;
+    EXPECT_EQ(data.warnings.size(), found ? 0u : 1u) << written;
   }
 }
 

@@ -3,10 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "core/error.hpp"
-#include "core/files.hpp"
 #include "mesh/primitives.hpp"
 
 namespace texel::mesh {
@@ -45,14 +42,6 @@ TEST(Ply, has_the_header_that_scripts_outside_read) {
       "property list uchar int vertex_indices\nend_header\n";
   EXPECT_EQ(bytes.substr(0, header.size()), header);
   EXPECT_EQ(bytes.size(), header.size() + 33 * 48 + 36 * 13);
-}
-
-TEST(Ply, is_written_to_a_file) {
-  const auto path = std::filesystem::temp_directory_path() / "texel_mesh_ply_test.ply";
-  write_ply(path, full());
-  EXPECT_EQ(read_file(path), to_ply(full()));
-  std::filesystem::remove(path);
-  EXPECT_THROW(write_ply("/nonexistent/folder/a.ply", full()), Error);
 }
 
 TEST(Ply, refuses_what_it_did_not_write) {

@@ -8,7 +8,6 @@
 #include "../support/meshes.hpp"
 #include "core/error.hpp"
 #include "cube.hpp"
-#include "mesh/normals.hpp"
 #include "mesh/primitives.hpp"
 #include "mesh/weld.hpp"
 #include "steps.hpp"
@@ -101,15 +100,6 @@ TEST(NormalDeviation, is_that_of_the_cubes_corner_when_eight_vertices_share_norm
   Mesh mesh = quad();
   mesh.normals.clear();
   EXPECT_THROW(measure_normals(mesh), Error);
-}
-
-TEST(NormalDeviation, vanishes_for_flat_normals_and_shrinks_with_finer_spheres) {
-  Mesh flat = icosphere(1);
-  flat_normals(flat);
-  EXPECT_LT(measure_normals(flat).max, 1e-5);  // float32 normals
-  const double coarse = measure_normals(icosphere(1)).mean, fine = measure_normals(icosphere(2)).mean;
-  EXPECT_GT(coarse, 1);
-  EXPECT_NEAR(fine / coarse, 0.5, 0.03);  // measured 0.507: half the edge, half the angle, and curvature
 }
 
 TEST(Stretch, is_described_in_lines_with_the_figures) {

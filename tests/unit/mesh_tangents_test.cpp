@@ -116,7 +116,7 @@ TEST(Tangents, follow_a_sheared_stretched_and_mirrored_texture) {
     for (const Method method : test::tangent_methods) {
       Mesh mesh = grid(1.0f, 4);
       for (glm::vec2& st : mesh.texcoords) st = row.texture * st;
-      EXPECT_EQ(compute_tangents(mesh, method).degenerate_triangles, 0u);
+      compute_tangents(mesh, method);
       ASSERT_EQ(mesh.vertex_count(), 25u);
       EXPECT_EQ(mesh.bitangents.empty(), method != Method::averaged);
       for (std::size_t v = 0; v < 25; ++v) {
@@ -155,7 +155,7 @@ TEST(Tangents, are_split_where_the_texture_is_mirrored) {
   squares.indices = {0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4};
   for (const Method method : test::tangent_methods) {
     Mesh mesh = squares;
-    const TangentReport report = compute_tangents(mesh, method);
+    compute_tangents(mesh, method);
     if (method == Method::averaged) {
       EXPECT_EQ(mesh.vertex_count(), 6u);
       // Two triangles against one: on the other side of the mirror T points the wrong way.
@@ -163,9 +163,7 @@ TEST(Tangents, are_split_where_the_texture_is_mirrored) {
       EXPECT_EQ(glm::vec3(mesh.tangents[4]), glm::vec3(1, 0, 0));
       continue;
     }
-    EXPECT_EQ(report.split_vertices, 2u);
-    EXPECT_EQ(report.fallback_vertices, 0u);
-    EXPECT_EQ(mesh.vertex_count(), 8u);
+    ASSERT_EQ(mesh.vertex_count(), 8u);
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
       const float side = i < 6 ? 1.0f : -1.0f;
       EXPECT_EQ(mesh.tangents[mesh.indices[i]], glm::vec4(side, 0, 0, side)) << "corner " << i;
@@ -188,12 +186,10 @@ TEST(Tangents, ignore_degenerate_triangles_and_fall_back_where_there_is_nothing_
     mesh.normals.assign(7, glm::normalize(glm::vec3(1, 2, 3)));
     for (std::size_t v = 0; v < 4; ++v) mesh.normals[v] = {0, 0, 1};
     mesh.indices = {0, 1, 2, 2, 1, 3, 4, 5, 6, 0, 1, 1};
-    const TangentReport report = compute_tangents(mesh, method);
-    EXPECT_EQ(report.degenerate_triangles, 3u);
-    EXPECT_EQ(report.split_vertices, 0u);
+    compute_tangents(mesh, method);
+    ASSERT_EQ(mesh.vertex_count(), 7u);
     for (std::size_t v = 0; v < 3; ++v) EXPECT_EQ(mesh.tangents[v], glm::vec4(1, 0, 0, 1));
     // MikkTSpace alone hands a neighbour's frame over the shared edge's ends, not to the far corner.
-    EXPECT_EQ(report.fallback_vertices, 4u);
     for (std::size_t v = 3; v < 7; ++v)
       EXPECT_NEAR(glm::dot(glm::vec3(mesh.tangents[v]), mesh.normals[v]), 0, 1e-6);
     if (method == Method::mikktspace) {
@@ -207,9 +203,9 @@ TEST(Tangents, of_a_line_in_the_texture_are_none_but_by_mikktspace) {
   // 1e-8 counts.
   for (const Method method : test::tangent_methods) {
     Mesh mesh = fan({{1, 0, 0}, {1, 1, 0}}, {{0.1f, 0.3f}, {0.3f, 0.9f}});
-    const TangentReport report = compute_tangents(mesh, method);
-    EXPECT_EQ(report.degenerate_triangles, method == Method::mikktspace ? 0u : 1u);
-    EXPECT_EQ(report.fallback_vertices, method == Method::mikktspace ? 0u : 3u);
+    compute_tangents(mesh, method);
+    for (const glm::vec4& tangent : mesh.tangents)
+      EXPECT_EQ(glm::vec3(tangent) == any_orthogonal({0, 0, 1}), method != Method::mikktspace);
   }
 }
 
@@ -226,7 +222,7 @@ TEST(Tangents, make_a_frame_where_there_are_none_or_they_lie_along_the_normal) {
         mesh.texcoords = {{0, 0}, {has_texture, 0}, {0, has_texture}};
         mesh.normals.assign(3, normal);
         mesh.indices = {0, 1, 2};
-        EXPECT_TRUE(compute_tangents(mesh, method).fallback_vertices == 3 || leans || mikktspace);
+        compute_tangents(mesh, method);
         for (const glm::vec4& tangent : mesh.tangents) {
           EXPECT_NEAR(glm::length(glm::vec3(tangent)), 1, 1e-6);
           const double sine = glm::length(glm::cross(dvec3(tangent), dvec3(normal)));
@@ -243,7 +239,8 @@ TEST(Tangents, say_what_is_missing) {
   mesh.normals.clear();
   EXPECT_THROW(compute_tangents(mesh, Method::mikktspace), Error);
   Mesh empty;
-  EXPECT_EQ(compute_tangents(empty, Method::mikktspace).degenerate_triangles, 0u);
+  compute_tangents(empty, Method::mikktspace);
+  EXPECT_TRUE(empty.tangents.empty());
 }
 
 // ---- MikkTSpace's groups.
@@ -251,9 +248,8 @@ TEST(Tangents, say_what_is_missing) {
 TEST(Mikktspace, goes_through_a_triangle_without_texture_area) {
   // The middle triangle's texture is a line; its neighbours have T = (1, 0, 0) and (1, 1, 0).
   Mesh mesh = fan({{1, 0, 0}, {0, 1, 0}, {-1, 1, 0}, {-1, 0, 0}}, {{1, 0}, {0, 1}, {0, 2}, {-1, 1}});
-  const TangentReport report = compute_tangents(mesh, Method::mikktspace);
-  EXPECT_EQ(report.degenerate_triangles, 1u);
-  EXPECT_EQ(report.split_vertices, 0u);
+  compute_tangents(mesh, Method::mikktspace);
+  ASSERT_EQ(mesh.vertex_count(), 5u);
   expect_tangent(mesh, 0, 90.0 * dvec3(1, 0, 0) + 45.0 * glm::normalize(dvec3(1, 1, 0)));
 }
 
@@ -270,7 +266,8 @@ TEST(Mikktspace, keeps_sides_of_a_texture_seam_and_fans_that_meet_at_a_point_apa
 
   Mesh point = fan({{1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}}, {{1, 0}, {1, 1}, {0, 1}, {-1, 1}});
   point.indices = {0, 1, 2, 0, 3, 4};  // the second one's texture is turned by 90 degrees too
-  EXPECT_EQ(compute_tangents(point, Method::mikktspace).split_vertices, 1u);
+  compute_tangents(point, Method::mikktspace);
+  ASSERT_EQ(point.vertex_count(), 6u);
   expect_tangent(point, point.indices[0], {1, 0, 0});
   expect_tangent(point, point.indices[3], {0, 1, 0});
 }

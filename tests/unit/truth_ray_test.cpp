@@ -9,7 +9,6 @@
 #include <glm/geometric.hpp>
 
 #include "../support/oracles.hpp"
-#include "truth/environment.hpp"
 
 namespace texel::truth {
 namespace {
@@ -185,13 +184,6 @@ TEST(TruthCamera, looks_at_the_origin_from_where_its_angles_say_and_the_height_s
   // To the side, the tangent is as much larger as the picture is wider than high.
   EXPECT_NEAR(std::tan(angle(direction(640, 240), direction(320, 240))),
               640.0 / 480 * std::tan(glm::radians(25.0)), 1e-15);
-}
-
-TEST(TruthCamera, background_turns_with_the_camera_whatever_its_distance) {
-  const dvec2 window(170, 30);
-  const dvec3 a = background_direction({.yaw = 0, .distance = 1}, window);
-  const dvec3 b = background_direction({.yaw = 90, .distance = 50}, window);
-  EXPECT_LT(glm::distance(b, dvec3(a.z, a.y, -a.x)), 1e-15);
 }
 
 TEST(TruthCamera, change_of_the_ray_is_what_differences_show) {

@@ -20,7 +20,7 @@ using glm::dvec4;
 dvec4 pixel(const QuadPicture& picture, int x, int y, int n = 16) {
   dvec4 sum(0);
   for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) sum += picture.at({x + (i + 0.5) / n, y + (j + 0.5) / n});
+    for (int i = 0; i < n; ++i) sum += picture({x + (i + 0.5) / n, y + (j + 0.5) / n});
   return sum / (static_cast<double>(n) * n);
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "footprint.hpp"
+#include "texture_view.hpp"
 #include "truth/cube_map.hpp"
 
 namespace texel::window {
@@ -39,19 +39,26 @@ glm::dvec3 sheared(double x, double y) {
   return {0.3 + 0.02 * x + 0.004 * y, 0.6 - 0.01 * x + 0.03 * y, 0};
 }
 
+std::optional<Footprint> texcoords(const image::ImageF& picture) {
+  return footprint_of(picture, /*is_cube=*/false);
+}
+std::optional<Footprint> directions(const image::ImageF& picture) {
+  return footprint_of(picture, /*is_cube=*/true);
+}
+
 TEST(Footprint, is_the_parallelogram_of_the_coordinates_by_the_neighbours_that_are_there) {
-  const Footprint f = *footprint_of_texcoords(around(sheared));
+  const Footprint f = *texcoords(around(sheared));
   expect_near(f.place, {0.3, 0.6}, kExact);
   expect_near(f.dx, {0.02, -0.01}, kExact);
   expect_near(f.dy, {0.004, 0.03}, kExact);
   expect_near(f.at(0.5, -0.5), {0.308, 0.58}, kExact);
   for (const unsigned missing : {kLeft, kRight})
-    expect_near(footprint_of_texcoords(around(sheared, missing))->dx, {0.02, -0.01}, kExact);
-  EXPECT_EQ(footprint_of_texcoords(around(sheared, kLeft | kRight))->dx, glm::dvec2(0));
-  EXPECT_FALSE(footprint_of_texcoords(around(sheared, kMiddle)));
+    expect_near(texcoords(around(sheared, missing))->dx, {0.02, -0.01}, kExact);
+  EXPECT_EQ(texcoords(around(sheared, kLeft | kRight))->dx, glm::dvec2(0));
+  EXPECT_FALSE(texcoords(around(sheared, kMiddle)));
   // It does not cross a seam, where the coordinate begins again.
   const auto seam = [](double x, double y) { return sheared(x, y) - glm::dvec3(x > 0 ? 1 : 0, 0, 0); };
-  expect_near(footprint_of_texcoords(around(seam))->dx, {0.02, -0.01}, kExact);
+  expect_near(texcoords(around(seam))->dx, {0.02, -0.01}, kExact);
 }
 
 TEST(Footprint, has_the_level_of_its_longer_side_or_of_a_part_of_it) {
@@ -67,8 +74,8 @@ TEST(Footprint, lies_on_the_face_that_the_direction_meets) {
   const glm::dvec3 step_x(1e-3, 2e-3, -1e-3), step_y(-2e-3, 1e-3, 1e-3);
   for (const procedural::Face face : procedural::faces) {
     const glm::dvec3 middle = procedural::direction(face, 0.3, 0.8);
-    const Footprint f = *footprint_of_directions(
-        around([&](double x, double y) { return middle + x * step_x + y * step_y; }));
+    const Footprint f =
+        *directions(around([&](double x, double y) { return middle + x * step_x + y * step_y; }));
     const truth::TexcoordGradient exact = truth::face_gradient(middle, {step_x, step_y});
     EXPECT_EQ(f.face, static_cast<int>(face));
     expect_near(f.place, {0.3, 0.8}, kExact);
@@ -81,9 +88,8 @@ TEST(Footprint, lies_on_the_face_that_the_direction_meets) {
 TEST(Footprint, stays_on_its_face) {
   const glm::dvec3 middle = procedural::direction(procedural::Face::positive_z, 0.999, 0.5);
   const auto to_the_right = [&](double x, double) { return middle + glm::dvec3(0.01 * x, 0, 0); };
-  EXPECT_GT(footprint_of_directions(around(to_the_right))->dx.x, 0);
-  EXPECT_EQ(footprint_of_directions(around(to_the_right, kLeft))->dx.x, 0)
-      << "the right neighbour is on the next face";
+  EXPECT_GT(directions(around(to_the_right))->dx.x, 0);
+  EXPECT_EQ(directions(around(to_the_right, kLeft))->dx.x, 0) << "the right neighbour is on the next face";
 }
 
 TEST(Wrapped, goes_where_the_wrap_mode_says) {

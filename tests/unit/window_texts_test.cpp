@@ -4,7 +4,6 @@
 
 #include "app/gestures.hpp"
 #include "core/files.hpp"
-#include "core/scratch_folder.hpp"
 #include "history.hpp"
 #include "shader_message.hpp"
 

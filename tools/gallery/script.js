@@ -1,4 +1,68 @@
 'use strict';
+// ---- The page, from what was drawn: {renderer, labs: [{number, folder, title, lesson, looks: [look]}]}
+
+const {renderer, labs} = JSON.parse(document.getElementById('drawn').textContent);
+const escaped = (text) => text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
+const anchor = (lab, look) => `${lab.folder}-${look.name}`;
+const image = (lab, look, more = '') =>
+    `<img src="${lab.folder}/${look.file}" alt="${escaped(look.caption)}" width="${look.width}" height="${look.height}"${more}>`;
+
+// A line is broken between flags, not within them.
+const commandLine = (command) => `<div class="command"><code><span>${escaped(command).replaceAll(' --', '</span> <span>--')}</span></code
+    ><button type="button" class="copy" aria-label="Copy the command">Copy</button></div>`;
+
+// The values of the settings that choose a method, as "averaged", or "default".
+function methodsOf({set}) {
+  const methods = Object.keys(set).filter((name) => name.endsWith('method')).map((name) => set[name]);
+  return methods.length > 0 ? methods : ['default'];
+}
+
+// Whether two pictures show the same, apart from one parameter: a reader would put them beside each other.
+function isPair(a, b) {
+  const different = Object.keys({...a.set, ...b.set}).filter((name) => a.set[name] !== b.set[name]);
+  return a.view === b.view && a.width === b.width && a.height === b.height && different.length === 1;
+}
+
+const hero = (lab, look) =>
+    `<a href="#${anchor(lab, look)}">${image(lab, look)}<span><b>${lab.number}</b> ${escaped(lab.title)}</span></a>`;
+
+function figure(lab, look) {
+  const pair = lab.looks.find((other) => isPair(look, other));
+  return `<figure id="${anchor(lab, look)}" data-view="${look.view}" data-methods="${methodsOf(look).join(' ')}"
+      ${pair ? `data-pair="${anchor(lab, pair)}"` : ''}>
+    <a class="open" href="${lab.folder}/${look.file}">${image(lab, look, ' loading="lazy"')}
+      ${look.view === 'color' ? '' : `<span class="view">${look.view} view</span>`}</a>
+    <figcaption><p class="caption">${escaped(look.caption)}</p>
+      ${look.source ? `<p class="source">${escaped(look.source)}</p>` : ''}
+      ${pair ? `<button type="button" class="compare">Compare with: ${escaped(pair.caption)}</button>` : ''}
+      ${commandLine(look.command)}</figcaption></figure>`;
+}
+
+const section = (lab) => `<section id="lab${lab.number}" class="lab" aria-labelledby="title${lab.number}">
+    <header><p class="number" aria-hidden="true">${lab.number}</p>
+      <div><h2 id="title${lab.number}">${escaped(lab.title)}</h2><p>${escaped(lab.lesson)}</p></div>
+      ${commandLine(`./run lab ${lab.number}`)}</header>
+    <div class="looks">${lab.looks.map((look) => figure(lab, look)).join('')}</div></section>`;
+
+// A choice of one of the values, each with its text.
+const choice = (id, label, values) => `<label>${label} <select id="${id}"><option value="">all</option>
+    ${values.map(([value, text]) => `<option value="${value}">${escaped(text)}</option>`).join('')}</select></label> `;
+
+const looks = labs.flatMap((lab) => lab.looks);
+const sorted = (values) => [...new Set(values)].sort().map((value) => [value, value]);
+const put = (selector, where, html) => document.querySelector(selector).insertAdjacentHTML(where, html);
+put('.heroes', 'beforeend', labs.flatMap((lab) => lab.looks.filter((look) => look.hero).map((look) => hero(lab, look))).join(''));
+put('nav ol', 'beforeend',
+    labs.map((lab) => `<li><a href="#lab${lab.number}"><b>${lab.number}</b> ${escaped(lab.title)}</a></li>`).join(''));
+put('.filters', 'afterbegin',
+    choice('lab', 'Lab', labs.map((lab) => [`lab${lab.number}`, `${lab.number} ${lab.title}`])) +
+    choice('view', 'View', sorted(looks.map((look) => look.view))) +
+    choice('method', 'Method', sorted(looks.flatMap(methodsOf))));
+put('main', 'beforeend', labs.map(section).join(''));
+put('footer p', 'beforeend', `Drawn by ${escaped(renderer)}.`);
+
+// ---- A picture alone, or beside another one
+
 const pictures = [...document.querySelectorAll('figure .open')];
 const lightbox = document.getElementById('lightbox');
 const over = lightbox.querySelector('.over');

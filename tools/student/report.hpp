@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a check found, for people; judge/results_json.hpp is for programs.
+// What a check found, for people; judge/results.hpp is for programs.
 #pragma once
 #include <string>
 #include <vector>

@@ -6,19 +6,22 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
+#include <condition_variable>
 #include <cstdio>
+#include <mutex>
+#include <stop_token>
+#include <thread>
 
 #include "check/check.hpp"
-#include "check/files.hpp"
-#include "checked.hpp"
 #include "commands.hpp"
 #include "core/files.hpp"
+#include "core/json.hpp"
 #include "course/markers.hpp"
-#include "hints.hpp"
 #include "image/compared.hpp"
 #include "image/save.hpp"
-#include "judge/results_json.hpp"
-#include "report.hpp"
+#include "judge/results.hpp"
+#include "student.hpp"
 
 namespace texel::tools {
 namespace {
@@ -39,9 +42,9 @@ const judge::StepResult* next_of(const std::vector<judge::LabResult>& labs) {
 /// Whether a step of these labs was changed by the student.
 bool is_begun(const std::vector<judge::LabResult>& labs) {
   const std::set<std::string> untouched = check::untouched_steps(own_tree());
-  return std::any_of(labs.begin(), labs.end(), [&](const judge::LabResult& lab) {
-    return std::any_of(lab.steps.begin(), lab.steps.end(),
-                       [&](const judge::StepResult& step) { return !untouched.contains(step.id); });
+  return std::ranges::any_of(labs, [&](const judge::LabResult& lab) {
+    return std::ranges::any_of(lab.steps,
+                               [&](const judge::StepResult& step) { return !untouched.contains(step.id); });
   });
 }
 
@@ -57,10 +60,47 @@ const course::Step& step_called(const std::string& id) {
                      fmt::format("the steps are {}", fmt::join(known, ", ")));
 }
 
+/// Says on standard error that the work goes on, if it lasts so long.
+void wait_patiently(const std::stop_token& done) {
+  constexpr std::chrono::seconds kQuiet{5};  // a check of all nine labs takes 1 s on two processors
+  std::mutex mutex;
+  std::unique_lock lock(mutex);
+  std::condition_variable_any().wait_for(lock, done, kQuiet, [] { return false; });
+  if (!done.stop_requested()) std::fputs("still drawing; a program that does not end is stopped\n", stderr);
+}
+
 }  // namespace
 
-Exit check(const CheckOptions& options) {
-  const std::vector<judge::LabResult> labs = check_labs(options.labs, options.context);
+check::OwnTree own_tree() {
+  return {course_root(), course_build()};
+}
+
+std::vector<judge::LabResult> checked(const std::vector<course::Lab>& labs, const std::string& context) {
+  const std::jthread patience = ::isatty(STDERR_FILENO) != 0 ? std::jthread(wait_patiently) : std::jthread();
+  return check::check(own_tree(), labs, check::by_programs(own_tree(), context));
+}
+
+std::string next_hint(const course::Step& step) {
+  const fs::path file = course_build() / "check/hints.json";
+  Json shown;
+  // A broken file counts as none. Only the number of shown hints is lost.
+  if (fs::exists(file)) shown = json_or_null(read_file(file));
+  if (!shown.is_object()) shown = Json::object();
+  const Json known = shown.value(step.id, Json());
+  const std::size_t before = known.is_number_unsigned() ? known.get<std::size_t>() : 0;
+  const std::size_t count = std::min(before + 1, step.hints.size());
+  shown[step.id] = count;
+  make_folder(file.parent_path());
+  write_file(file, to_text(shown, 1) + "\n");
+  std::string text = wrapped(fmt::format("Step {}: {}", step.id, step.title), 0);
+  for (std::size_t i = 0; i < count; ++i)
+    text += wrapped(fmt::format("hint {} of {}: {}", i + 1, step.hints.size(), step.hints[i]), 2);
+  if (before == step.hints.size()) text += "  This was the last hint.\n";
+  return text;
+}
+
+Exit check(const CheckOptions& options, const std::string& context) {
+  const std::vector<judge::LabResult> labs = check_labs(options.labs, context);
   if (options.json) {
     fmt::print("{}\n", options.labs.size() == 1 ? to_json(labs.front()) : to_json(labs));
   } else {
@@ -71,12 +111,11 @@ Exit check(const CheckOptions& options) {
   return Exit::differs;
 }
 
-Exit see(const SeeOptions& options) {
-  const course::Step& wanted = step_called(options.step);
-  const int number = std::stoi(wanted.id);  // of the lab: the part before the point
-  const std::vector<judge::LabResult> labs = check_labs({number}, options.context);
+Exit see(const std::string& wanted, fs::path out, const std::string& context) {
+  const int number = std::stoi(step_called(wanted).id);  // of the lab: the part before the point
+  const std::vector<judge::LabResult> labs = check_labs({number}, context);
   for (const judge::StepResult& step : labs.front().steps) {
-    if (step.id != wanted.id) continue;
+    if (step.id != wanted) continue;
     const judge::CaseResult& one = *judge::clearest_case(step);  // each step has a case
     fmt::print("{}", wrapped(fmt::format("{} {}, {}: {}", step.id, step.title, one.name,
                                          one.passed() ? "right" : one.message),
@@ -89,12 +128,12 @@ Exit see(const SeeOptions& options) {
       return Exit::holds;
     }
     const image::Compared pictures = check::compared(one);
-    const fs::path file = options.out.empty() ? course_root() / "out/see" / (step.id + ".png") : options.out;
-    make_folder(file.parent_path());
+    if (out.empty()) out = course_root() / "out/see" / (step.id + ".png");
+    make_folder(out.parent_path());
     const int zoom = std::max(1, 320 / pictures.own.height);  // cases are small
-    image::save_png(file, image::side_by_side({pictures.own, pictures.expected, pictures.heat_map}, zoom), {},
+    image::save_png(out, image::side_by_side({pictures.own, pictures.expected, pictures.heat_map}, zoom), {},
                     6);
-    fmt::print("Your picture, the expected one, and where they differ:\n{}\n", file.string());
+    fmt::print("Your picture, the expected one, and where they differ:\n{}\n", out.string());
   }
   return Exit::holds;
 }
@@ -104,8 +143,8 @@ Exit progress(const std::string& context) {
   return Exit::holds;
 }
 
-Exit hint(const HintOptions& options) {
-  std::string id = options.where;
+Exit hint(const std::string& where, const std::string& context) {
+  std::string id = where;
   if (id.find('.') == id.npos) {
     std::vector<int> labs;
     if (!id.empty()) {
@@ -114,7 +153,7 @@ Exit hint(const HintOptions& options) {
       if (error != std::errc{} || rest != end)
         throw Error::usage(fmt::format("'{}' is neither a lab nor a step", id), "write 5 or 5.1");
     }
-    const std::vector<judge::LabResult> results = check_labs(labs, options.context);
+    const std::vector<judge::LabResult> results = check_labs(labs, context);
     const judge::StepResult* next = next_of(results);
     if (next == nullptr) {
       fmt::print("{}", labs.empty() ? "All steps are done.\n" : "All steps of this lab are done.\n");
@@ -122,8 +161,7 @@ Exit hint(const HintOptions& options) {
     }
     id = next->id;
   }
-  const course::Step& step = step_called(id);
-  fmt::print("{}", Hints(hints_file()).next(step));
+  fmt::print("{}", next_hint(step_called(id)));
   return Exit::holds;
 }
 

@@ -10,14 +10,11 @@
 #include <cstdio>
 #include <optional>
 
-#include "check/check.hpp"
-#include "checked.hpp"
 #include "commands.hpp"
+#include "core/files.hpp"
 #include "core/stopwatch.hpp"
 #include "core/terminal.hpp"
-#include "core/watcher.hpp"
-#include "hints.hpp"
-#include "report.hpp"
+#include "student.hpp"
 
 namespace texel::tools {
 namespace {
@@ -62,8 +59,7 @@ bool is_program_text(const fs::path& file) {
 
 class Watch {
  public:
-  explicit Watch(const WatchOptions& options)
-      : options_(options), lab_(chosen_labs({options.lab}).front()), tree_(own_tree()) {}
+  Watch(int lab, std::string context) : lab_(chosen_labs({lab}).front()), context_(std::move(context)) {}
 
   void run() {
     const Keys keys;
@@ -113,7 +109,7 @@ class Watch {
     try {
       if (!build_first || build()) {
         const Stopwatch stopwatch;
-        const std::vector<judge::LabResult> labs = checked({lab_}, options_.context);
+        const std::vector<judge::LabResult> labs = checked({lab_}, context_);
         const judge::StepResult* next = next_step(labs.front());
         next_ = next != nullptr ? next->id : "";
         if (is_terminal) fmt::print("\033[2J\033[H");
@@ -129,27 +125,27 @@ class Watch {
 
   void hint() {
     for (const course::Step& step : lab_.steps)
-      if (step.id == next_) fmt::print("{}", Hints(hints_file()).next(step));
+      if (step.id == next_) fmt::print("{}", next_hint(step));
     if (!next_) fmt::print("Nothing is checked yet. Correct the first message above.\n");
     if (next_ == "") fmt::print("All steps are done.\n");
     flush_output();
   }
 
-  WatchOptions options_;
   course::Lab lab_;
-  check::OwnTree tree_;
+  std::string context_;
+  check::OwnTree tree_ = own_tree();
   Watcher watcher_;
   std::optional<std::string> next_;  ///< the step that comes next, "" after the last; unknown before a check
 };
 
 }  // namespace
 
-Exit watch(const WatchOptions& options) {
+Exit watch(int lab, const std::string& context) {
   struct sigaction action {};
   action.sa_handler = [](int) { interrupted = 1; };
   ::sigaction(SIGINT, &action, nullptr);
   ::sigaction(SIGTERM, &action, nullptr);
-  Watch(options).run();
+  Watch(lab, context).run();
   return Exit::holds;
 }
 

@@ -11,8 +11,8 @@ export class EngineError extends Error {
 const calls = {
   open: ["lab"], parameters: [], values: [], looks: [], reset: [], view: ["name"],
   split: ["parameter", "value", "position"], resize: ["width", "height"], samples: ["count"], drag: ["dx", "dy"],
-  zoom: ["steps"], turn: ["degrees"], frame: [], pixel: ["x", "y"], steps: [], steps_of: ["lab"], looks_of: ["lab"],
-  read: ["step"], write: ["step", "text"], file: ["path"], files: [], put: ["path", "text"], check: ["step"],
+  zoom: ["steps"], turn: ["degrees"], frame: [], pixel: ["x", "y"], steps: [], steps_of: ["lab"],
+  read: ["step"], write: ["step", "text"], file: ["path"], put: ["path", "text"], check: ["step"],
   compare: ["name"], figures: [], lose: [],
 };
 /// Of calls of this kind that wait, only their sum is drawn.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What ./run renderers, ./run marks and ./run performance ask of the grader.
+// What scripts ask of the grader: ./run expected, renderers, marks and performance.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,9 +10,8 @@
 #include "core/terminal.hpp"
 #include "course/batch.hpp"
 #include "course_commands.hpp"
+#include "grade/course_tree.hpp"
 #include "grade/hidden_cases.hpp"
-#include "grade/marks.hpp"
-#include "grade/renderers.hpp"
 
 namespace texel::commands {
 namespace {
@@ -69,19 +68,25 @@ Json to_json(const std::vector<grade::JudgedSolution>& solutions) {
 
 }  // namespace
 
-Exit cases(const CasesCommand& command) {
+grade::CourseTree course_tree(const std::vector<int>& labs, const std::filesystem::path& cache) {
   const std::filesystem::path root = tools::course_root();
-  const grade::CourseTree tree{root, tools::course_build(),
-                               command.cache.empty() ? root / "build/grade" : command.cache,
-                               tools::chosen_labs(command.labs)};
+  return {root, tools::course_build(), cache.empty() ? root / "build/grade" : cache,
+          tools::chosen_labs(labs)};
+}
+
+Exit expected(const grade::CourseTree& tree) {
+  grade::write_expected(tree, print_now);
+  return Exit::holds;
+}
+
+Exit cases(const CasesCommand& command) {
+  const grade::CourseTree tree = course_tree(command.labs, command.cache);
   if (command.what == "renderer") {
-    const std::string drawn_by = grade::renderer_here(tree, command.context);
-    if (drawn_by.empty()) throw Error::failed("nothing draws with the context " + command.context);
-    fmt::print("{}\n", drawn_by);
+    fmt::print("{}\n", grade::renderer_here(tree, command.context));
   } else if (command.what == "draw") {
     grade::draw_cases(tree, command.context, std::filesystem::absolute(command.out));
   } else if (command.what == "batch") {
-    tools::make_folder(command.out);
+    make_folder(command.out);
     for (const judge::LabPlan& plan : grade::full_plan(tree.labs, command.seed, command.out / "models"))
       write_file(command.out / (plan.lab.folder + ".json"), course::to_batch(plan.cases));
   } else if (command.what == "mutants") {

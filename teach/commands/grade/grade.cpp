@@ -45,6 +45,13 @@ void print_class(const store::ClassResult& results) {
   }
 }
 
+/// Where the results in a folder are. Throws Error (exit 3) if there are none.
+fs::path existing_store(const fs::path& out) {
+  if (!fs::exists(grade::store_file(out)))
+    throw Error::failed("contains no results", {out.string()}, "name a folder that 'texel grade' wrote");
+  return grade::store_file(out);
+}
+
 /// Every report of the results in a folder. Returns how many students are not graded in full.
 std::size_t write_reports(const fs::path& out, const std::vector<std::string>& formats) {
   const store::ClassResult results = grade::read_results(out, tools::course_root());
@@ -58,38 +65,18 @@ std::size_t write_reports(const fs::path& out, const std::vector<std::string>& f
                     [](const store::StudentResult& student) { return !student.unmarked().empty(); }));
 }
 
-/// The same for results that may be of a run that was cut off: then they are no marks to hand out.
-Exit write_earlier(const fs::path& out, const std::vector<std::string>& formats, bool unfinished) {
-  const std::size_t open = write_reports(out, formats);
-  if (open > 0 && !unfinished)
-    throw Error::failed(fmt::format("the run is not finished: {} students have no mark", open),
-                        {out.string()},
-                        "run texel grade again with --resume, or accept this with --unfinished");
-  return Exit::holds;
-}
-
 }  // namespace
 
-Exit grade_class(const GradeCommand& command) {
-  grade::GradeOptions options;
-  options.class_folder = command.class_folder;
-  options.out = command.out;
-  options.course = tools::course_root();
-  options.build = tools::course_build();
-  options.cache = command.cache.empty() ? options.course / "build/grade" : command.cache;
-  options.labs = command.labs;
-  options.jobs = command.jobs;
-  options.resume = command.resume;
-  options.judge_alone = !command.judge_once;
-  options.run = command.unsafe            ? run_plainly
+Exit grade_class(GradeCommand command) {
+  const grade::CourseTree tree = course_tree({}, command.cache);
+  command.course = tree.course, command.build = tree.build, command.cache = tree.cache;
+  command.run = command.unsafe            ? run_plainly
                 : command.walls == "user" ? sandbox::run_as_another_user
                                           : sandbox::run_locked_in;
-  options.context = command.context;
-  options.seed_file = command.seed_file;
-  read_shard(command.shard, options);
-  const grade::GradeSummary summary = grade::grade_class(options, say);
+  read_shard(command.part, command);
+  const grade::GradeSummary summary = grade::grade_class(command, say);
   if (::isatty(STDERR_FILENO) != 0) std::fprintf(stderr, "\n");
-  write_reports(options.out, command.formats);
+  write_reports(command.out, command.formats);
   fmt::print("graded {} students: {} cases in {:.1f} s, {:.1f} cases a second\n", summary.students,
              summary.cases, summary.seconds,
              static_cast<double>(summary.cases) / std::max(summary.seconds, 1e-3));
@@ -100,26 +87,32 @@ Exit grade_class(const GradeCommand& command) {
   return Exit::holds;
 }
 
-Exit grade_merge(const GradeMergeCommand& command) {
+Exit grade_report(const EarlierResults& results) {
+  // Of a run that was cut off these are no marks to hand out.
+  const std::size_t open = write_reports(results.out, results.formats);
+  if (open > 0 && !results.unfinished)
+    throw Error::failed(fmt::format("the run is not finished: {} students have no mark", open),
+                        {results.out.string()},
+                        "run texel grade again with --resume, or accept this with --unfinished");
+  return Exit::holds;
+}
+
+Exit grade_merge(const EarlierResults& joined, const std::vector<fs::path>& parts) {
   std::error_code error;
-  fs::create_directories(command.out, error);
-  store::Store store(grade::store_file(command.out));
-  for (const fs::path& part : command.parts) {
-    if (!fs::exists(grade::store_file(part)))
-      throw Error::failed("contains no results", {part.string()}, "name folders that 'texel grade' wrote");
-    store.merge(store::Store(grade::store_file(part)));
+  fs::create_directories(joined.out, error);
+  store::Store store(grade::store_file(joined.out));
+  for (const fs::path& part : parts) {
+    store.merge(store::Store(existing_store(part)));
     for (const char* folder : {"pictures", "references"})
       if (fs::exists(part / folder))
-        fs::copy(part / folder, command.out / folder,
+        fs::copy(part / folder, joined.out / folder,
                  fs::copy_options::recursive | fs::copy_options::overwrite_existing);
   }
-  return write_earlier(command.out, command.formats, command.unfinished);
+  return grade_report(joined);
 }
 
 Exit grade_override(const GradeOverrideCommand& command) {
-  if (!fs::exists(grade::store_file(command.out)))
-    throw Error::failed("contains no results", {command.out.string()},
-                        "name a folder that 'texel grade' wrote");
+  const fs::path file = existing_store(command.out);
   const store::ClassResult results = grade::read_results(command.out, tools::course_root());
   std::vector<std::string> students, steps;
   for (const store::StudentResult& student : results.students) {
@@ -135,16 +128,12 @@ Exit grade_override(const GradeOverrideCommand& command) {
   };
   check(command.student, students, "student");
   check(command.step, steps, "step");
-  store::Store store(grade::store_file(command.out));
+  store::Store store(file);
   if (command.drop)
     store.drop_override(command.student, command.step);
   else
     store.put_override({command.student, command.step, command.score, command.reason});
-  return write_earlier(command.out, command.formats, command.unfinished);
-}
-
-Exit grade_report(const GradeReportCommand& command) {
-  return write_earlier(command.out, command.formats, command.unfinished);
+  return grade_report(command);
 }
 
 }  // namespace texel::commands

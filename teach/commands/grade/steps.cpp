@@ -55,7 +55,7 @@ Exit print_steps(const GradeCommand& command) {
 
   for (const grade::Entry& entry : grade::read_class(command.class_folder)) {
     const grade::Submission taken = grade::unpack(
-        entry, allowed, {}, [&](const std::string& file) { return course::first_text(root, file); });
+        entry, allowed, [&](const std::string& file) { return course::first_text(root, file); });
     Json steps = Json::object(), damaged = Json::object(), ignored = Json::object();
     for (const auto& [file, text] : taken.files) {
       const auto of_file = given.find(file);

@@ -31,9 +31,9 @@ inline void check(bool holds, const char* what) {
   std::exit(3);
 }
 
-/// RGB, 8 bits a channel.
+/// A square picture of a power of two; RGB, 8 bits a channel.
 struct Picture {
-  int width = 0, height = 0;
+  std::size_t side = 0;
   std::vector<std::uint8_t> samples;
 };
 
@@ -46,12 +46,11 @@ inline Picture read_png(const std::string& path, Rows rows) {
   spng_ihdr header{};
   spng_set_png_buffer(png, bytes.data(), bytes.size());
   check(spng_get_ihdr(png, &header) == 0, path.c_str());
-  Picture picture{static_cast<int>(header.width), static_cast<int>(header.height), {}};
-  const std::size_t row = 3 * std::size_t{header.width};
-  picture.samples.resize(row * header.height);
+  const std::size_t side = header.width, row = 3 * side;
+  Picture picture{side, std::vector<std::uint8_t>(row * side)};
   spng_decode_image(png, nullptr, 0, SPNG_FMT_RGB8, SPNG_DECODE_PROGRESSIVE);
-  for (std::size_t y = 0; y < header.height; ++y) {
-    const std::size_t at = rows == Rows::top_first ? y : header.height - 1 - y;
+  for (std::size_t y = 0; y < side; ++y) {
+    const std::size_t at = rows == Rows::top_first ? y : side - 1 - y;
     spng_decode_row(png, picture.samples.data() + at * row, row);
   }
   spng_ctx_free(png);
@@ -113,13 +112,16 @@ class Curve {
   std::array<std::uint8_t, 4097> low_{};
 };
 
-/// A square picture of a power of two with all its levels, each the mean of four texels in linear light:
+/// A picture with all its levels, each the mean of four texels in linear light:
 /// glGenerateMipmap takes 100 ms to compile for sRGB, and rounds otherwise.
 inline void upload(GLenum target, const Picture& picture, GLint internal, const Curve& curve) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexImage2D(target, 0, internal, picture.width, picture.height, 0, GL_RGB, GL_UNSIGNED_BYTE,
-               picture.samples.data());
-  auto side = static_cast<std::size_t>(picture.width);
+  const auto store = [=](GLint level, std::size_t side, const std::vector<std::uint8_t>& samples) {
+    const auto size = static_cast<GLsizei>(side);
+    glTexImage2D(target, level, internal, size, size, 0, GL_RGB, GL_UNSIGNED_BYTE, samples.data());
+  };
+  store(0, picture.side, picture.samples);
+  std::size_t side = picture.side;
   std::vector<float> level(picture.samples.size()), next;
   for (std::size_t i = 0; i < level.size(); ++i) level[i] = curve.linear(picture.samples[i]);
   std::vector<std::uint8_t> stored(level.size() / 4);
@@ -135,8 +137,7 @@ inline void upload(GLenum target, const Picture& picture, GLint internal, const 
               0.5F * (0.5F * in[0] + 0.5F * in[row]) + 0.5F * (0.5F * in[3] + 0.5F * in[row + 3]);
         }
     for (std::size_t i = 0; i < next.size(); ++i) stored[i] = curve.sample(next[i]);
-    const auto size = static_cast<GLsizei>(side);
-    glTexImage2D(target, number, internal, size, size, 0, GL_RGB, GL_UNSIGNED_BYTE, stored.data());
+    store(number, side, stored);
     level.swap(next);
   }
 }
@@ -176,24 +177,24 @@ inline GLuint link(const char* vertex, const char* fragment) {
   return program;
 }
 
-/// `components` floats a vertex at the location that the program gave the name; nothing where it reads none.
-inline void attribute(GLuint program, const char* name, const std::vector<float>& values, GLint components) {
+template <class Value>
+void buffer_of(GLenum target, const std::vector<Value>& values) {
   GLuint buffer = 0;
   glGenBuffers(1, &buffer);
-  glBindBuffer(GL_ARRAY_BUFFER, buffer);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(float)), values.data(),
-               GL_STATIC_DRAW);
+  glBindBuffer(target, buffer);
+  glBufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(Value)), values.data(), GL_STATIC_DRAW);
+}
+
+/// `components` floats a vertex at the location that the program gave the name; nothing where it reads none.
+inline void attribute(GLuint program, const char* name, const std::vector<float>& values, GLint components) {
+  buffer_of(GL_ARRAY_BUFFER, values);
   const auto location = static_cast<GLuint>(glGetAttribLocation(program, name));
   glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, 0, nullptr);
   glEnableVertexAttribArray(location);
 }
 
 inline void indices(const std::vector<GLuint>& values) {
-  GLuint buffer = 0;
-  glGenBuffers(1, &buffer);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(GLuint)),
-               values.data(), GL_STATIC_DRAW);
+  buffer_of(GL_ELEMENT_ARRAY_BUFFER, values);
 }
 
 inline GLuint new_vertex_array() {
@@ -276,6 +277,16 @@ struct Arguments {
     count = argc == 4 ? std::atoi(argv[3]) : 1;
   }
 };
+
+/// Draws and saves the picture as often as asked for.
+template <class Draw>
+void draw_and_save(const Arguments& arguments, const Canvas& canvas, Draw draw) {
+  for (int i = 0; i < arguments.count; ++i) {
+    canvas.clear();
+    draw();
+    canvas.save(arguments.file);
+  }
+}
 
 /// The eye of an orbiting camera, and its projection: as the labs have them, angles in degrees.
 inline glm::vec3 direction(float yaw, float pitch) {

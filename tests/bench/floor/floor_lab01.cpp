@@ -42,9 +42,5 @@ int main(int argc, char** argv) {
   bare::attribute(program, "position", {-s, -s, 0, s, -s, 0, s, s, 0, -s, s, 0}, 3);
   bare::attribute(program, "texcoord", {0, 0, 1, 0, 1, 1, 0, 1}, 2);
   bare::indices({0, 1, 2, 0, 2, 3});
-  for (int i = 0; i < arguments.count; ++i) {
-    canvas.clear();
-    glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_INT, nullptr);
-    canvas.save(arguments.file);
-  }
+  bare::draw_and_save(arguments, canvas, [] { glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_INT, nullptr); });
 }

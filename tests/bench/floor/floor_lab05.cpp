@@ -88,9 +88,7 @@ int main(int argc, char** argv) {
   bare::attribute(program, "texcoord", texcoords, 2);
   bare::attribute(program, "tangent", tangents, 4);
   bare::indices(indices);
-  for (int i = 0; i < arguments.count; ++i) {
-    canvas.clear();
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, nullptr);
-    canvas.save(arguments.file);
-  }
+  bare::draw_and_save(arguments, canvas, [count = static_cast<GLsizei>(indices.size())] {
+    glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, nullptr);
+  });
 }

@@ -26,9 +26,5 @@ int main(int argc, char** argv) {
   bind_cube_map(arguments.assets + "/cube_maps/scene");
   bare::texture_2d(1, arguments.assets + "/normal_maps/bump.png", bare::Encoding::linear, 1);
   const bare::MirrorBall ball;
-  for (int i = 0; i < arguments.count; ++i) {
-    canvas.clear();
-    ball.draw();
-    canvas.save(arguments.file);
-  }
+  bare::draw_and_save(arguments, canvas, [&] { ball.draw(); });
 }

@@ -17,13 +17,23 @@ void register_obj();
 /// set_triangles.
 void register_tangents();
 
-/// Registers flip/<size>/{texel,plain,plain_square}. Counter: megapixels a second.
+/// Registers flip/<size>/{texel,plain}. Counter: megapixels a second.
 void register_flip();
 
 /// The counters `triangles`, of one iteration, and `triangles_per_second`.
-void set_triangles(benchmark::State& state, std::size_t triangles);
+inline void set_triangles(benchmark::State& state, std::size_t triangles) {
+  const auto count = static_cast<double>(triangles);
+  state.counters["triangles"] = count;
+  state.counters["triangles_per_second"] =
+      benchmark::Counter(static_cast<double>(state.iterations()) * count, benchmark::Counter::kIsRate);
+}
+
+inline bool any_wrong = false;
 
 /// Stops a benchmark whose result is wrong, and has the program end with exit code 1.
-void wrong_result(benchmark::State& state, const std::string& what);
+inline void wrong_result(benchmark::State& state, const std::string& what) {
+  any_wrong = true;
+  state.SkipWithError(what.c_str());
+}
 
 }  // namespace texel::bench

@@ -5,25 +5,6 @@
 
 #include <malloc.h>
 
-namespace texel::bench {
-namespace {
-bool any_wrong = false;
-}
-
-void wrong_result(benchmark::State& state, const std::string& what) {
-  any_wrong = true;
-  state.SkipWithError(what.c_str());
-}
-
-void set_triangles(benchmark::State& state, std::size_t triangles) {
-  const auto count = static_cast<double>(triangles);
-  state.counters["triangles"] = count;
-  state.counters["triangles_per_second"] =
-      benchmark::Counter(static_cast<double>(state.iterations()) * count, benchmark::Counter::kIsRate);
-}
-
-}  // namespace texel::bench
-
 int main(int argc, char** argv) {
   // What a repetition has freed the next one gets: the method is measured, not how fast the system clears new
   // pages, which is half of the time for the heap of 4 million triangles, and nothing for small meshes.

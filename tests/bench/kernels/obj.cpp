@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "core/scratch_folder.hpp"
+#include "core/files.hpp"
 #include "kernels.hpp"
 #include "mesh/weld.hpp"
 #include "torus_file.hpp"
@@ -16,21 +16,19 @@ namespace {
 using Path = std::filesystem::path;
 
 /// A file of this process's scratch folder, written when it is first asked for.
-Path torus_file(const std::string& name, const TorusFile& torus) {
+Path torus_file(const std::string& name, int segments, int sides, bool quads) {
   static const ScratchFolder folder;
   Path path = folder.path() / (name + ".obj");
-  if (!std::filesystem::exists(path)) write_torus(path, torus);
+  if (!std::filesystem::exists(path)) write_torus(path, segments, sides, quads);
   return path;
 }
 
 std::size_t load_texel(const Path& path) {
-  const mesh::ObjData data = mesh::load_obj(path);
-  return data.triangle_count();
+  return mesh::load_obj(path).triangle_count();
 }
 
 std::size_t load_texel_mesh(const Path& path) {
-  const mesh::Mesh mesh = mesh::weld(mesh::load_obj(path));
-  return mesh.triangle_count();
+  return mesh::weld(mesh::load_obj(path)).triangle_count();
 }
 
 std::size_t load_tinyobjloader(const Path& path) {
@@ -74,9 +72,9 @@ void register_file(const std::string& name, const std::function<Path()>& path) {
 void register_obj() {
   for (const char* name : {"cube", "torus", "gator"})
     register_file(name, [=] { return Path(TEXEL_SOURCE) / "assets/models" / (std::string(name) + ".obj"); });
-  const auto quads_2m = [] { return torus_file("quads_2m", {1000, 1000, true}); };           // 130 MB
-  const auto triangles_2m = [] { return torus_file("triangles_2m", {1000, 1000, false}); };  // 170 MB
-  const auto quads_10m = [] { return torus_file("quads_10m", {2500, 2000, true}); };         // 700 MB
+  const auto quads_2m = [] { return torus_file("quads_2m", 1000, 1000, true); };           // 130 MB
+  const auto triangles_2m = [] { return torus_file("triangles_2m", 1000, 1000, false); };  // 170 MB
+  const auto quads_10m = [] { return torus_file("quads_10m", 2500, 2000, true); };         // 700 MB
   register_file("quads_2m", quads_2m);
   register_file("triangles_2m", triangles_2m);
   register_load("growth/obj/small", quads_2m, load_texel_mesh);

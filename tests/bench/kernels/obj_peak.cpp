@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <span>
 #include <string>
 
 #include "core/error.hpp"
-#include "core/scratch_folder.hpp"
+#include "core/files.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/weld.hpp"
 #include "torus_file.hpp"
@@ -22,13 +23,6 @@ std::uint64_t peak_bytes() {
   return 0;
 }
 
-std::uint64_t bytes_of(const texel::mesh::Mesh& mesh) {
-  std::uint64_t bytes = sizeof(mesh.indices[0]) * mesh.indices.size();
-  texel::mesh::for_each_attribute(mesh,
-                                  [&](const auto& values) { bytes += sizeof(values[0]) * values.size(); });
-  return bytes;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -39,15 +33,17 @@ int main(int argc, char** argv) {
   try {
     const texel::ScratchFolder folder;
     std::filesystem::path path = argc == 2 ? std::filesystem::path(argv[1]) : folder.path() / "torus.obj";
-    if (argc == 1) texel::bench::write_torus(path, {1000, 1000});
+    if (argc == 1) texel::bench::write_torus(path, 1000, 1000);
     const std::uint64_t before = peak_bytes();
     const texel::mesh::Mesh mesh = texel::mesh::weld(texel::mesh::load_obj(path));
-    const std::uint64_t peak = peak_bytes(), file = std::filesystem::file_size(path), own = bytes_of(mesh);
+    const std::uint64_t peak = peak_bytes(), file = std::filesystem::file_size(path);
+    std::uint64_t own = std::span(mesh.indices).size_bytes();
+    texel::mesh::for_each_attribute(mesh, [&](const auto& list) { own += std::span(list).size_bytes(); });
     fmt::print(R"({{"file_bytes": {}, "mesh_bytes": {}, "triangles": {}, "vertices": {}, )", file, own,
                mesh.triangle_count(), mesh.vertex_count());
-    fmt::print(R"("peak_before_bytes": {}, "peak_bytes": {}, )", before, peak);
-    fmt::print(R"("meshes_beside_the_file": {:.3f}, "limit": 2}})"
+    fmt::print(R"("peak_before_bytes": {}, "peak_bytes": {}, "meshes_beside_the_file": {:.3f}, "limit": 2}})"
                "\n",
+               before, peak,
                (static_cast<double>(peak) - static_cast<double>(file)) / static_cast<double>(own));
   } catch (const texel::Error& error) {
     fmt::print(stderr, "{}\n", error.what());

@@ -13,7 +13,7 @@
 #include "all_labs.inc"
 #include "app/gestures.hpp"
 #include "app/reports.hpp"
-#include "check/files.hpp"
+#include "check/check.hpp"
 #include "core/error.hpp"
 #include "core/json.hpp"
 #include "core/plain_text.hpp"
@@ -23,9 +23,8 @@
 #include "gl/context.hpp"
 #include "gl/es_source.hpp"
 #include "gl/web_context.hpp"
-#include "judge.hpp"
 #include "judge/plan.hpp"
-#include "judge/results_json.hpp"
+#include "judge/results.hpp"
 #include "opened.hpp"
 #include "student_files.hpp"
 
@@ -49,6 +48,7 @@ namespace fs = std::filesystem;
 using app::View;
 
 const fs::path kTree = "/tree";
+const fs::path kBuild = "/build";  // where check keeps what it remembers
 
 class Engine {
  public:
@@ -66,11 +66,10 @@ class Engine {
   Json call(const std::string& name, const Json& a) {
     if (name == "open") return open(a.at("lab"));
     if (name == "steps_of") return steps(lab_called(a.at("lab")));
-    if (name == "looks_of") return looks(lab_called(a.at("lab")));
     if (current_ == nullptr) throw Error::usage("no lab is open", "call open first");
     if (name == "parameters") return parameters();
     if (name == "values") return values();
-    if (name == "looks") return looks(course_lab());
+    if (name == "looks") return looks();
     if (name == "set") return set(a);
     if (name == "reset") return current_->lab.parameters().reset(), frame();
     if (name == "view") return current_->view = view_called(a.at("name")), frame();
@@ -88,7 +87,6 @@ class Engine {
     if (name == "read") return read(a.at("step"));
     if (name == "write") return write(a.at("step"), a.at("text"));
     if (name == "file") return files().read(a.at("path"));
-    if (name == "files") return files().shaders();
     if (name == "put") return put(a.at("path"), a.at("text"));
     if (name == "check") return check(a.value("step", std::string()));
     if (name == "compare") return compare(a.at("name"));
@@ -141,8 +139,8 @@ class Engine {
     Json views = Json::array();
     for (const View view : current_->lab.views()) views.push_back(name_of(view));
     Json report = frame();
-    return {{"number", lab.number}, {"folder", lab.folder}, {"title", lab.title}, {"lesson", lab.lesson},
-            {"choice", lab.choice}, {"views", views},       {"report", report}};
+    return {{"number", lab.number}, {"folder", lab.folder}, {"title", lab.title},
+            {"lesson", lab.lesson}, {"views", views},       {"report", report}};
   }
 
   View view_called(const std::string& name) const {
@@ -165,22 +163,9 @@ class Engine {
   }
 
   Json values() {
-    params::Set& parameters = current_->lab.parameters();
     Json all = Json::object();
-    for (const params::Parameter& p : parameters) all[std::string(p.name)] = p.text();
-    return {{"values", all},
-            {"key", parameters.key()},
-            {"flags", parameters.flags()},
-            {"view", name_of(current_->view)},
-            {"command", command()}};
-  }
-
-  std::string command() {
-    app::AnyLab& lab = current_->lab;
-    std::string line = fmt::format("./run lab {}", lab.info().number);
-    if (const std::string flags = lab.parameters().flags(); !flags.empty()) line.append(" ").append(flags);
-    if (current_->view != View::color) line.append(" --view ").append(name_of(current_->view));
-    return line;
+    for (const params::Parameter& p : current_->lab.parameters()) all[std::string(p.name)] = p.text();
+    return {{"values", all}, {"view", name_of(current_->view)}};
   }
 
   static Json set_of(const course::Case& one) {
@@ -189,9 +174,9 @@ class Engine {
     return set;
   }
 
-  static Json looks(const course::Lab& lab) {
+  Json looks() {
     Json list = Json::array();
-    for (const course::Look& look : lab.looks)
+    for (const course::Look& look : course_lab().looks)
       list.push_back({{"name", look.name},
                       {"caption", look.caption},
                       {"source", look.source},
@@ -249,9 +234,6 @@ class Engine {
     report["facts"] = now.canvas.notes().facts;
     if (const auto& figures = now.canvas.error_figures())
       report["error_figures"] = parse_json(app::to_json(now.lab, *figures));
-    report["key"] = now.lab.parameters().key();
-    report["flags"] = now.lab.parameters().flags();
-    report["command"] = command();
     return report;
   }
 
@@ -279,7 +261,7 @@ class Engine {
 
   Json draw(const Json& a) {
     Opened& now = *current_;
-    const Aside aside(now);
+    const app::KeptValues before(now.lab.parameters());
     const View view = view_called(a.value("view", std::string("color")));
     const app::Settings settings = settings_of(a.value("set", Json::object()));
     app::check_settings(now.lab.parameters(), settings);
@@ -334,17 +316,16 @@ class Engine {
     const StudentFiles& files = this->files();
     const std::set<std::string> untouched = check::untouched_steps({kTree, kBuild});
     for (const course::Step& step : lab.steps) {
-      const Place* place = files.place(step.id);
-      const std::string file = place == nullptr ? "" : place->file;
+      const Place place = files.place(step.id);
       Json one{{"id", step.id},
                {"title", step.title},
                {"points", step.points},
                {"needs", step.needs},
                {"hints", step.hints},
                {"untouched", untouched.contains(step.id)},
-               {"kind", StudentFiles::is_shader(file) ? "shader" : "c++"},
-               {"file", file},
-               {"line", place == nullptr ? 0 : place->line},
+               {"kind", StudentFiles::is_shader(place.file) ? "shader" : "c++"},
+               {"file", place.file},
+               {"line", place.line},
                {"cases", Json::array()}};
       for (const judge::LabPlan& plan : judge::public_plan({lab}))
         for (const course::Case& it : plan.cases)
@@ -400,14 +381,26 @@ class Engine {
 
   Json check(const std::string& step) {
     files();
-    if (!judge_)
-      judge_.emplace(kTree, *context_, assets_,
-                     [this](const course::Lab& lab) -> Opened& { return opened(lab); });
-    return parse_json(judge::to_json(judge_->check(course_lab(), step)));
+    const check::Draws draws = [this](const course::Lab& lab, const std::vector<course::Case>& cases,
+                                      const fs::path& out) {
+      return draw_cases(opened(lab), cases, check::expected_folder(kTree, lab), out);
+    };
+    const check::OwnTree tree{kTree, kBuild};
+    checked_ = step.empty() ? check::check(tree, {course_lab()}, draws).front()
+                            : check::check_step(tree, course_lab(), step, draws);
+    return parse_json(judge::to_json(checked_));
+  }
+
+  /// A case of the last check by its name; nullptr where it has no picture.
+  const judge::CaseResult* drawn_case(const std::string& name) const {
+    for (const judge::StepResult& step : checked_.steps)
+      for (const judge::CaseResult& one : step.cases)
+        if (one.name == name && !one.is_mesh() && !one.picture.empty()) return &one;
+    return nullptr;
   }
 
   Json compare(const std::string& name) {
-    const judge::CaseResult* one = judge_ ? judge_->drawn(name) : nullptr;
+    const judge::CaseResult* one = drawn_case(name);
     if (one == nullptr) return nullptr;
     image::Compared all = check::compared(*one);
     Json size = give(std::move(all.own));
@@ -426,7 +419,7 @@ class Engine {
   std::map<int, std::string> folders_;  ///< of all labs, by number
   std::map<int, course::Lab> course_;   ///< those that were asked for
   std::optional<StudentFiles> files_;
-  std::optional<Judge> judge_;
+  judge::LabResult checked_;  ///< the last
   std::map<int, std::unique_ptr<Opened>> opened_;
   Opened* current_ = nullptr;
   std::optional<Display> display_;

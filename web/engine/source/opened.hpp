@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "app/canvas.hpp"
-#include "app/lab.hpp"
 #include "app/settings.hpp"
+#include "check/check.hpp"
 
 namespace texel::web {
 
@@ -19,16 +21,9 @@ struct Opened {
   std::optional<app::Canvas::Split> split;
 };
 
-/// While it lives, a lab may draw with other values; then the present ones are back.
-class Aside {
- public:
-  explicit Aside(Opened& of) : before_(of.lab.parameters()) {}
-  ~Aside() { before_.set({}); }
-  Aside(const Aside&) = delete;
-  Aside& operator=(const Aside&) = delete;
-
- private:
-  app::StartValues before_;
-};
+/// Draws cases of a lab into the folder `out`, as its program does on a desktop. `expected` has what they are
+/// compared with.
+check::Drawn draw_cases(Opened& one, const std::vector<course::Case>& cases,
+                        const std::filesystem::path& expected, const std::filesystem::path& out);
 
 }  // namespace texel::web

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <memory>
 
-#include "core/error.hpp"
 #include "core/files.hpp"
-#include "decoder.hpp"
+#include "decode.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
 
+#define STBI_NO_STDIO
+#include <stb/stb_image.h>
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
 #define STBI_WRITE_NO_STDIO
@@ -18,18 +19,23 @@
 
 namespace texel::image {
 
-Image8 parse_png(std::string_view bytes, const std::string& name, int width, int height) {
-  int real_width = 0, real_height = 0, channels = 0;
+Size png_size(std::string_view bytes, const std::string& name) {
+  Size size;
+  int channels = 0;
+  if (stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
+                            &size.width, &size.height, &channels) == 0)
+    throw broken(name, fmt::format("is a damaged PNG ({})", stbi_failure_reason()));
+  return size;
+}
+
+Image8 decode_png(std::string_view bytes, const std::string& name, int channels) {
+  int width = 0, height = 0, stored_channels = 0;
   const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
       stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
-                            &real_width, &real_height, &channels, 3),
+                            &width, &height, &stored_channels, channels),
       stbi_image_free);
-  if (pixels == nullptr)
-    throw Error::failed(fmt::format("is a damaged PNG ({})", stbi_failure_reason()), {name});
-  if (real_width != width || real_height != height)
-    throw Error::failed(fmt::format("is {}x{} pixels, not {}x{}", real_width, real_height, width, height),
-                        {name});
-  Image8 top_first(width, height, 3);
+  if (pixels == nullptr) throw broken(name, fmt::format("is a damaged PNG ({})", stbi_failure_reason()));
+  Image8 top_first(width, height, channels == 0 ? stored_channels : channels);
   std::copy_n(pixels.get(), top_first.samples.size(), top_first.samples.begin());
   return flipped(top_first);
 }

@@ -16,20 +16,17 @@ bool all(const std::string&) {
   return true;
 }
 
-/// The texts between a step's markers, as one, and where the first begins.
-std::string between_markers(const std::string& text, const std::string& step, int& first_line) {
+/// The texts between a step's markers, as one, and the line where the first begins.
+std::pair<std::string, int> between_markers(const std::string& text, const std::string& step) {
   std::string result;
-  bool is_first = true;
+  int first_line = 0;
   for (const course::StepPart& part : course::parts_of(text)) {
     if (part.step != step || !part.is_whole()) continue;
-    if (is_first)
-      first_line = part.line + 1;
-    else
-      result.append(StudentFiles::kNextPlace).append("\n");
+    if (first_line > 0) result.append(StudentFiles::kNextPlace).append("\n");
+    if (first_line == 0) first_line = part.line + 1;
     for (const std::string& line : lines_of(part.of(text))) result += line + "\n";
-    is_first = false;
   }
-  return result;
+  return {result, first_line};
 }
 
 }  // namespace
@@ -48,16 +45,13 @@ StudentFiles::StudentFiles(std::filesystem::path tree)
 }
 
 StudentFiles::Text StudentFiles::text(const std::string& step) const {
-  Text text;
-  text.file = file_of(step);
-  int ignored = 0;
-  text.now = between_markers(read(text.file), step, text.line);
-  text.first = between_markers(course::first_text(tree_, text.file), step, ignored);
-  return text;
+  const std::string file = file_of(step);
+  const auto [now, line] = between_markers(read(file), step);
+  return {now, between_markers(course::first_text(tree_, file), step).first, file, line};
 }
 
 std::string StudentFiles::with(const std::string& step, const std::string& text) const {
-  const std::string& file = file_of(step);
+  const std::string file = file_of(step);
   if (!is_shader(file))
     throw Error::usage(fmt::format("step {} is written in C++: do it on the desktop", step));
   std::vector<std::string> parts(1);
@@ -83,21 +77,14 @@ std::string StudentFiles::with(const std::string& step, const std::string& text)
   return course::with_step_from(own, file, step, marked);
 }
 
-const Place* StudentFiles::place(const std::string& step) const {
+Place StudentFiles::place(const std::string& step) const {
   const auto found = places_.find(step);
-  return found == places_.end() ? nullptr : &found->second;
+  return found == places_.end() ? Place() : found->second;
 }
 
-const std::string& StudentFiles::file_of(const std::string& step) const {
-  const Place* found = place(step);
-  if (found == nullptr) throw Error::usage(fmt::format("there is no step '{}'", step));
-  return found->file;
-}
-
-std::vector<std::string> StudentFiles::shaders() const {
-  std::vector<std::string> list;
-  std::copy_if(files_.begin(), files_.end(), std::back_inserter(list), is_shader);
-  return list;
+std::string StudentFiles::file_of(const std::string& step) const {
+  if (!places_.contains(step)) throw Error::usage(fmt::format("there is no step '{}'", step));
+  return place(step).file;
 }
 
 std::string StudentFiles::read(const std::string& path) const {
@@ -116,7 +103,7 @@ void StudentFiles::write(const std::string& path, const std::string& text) const
 }
 
 const std::string& StudentFiles::known(const std::string& path) const {
-  if (std::find(files_.begin(), files_.end(), path) == files_.end())
+  if (std::count(files_.begin(), files_.end(), path) == 0)
     throw Error::usage(fmt::format("'{}' is no file with steps", path));
   return path;
 }

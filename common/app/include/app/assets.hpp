@@ -9,6 +9,12 @@
 
 namespace texel::app {
 
+/// A lab's notes on its input.
+struct Notes {
+  std::vector<std::string> warnings;  ///< what is wrong with it: repairs, missing files
+  std::vector<std::string> facts;     ///< what was generated, and figures worth knowing
+};
+
 /// The files that the labs read: pictures, models, shaders. A bundled one is named without folder and ending
 /// ("brick"); a name with a '/' or a '.' is the path of any other file.
 class Assets {

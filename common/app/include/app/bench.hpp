@@ -5,7 +5,7 @@
 
 #include "app/canvas.hpp"
 #include "course/batch.hpp"
-#include "gl/frame_timer.hpp"
+#include "gl/objects.hpp"
 
 namespace texel::app {
 
@@ -13,9 +13,20 @@ namespace texel::app {
 /// also where the lab has no such parameter.
 course::BenchList read_bench(AnyLab& lab, const std::filesystem::path& file);
 
-/// Nanoseconds of a frame with the present parameters: draws once to load what it needs, and once by the
-/// clock. Throws Error as Canvas::draw.
-double timed_frame(Canvas& canvas, gl::FrameTimer& timer, glm::ivec2 size);
+/// How long drawing takes. On hardware a timer query measures it. On a software renderer queries only time
+/// the call: there the clock measures from an idle driver to glFinish.
+class FrameTimer {
+ public:
+  explicit FrameTimer(Canvas& canvas);
+  /// Nanoseconds of a frame with the lab's present parameters: draws once to load what it needs, and once by
+  /// the clock. Throws Error as Canvas::draw.
+  double time(glm::ivec2 size);
+
+ private:
+  Canvas& canvas_;
+  bool is_software_;
+  gl::Query query_;
+};
 
 /// Measures error and cost of a lab's methods. The frames of a case are timed in rounds: in each, every
 /// combination draws once to load what it needs and once by the clock, so that whatever else the machine does

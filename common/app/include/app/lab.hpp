@@ -3,22 +3,18 @@
 #include <glad/gl.h>
 
 #include <algorithm>
-#include <concepts>
 #include <cstdint>
-#include <functional>
 #include <glm/glm.hpp>
 #include <list>
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/answer.hpp"
 #include "app/assets.hpp"
 #include "app/camera.hpp"
 #include "app/measure.hpp"
-#include "app/notes.hpp"
 #include "course/case.hpp"
 #include "gl/mesh_buffers.hpp"
 #include "gl/program.hpp"
@@ -76,7 +72,6 @@ class Frame {
 
   /// What the lab says of what it drew, in the panel and in --stats.
   void note(const Notes& notes) { notes_ = notes; }
-  void warn(std::string warning) { notes_.warnings.push_back(std::move(warning)); }
   [[nodiscard]] const Notes& notes() const { return notes_; }
 
   /// Throws Error when a used program reads a uniform that was not set.
@@ -211,31 +206,24 @@ inline std::uint64_t present_frame = 0;
 
 /// Keeps what was made for a key. A picture or mesh is loaded when a parameter first selects it, and not in
 /// every frame. What this frame and the last one needed always stays; of the rest goes what was used longest
-/// ago, as soon as all together have more than `most_bytes`.
+/// ago, as soon as there are more than kMost.
 template <class Key, class Value>
 class Cache {
  public:
-  /// By default three textures of 4096x4096 texels, or fifty of 1024x1024, with their mipmaps.
-  explicit Cache(std::size_t most_bytes = std::size_t{256} << 20) : most_bytes_(most_bytes) {}
+  /// Each of nine methods can have a mesh of its own, and each texture of 1024x1024 texels 5 MB.
+  static constexpr std::size_t kMost = 16;
 
   /// The value of `key`, which `make` makes if it is not there. Valid until the end of the frame.
   template <class Make>
   Value& get(const Key& key, Make&& make) {
     const auto found =
         std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.key == key; });
-    if (found != entries_.end()) {
+    if (found != entries_.end())
       entries_.splice(entries_.begin(), entries_, found);
-    } else {
-      const std::size_t before = gl::texture_bytes;
+    else
       entries_.push_front({key, make()});
-      entries_.front().bytes = gl::texture_bytes - before + mesh_bytes(entries_.front().value);
-      bytes_ += entries_.front().bytes;
-    }
     entries_.front().frame = present_frame;
-    while (bytes_ > most_bytes_ && entries_.back().frame + 1 < present_frame) {
-      bytes_ -= entries_.back().bytes;
-      entries_.pop_back();
-    }
+    while (entries_.size() > kMost && entries_.back().frame + 1 < present_frame) entries_.pop_back();
     return entries_.front().value;
   }
 
@@ -243,22 +231,8 @@ class Cache {
   struct Entry {
     Key key;
     Value value;
-    std::size_t bytes = 0;
     std::uint64_t frame = 0;  // that used it last
   };
-
-  /// Of the mesh in a value; a texture was counted when it was uploaded.
-  template <class Any>
-  static std::size_t mesh_bytes(const Any& value) {
-    if constexpr (requires { value.buffers; })
-      return value.buffers.bytes();
-    else if constexpr (requires { value.bytes(); })
-      return value.bytes();
-    else
-      return 0;
-  }
-
-  std::size_t most_bytes_, bytes_ = 0;
   std::list<Entry> entries_;  // the last one used first
 };
 

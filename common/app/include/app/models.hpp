@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string>
-#include <vector>
 
 #include "app/assets.hpp"
-#include "app/notes.hpp"
 #include "mesh/mesh.hpp"
 #include "params/set.hpp"
 

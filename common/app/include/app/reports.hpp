@@ -4,25 +4,20 @@
 #include <utility>
 #include <vector>
 
-#include "app/lab.hpp"
-#include "gl/recorder.hpp"
+#include "app/canvas.hpp"
 
 namespace texel::app {
-
-/// What --stats prints: a contract with scripts, see docs/architecture.md.
-struct Statistics {
-  std::string lab, renderer, version;
-  std::string drawn_by;  ///< both, without what changes no pixel
-  Notes notes;           ///< of the lab: repairs, missing files
-  gl::Record record;
-  std::vector<std::pair<std::string, double>> milliseconds;  ///< by stage
-  long long peak_bytes = 0;                                  ///< of resident memory
-};
 
 /// The most memory that this process has had at once.
 long long peak_resident_bytes();
 
-std::string to_json(const Statistics& statistics);
+/// Milliseconds by stage.
+using StageTimes = std::vector<std::pair<std::string, double>>;
+
+/// What --stats prints, a contract with scripts: what was drawn (canvas.record), and how long it took.
+/// `drawn_by` is renderer and version, without what changes no pixel.
+std::string statistics_as_json(const AnyLab& lab, const Canvas& canvas, const gl::Record& record,
+                               const StageTimes& milliseconds, long long peak_bytes);
 
 /// What --frames prints of frames that took so many milliseconds each, at least one.
 std::string frame_times_as_text(std::vector<double> milliseconds, glm::ivec2 size);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "app/lab.hpp"
-#include "course/setting.hpp"
+#include "course/case.hpp"
 #include "params/set.hpp"
 
 namespace texel::app {
@@ -25,6 +26,25 @@ class StartValues {
  private:
   params::Set& parameters_;
   std::vector<std::string> values_;
+};
+
+/// Reads parameters from a TOML file: `name = value` each, as save_config writes them. Those that it does not
+/// name keep their values. Throws Error with file, line and column; then nothing has changed.
+void load_config(const std::filesystem::path& file, const Info& info, params::Set& parameters);
+
+/// Writes all parameters with their help as comments.
+void save_config(const std::filesystem::path& file, const Info& info, const params::Set& parameters);
+
+/// While it lives, the parameters may have other values; then the present ones are back.
+class KeptValues {
+ public:
+  explicit KeptValues(params::Set& parameters) : values_(parameters) {}
+  ~KeptValues() { values_.set({}); }
+  KeptValues(const KeptValues&) = delete;
+  KeptValues& operator=(const KeptValues&) = delete;
+
+ private:
+  StartValues values_;
 };
 
 inline glm::ivec2 pixels(course::Size size) {

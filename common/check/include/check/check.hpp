@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "check/drawn.hpp"
+#include "check/studio.hpp"
+#include "image/compared.hpp"
+#include "judge/judge.hpp"
 #include "judge/mistakes.hpp"
 #include "judge/results.hpp"
 
@@ -37,6 +39,24 @@ std::string renderer_note(const std::string& own, const std::string& expected);
 /// What stands in the kMistakesFile of such a folder. Throws Error (exit 3) when it is missing or broken.
 std::vector<judge::Mistake> known_mistakes(const std::filesystem::path& expected);
 
+/// What a case is judged by.
+struct ExpectedFiles {
+  std::filesystem::path reference;  ///< what the solution draws
+  std::filesystem::path mask;       ///< where the object is, as the solution draws it; none for meshes
+};
+
+/// Judges the file `picture`, which may be missing, or a link or folder, which are no pictures. Throws Error
+/// (exit 3) when the expected files cannot be read.
+judge::Verdict judge(const course::Case& of, const ExpectedFiles& expected,
+                     const std::filesystem::path& picture);
+
+/// The bytes of a drawn picture, or "" where there is none that a case could have.
+std::string picture_bytes(const std::filesystem::path& picture);
+
+/// The pictures of a case that was checked. Throws Error (exit 3) if it compares vertices, or if a picture is
+/// missing or broken.
+image::Compared compared(const judge::CaseResult& one);
+
 /// The steps whose code is as it was at first (course::untouched_steps).
 std::set<std::string> untouched_steps(const OwnTree& tree);
 
@@ -53,13 +73,12 @@ Draws by_programs(const OwnTree& tree, const std::string& context);
 std::string build_program(const OwnTree& tree, const course::Lab& lab, const std::string& who,
                           const std::function<void(const std::string&)>& waits);
 
-/// Draws the public cases of the labs, and of those whose steps they need, and judges them as the grader
-/// does. A renderer in software draws, unless the environment asks for another or the machine has none; a
-/// note of each lab is its renderer_note. Steps that are as they were at first are said to be so. The build
-/// folder remembers what passed: a step that passed, and fails since another one changed, is skipped and
-/// names that one. Each case's `picture` and `reference` are paths of files; there are no partial scores,
-/// only 0 and 1. Throws Error (exit 3) when a program was not built, or expected pictures are missing. What
-/// is wrong with markers is a note too.
+/// Draws the public cases of the labs and judges them as the grader does. A renderer in software draws,
+/// unless the environment asks for another or the machine has none; a note of each lab is its renderer_note.
+/// Steps that are as they were at first are said to be so. The build folder remembers what passed: a step
+/// that passed, and fails since another one changed, is skipped and names that one. Each case's `picture` and
+/// `reference` are paths of files; there are no partial scores, only 0 and 1. Throws Error (exit 3) when a
+/// program was not built, or expected pictures are missing. What is wrong with markers is a note too.
 std::vector<judge::LabResult> check(const OwnTree& tree, const std::vector<course::Lab>& labs,
                                     const Draws& draws);
 
@@ -68,8 +87,7 @@ std::vector<judge::LabResult> check(const OwnTree& tree, const std::vector<cours
 judge::LabResult check_step(const OwnTree& tree, const course::Lab& lab, const std::string& step,
                             const Draws& draws);
 
-/// The files that a student of the lab edits: its sources and shaders, the shared shaders, and whatever else
-/// holds a step.
+/// The files that a student of the lab edits, and the shared shaders.
 std::vector<std::filesystem::path> edited_files(const std::filesystem::path& source, const course::Lab& lab);
 
 }  // namespace texel::check

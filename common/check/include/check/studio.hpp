@@ -2,13 +2,12 @@
 // Where a lab's program draws its cases, and what became of each.
 #pragma once
 #include <filesystem>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "check/drawn.hpp"
-#include "core/confines.hpp"
-#include "core/time_budget.hpp"
+#include "core/process.hpp"
 #include "course/case.hpp"
 
 namespace texel::check {
@@ -28,6 +27,16 @@ struct Studio {
   std::filesystem::path shader_cache = {};           ///< where the driver keeps compiled shaders, if it does
   int timeouts = 2;                                  ///< after so many nothing more is drawn
   TimeBudget* budget = nullptr;                      ///< what all its programs may take; null: no such limit
+};
+
+/// The reasons why files are missing, by the file's name, and remarks on the whole.
+struct Drawn {
+  std::map<std::string, std::string> faults;
+  /// Of those that the lab's program refused to draw: the file and line that it blames, as "cube.obj:9", or
+  /// "". Not of those at which it died or never ended, as it does by many mistakes.
+  std::map<std::string, std::string> refused;
+  std::vector<std::string> notes;
+  std::string renderer;  ///< the driver that drew, as the program says it, or ""
 };
 
 /// Draws the cases into the folder `out`, from one process as long as it lives: the case at which it dies or

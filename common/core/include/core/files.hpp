@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <cstddef>
+#include <cstdint>
 #include <filesystem>
-#include <span>
+#include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace texel {
 
@@ -16,22 +17,63 @@ std::string read_file(const std::filesystem::path& path);
 /// Throws Error (exit 3) when the folder is missing or the disk full.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// A file's bytes, mapped read-only into memory. A small file is read instead: that takes half the time.
+/// Makes a folder that is missing, with those above it. Throws Error (exit 3), with the remedy.
+void make_folder(const std::filesystem::path& folder, const std::string& remedy = {});
+
+/// A file's bytes, mapped read-only into memory.
 class MappedFile {
  public:
   explicit MappedFile(const std::filesystem::path& path);
   ~MappedFile();
   MappedFile(const MappedFile&) = delete;
   MappedFile& operator=(const MappedFile&) = delete;
-  [[nodiscard]] std::string_view bytes() const {
-    return data_ != nullptr ? std::string_view(data_, size_) : std::string_view(read_);
-  }
+  [[nodiscard]] std::string_view bytes() const { return bytes_; }
 
  private:
-  static constexpr std::size_t most_read = 16384;  // bytes
-  std::string read_;
-  const char* data_ = nullptr;
-  std::size_t size_ = 0;
+  std::string_view bytes_;
+};
+
+/// Keeps other processes out as long as it lives. The file stays.
+class FileLock {
+ public:
+  /// Waits for its turn; with `at_once` throws Error (exit 3) when another has it.
+  explicit FileLock(const std::filesystem::path& file, bool at_once = false);
+  ~FileLock();
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+
+ private:
+  int file_;
+};
+
+/// A new empty folder among the system's temporary files. The destructor removes it with its content.
+/// Throws Error (exit 3) when it cannot be made.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Notices edited files by their time and size, and folders in which a file appeared or vanished. Also
+/// works with editors that write another file and rename it.
+class Watcher {
+ public:
+  /// Which of `files` changed since the last call. A file seen for the first time is not changed.
+  std::vector<std::filesystem::path> changed(const std::vector<std::filesystem::path>& files);
+
+ private:
+  struct Stamp {
+    std::filesystem::file_time_type time;
+    std::uintmax_t size = 0;
+    bool operator==(const Stamp&) const = default;
+  };
+  std::map<std::filesystem::path, Stamp> stamps_;
 };
 
 }  // namespace texel

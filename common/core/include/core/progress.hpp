@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdio>
 #include <mutex>
 #include <string>
 
@@ -12,10 +13,18 @@ namespace texel {
 class Progress {
  public:
   explicit Progress(std::string file) : file_(std::move(file)) {}
-  ~Progress();
+  ~Progress() {
+    if (!said_.empty()) std::fputc('\n', stderr);
+  }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  void say(const std::string& what);
+  void say(const std::string& what) {
+    const std::lock_guard lock(speaking_);
+    if (what == said_ || stopwatch_.milliseconds() < 500) return;
+    said_ = what;
+    std::fprintf(stderr, "\r%s: %-20s", file_.c_str(), what.c_str());  // padded: it covers what stood there
+    std::fflush(stderr);
+  }
 
  private:
   std::string file_;

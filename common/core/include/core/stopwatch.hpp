@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <fmt/format.h>
+
 #include <chrono>
 #include <string>
 
@@ -17,6 +19,8 @@ class Stopwatch {
 };
 
 /// A time as text: "12 s", from 90 seconds on "2 min".
-std::string duration_text(double seconds);
+inline std::string duration_text(double seconds) {
+  return seconds < 90 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.0f} min", seconds / 60);
+}
 
 }  // namespace texel

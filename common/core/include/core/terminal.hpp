@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstddef>
-#include <exception>
 #include <functional>
 #include <optional>
 #include <string>
@@ -16,9 +15,6 @@ std::optional<std::size_t> terminal_columns(int file_descriptor);
 /// Text in lines of at most so many columns, each after `indent` blanks. Lines are broken at blanks, so a
 /// longer path stays whole. A line keeps the blanks that it begins with.
 std::string wrapped(const std::string& text, std::size_t columns, std::size_t indent = 0);
-
-/// Says on standard error why a program ends; in a terminal in lines that fit.
-void print_error(const std::string& program, const std::exception& error);
 
 /// Hands what was printed so far to the system. Throws Error (exit 3) when standard output does not take all
 /// of it: the disk is full, the pipe has no reader.

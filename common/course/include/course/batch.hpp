@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "course/lab_file.hpp"
+#include "course/case.hpp"
 
 /// The files between the tools and a lab's program: the list of --batch, the results.json that the program
 /// leaves beside the pictures, and the list of --bench.
@@ -41,6 +41,19 @@ std::string to_json(const std::vector<Drawing>& drawings);
 /// Reads such a list, which a program may have written that nobody trusts: entries that are none are left
 /// out, and texts are cut off after 2000 bytes.
 std::vector<Drawing> parse_drawings(const std::string& text);
+
+/// A parameter and the values that it takes one after the other; none for all of a choice.
+struct Variation {
+  std::string parameter;
+  std::vector<std::string> values;
+
+  bool operator==(const Variation&) const = default;
+};
+
+/// A scene on which methods are measured against the truth and against the clock.
+struct BenchCase : Case {
+  std::vector<Variation> variations;  ///< at least one: every combination is measured
+};
 
 /// What a lab's methods are measured on.
 struct BenchList {

@@ -5,11 +5,16 @@
 #include <string_view>
 #include <vector>
 
-#include "course/setting.hpp"
-
 /// A case: one picture of a lab, from its line in the lab file to the grader's judgement. The gallery's
 /// looks, the bench's and the graded cases, and the entries of a batch are all cases.
 namespace texel::course {
+
+/// A parameter and its value as the command line takes it: {"normal_map", "on"}.
+struct Setting {
+  std::string parameter, value;
+
+  bool operator==(const Setting&) const = default;
+};
 
 /// What a picture shows: the colours, or one of the quantities on the way to them. A mesh is no picture: it
 /// is the lab's vertex stream.
@@ -40,7 +45,7 @@ struct Size {
   bool operator==(const Size&) const = default;
 };
 /// The size that is written as "512x512"; nothing for any other text.
-std::optional<Size> find_size(std::string_view text);
+std::optional<Size> find_size(const std::string& text);
 /// "512x512"
 std::string as_text(Size size);
 

@@ -5,10 +5,9 @@
 #include <vector>
 
 #include "course/case.hpp"
-#include "course/step.hpp"
 
-/// What `labs/NN_name/lab.toml` says of a lab: its title and lesson, the looks that are worth seeing, and the
-/// cases on which its methods are measured.
+/// What `labs/NN_name/lab.toml` says of a lab: its title and lesson, the looks that are worth seeing, and
+/// what a student writes, with the pictures that judge it.
 ///
 ///     lab = "05_normal_map"
 ///     title = "Normal map"
@@ -21,22 +20,29 @@
 ///     size = "512x512"                                    # optional
 ///     source = "Report, section 3.2, 'Cube before …'"     # optional: the sources' picture that this is
 ///     hero = true                                         # optional: at the top of the gallery
-///     [[bench]]
-///     case = "jittered torus"                             # unique in the lab
-///     teaches = "A sentence or two, below the table"
-///     hard = true                                         # optional
-///     set = { model = "torus", jitter = 0.5 }             # optional
-///     vary = { method = [], segments = [16, 32] }         # every combination; []: all values of a choice
-///     size = "256x256"                                    # optional
+///     [[step]]
+///     id = "5.3"                                    # as the markers in the sources have it
+///     title = "Average at the vertices"
+///     points = 2
+///     needs = ["5.2"]                               # optional: earlier steps, without which one cannot see
+///     it hints = ["A vague one", "A plain one"]        # one to three set = { normal_map = "bump" } #
+///     optional: the look in which one sees the step, for the view = "normal"                               #
+///     handout's line "See it" and its picture seen_with = ["5.5"]                           # optional:
+///     later steps that are solved in the picture
+///     [[case]]
+///     name = "average_bump"                         # unique in the lab
+///     step = "5.3"
+///     set = { normal_map = "bump" }                 # optional
+///     view = "normal"                               # a view, or "mesh" for the vertex stream of --mesh
+///     size = "128x128"                              # optional; not for meshes
+///     limit = 0.2                                   # full marks up to this difference, in the view's unit
+///     why = "0.05 between OSMesa and EGL"           # where the limit comes from
+///     hidden = { turn = [-180, 180], normal_map = ["brick", "wood"] }   # optional
 ///
-///     [[claim]]
-///     source = "Slides, 'Normal Mapping'"                 # who says it
-///     says = "If the triangles are small, …"              # and what
-///     found = "True: …"                                   # what measuring it gave
-///     see = "./run bench 5"                               # a command that shows it
-///
-/// and at the top, after the lesson, `choice`: which method the lab takes by default, and why. The steps and
-/// the cases by which they are graded are in course/step.hpp.
+/// and at the top, after the lesson, `choice`: which method the lab takes by default, and why. A hidden
+/// parameter has a value that students cannot know, drawn from the course's secret seed: a number between
+/// two, or one of several words. The tables [[bench]] and [[claim]] and the list driver_methods are the
+/// benchmark's: nobody reads them here.
 namespace texel::course {
 
 /// A picture that is worth seeing. Its name has lower-case letters, digits, '_' and '-'.
@@ -46,24 +52,30 @@ struct Look : Case {
   bool hero = false;    ///< shown at the top of the gallery and in the README
 };
 
-/// A parameter and the values that it takes one after the other; none for all of a choice.
-struct Variation {
+/// What a student writes.
+struct Step {
+  std::string id, title;
+  double points = 1;
+  std::vector<std::string> needs;  ///< earlier steps of this lab, directly and through others, in its order
+  std::vector<std::string> hints;
+  Case see = {};                            ///< the look in which one sees it: its settings and view
+  std::vector<std::string> seen_with = {};  ///< later steps of this lab, without which one does not see it
+};
+
+/// A parameter whose value is drawn from the secret seed.
+struct Hidden {
   std::string parameter;
-  std::vector<std::string> values;
-
-  bool operator==(const Variation&) const = default;
+  double least = 0, most = 0;       ///< between these, or
+  std::vector<std::string> values;  ///< one of these
 };
 
-/// A scene on which methods are measured against the truth and against the clock.
-struct BenchCase : Case {
-  std::string teaches;                ///< plain text
-  bool hard = false;                  ///< one that breaks the naive method
-  std::vector<Variation> variations;  ///< at least one
-};
+/// A model that nobody has seen, made from the seed: the value `unseen:polygons` of a parameter.
+inline constexpr const char* kUnseen = "unseen:";
 
-/// What one of the sources says, and what measuring it gave.
-struct Claim {
-  std::string source, says, found, see;
+/// A picture (or vertex stream) of the student's beside the solution's.
+struct GradedCase : Case {
+  std::string why;                      ///< where the limit comes from
+  std::vector<Hidden> hidden_settings;  ///< what is drawn for it
 };
 
 struct Lab {
@@ -71,11 +83,8 @@ struct Lab {
   std::string folder;               ///< "05_normal_map"
   std::vector<std::string> copies;  ///< folders beside it whose lab.toml is this one's: they are no labs
   std::string title, lesson;
-  std::string choice;                       ///< which method is the default, and why; or ""
-  std::vector<std::string> driver_methods;  ///< methods whose result OpenGL leaves to the driver
+  std::string choice;  ///< which method is the default, and why; or ""
   std::vector<Look> looks;
-  std::vector<BenchCase> bench;
-  std::vector<Claim> claims;
   std::vector<Step> steps;
   std::vector<GradedCase> cases;  ///< at least one for each step
 
@@ -84,9 +93,12 @@ struct Lab {
 
 /// Reads a lab.toml. Throws Error (exit 3) with file and line for broken TOML, an unknown key, a wrong type,
 /// a missing or empty text, a name that is taken or no file name, a step or case that does not fit the
-/// others, and a `lab` that is not the name of the file's folder. It does not know whether steps of earlier
-/// labs exist that this lab needs.
+/// others, and a `lab` that is not the name of the file's folder.
 Lab read_lab(const std::filesystem::path& file);
+
+/// The lab of a step that is written as "5.1", two numbers with a point between them; 0 for a text that is
+/// none.
+int lab_of_step(const std::string& step);
 
 /// The lab's folder of which another folder below `labs` is a copy, as its lab.toml says; "" for one that is
 /// none. Throws Error (exit 3) when the file cannot be read.
@@ -97,8 +109,8 @@ std::string copied_from(const std::filesystem::path& folder);
 bool is_left_over(const std::filesystem::path& file);
 
 /// Every `NN_name/lab.toml` below `folder`, by number. A copy of a lab's folder is said in the lab's
-/// `copies`, and not read; nor are other files and folders. Throws Error (exit 3) when there is none, when a
-/// step needs one that no lab has, or as read_lab.
+/// `copies`, and not read; nor are other files and folders. Throws Error (exit 3) when there is none, or as
+/// read_lab.
 std::vector<Lab> read_labs(const std::filesystem::path& folder);
 
 /// A setting as the programs' command line takes it, after a space: " --turn 50".

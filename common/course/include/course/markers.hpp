@@ -22,20 +22,10 @@
 /// two is the solution; between the last two, in comments, is the starter's code.
 namespace texel::course {
 
-/// A step's place in a file.
-struct Marker {
-  std::string step;  ///< "5.1"
-  int line = 0;      ///< of its first marker, from 1
-};
-
 /// The line with which a step's text begins.
 std::string begin_marker(const std::string& step);
 
-/// The markers of a text of the course, in its order. Throws Error (exit 3) with file and line for a marker
-/// that is unknown, unpaired, nested or not alone in its line.
-std::vector<Marker> markers_of(const std::string& text, const std::string& file);
-
-/// A place of a step in a student's text, in offsets: its markers' lines, and what stands between them.
+/// A place of a step in a text, in offsets: its markers' lines, and what stands between them.
 struct StepPart {
   std::string step;
   int line;  ///< of its first marker, from 1
@@ -45,8 +35,8 @@ struct StepPart {
   [[nodiscard]] std::string of(const std::string& all) const { return all.substr(text, text_end - text); }
 };
 
-/// The places of all steps in a student's text. One whose end is missing is not whole. Only the markers' own
-/// words are markers there: any other line, as `//@todo`, is the student's own.
+/// The places of all steps in a text, in its order. One whose end is missing is not whole. Only the markers'
+/// own words are markers: any other line, as `//@todo`, is the student's own.
 std::vector<StepPart> parts_of(const std::string& text);
 
 /// Whether a line is a marker of a student's or of the course's text.
@@ -61,10 +51,16 @@ std::map<std::string, std::string> marker_faults(const std::string& text, const 
 /// other. Parts without an end are left out.
 std::map<std::string, std::string> step_texts(const std::string& text);
 
-/// The text with one of the two parts of each step: the solution where `solved(step)`, else the starter's.
-/// The markers around it stay: they show where to write. Errors as markers_of.
+/// A text of the course with one of the two parts of each step: the solution where `solved(step)`, else the
+/// starter's. The markers around it stay: they show where to write. Throws Error (exit 3) with file and line
+/// for a marker that is unknown, unpaired, nested or not alone in its line.
 std::string with_steps(const std::string& text, const std::string& file,
                        const std::function<bool(const std::string&)>& solved);
+
+/// Whether two texts of GLSL or C++ differ in comments and white space alone, so that they say the same to a
+/// compiler. False where that takes more than a look: texts with a raw string, a digit separator, or a
+/// backslash outside comments and literals must be equal byte by byte.
+bool is_same_code(std::string_view a, std::string_view b);
 
 /// The steps that nobody began: what a compiler reads between their markers is what the first text has
 /// (is_same_code). A step with damaged markers was begun.
@@ -76,19 +72,19 @@ std::string with_step_from(const std::string& text, const std::string& file, con
                            const std::string& other);
 
 /// The text of a student's file with the solution standing in for all steps but one: what stands between
-/// their markers is taken from `solution`, and all other lines stay. Where markers of another step are
-/// damaged, nobody knows where it stands: there the lines between its neighbours are the solution's. Throws
-/// Error (exit 3) when the step's own markers are damaged.
+/// their markers is taken from `solution`, and all other lines stay. Where markers are damaged, nobody knows
+/// where those steps stand: there the one step is put into the solution. Throws Error (exit 3) when the
+/// step's own markers are damaged.
 std::string with_step_alone(const std::string& text, const std::string& file, const std::string& step,
                             const std::string& solution);
 
 /// The files that a student may change, as paths in the tree: every file below labs and shaders with a
-/// begin_marker. In a student's tree they are those that its starter had: a copy that
-/// lies beside one is no other step. Sorted. Throws Error (exit 3) when there is none.
+/// begin_marker. In a student's tree they are those that its starter had: a copy that lies beside one is no
+/// other step. Sorted. Throws Error (exit 3) when there is none.
 std::vector<std::string> step_files(const std::filesystem::path& tree);
 
 /// Where each step is written in a student's tree or in the course's, as its files are now; a step whose
-/// marker is gone, where a starter has it. Throws Error (exit 3) as markers_of, for the starter's text.
+/// marker is gone, where a starter has it. Throws Error (exit 3) as step_files and first_text.
 std::map<std::string, Place> step_places(const std::filesystem::path& tree);
 
 /// Where a new starter has each step, found in a student's tree or in the course's. Errors as step_places.
@@ -98,7 +94,7 @@ std::map<std::string, Place> first_places(const std::filesystem::path& tree);
 inline constexpr const char* kFirstTexts = ".starter";
 
 /// The first version of a file with steps, from the course's tree or from a student's. Throws Error (exit 3)
-/// when it cannot be read, and as markers_of.
+/// when it cannot be read, and as with_steps.
 std::string first_text(const std::filesystem::path& tree, const std::string& file);
 
 }  // namespace texel::course

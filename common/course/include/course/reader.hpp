@@ -3,54 +3,52 @@
 #include <toml++/toml.h>
 
 #include <filesystem>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
 
 namespace texel::course {
 
-/// Where a node stands in its file.
-Place place_of(const toml::node& node, const std::string& file);
-
 /// A TOML file as a table. Throws Error (exit 3) with file, line and column for broken TOML.
 toml::table read_toml(const std::filesystem::path& file);
 
-/// The lab of a step that is written as "5.1", two numbers with a point between them; 0 for a text that is
-/// none.
-int lab_of_step(const std::string& step);
-
-/// A table of a file that is read key by key; what nobody asked for is an error.
+/// A table of a file that is read key by key; what nobody asked for is an error. All members throw Error
+/// (exit 3) with file, line and column for what is not as it must be.
 class Reader {
  public:
   Reader(const toml::table& table, std::string file) : table_(table), file_(std::move(file)) {}
 
+  /// An error of a value, or of the one at `key`, or of the table where the key is missing.
   [[nodiscard]] Error error(const toml::node& node, const std::string& what,
                             const std::string& remedy = {}) const;
-  /// An error of the value at `key`, which was read already.
   [[nodiscard]] Error error(const std::string& key, const std::string& what,
                             const std::string& remedy = {}) const;
+  [[nodiscard]] Place place() const;
 
   /// The value at `key`, or nullptr.
   const toml::node* find(const std::string& key);
 
-  /// The value at `key`, or `otherwise`; an error that it is `type` when it has another type than asked for.
-  template <class Value>
-  Value optional(const std::string& key, Value otherwise, const char* type) {
-    const toml::node* node = find(key);
-    if (node == nullptr) return otherwise;
-    const std::optional<Value> value = node->value_exact<Value>();
-    if (!value) throw error(*node, "'" + key + "' is " + type);
-    return *value;
-  }
-
   std::string text(const std::string& key, const std::string& otherwise);
   /// A text that must be there and not empty.
   std::string text(const std::string& key);
+  /// Texts that are not empty; none when the key is missing.
+  std::vector<std::string> texts(const std::string& key);
+  /// False when the key is missing.
+  bool toggle(const std::string& key);
+  /// A number that must be there, 0 or larger.
+  double number(const std::string& key);
+
+  /// The entries of the table { parameter = `values`, … } at `key`, in the file's order; none when the key is
+  /// missing.
+  std::vector<std::pair<std::string, const toml::node*>> entries(const std::string& key,
+                                                                 const std::string& values);
+  /// A parameter's value as the command line takes it.
+  [[nodiscard]] std::string setting(const toml::node& value) const;
 
   /// The tables that the file writes as [[key]]; none when the key is missing.
-  std::vector<const toml::table*> tables(const std::string& key);
+  std::vector<Reader> tables(const std::string& key);
 
   void reject_unknown() const;
 

@@ -22,6 +22,6 @@ StepText read_step_text(const std::filesystem::path& root, const std::string& la
                         const std::string& step, const std::string& file, int line);
 
 /// A handout's text without Markdown's marks; formulas in Unicode: "$T_1 = \sqrt{a^2}$" is "T₁ = √(a²)".
-std::string without_markdown(std::string_view text);
+std::string without_markdown(const std::string& text);
 
 }  // namespace texel::course

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <map>
-#include <memory>
 
 #include "gl/objects.hpp"
 #include "gl/program.hpp"
@@ -12,10 +11,7 @@ namespace texel::gl {
 /// A mesh on the GPU: one buffer an attribute, uploaded when a program first reads it, and the indices.
 class MeshBuffers {
  public:
-  explicit MeshBuffers(std::shared_ptr<const mesh::Mesh> mesh);
   explicit MeshBuffers(mesh::Mesh mesh);
-  MeshBuffers(MeshBuffers&& other) noexcept;
-  ~MeshBuffers();
 
   /// Draws all triangles with `program`, which must be in use. Throws Error when it reads an attribute that
   /// the mesh does not have.
@@ -26,15 +22,13 @@ class MeshBuffers {
   /// Draws one of the mesh's groups.
   void draw(const Program& program, const mesh::Group& group);
 
-  [[nodiscard]] const mesh::Mesh& mesh() const { return *mesh_; }
-  /// In memory, and as many again on the GPU.
-  [[nodiscard]] std::size_t bytes() const;
+  [[nodiscard]] const mesh::Mesh& mesh() const { return mesh_; }
 
  private:
   void bind(const Program& program);
-  std::shared_ptr<const mesh::Mesh> mesh_;
+  mesh::Mesh mesh_;
   VertexArray vertex_array_;
-  std::unique_ptr<Buffer> indices_;
+  Buffer indices_;
   std::map<Attribute, Buffer> attributes_;
 };
 

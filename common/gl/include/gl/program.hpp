@@ -3,7 +3,6 @@
 #include <glad/gl.h>
 
 #include <filesystem>
-#include <functional>
 #include <glm/glm.hpp>
 #include <map>
 #include <memory>
@@ -76,30 +75,26 @@ class Program {
 };
 
 /// Compiles each program once. A variant is identified by its files and by the defines that they mention.
+/// Fast enough for every frame.
 class ProgramCache {
  public:
   explicit ProgramCache(std::filesystem::path shader_root) : root_(std::move(shader_root)) {}
 
   Program& get(const std::string& vertex, const std::string& fragment,
                const std::vector<Define>& defines = {});
-  /// The same, fast enough for every frame. `settings` is equal if the defines are; the defines are
-  /// only asked for when it is new.
-  Program& get(const std::string& vertex, const std::string& fragment, const std::string& settings,
-               const std::function<std::vector<Define>()>& defines);
   /// All that were compiled.
   [[nodiscard]] std::vector<const Program*> programs() const;
   /// Forgets everything, so that edited files are read again.
   void clear();
   /// For a watcher: every file that was read, and the folders in which files are searched.
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
-  [[nodiscard]] std::size_t size() const { return programs_.size(); }
 
  private:
   std::shared_ptr<const ShaderSource> source(const std::string& file);
   std::filesystem::path root_;
   std::map<std::string, std::shared_ptr<const ShaderSource>> sources_;
   std::map<std::string, std::unique_ptr<Program>> programs_;  ///< by the defines that the sources mention
-  std::unordered_map<std::string, Program*> by_request_;      ///< by files and settings
+  std::unordered_map<std::string, Program*> by_request_;      ///< by all defines
   std::vector<std::filesystem::path> tried_;                  ///< where sources were looked for
 };
 

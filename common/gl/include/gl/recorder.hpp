@@ -22,9 +22,8 @@ struct Record {
     std::string name;  ///< the sampler that reads it
     GLuint id = 0;
     bool is_cube = false;
-    int width = 0, height = 0;
-    int levels = 0;  ///< that it has
-    std::string format;
+    int width = 0, height = 0, levels = 0;  ///< that it has
+    std::string format = {};
     long long bytes = 0;  ///< all levels and faces
     bool operator==(const TextureUse&) const = default;
   };

@@ -15,6 +15,11 @@ struct Define {
   std::string name, value, origin = {};
 };
 
+/// Compilers find a missing `;` at the next token. Where that begins a line, this names the line before it,
+/// after which the `;` is missing, with its text. `log` is the compiler's, and `text` what it read, as
+/// ShaderSource::text has it. All other lines of the log stay as they are.
+std::string at_missing_semicolons(std::string_view log, std::string_view text);
+
 /// One shader with its includes expanded: the text for the compiler, and the files that it came from.
 ///
 /// `#include "lib/light.glsl"` names a file beside the including file, or below the folder `shaders/`. Each
@@ -41,14 +46,14 @@ class ShaderSource {
   /// A compiler's log with our encoded lines turned into `shaders/file:line: message`, as editors open
   /// it in the tree. Warnings are left out.
   [[nodiscard]] std::string locate(std::string_view log) const;
-  /// The same as an error (exit 3). Where the compiler came to an include of a file that is missing, or that
-  /// includes itself, it says so instead.
-  [[nodiscard]] Error error(std::string_view log) const;
+  /// The same as an error (exit 3); `defines` are those of text(). Where the compiler came to an include of a
+  /// file that is missing, or that includes itself, it says so instead.
+  [[nodiscard]] Error error(std::string_view log, const std::vector<Define>& defines) const;
 
  private:
   struct Reading;
-  void expand(Reading& reading, std::size_t file, std::string_view text);
-  void include(Reading& reading, const std::string& name, const Place& place);
+  void expand(Reading& reading, std::size_t file, std::string_view text, bool may_be_left_out);
+  void include(Reading& reading, const std::string& name, const Place& place, bool may_be_left_out);
   /// "shaders/05_normal_map/normal_map.frag".
   [[nodiscard]] std::string shown_name(const std::filesystem::path& file) const;
   std::filesystem::path root_;

@@ -38,16 +38,11 @@ class Target {
   [[nodiscard]] image::Image8 read8() const;
   [[nodiscard]] image::ImageF read_float() const;
   /// Whether every pixel of the resolved picture is `colour`, RGBA in linear light, within one 8-bit level.
-  /// The middle row is checked first: most pictures have something there.
   [[nodiscard]] bool shows_only(const glm::vec4& color) const;
   /// Replaces the resolved picture of a colour target by one in memory, RGBA of the same size.
   void write8(const image::Image8& image) const;
-  /// One pixel of a data target, counted from the bottom left.
-  [[nodiscard]] image::ImageF read_pixel(int x, int y) const;
 
  private:
-  [[nodiscard]] image::Image8 read8(int first_row, int rows) const;
-
   Kind kind_;
   int width_, height_, samples_;
   Texture texture_;

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <cstddef>
-
 #include "gl/objects.hpp"
 #include "image/image.hpp"
 
 namespace texel::gl {
-
-/// What all glTexImage2D calls so far took, four bytes a texel: what lies between two moments is the size of
-/// a texture that was made there. The contexts count it.
-inline std::size_t texture_bytes = 0;
 
 /// How a texture is read between and beyond its texels.
 struct Sampling {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <span>
+
 #include "gl/texture.hpp"
 
 /// What lab 1 does by hand: uploading pictures into textures, and binding textures to units.
@@ -25,6 +27,11 @@ void upload_level(GLenum target, int level, const image::Image8& image, image::E
 
 /// A 2D texture with its mipmaps (image/mipmaps.hpp: averaged in linear light). No unit's binding is changed.
 Texture make_texture_2d(const image::Image8& image, image::Encoding encoding, const Sampling& sampling = {});
+
+/// A cube map of six faces in OpenGL's order +X -X +Y -Y +Z -Z, squares of one size, with mipmaps. Row 0 of
+/// each image is t = 0, which the specification draws at the top.
+Texture make_cube_map(std::span<const image::Image8, 6> faces, image::Encoding encoding,
+                      const Sampling& sampling);
 
 /// Binds a texture to a unit, where a sampler uniform of the same number reads it.
 void bind(int unit, GLenum target, const Texture& texture);

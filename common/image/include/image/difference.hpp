@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <limits>
+#include <vector>
 
 #include "image/image.hpp"
 
@@ -18,13 +19,14 @@ struct Difference {
   int telling_y = 0;
   long long non_finite = 0;  ///< pixels with NaN or infinity in either picture: in none of the figures above
   long long forgiven = 0;    ///< pixels whose difference a tolerance made smaller
+  /// Each pixel's largest difference: NaN where it is not finite, 0 where it is left out.
+  std::vector<double> pixels = {};
 };
 
 /// How the samples of float pictures are compared.
 enum class Unit {
-  own,      ///< sample by sample, in the pictures' own unit
-  degrees,  ///< R, G and B as a vector of any length: the angle between the two pictures' vectors
-  texels    ///< R and G as texture coordinates: the distance in texels
+  own,     ///< sample by sample, in the pictures' own unit
+  degrees  ///< R, G and B as a vector of any length: the angle between the two pictures' vectors
 };
 
 /// What pictures are compared by. Both float and 8-bit pictures take the first two.
@@ -51,30 +53,23 @@ struct Comparing {
 
   /// The pixel is sought whose difference is closest to this; where it is NaN, to p999.
   double told = std::numeric_limits<double>::quiet_NaN();
-
-  /// Of texels: the size of the texture, in texels for each whole step of the coordinate.
-  double texture_width = 1, texture_height = 1;
 };
 
 /// Compares R, G and B in 8-bit levels; grey counts as R = G = B, and alpha is ignored. The percentile is the
 /// nearest rank: of n pixels sorted upwards the value at rank ceil(0.99 n). Throws Error (exit 3) when the
 /// sizes differ or the mask leaves no pixel.
-Difference compare(const Image8& reference, const Image8& image, const Comparing& comparing = {});
+Difference compare(const Image8& reference, const Image8& image, Comparing comparing = {});
 
 /// Compares float pictures in the given unit. A pixel with NaN or infinity in either picture is counted in
 /// `non_finite` and left out. For directions (3 or 4 channels) the angle is
 /// atan2(|a x b|, a . b), exact for small angles too; a pixel that is (0, 0, 0) in both is background and
 /// left out; in only one picture it is 180 degrees off. When no pixel is left the figures are 0. Throws Error
-/// (exit 3) when the sizes or channels differ, directions have fewer than 3 channels, or texture coordinates
-/// fewer than 2.
+/// (exit 3) when the sizes or channels differ, or directions have fewer than 3 channels.
 Difference compare(const ImageF& reference, const ImageF& image, const Comparing& comparing = {});
 
 /// Each pixel's largest difference as an RGB picture by `heat`: `full_scale` levels (or units) and more have
-/// the hottest colour; 0 takes the largest difference found. Pixels that `compare` leaves out as non-finite
-/// are green, masked ones and background coldest. Errors as `compare`.
-Image8 heatmap(const Image8& reference, const Image8& image, double full_scale = 0,
-               const Comparing& comparing = {});
-Image8 heatmap(const ImageF& reference, const ImageF& image, double full_scale = 0,
-               const Comparing& comparing = {});
+/// the hottest colour; 0 takes the largest difference found. Pixels that are not finite are green, masked
+/// ones and background coldest.
+Image8 heatmap(const Difference& difference, double full_scale = 0);
 
 }  // namespace texel::image

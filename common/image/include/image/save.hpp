@@ -10,7 +10,7 @@
 namespace texel::image {
 
 /// A PNG text chunk: the key has 1 to 79 bytes of printable ASCII without spaces at its ends or two together,
-/// the value is UTF-8 without zero bytes. A text with an empty value is not written.
+/// the value is UTF-8. A text with an empty value is not written.
 struct Text {
   std::string key, value;
 
@@ -19,8 +19,8 @@ struct Text {
 
 /// Writes an 8-bit PNG of 1 to 4 channels with its texts. The values are written as they are. `compression`
 /// is zlib's 0 to 9: 1 is fast, for snapshots; 9 is small, for assets. The same input gives the same bytes.
-/// Throws Error (exit 3), and leaves no new file, when the picture is empty, a text is not as above or the
-/// file cannot be written.
+/// Throws Error (exit 3), and leaves no new file, when a text is not as above or the file cannot be
+/// written.
 void save_png(const std::filesystem::path& path, const Image8& image, std::span<const Text> texts = {},
               int compression = 1);
 

@@ -12,18 +12,12 @@ struct LabPlan {
   course::Lab lab;
   std::vector<course::Case> cases;  ///< in the file's order
 
-  /// The cases of these names, in the plan's order.
-  [[nodiscard]] std::vector<course::Case> named(const std::vector<std::string>& names) const;
   /// The views `mask` of the same pictures, for the cases that have one.
   [[nodiscard]] std::vector<course::Case> masks() const;
 };
 
 /// The cases that students can check: all but the hidden ones.
 std::vector<LabPlan> public_plan(const std::vector<course::Lab>& labs);
-
-/// The labs with those, before them, whose steps they need, in the order of their numbers.
-std::vector<course::Lab> with_needed(const std::vector<course::Lab>& chosen,
-                                     const std::vector<course::Lab>& all);
 
 /// The command that draws the case, typed in the project's root: "./run lab 5 --model torus --view normal
 /// --size 128x128 --snapshot decode.pfm".

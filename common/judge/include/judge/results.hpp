@@ -2,7 +2,6 @@
 #pragma once
 #include <limits>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,21 +19,11 @@ enum class Status {
   skipped  ///< only in check: failed, and another step comes first; not counted as a mistake of its own
 };
 
-/// "passed", "failed", "skipped".
-const char* name_of(Status status);
-/// The status of that name. Throws Error (exit 3) for another.
-Status status_of(const std::string& name);
-
 enum class CaseStatus {
   passed,
   failed,
   untouched  ///< failed, and nothing of its step was written
 };
-
-/// "passed", "failed", "untouched".
-const char* name_of(CaseStatus status);
-/// The status of that name. Throws Error (exit 3) for another.
-CaseStatus case_status_of(const std::string& name);
 
 /// What a case's mark is of.
 enum class Judged {
@@ -44,10 +33,15 @@ enum class Judged {
                 ///< damaged
 };
 
+/// "passed", "failed", "skipped".
+const char* name_of(Status status);
+/// "passed", "failed", "untouched".
+const char* name_of(CaseStatus status);
 /// "together", "alone", "markers lost".
 const char* name_of(Judged judged);
-/// The one of that name. Throws Error (exit 3) for another.
-Judged judged_of(const std::string& name);
+/// The Status, CaseStatus or Judged of that name. Throws Error (exit 3) for another.
+template <class Enum>
+Enum of_name(const std::string& name);
 
 /// One case of one student: the student's picture or vertex stream beside the reference.
 struct CaseResult : course::Case {
@@ -76,19 +70,21 @@ struct CaseResult : course::Case {
 /// Fills in what became of a case that was judged. `fault` says why there is no picture, or is "".
 void resolve(CaseResult& result, const Verdict& verdict, const std::string& fault, bool is_untouched);
 
-struct StepResult {
-  std::string id, title;
-  double points = 0;  ///< what the step is worth
-  double score = 0;   ///< 0 to 1; the teacher's where there is an override
+/// A step, and what became of it.
+struct StepResult : course::Step {
+  StepResult() = default;
+  explicit StepResult(course::Step of) : Step(std::move(of)) {}
+
+  double score = 0;  ///< 0 to 1; the teacher's where there is an override
   Status status = Status::failed;
   std::string message;                ///< of the first failed case; of a skipped step, why; "" when passed
   std::string mistake, mistake_says;  ///< of the first failed case that has one; "" when passed or skipped
-  std::vector<std::string> hints;     ///< the step's
   std::string file;                   ///< where the step is written, in the tree
   int line = 0;                       ///< of its first marker in the starter
   std::string overridden;             ///< the teacher's reason for another score, or ""
   /// Other steps that did not pass and spoil pictures of this one, as far as is known: where a case was
-  /// judged alone, those of its lab and those that it needs; where check skips it, the step that comes first.
+  /// judged alone, those that it needs and those of its lab that were begun; where check skips it, the step
+  /// that comes first.
   std::vector<std::string> spoilt_by;
   std::vector<CaseResult> cases;
 
@@ -111,17 +107,6 @@ struct LabResult {
   [[nodiscard]] double max_points() const;  ///< to be reached
 };
 
-/// What each step needs, directly and through others, in the course's order.
-class Needs {
- public:
-  explicit Needs(const std::vector<course::Lab>& labs);
-  [[nodiscard]] std::vector<std::string> of(const std::string& step) const;
-
- private:
-  std::vector<std::string> order_;
-  std::map<std::string, std::set<std::string>> all_;
-};
-
 /// "5.1", "5.1 and 5.2", "5.1, 5.2 and 5.3".
 std::string listed(const std::vector<std::string>& steps);
 
@@ -140,5 +125,15 @@ StepResult step_result(const course::Step& step, std::vector<CaseResult> cases);
 /// All steps of these labs out of one student's cases, in the labs' order. A step's cases come public ones
 /// first, then in the lab file's order, then by name. Cases of other labs or steps are left out.
 std::vector<LabResult> lab_results(const std::vector<course::Lab>& labs, std::vector<CaseResult> cases);
+
+/// A lab's results as `texel check --json` prints them: {"lab", "title", "steps": [{"id", "status", "error",
+/// "unit", "limit", "message", …, "cases": [{"name", "status", "view", "set", …}]}]}. A step's error is that
+/// of its clearest_case.
+std::string to_json(const LabResult& lab);
+/// Of several labs, a list.
+std::string to_json(const std::vector<LabResult>& labs);
+
+/// The steps of one lab's results. Throws Error (exit 3) for any other text.
+std::vector<StepResult> parse_steps(const std::string& json);
 
 }  // namespace texel::judge

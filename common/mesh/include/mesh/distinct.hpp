@@ -72,4 +72,22 @@ class DistinctTable {
   std::uint32_t size_ = 0;
 };
 
+/// A DistinctTable with its things, which == compares.
+template <class Thing>
+class Distinct {
+ public:
+  explicit Distinct(std::size_t expected = 0) : table_(expected) {}
+
+  std::uint32_t number(std::uint64_t hash, const Thing& thing) {
+    const std::uint32_t n = table_.number(hash, [&](std::uint32_t known) { return things_[known] == thing; });
+    if (n == things_.size()) things_.push_back(thing);
+    return n;
+  }
+  [[nodiscard]] const std::vector<Thing>& things() const { return things_; }
+
+ private:
+  DistinctTable table_;
+  std::vector<Thing> things_;
+};
+
 }  // namespace texel::mesh

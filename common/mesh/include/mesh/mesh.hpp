@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
@@ -43,7 +44,11 @@ void for_each_attribute(MeshType& mesh, Visit visit) {
   visit(mesh.colors);
 }
 
-/// Appends a copy of one vertex with all its attributes and returns its index.
-std::uint32_t duplicate_vertex(Mesh& mesh, std::uint32_t vertex);
+/// What a triangle's corners have of an attribute: of_triangle(mesh, mesh.positions, 7).
+template <class Value>
+std::array<Value, 3> of_triangle(const Mesh& mesh, const std::vector<Value>& values, std::size_t triangle) {
+  const std::uint32_t* corners = &mesh.indices[3 * triangle];
+  return {values[corners[0]], values[corners[1]], values[corners[2]]};
+}
 
 }  // namespace texel::mesh

@@ -43,34 +43,9 @@ struct SmoothingRun {
   std::uint32_t first_triangle = 0;
 };
 
-/// What a file had besides plain triangles. Nothing here stops the import.
-struct ObjReport {
-  std::uint64_t lines = 0;                 ///< as an editor counts them
-  std::uint64_t faces = 0;                 ///< `f` lines, dropped ones too
-  std::uint64_t polygons = 0;              ///< faces of more than three corners
-  std::uint64_t concave_polygons = 0;      ///< cut by clipping ears
-  std::uint64_t approximate_polygons = 0;  ///< repair: crossing itself, flat or huge; may overlap
-  std::uint64_t dropped_faces = 0;         ///< repair: fewer than three different corners
-  std::uint64_t dropped_corners = 0;       ///< repair: the same v as the corner before
-  std::uint64_t points_and_lines = 0;      ///< `p` and `l`, ignored
-  std::uint64_t unknown_lines = 0;         ///< other keywords, ignored
-  std::uint64_t ignored_weights = 0;       ///< a fourth number of `v` other than 1: of curves, ignored
-  std::uint64_t unknown_smoothing = 0;     ///< repair: `s` without a number, on or off, taken as off
-  std::uint64_t missing_texcoords =
-      0;                               ///< corners without (usable) vt in a file that has vt: drawn at (0, 0)
-  std::uint64_t missing_normals = 0;   ///< corners without a (usable) vn in a file that has vn: generated
-  std::uint64_t lost_normals = 0;      ///< repair: corners whose vn is 0 or out of range, taken as without
-  std::uint64_t not_finite_lines = 0;  ///< repair: v, vt, vn with NaN, infinity or 1e39, taken as missing
-  std::uint64_t not_finite_faces = 0;  ///< repair: faces that use such a `v`, ignored
-  std::uint64_t great_texcoords = 0;   ///< repair: `vt` beyond 2^24, where float32 has no fractions
-  std::uint64_t repaired_numbers = 0;  ///< repair: 3.1+e2 read as 3.1, 1,5 as 1.5, 1.5D+2 as 150
-  std::vector<std::string> warnings;   ///< one readable line for each kind of trouble
-};
-
 /// An OBJ file as parsed: separate lists as in the file, and three corners a triangle. Texture coordinates
 /// have t up, as OBJ has them; everything is in the file's own frame and units.
 struct ObjData {
-  std::string name;  ///< of the file, for messages
   std::vector<glm::vec3> positions;
   std::vector<glm::vec2> texcoords;
   std::vector<glm::vec3> normals;       ///< as written, of any length
@@ -81,7 +56,7 @@ struct ObjData {
   std::vector<SmoothingRun> smoothing;  ///< `s`; empty when the file never switches smoothing on
   std::vector<std::string> libraries;   ///< each `mtllib` line's names, as written
   std::vector<Material> materials;      ///< read from the libraries by load_obj
-  ObjReport report;
+  std::vector<std::string> warnings;    ///< one readable line for each kind of repair and trouble
 
   [[nodiscard]] std::size_t triangle_count() const { return corners.size() / 3; }
 };
@@ -89,10 +64,8 @@ struct ObjData {
 /// Each triangle of a polygon may cover all of it: the pictures of larger ones would take minutes.
 inline constexpr std::size_t max_face_corners = 65536;
 
-struct ObjOptions {
-  /// Called now and then with the part of the file that is done, 0..1; may be empty.
-  std::function<void(double)> progress;
-};
+/// Called now and then with the part of a file that is read, 0..1; may be empty.
+using PartDone = std::function<void(double)>;
 
 /// Parses an OBJ text in one pass. Knows v (xyz, xyzw, xyz rgb, xyzw rgb), vt (1 to 3 numbers), vn, f (and
 /// fo) with v, v/vt, v//vn, v/vt/vn and negative indices, p, l, g, o, s, usemtl, mtllib, comments, lines
@@ -102,13 +75,13 @@ struct ObjOptions {
 /// cut into triangles in their own plane (polygon.hpp). Throws Error (exit 3) with `name` and the line: an
 /// index of v that is 0 or out of range, one of vt that is out of range (0 is none), a number that is
 /// malformed, a face of more than max_face_corners, binary data, an empty text, a text without a face of
-/// three corners. Linear time. Repairs are counted in ObjData::report and told in its warnings.
-ObjData parse_obj(std::string_view text, const std::string& name, const ObjOptions& options = {});
+/// three corners. Linear time. Repairs are counted and told in ObjData::warnings.
+ObjData parse_obj(std::string_view text, const std::string& name, const PartDone& progress = {});
 
 /// Maps a file into memory and parses it, then reads its material libraries from beside it, and finds their
 /// color maps beside the library or else beside the file, there also without the folders in their names. What
 /// is missing or wrong is a warning. Throws Error (exit 3) as parse_obj and when the file cannot be read.
-ObjData load_obj(const std::filesystem::path& path, const ObjOptions& options = {});
+ObjData load_obj(const std::filesystem::path& path, const PartDone& progress = {});
 
 /// Parses an MTL text: newmtl, Kd, map_Kd, norm, map_Bump and bump (any case); the rest is ignored. Adds a
 /// warning, with `name`, for lines that are lost (a Kd that is no number, a property before the first

@@ -35,14 +35,6 @@ enum class TangentMethod {
   mikktspace,
 };
 
-/// What compute_tangents found.
-struct TangentReport {
-  std::uint32_t degenerate_triangles = 0;  ///< no area in texture or space: they add nothing
-  /// Had no triangle with a direction in the plane: any unit vector orthogonal to n.
-  std::uint32_t fallback_vertices = 0;
-  std::uint32_t split_vertices = 0;  ///< added where the texture is mirrored or groups meet
-};
-
 /// T and B: the moves on the triangle when s or t grows by 1, as long as the texture's width and height.
 struct TriangleFrame {
   glm::vec3 tangent{0.0f};
@@ -82,6 +74,6 @@ std::size_t without_texture_area(const Mesh& mesh);
 /// later kind. Else the order of vertices and triangles stays. Expected linear time. The result does not
 /// depend on the number of `threads`; 0 takes as many as the processor has cores, and one for a small mesh.
 /// Throws Error (exit 3) when the mesh has no normals or no texture coordinates.
-TangentReport compute_tangents(Mesh& mesh, TangentMethod method, unsigned threads = 0);
+void compute_tangents(Mesh& mesh, TangentMethod method, unsigned threads = 0);
 
 }  // namespace texel::mesh

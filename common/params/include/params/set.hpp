@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <variant>
+#include <utility>
 #include <vector>
 
 /// One declaration of a parameter serves the panel, the command line, the key of a snapshot and the GLSL
@@ -119,36 +119,38 @@ class Parameter {
  public:
   enum class Type { toggle, integer, number, choice, file };
 
-  std::string_view name, unit, help;
-  std::string_view section;  ///< heading under which the panel shows it
   Type type;
+  std::string_view name, help, unit;
+  std::string_view section;    ///< heading under which the panel shows it
   double least = 0, most = 0;  ///< range of an integer or number; for a choice 0 and the last item
   Scale scale = Scale::linear;
   std::span<const Item> items;  ///< of a choice or file
 
   /// A toggle as 0 or 1, an integer or number as it is, a choice as its index. Not for files.
-  [[nodiscard]] double value() const;
+  [[nodiscard]] double value() const { return get_(variable_); }
   /// The value as the command line takes it: "on", "12.5", "gram-schmidt", "brick".
   [[nodiscard]] std::string text() const;
   /// Throws Error (usage) that names the range, unit or choices.
   void set(std::string_view text);
-  /// As set(text), for a value that already lies within the range (a slider's).
-  void set_value(double value);
-  void reset();
+  /// As set(text), for a value that already lies within the range (a slider's). Not for files.
+  void set_value(double value) { put_(variable_, value); }
+  void reset() { set(initial_); }
   [[nodiscard]] bool is_default() const { return text() == initial_; }
   [[nodiscard]] std::string initial() const { return initial_; }
   /// The name on the command line: "bump_strength" is --bump-strength.
   [[nodiscard]] std::string flag() const;
   [[nodiscard]] std::string_view type_name() const;
+  /// Whether it is a constant in shaders; an integer or number is a uniform there.
+  [[nodiscard]] bool is_constant() const { return type == Type::toggle || type == Type::choice; }
+  [[nodiscard]] bool is_ranged() const { return type == Type::integer || type == Type::number; }
 
  private:
   friend class Set;
-  struct Enumeration {
-    void* variable;
-    int (*get)(const void*);
-    void (*put)(void*, int);
-  };
-  std::variant<bool*, int*, float*, std::string*, Enumeration> variable_;
+  Parameter(Type type_, const char* name_, const char* help_, void* variable)
+      : type(type_), name(name_), help(help_), variable_(variable) {}
+  void* variable_;
+  double (*get_)(const void* variable) = nullptr;  ///< not of a file
+  void (*put_)(void* variable, double value) = nullptr;
   std::string initial_;
 };
 
@@ -165,9 +167,10 @@ class Set {
   template <class Enum>
   requires std::is_enum_v<Enum>
   void add(Enum& variable, Choice<std::type_identity_t<Enum>> choice) {
-    add_choice({&variable, [](const void* v) { return static_cast<int>(*static_cast<const Enum*>(v)); },
-                [](void* v, int i) { *static_cast<Enum*>(v) = static_cast<Enum>(i); }},
-               choice.name, static_cast<int>(choice.initial), choice.items, choice.help);
+    Parameter parameter = numeric(Parameter::Type::choice, choice.name, choice.help, variable);
+    parameter.items = choice.items;
+    parameter.most = static_cast<double>(choice.items.size()) - 1;
+    append(std::move(parameter), choice.items[static_cast<std::size_t>(choice.initial)].name);
   }
 
   [[nodiscard]] Parameter* find(std::string_view name);
@@ -187,12 +190,16 @@ class Set {
   [[nodiscard]] auto end() const { return parameters_.end(); }
 
  private:
-  void add_choice(Parameter::Enumeration variable, const char* name, int initial, std::span<const Item> items,
-                  const char* help);
+  /// Of any type but a file: its values are numbers.
   template <class Variable>
-  void add_number(Variable* variable, const Number& number, Parameter::Type type);
-  Parameter& append(const char* name, const char* unit, const char* help, Parameter::Type type);
-  void finish(Parameter& parameter, std::string_view initial);
+  static Parameter numeric(Parameter::Type type, const char* name, const char* help, Variable& variable) {
+    Parameter parameter(type, name, help, &variable);
+    parameter.get_ = [](const void* v) { return static_cast<double>(*static_cast<const Variable*>(v)); };
+    parameter.put_ = [](void* v, double value) { *static_cast<Variable*>(v) = static_cast<Variable>(value); };
+    return parameter;
+  }
+  void append(Parameter parameter, const Number& number);
+  void append(Parameter parameter, std::string_view initial);
   std::vector<Parameter> parameters_;
   const char* section_ = "";
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
-#include <glm/vec3.hpp>
 
 #include "procedural/dual.hpp"
 
@@ -43,19 +42,6 @@ inline int wrap(int i, int period) {
   return rest < 0 ? rest + period : rest;
 }
 
-namespace detail {
-
-/// Height at (x, y), seen from a lattice point, of the plane through that point with its random slope.
-template <class Real>
-Real lattice_slope(int i, int j, Real x, Real y, std::uint32_t seed) {
-  const std::uint32_t bits = hash(i, j, seed);
-  const double slope_x = (bits & 0xffffu) * 0x2p-16 - 1.0;
-  const double slope_y = (bits >> 16) * 0x2p-16 - 1.0;
-  return x * slope_x + y * slope_y;
-}
-
-}  // namespace detail
-
 /// Gradient noise, about -0.9 to 0.9 and mostly within +-0.5, one feature a unit, twice differentiable,
 /// repeating after (period_x, period_y) units. Real is double or Dual. Source: Perlin, Improving Noise
 /// (2002).
@@ -67,10 +53,15 @@ Real noise(Real x, Real y, int period_x, int period_y, std::uint32_t seed) {
   const int i0 = wrap(i, period_x), i1 = i0 + 1 == period_x ? 0 : i0 + 1;
   const int j0 = wrap(j, period_y), j1 = j0 + 1 == period_y ? 0 : j0 + 1;
   const Real tx = smooth_step(0, 1, fx), ty = smooth_step(0, 1, fy);
-  const Real below = mix(detail::lattice_slope(i0, j0, fx, fy, seed),
-                         detail::lattice_slope<Real>(i1, j0, fx - 1.0, fy, seed), tx);
-  const Real above = mix(detail::lattice_slope<Real>(i0, j1, fx, fy - 1.0, seed),
-                         detail::lattice_slope<Real>(i1, j1, fx - 1.0, fy - 1.0, seed), tx);
+  // Height at (x, y), seen from a lattice point, of the plane through that point with its random slope.
+  const auto plane = [&](int i_at, int j_at, Real x_from, Real y_from) {
+    const std::uint32_t bits = hash(i_at, j_at, seed);
+    const double slope_x = (bits & 0xffffu) * 0x2p-16 - 1.0;
+    const double slope_y = (bits >> 16) * 0x2p-16 - 1.0;
+    return x_from * slope_x + y_from * slope_y;
+  };
+  const Real below = mix(plane(i0, j0, fx, fy), plane(i1, j0, fx - 1.0, fy), tx);
+  const Real above = mix(plane(i0, j1, fx, fy - 1.0), plane(i1, j1, fx - 1.0, fy - 1.0), tx);
   return mix(below, above, ty);
 }
 
@@ -88,11 +79,5 @@ Real fbm(Real u, Real v, int frequency_u, int frequency_v, int octaves, std::uin
   }
   return sum;
 }
-
-/// Gradient noise in space, about -1 to 1, one feature a unit, not repeating.
-double noise(glm::dvec3 p, std::uint32_t seed);
-
-/// Octaves of noise in space, the first of height 1/2; about -1 to 1 and mostly within +-0.4.
-double fbm(glm::dvec3 p, int octaves, std::uint32_t seed);
 
 }  // namespace texel::procedural

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
+
 #include "procedural/dual.hpp"
 
 /// A point's place in a pattern: which brick, plank or scale, and how far inside. Height fields and
@@ -36,9 +38,6 @@ struct Scale {
 inline constexpr int scale_columns = 8, scale_rows = 12;
 
 /// The three scales that may cover a point, the lowest first; the lowest covers it wherever no other does.
-struct Scales {
-  Scale layers[3];
-};
-Scales scales_at(double u, double v);
+std::array<Scale, 3> scales_at(double u, double v);
 
 }  // namespace texel::procedural

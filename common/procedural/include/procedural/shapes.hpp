@@ -9,9 +9,6 @@ namespace texel::procedural {
 /// Known are A-Z, 0-9, point, + and -, and the small letters s, t, u and v; anything else is a space.
 bool in_text(std::string_view text, double x, double y, double half_stroke);
 
-/// Distance from (x, y) to the line segment from (x0, y0) to (x1, y1), which must differ.
-double distance_to_segment(double x, double y, double x0, double y0, double x1, double y1);
-
 /// The width of a line of text in the same unit.
 inline double text_width(std::string_view text) {
   return 6.0 * static_cast<double>(text.size()) - 2.0;

@@ -85,7 +85,7 @@ inline app::Truth mean_in_steps(truth::QuadPicture picture,
   return [picture = std::move(picture), repeated = std::move(repeated)](glm::dvec2 middle) {
     if (repeated)
       if (const auto mean = picture.mean(*repeated, middle)) return std::optional(steps(glm::dvec3(*mean)));
-    return mean_in_steps([&](glm::dvec2 window) { return picture.at(window); }, middle);
+    return mean_in_steps([&](glm::dvec2 window) { return picture(window); }, middle);
   };
 }
 

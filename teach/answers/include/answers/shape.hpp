@@ -19,30 +19,23 @@ struct Shape {
   }
 };
 
-inline Shape cube_shape(double half_size) {
-  return {[=](const truth::Ray& ray) { return truth::hit_cube(ray, half_size); },
-          [=](procedural::Face face) { return truth::cube_face(face, half_size); }};
-}
-inline Shape quad_shape(double half_size) {
-  return {[=](const truth::Ray& ray) { return truth::hit_quad(ray, half_size); },
-          [=](procedural::Face) { return truth::quad(half_size); }};
-}
-inline Shape sphere_shape() {
-  return {[](const truth::Ray& ray) { return truth::hit_sphere(ray); },
-          [](procedural::Face) { return truth::sphere(); }};
-}
-inline Shape torus_shape(double major, double minor) {
-  return {[=](const truth::Ray& ray) { return truth::hit_torus(ray, major, minor); },
-          [=](procedural::Face) { return truth::torus(major, minor); }};
-}
-
-/// One of kModels (app/models.hpp) in the size that load_model gives it. Nothing for ship, gator and files of
-/// the user's: their formulas are not known.
-inline std::optional<Shape> model_shape(const std::string& model) {
-  if (model == "cube") return cube_shape(0.577);
-  if (model == "quad") return quad_shape(0.7);
-  if (model == "sphere") return sphere_shape();
-  if (model == "torus") return torus_shape(0.7, 0.3);
+/// One of kModels (app/models.hpp), in the size that load_model gives it unless half the side of cube or quad
+/// is another. Nothing for ship, gator and files of the user's: their formulas are not known.
+inline std::optional<Shape> model_shape(const std::string& model, double half_cube = 0.577,
+                                        double half_quad = 0.7) {
+  using procedural::Face;
+  using truth::Ray;
+  if (model == "cube")
+    return Shape{[=](const Ray& ray) { return truth::hit_cube(ray, half_cube); },
+                 [=](Face face) { return truth::cube_face(face, half_cube); }};
+  if (model == "quad")
+    return Shape{[=](const Ray& ray) { return truth::hit_quad(ray, half_quad); },
+                 [=](Face) { return truth::quad(half_quad); }};
+  if (model == "sphere")
+    return Shape{[](const Ray& ray) { return truth::hit_sphere(ray); }, [](Face) { return truth::sphere(); }};
+  if (model == "torus")
+    return Shape{[](const Ray& ray) { return truth::hit_torus(ray, 0.7, 0.3); },
+                 [](Face) { return truth::torus(0.7, 0.3); }};
   return std::nullopt;
 }
 

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -56,19 +55,12 @@ struct UnpackLimits {
 /// The text of an allowed file in the starter.
 using FirstText = std::function<std::string(const std::string& file)>;
 
-/// The steps that a student began in the text of an allowed file.
-using BegunSteps = std::function<std::set<std::string>(const std::string& file, const std::string& text)>;
-
-/// Those whose markers the text has and whose code is not that of `first_text(file)`: one without a marker
-/// may be another file of that name. Knows the files of older starters too (older_files.hpp).
-BegunSteps begun_since(const FirstText& first_text);
-
 struct Submission {
   std::map<std::string, std::string> files;    ///< by path in the tree: what was taken
   std::vector<store::Ignored> ignored;         ///< in the submission's order
   std::map<std::string, std::uint64_t> sizes;  ///< of the files of `ignored`, by their own word
-  std::string
-      root;  ///< the folder of the submission that stands for the tree's root, as text; "" for the top
+  /// The folder of the submission that stands for the tree's root, as text; "" for the top.
+  std::string root;
   std::vector<store::Ignored> copies;  ///< folders with another copy of the labs, which was not taken
   std::string fault;                   ///< why nothing was taken (broken, a bomb, too large, no step), or ""
 };
@@ -89,15 +81,15 @@ struct Submission {
 /// **Names** may be in any encoding, and the locale does not matter: bytes that are no UTF-8 become U+FFFD in
 /// the text of a path. Files with steps have ASCII names.
 ///
-/// **Older starters** had steps in other files too: in `common/mesh` and `shaders/lib`. With `first_text`,
-/// such a file is read, and its steps are taken into the files that have them now; `ignored` says so.
+/// **Older starters** had steps in other files too: in `common/mesh` and `shaders/lib`. Such a file is read,
+/// and its steps are taken into the files that have them now; `ignored` says so.
 ///
 /// **Never taken**: links, devices, encrypted files, paths that are absolute or contain `..`, names with
 /// control characters, files over the limit, hidden folders, archives in the archive. Capitals do not matter
 /// where one file alone is meant. Each that is not taken is in `ignored`. Nothing is followed. In a folder, a
 /// hard link is a file as any other.
-Submission unpack(const Entry& entry, const std::vector<std::string>& allowed,
-                  const UnpackLimits& limits = {}, const FirstText& first_text = {});
+Submission unpack(const Entry& entry, const std::vector<std::string>& allowed, const FirstText& first_text,
+                  const UnpackLimits& limits = {});
 
 /// Makes the tree `to` out of the trusted tree with the files laid over it. The trusted files are hard links
 /// where the file system can, else copies: mount `to` read-only. The trusted tree must be a starter, never a
@@ -106,5 +98,10 @@ Submission unpack(const Entry& entry, const std::vector<std::string>& allowed,
 /// writing fails.
 void overlay(const std::filesystem::path& trusted_tree, const std::map<std::string, std::string>& files,
              const std::filesystem::path& to);
+
+/// Makes the folder `root`, in which a lab's program finds shaders and assets: the trusted tree's, with those
+/// of the files that are shaders laid over it. Throws as overlay.
+void make_root(const std::filesystem::path& trusted_tree, const std::map<std::string, std::string>& files,
+               const std::filesystem::path& root);
 
 }  // namespace texel::grade

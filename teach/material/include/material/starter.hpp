@@ -17,7 +17,7 @@ struct StarterFile {
 };
 
 /// The starter's files, by their paths. Steps with `solved(step)` are solved. Throws Error (exit
-/// 3) when `root` is not the course's source tree or cannot be read, and as markers_of.
+/// 3) when `root` is not the course's source tree or cannot be read, and as with_steps.
 std::vector<StarterFile> starter_files(
     const std::filesystem::path& root,
     const std::function<bool(const std::string&)>& solved = [](const std::string&) { return false; });

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 /// OBJ files that nobody has seen: whoever writes out what the bundled models look like fails with these.
 namespace texel::material {
@@ -19,7 +18,7 @@ namespace texel::material {
 /// - `no_vt`: a dented ball without texture coordinates, about the middle of the cube.
 /// All have normals (vn), 30 to 200 faces, and triangles only but for `polygons`; no two lines of a list are
 /// equal.
-const std::vector<std::string>& unseen_kinds();
+inline constexpr const char* kUnseenKinds[] = {"numbers", "negative", "polygons", "shared", "no_vt"};
 
 /// The text of an OBJ file of this kind, every position within the unit cube, numbers with 6 decimals. The
 /// same for the same seed, on every machine; another one for another seed. Throws Error (exit 2) for a kind

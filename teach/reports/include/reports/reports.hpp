@@ -48,8 +48,7 @@ std::string csv(const store::ClassResult& results);
 
 /// Writes one of the formats above into the results' folder: "gradescope" and "prairielearn" as
 /// <format>/<id>/results.json, "junit" as junit/<id>.xml, "csv" as class.csv. Gradescope's file of a student
-/// with an incident is left as it was. Throws Error: exit 2 for another name, 3 when a file cannot be
-/// written.
+/// with an incident is left as it was. Throws Error (exit 3) when a file cannot be written.
 void write_format(const std::string& name, const store::ClassResult& results,
                   const std::filesystem::path& folder);
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/confines.hpp"
+#include "core/process.hpp"
 
 /// Programs that nobody trusts, run where they can do no harm.
 ///

@@ -33,11 +33,23 @@ struct StudentResult {
 
   std::size_t judged = 0, planned = 0;  ///< cases; fewer are judged than planned while a run is unfinished
 
-  [[nodiscard]] double points() const;
-  [[nodiscard]] double max_points() const;
+  [[nodiscard]] double points() const {
+    double sum = 0;
+    for (const judge::LabResult& lab : labs) sum += lab.points();
+    return sum;
+  }
+  [[nodiscard]] double max_points() const {
+    double sum = 0;
+    for (const judge::LabResult& lab : labs) sum += lab.max_points();
+    return sum;
+  }
   [[nodiscard]] bool is_unfinished() const { return judged < planned; }
   /// Why there is no mark (an incident, or cases that are not judged yet), or "".
-  [[nodiscard]] std::string unmarked() const;
+  [[nodiscard]] std::string unmarked() const {
+    if (!incident.empty() || !is_unfinished()) return incident;
+    return "the run is not finished: " + std::to_string(judged) + " of " + std::to_string(planned) +
+           " cases are judged";
+  }
 };
 
 /// A score that a teacher set by hand. It survives regrading.

@@ -28,8 +28,6 @@ class Store {
   /// Opens the store, or makes one when there is none.
   explicit Store(const std::filesystem::path& file);
   ~Store();
-  Store(Store&&) noexcept;
-  Store& operator=(Store&&) noexcept;
 
   /// What the results depend on (course, seed, labs, renderer), by name.
   [[nodiscard]] std::map<std::string, std::string> facts() const;
@@ -68,17 +66,12 @@ class Store {
   /// and for no reason.
   void put_override(const Override& override);
   void drop_override(const std::string& student, const std::string& step);
-  /// By student and step.
-  [[nodiscard]] std::vector<Override> overrides() const;
 
   /// All results, as steps, labs and students. The labs say which steps there are. Overrides are applied: one
   /// of 1 makes the step passed, a lower one makes a passed step failed. What is said of a step follows from
   /// the pictures all the same. A student's incidents are one text, a line for each, with its lab's name
   /// before it. Changes are those of steps that were judged anew.
   [[nodiscard]] ClassResult read(const std::vector<course::Lab>& labs) const;
-
-  /// Every row as a line of text with tabs, in an order of its own: the same for stores that say the same.
-  [[nodiscard]] std::string dump() const;
 
   /// Takes over all of another store, or nothing. Throws Error (exit 2) when its facts are others (a store
   /// without facts and students has none to differ in), and when both say different things of the same

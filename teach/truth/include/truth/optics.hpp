@@ -3,9 +3,6 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "truth/cube_map.hpp"
-#include "truth/ray.hpp"
-
 /// Rays at a smooth boundary. Incident rays point **towards** the surface, as in GLSL's reflect and refract;
 /// normals have unit length.
 namespace texel::truth {
@@ -21,19 +18,5 @@ std::optional<glm::dvec3> refracted(glm::dvec3 incident, glm::dvec3 normal, doub
 /// The part of unpolarised light that is reflected at the boundary, 0 to 1; 1 on total internal reflection.
 /// Source: M. Born and E. Wolf, "Principles of Optics", section 1.5.2.
 double reflectance(glm::dvec3 incident, glm::dvec3 normal, double n_from, double n_to);
-
-/// What a pixel of a mirroring sphere sees.
-struct MirrorPoint {
-  SurfacePoint surface;                ///< where the ray meets the sphere, in the world
-  glm::dvec2 texcoord;                 ///< of sphere()
-  glm::dvec3 incident;                 ///< unit, from the eye to that point
-  glm::dvec3 reflected;                ///< unit, the direction in which the environment is seen
-  DirectionGradient reflected_change;  ///< of `reflected`, per pixel
-};
-
-/// The mirror at a pixel's ray: a sphere placed in the world, so an ellipsoid under a non-uniform scale.
-/// Nothing where the ray misses it. From inside, the ray meets the far wall; its normal points outwards.
-std::optional<MirrorPoint> mirror_point(const PixelRay& pixel, const Placement& world_from_object = {},
-                                        double radius = 1);
 
 }  // namespace texel::truth

@@ -8,17 +8,19 @@
 
 #include "procedural/cube.hpp"
 
+/// The right answer in double precision, from the analytic surface. It shares no code with the methods
+/// that are compared with it. Unless a function says otherwise: right-handed, y up, angles in radians,
+/// lengths in world units, colours in linear light, no errors thrown; functions are accurate to a few
+/// roundings of double, and the tests say how many.
 namespace texel::truth {
 
 /// A surface at one texture coordinate. The derivatives are by the texture coordinate (s, t) and in
 /// closed form. The normal always points out of the surface: cross(ds, dt) has the
-/// opposite sign where the texture is mirrored. The derivatives of the normal give the curvature, as the
-/// second derivatives of the position would.
+/// opposite sign where the texture is mirrored.
 struct SurfacePoint {
   glm::dvec3 position;
-  glm::dvec3 ds, dt;                ///< derivatives of the position, world units per texture width
-  glm::dvec3 normal;                ///< unit length, outward
-  glm::dvec3 normal_ds, normal_dt;  ///< derivatives of the normal
+  glm::dvec3 ds, dt;  ///< derivatives of the position, world units per texture width
+  glm::dvec3 normal;  ///< unit length, outward
 };
 
 /// A surface with texture coordinates. The ones below lie, point for point, where the shapes of
@@ -73,6 +75,10 @@ struct Placement {
 /// outward.
 Surface placed(Surface surface, const Placement& world_from_object);
 
+/// On which side of the plane of tangent and normal the bitangent lies: the sign of dot(cross(n, t), b). +1
+/// when (t, b, n) is right-handed, -1 when the texture is mirrored, 0 when the three lie in a plane.
+double handedness(glm::dvec3 tangent, glm::dvec3 bitangent, glm::dvec3 normal);
+
 /// The axes of a normal map's texel (x, y, z).
 struct Frame {
   glm::dvec3 tangent, bitangent, normal;  ///< unit length
@@ -83,8 +89,5 @@ struct Frame {
 /// and B = handedness * cross(N, T): always at right angles. Under shear t does not grow along B. Source:
 /// M. S. Mikkelsen, "Simulation of Wrinkled Surfaces Revisited" (2008).
 Frame orthonormal_frame(const SurfacePoint& point);
-
-/// The same with a normal that is not the surface's own, such as the smooth one of a flat triangle.
-Frame orthonormal_frame(glm::dvec3 normal, glm::dvec3 ds, glm::dvec3 dt);
 
 }  // namespace texel::truth

@@ -45,13 +45,11 @@ class RepeatedTexture {
 struct QuadPicture {
   Camera camera;
   Placement world_from_object;  ///< such as tilted() below
-  double half_size = 0.7;
-  TexcoordMap texcoord_map;  ///< such as texture scale and offset
+  TexcoordMap texcoord_map;     ///< such as texture scale and offset
   TextureFunction texture;
-  glm::dvec4 background{0};
 
-  /// The colour that the ray through a place of the picture meets.
-  [[nodiscard]] glm::dvec4 at(glm::dvec2 window) const;
+  /// The colour that the ray through a place of the picture meets; 0 beside the square.
+  [[nodiscard]] glm::dvec4 operator()(glm::dvec2 window) const;
   /// The mean over the pixel around a place, if its texture repeats; nothing at the square's edge and where
   /// samples are as good.
   [[nodiscard]] std::optional<glm::dvec4> mean(const RepeatedTexture& repeated, glm::dvec2 middle) const;

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// The JSON of results and of known mistakes.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/json.hpp"
+#include "judge/mistakes.hpp"
+#include "judge/results.hpp"
+
+namespace texel::judge {
+namespace {
+
+Json json_of(const CaseResult& result) {
+  Json set = Json::object();
+  for (const course::Setting& setting : result.settings) set[setting.parameter] = setting.value;
+  return {{"name", result.name},
+          {"status", name_of(result.status)},
+          {"view", name_of(result.view)},
+          {"set", set},
+          {"error", result.error},  // NaN becomes null
+          {"unit", name_of(result.unit())},
+          {"limit", result.limit},
+          {"message", result.message},
+          {"command", result.command},
+          {"picture", result.picture},
+          {"expected", result.reference}};
+}
+
+Json json_of(const StepResult& step) {
+  const CaseResult* telling = clearest_case(step);
+  Json one{{"id", step.id},
+           {"status", name_of(step.status)},
+           {"error", telling != nullptr ? Json(telling->error) : Json()},
+           {"unit", telling != nullptr ? name_of(telling->unit()) : ""},
+           {"limit", telling != nullptr ? telling->limit : 0},
+           {"message", step.message},
+           {"title", step.title},
+           {"points", step.points},
+           {"file", step.file},
+           {"line", step.line},
+           {"looks_like", step.mistake},
+           {"looks_like_says", step.mistake_says},
+           {"spoilt_by", step.spoilt_by},
+           {"hints", step.hints},
+           {"cases", Json::array()}};
+  for (const CaseResult& result : step.cases) one["cases"].push_back(json_of(result));
+  return one;
+}
+
+Json json_of(const LabResult& lab) {
+  Json json{{"lab", lab.lab.folder}, {"title", lab.lab.title}, {"steps", Json::array()}};
+  for (const StepResult& step : lab.steps) json["steps"].push_back(json_of(step));
+  return json;
+}
+
+/// A number; JSON has none that are not finite.
+double number(const Json& value) {
+  return value.is_null() ? std::nan("") : value.get<double>();
+}
+
+CaseResult parse_case(const Json& json) {
+  CaseResult one;
+  one.name = json.at("name"), one.message = json.at("message"), one.command = json.at("command");
+  one.status = of_name<CaseStatus>(json.at("status"));
+  const auto view = course::find_view(json.at("view").get<std::string>());
+  if (!view) throw Error::failed(fmt::format("there is no view {}", to_text(json.at("view"))));
+  one.view = *view;
+  for (const auto& [parameter, value] : json.at("set").items()) one.settings.push_back({parameter, value});
+  one.error = number(json.at("error"));
+  one.limit = json.at("limit");
+  one.picture = json.at("picture"), one.reference = json.at("expected");
+  return one;
+}
+
+StepResult parse_step(const Json& json) {
+  StepResult step;
+  step.id = json.at("id"), step.title = json.at("title"), step.points = json.at("points");
+  step.status = of_name<Status>(json.at("status")), step.message = json.at("message");
+  step.mistake = json.at("looks_like"), step.mistake_says = json.at("looks_like_says");
+  step.file = json.at("file"), step.line = json.at("line"), step.hints = json.at("hints");
+  step.spoilt_by = json.at("spoilt_by");
+  for (const Json& one : json.at("cases")) step.cases.push_back(parse_case(one));
+  return step;
+}
+
+}  // namespace
+
+std::string to_json(const LabResult& lab) {
+  return to_text(json_of(lab), 1);
+}
+
+std::string to_json(const std::vector<LabResult>& labs) {
+  Json list = Json::array();
+  for (const LabResult& lab : labs) list.push_back(json_of(lab));
+  return to_text(list, 1);
+}
+
+std::vector<StepResult> parse_steps(const std::string& json) {
+  std::vector<StepResult> steps;
+  try {
+    const Json parsed = parse_json(json);
+    for (const Json& one : parsed.at("steps")) steps.push_back(parse_step(one));
+  } catch (const Json::exception& error) {
+    throw Error::failed(fmt::format("the check did not print its JSON: {}", error.what()));
+  }
+  return steps;
+}
+
+std::string to_json(const std::vector<Mistake>& mistakes) {
+  std::string text = "[\n";
+  for (const Mistake& mistake : mistakes) {
+    Json one{{"name", mistake.name}, {"step", mistake.step}, {"says", mistake.says}};
+    for (const auto& [name, samples] : mistake.cases) {
+      Json& place = one["cases"][name];
+      if (!samples.refused.empty()) {
+        place["refused"] = samples.refused;
+        continue;
+      }
+      place["count"] = samples.count;
+      for (const Samples::Sample& sample : samples.samples) {
+        Json values = {sample.index};
+        for (const double value : sample.values) values.push_back(value);  // NaN becomes null
+        place["samples"].push_back(values);
+      }
+    }
+    text += to_text(one) + (&mistake == &mistakes.back() ? "\n" : ",\n");
+  }
+  return text + "]\n";
+}
+
+std::vector<Mistake> parse_mistakes(const std::string& text, const std::string& file) {
+  std::vector<Mistake> mistakes;
+  try {
+    for (const Json& one : parse_json(text)) {
+      Mistake mistake{one.at("name"), one.at("step"), one.at("says"), {}};
+      for (const auto& [name, place] : one.at("cases").items()) {
+        Samples samples{place.value("refused", std::string()), 0, {}};
+        samples.count = samples.refused.empty() ? place.at("count").get<std::size_t>() : 0;
+        for (const Json& row : samples.refused.empty() ? place.at("samples") : Json::array()) {
+          Samples::Sample sample{row.at(0), {}};
+          for (std::size_t i = 1; i < row.size(); ++i) sample.values.push_back(number(row[i]));
+          samples.samples.push_back(std::move(sample));
+        }
+        mistake.cases[name] = std::move(samples);
+      }
+      mistakes.push_back(std::move(mistake));
+    }
+  } catch (const Json::exception& error) {
+    throw Error::failed(fmt::format("is not a list of mistakes: {}", error.what()), {file},
+                        "copy the file from the course again");
+  }
+  return mistakes;
+}
+
+}  // namespace texel::judge
