@@ -50,7 +50,7 @@ Exit gallery(const GalleryOptions& options);
 Exit list_sources();
 
 struct CheckOptions {
-  std::vector<int> labs;  ///< numbers; none for all
+  std::vector<std::string> places;  ///< labs as "9" and steps as "9.4"; none for all labs
   bool json = false;
   bool unless_begun = false;  ///< exit code 0 while no step of these labs is begun
 };

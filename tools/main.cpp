@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <regex>
 
 #include "command_line.hpp"
 #include "commands.hpp"
@@ -63,7 +64,11 @@ void add_student(CLI::App& app, StudentOptions& options) {
   };
   CLI::App* check = add("check", "Show which steps are right, and how far the next one is off");
   check->footer("Exit codes: 0 all steps passed, 1 not all, 2 wrong usage, 3 could not draw or compare.");
-  check->add_option("LAB", options.check.labs, "Numbers of labs [all]")->check(CLI::Range(1, 99));
+  static const std::regex place("[1-9][0-9]?(\\.[0-9]+)?");
+  check->add_option("LAB", options.check.places, "Labs as 9, and steps as 9.4 [all labs]")
+      ->check([](const std::string& text) {
+        return std::regex_match(text, place) ? "" : fmt::format("'{}' is neither a lab nor a step", text);
+      });
   check->add_flag("--json", options.check.json, "Print JSON: an object for one lab, a list for several");
   check->add_flag("--unless-begun", options.check.unless_begun,
                   "Exit code 0 also if no step of these labs is begun");

@@ -158,13 +158,19 @@ std::string expected_by(const fs::path& source, const course::Lab& lab) {
   return text.substr(0, text.find_first_of("\r\n"));
 }
 
-/// Says where each step is written, and in the labs' notes which steps have damaged markers.
+/// Says where each step is written and when that was saved, and in the labs' notes which steps have damaged
+/// markers.
 void add_places(const fs::path& source, std::vector<judge::LabResult>& labs) {
   for (const std::string& file : course::step_files(source)) {
-    const std::string first = course::first_text(source, file);
-    for (const auto& [step, fault] : course::marker_faults(read_file(source / file), first, file))
+    const std::string first = course::first_text(source, file), text = read_file(source / file);
+    for (const auto& [step, fault] : course::marker_faults(text, first, file))
       for (judge::LabResult& lab : labs)
         if (std::stoi(step) == lab.lab.number) lab.notes.push_back(fault);
+    const std::map<std::string, std::string> steps = course::step_texts(text);
+    const std::int64_t saved = fs::last_write_time(source / file).time_since_epoch().count();
+    for (judge::LabResult& lab : labs)
+      for (judge::StepResult& step : lab.steps)
+        if (steps.contains(step.id)) step.saved = std::max(step.saved, saved);
   }
   judge::put_places(labs, course::step_places(source));
 }

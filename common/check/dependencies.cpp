@@ -28,11 +28,12 @@ struct Before {
   bool is_explained = false;  ///< it failed by a known mistake, or nothing of it was written
 };
 
+/// What was begun keeps its mistake: students may write steps in any order.
 void skip(judge::StepResult& step, const std::vector<std::string>& because_of, const std::string& message) {
   step.status = judge::Status::skipped;
   step.spoilt_by = because_of;
   step.message = message;
-  step.mistake.clear(), step.mistake_says.clear();
+  if (step.was_right || step.is_untouched()) step.mistake.clear(), step.mistake_says.clear();
 }
 
 }  // namespace
@@ -66,6 +67,7 @@ void skip_those_that_wait(judge::LabResult& lab,
     own.is_passed = step.status == judge::Status::passed;
     if (own.is_passed) continue;
     if (const auto found = changed.find(step.id); found != changed.end()) {
+      step.was_right = true;
       skip(step, found->second, fmt::format("It passed until you changed {}.", judge::listed(found->second)));
       own.is_passed = true;  // its text is right: the steps that need it do not wait for it
       continue;

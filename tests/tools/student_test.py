@@ -15,6 +15,7 @@ import sys
 import tempfile
 import time
 import unittest
+from unittest import mock
 import zlib
 
 import tree
@@ -185,6 +186,25 @@ class Checked(StudentTree):
         renderer = self.root / "labs/05_normal_map/expected/renderer.txt"
         renderer.write_bytes(renderer.read_bytes().partition(b"\n")[0] + b"\r\n")
         self.assertEqual(self.texel("check 5")[1], report)
+
+    def test_in_any_order(self):
+        """A step that was begun is told what is wrong with it, also while others come first, and can be checked by itself."""
+        mirror, frame = (self.steps(9)[step]["file"] for step in ("9.4", "9.3"))
+        texts = {file: (self.root / file).read_text(encoding="utf-8") for file in (mirror, frame)}
+        backwards = texts[mirror].replace("return normal;", "return reflect(eye - position, normal);")
+        with self.changed(mirror, backwards), self.changed(frame, texts[frame].replace("vec3(0.0, 1.0, 0.0), n", "vec3(0.0, 1.0, 0.0), -n")):
+            report, alone, see = self.texel("check 9")[1], self.texel("check 9.4"), self.texel("see 9.4")[1]
+            hint = self.texel("hint 9")[1]
+        self.assertRegex(report, r"  waits  9\.3 .*\n +\S+frame\.glsl:\d+\n +tangent: Off by")
+        for said in (report, alone[1], see):
+            self.assertIn("This looks like: The reflected ray points into the ball", said)
+        self.assertIn("  wrong  9.4", alone[1])
+        self.assertNotIn("9.1", alone[1])
+        self.assertEqual(alone[0], 1)
+        self.assertIn("Step 9.4", hint, "the one that was begun, before the first that is not")
+        with self.changed(mirror, solved((ROOT / mirror).read_text(encoding="utf-8"))):
+            self.assertEqual(self.texel("check 9.4"), (0, mock.ANY))
+        self.assertEqual([self.texel(f"check {place}")[0] for place in ("9.9", "9.", "12", "nine")], [2] * 4)
 
     def test_where_nine_of_ten_mistakes_in_shaders_get_their_name(self):
         """Of labs 5 and 9; ./run expected counts those of all labs, C++ too."""

@@ -49,7 +49,12 @@ std::string short_message(const CaseResult& one) {
   return first + (others > 0 ? fmt::format("\n{} more: ./run see {}", others, one.step) : "");
 }
 
-/// What is wrong with the step that comes next, and what helps.
+/// Written, and not right: its own text is to be changed, whether other steps come first or not.
+bool is_wrong(const StepResult& step) {
+  return !passed(step) && !step.is_untouched() && !step.was_right;
+}
+
+/// What is wrong with a step, and what helps.
 std::string details(const StepResult& step, const Paint& paint) {
   constexpr std::size_t indent = 12;
   const CaseResult& telling = *judge::clearest_case(step);
@@ -94,6 +99,11 @@ std::string wrapped(const std::string& text, std::size_t indent) {
 }
 
 const StepResult* next_step(const LabResult& lab) {
+  const StepResult* latest = nullptr;
+  for (const StepResult& step : lab.steps)
+    if (step.status == Status::failed && is_wrong(step) && (latest == nullptr || step.saved > latest->saved))
+      latest = &step;
+  if (latest != nullptr) return latest;
   for (const Status status : {Status::failed, Status::skipped})
     for (const StepResult& step : lab.steps)
       if (step.status == status) return &step;
@@ -115,11 +125,15 @@ std::string report(const LabResult& lab, bool colors) {
     const std::string begin = fmt::format("  {:<5}  {}  ", word, step.id);
     line = begin + wrapped(line, begin.size()).substr(begin.size());
     text += paint(passed(step) ? kGreen : &step == next ? kYellow : kDim, line);
-    if (&step == next) text += paint(kDim, fmt::format("{:12}{}:{}\n", "", step.file, step.line));
-    if (&step == next)
-      text += step.status == Status::skipped ? wrapped(step.message, 12) : details(step, paint);
+    // A picture that cannot be drawn is told at the next step: another step's text may be the reason.
+    if (&step != next && !(is_wrong(step) && !judge::clearest_case(step)->picture.empty())) continue;
+    text += paint(kDim, fmt::format("{:12}{}:{}\n", "", step.file, step.line));
+    if (&step == next && step.status == Status::skipped) text += wrapped(step.message, 12);
+    if (is_wrong(step) || step.status != Status::skipped) text += details(step, paint);
   }
-  if (next == nullptr)
+  if (lab.steps.size() < lab.lab.steps.size() && next == nullptr)  // some of them were asked for
+    text += paint(kGreen, "Right.") + "\n";
+  else if (next == nullptr)
     text += paint(kGreen, fmt::format("All done: {:g} of {:g} points.", lab.points(), lab.max_points())) +
             what_follows(lab.lab.number) + "\n";
   else

@@ -8,11 +8,12 @@
 
 namespace texel::tools {
 
-/// The step that comes next: the first that failed, else the first that is not done, or none.
+/// The step that comes next: of those that were begun and failed the one that was saved last, else the first
+/// that failed, else the first that is not done, or none.
 const judge::StepResult* next_step(const judge::LabResult& lab);
 
-/// A lab's steps, each in a line: done, next, to do or waiting; below the next one, what is wrong and what
-/// helps. Lines end in '\n'. With colours for a terminal.
+/// A lab's steps, each in a line: done, wrong, next, to do or waiting; below the next one and below each that
+/// was begun, what is wrong and what helps. Lines end in '\n'. With colours for a terminal.
 std::string report(const judge::LabResult& lab, bool colors);
 
 /// A line for each lab, how far it is, and what comes next in the course.

@@ -60,6 +60,20 @@ const course::Step& step_called(const std::string& id) {
                      fmt::format("the steps are {}", fmt::join(known, ", ")));
 }
 
+/// Labs as "9" and steps as "9.4"; all labs for none. Of a lab whose steps are named it has these alone.
+std::vector<judge::LabResult> check_places(const std::vector<std::string>& places,
+                                           const std::string& context) {
+  std::vector<int> numbers;
+  for (const std::string& place : places)
+    numbers.push_back(std::stoi(place.find('.') == place.npos ? place : step_called(place).id));
+  std::vector<judge::LabResult> labs = check_labs(numbers, context);
+  const auto is_named = [&](const std::string& place) { return std::ranges::count(places, place) > 0; };
+  for (judge::LabResult& lab : labs)
+    if (!places.empty() && !is_named(std::to_string(lab.lab.number)))
+      std::erase_if(lab.steps, [&](const judge::StepResult& step) { return !is_named(step.id); });
+  return labs;
+}
+
 /// Says on standard error that the work goes on, if it lasts so long.
 void wait_patiently(const std::stop_token& done) {
   constexpr std::chrono::seconds kQuiet{5};  // a check of all nine labs takes 1 s on two processors
@@ -100,9 +114,9 @@ std::string next_hint(const course::Step& step) {
 }
 
 Exit check(const CheckOptions& options, const std::string& context) {
-  const std::vector<judge::LabResult> labs = check_labs(options.labs, context);
+  const std::vector<judge::LabResult> labs = check_places(options.places, context);
   if (options.json) {
-    fmt::print("{}\n", options.labs.size() == 1 ? to_json(labs.front()) : to_json(labs));
+    fmt::print("{}\n", options.places.size() == 1 ? to_json(labs.front()) : to_json(labs));
   } else {
     for (const judge::LabResult& lab : labs)
       fmt::print("{}{}", &lab == &labs.front() ? "" : "\n", report(lab, wants_colors()));
@@ -120,6 +134,7 @@ Exit see(const std::string& wanted, fs::path out, const std::string& context) {
     fmt::print("{}", wrapped(fmt::format("{} {}, {}: {}", step.id, step.title, one.name,
                                          one.passed() ? "right" : one.message),
                              0));
+    if (!one.mistake.empty()) fmt::print("{}", wrapped("This looks like: " + one.mistake_says, 0));
     if (one.picture.empty()) return Exit::failed;  // the message says why
     if (one.is_mesh()) {
       std::string flags;

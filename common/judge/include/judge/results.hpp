@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <string>
@@ -81,6 +82,8 @@ struct StepResult : course::Step {
   std::string mistake, mistake_says;  ///< of the first failed case that has one; "" when passed or skipped
   std::string file;                   ///< where the step is written, in the tree
   int line = 0;                       ///< of its first marker in the starter
+  std::int64_t saved = 0;             ///< when a file with its text was last written; only in check
+  bool was_right = false;             ///< its text passed before another step was changed; only in check
   std::string overridden;             ///< the teacher's reason for another score, or ""
   /// Other steps that did not pass and spoil pictures of this one, as far as is known: where a case was
   /// judged alone, those that it needs and those of its lab that were begun; where check skips it, the step
