@@ -69,6 +69,17 @@ bool is_sampler(GLenum type) {
          type == GL_SAMPLER_3D;
 }
 
+GLint texture_units() {
+  GLint count = 0;
+  glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &count);
+  return count;
+}
+
+/// The unit that samplers have until somebody sets them, in whatever way: no lab uses it.
+GLint unset_unit() {
+  return texture_units() - 2;
+}
+
 }  // namespace
 
 Program::Program(std::shared_ptr<const ShaderSource> vertex, std::shared_ptr<const ShaderSource> fragment,
@@ -118,6 +129,13 @@ Program::Program(std::shared_ptr<const ShaderSource> vertex, std::shared_ptr<con
     attributes_.push_back(static_cast<Attribute>(known - std::begin(kAttributeNames)));
   }
   std::sort(attributes_.begin(), attributes_.end());
+
+  GLint before = 0;
+  glGetIntegerv(GL_CURRENT_PROGRAM, &before);
+  glUseProgram(id_);
+  for (const Uniform& uniform : uniforms_)
+    if (is_sampler(uniform.type)) glUniform1i(uniform.location, unset_unit());
+  glUseProgram(static_cast<GLuint>(before));
 }
 
 Program::~Program() {
@@ -157,7 +175,16 @@ Uniform* Program::to_set(std::string_view name, std::initializer_list<GLenum> ty
 }
 
 void Program::set(std::string_view name, int value) {
-  if (const Uniform* u = to_set(name, {GL_INT, GL_BOOL})) glUniform1i(u->location, value);
+  const Uniform* u = to_set(name, {GL_INT, GL_BOOL});
+  if (u == nullptr) return;
+  if (is_sampler(u->type) && (value < 0 || value >= texture_units()))
+    throw no_unit(name, fmt::to_string(value));
+  glUniform1i(u->location, value);
+}
+void Program::set(std::string_view name, GLuint value) {
+  const Uniform* u = to_set(name, {GL_INT, GL_BOOL});
+  if (u != nullptr && is_sampler(u->type)) throw no_unit(name, fmt::format("an unsigned {}", value));
+  if (u != nullptr) glUniform1i(u->location, static_cast<GLint>(value));
 }
 void Program::set(std::string_view name, float value) {
   if (const Uniform* u = to_set(name, {GL_FLOAT})) glUniform1f(u->location, value);
@@ -180,11 +207,21 @@ void Program::set(std::string_view name, const glm::mat4& value) {
     glUniformMatrix4fv(u->location, 1, GL_FALSE, glm::value_ptr(value));
 }
 
+Error Program::no_unit(std::string_view name, const std::string& value) const {
+  return Error::failed(fmt::format("the sampler '{}' is set to {}", name, value), place(),
+                       "a sampler takes the number of a texture unit, as a plain 0: neither a texture's name "
+                       "nor GL_TEXTURE0");
+}
+
 void Program::check_uniforms() const {
-  for (const Uniform& uniform : uniforms_)
-    if (!uniform.is_set)
+  for (const Uniform& uniform : uniforms_) {
+    if (uniform.is_set) continue;
+    GLint unit = unset_unit();  // glUniform1i sets a sampler too
+    if (is_sampler(uniform.type)) glGetUniformiv(id_, uniform.location, &unit);
+    if (unit == unset_unit())
       throw Error::failed(fmt::format("the uniform '{}' is read but never set", uniform.name), place(),
                           "set it in the lab, or give it the name of one of the lab's parameters");
+  }
 }
 
 std::shared_ptr<const ShaderSource> ProgramCache::source(const std::string& file) {

@@ -244,6 +244,19 @@ TEST_P(OpenGl, a_uniform_that_nobody_sets_is_an_error) {
   EXPECT_EQ(error_of([&] { program.check_uniforms(); }), "");
 }
 
+TEST_P(OpenGl, a_sampler_takes_the_number_of_a_unit_in_whatever_way_it_is_set) {
+  Program& program = use("full.vert", "map.frag");
+  for (const std::string& error :
+       {error_of([&] { program.set("map", GL_TEXTURE0); }), error_of([&] { program.set("map", GLuint{1}); }),
+        error_of([&] { program.set("map", int{GL_TEXTURE0}); }), error_of([&] { program.set("map", -1); })})
+    EXPECT_NE(error.find("number of a texture unit"), std::string::npos) << error;
+  write_file(folder_ / "same.frag", read_file(folder_ / "map.frag"));
+  Program& fresh = use("full.vert", "same.frag");
+  EXPECT_NE(error_of([&] { fresh.check_uniforms(); }), "");
+  glUniform1i(glGetUniformLocation(fresh.id(), "map"), 0);  // as the slides have it
+  EXPECT_EQ(error_of([&] { fresh.check_uniforms(); }), "");
+}
+
 TEST_P(OpenGl, a_variant_is_compiled_once_and_only_for_constants_that_its_source_mentions) {
   write_file(folder_ / "variant.frag",
              "#version 330 core\nout vec4 c;\nvoid main() {\n#if METHOD == 1\n  c = vec4(1.0);\n#else\n  c = "

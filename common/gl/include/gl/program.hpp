@@ -44,8 +44,9 @@ class Program {
 
   /// Sets a uniform of the program, which must be in use. A name that its source does not mention throws
   /// Error. One that this variant does not read is ignored. A sampler is set to the number of its texture
-  /// unit.
+  /// unit: an unsigned number, such as GL_TEXTURE0 or a texture's name, throws Error.
   void set(std::string_view name, int value);
+  void set(std::string_view name, GLuint value);
   void set(std::string_view name, float value);
   void set(std::string_view name, const glm::vec2& value);
   void set(std::string_view name, const glm::vec3& value);
@@ -68,6 +69,7 @@ class Program {
 
  private:
   Uniform* to_set(std::string_view name, std::initializer_list<GLenum> types);
+  [[nodiscard]] Error no_unit(std::string_view name, const std::string& value) const;
   std::shared_ptr<const ShaderSource> vertex_, fragment_;
   GLuint id_ = 0;
   std::vector<Uniform> uniforms_;
