@@ -57,6 +57,7 @@ void Canvas::draw_into(const gl::Target& target, View view, const std::optional<
     glDisable(GL_CULL_FACE);
     glDisable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     glEnable(GL_FRAMEBUFFER_SRGB);
+    gl::unbind_textures();
     Frame frame(size, view, lab_.parameters(), assets_, programs_);
     lab_.draw(frame);
     frame.check();

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/stages.hpp"
 #include "gl/es_source.hpp"
+#include "gl/upload.hpp"
 #include "gl/web_context.hpp"
 
 namespace texel::gl {
@@ -67,12 +68,6 @@ std::string variant() {
 bool is_sampler(GLenum type) {
   return type == GL_SAMPLER_2D || type == GL_SAMPLER_CUBE || type == GL_SAMPLER_2D_ARRAY ||
          type == GL_SAMPLER_3D;
-}
-
-GLint texture_units() {
-  GLint count = 0;
-  glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &count);
-  return count;
 }
 
 /// The unit that samplers have until somebody sets them, in whatever way: no lab uses it.

@@ -28,6 +28,21 @@ image::Image8 expand_grey(const image::Image8& image) {
   return color;
 }
 
+GLint texture_units() {
+  GLint count = 0;
+  glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &count);
+  return count;
+}
+
+void unbind_textures() {
+  for (GLint unit = texture_units() - 1; unit >= 0; --unit) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glBindTexture(GL_TEXTURE_CUBE_MAP, 0);
+  }
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+}
+
 void set_sampling(GLenum target, const Sampling& sampling) {
   glTexParameteri(target, GL_TEXTURE_MIN_FILTER, static_cast<GLint>(sampling.minify));
   glTexParameteri(target, GL_TEXTURE_MAG_FILTER, static_cast<GLint>(sampling.magnify));

@@ -101,9 +101,7 @@ struct MultiTexture : app::Lab<MultiTextureParameters> {
  private:
   /// The unit that the parameter names, at most the driver's highest.
   static int second_unit(const Parameters& p) {
-    GLint count = 0;  // over all stages; each stage may read 16 or more of them
-    glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &count);
-    return std::min(p.second_unit, count - 1);
+    return std::min(p.second_unit, gl::texture_units() - 1);
   }
 
   /// A texture object with its levels.

@@ -22,6 +22,13 @@ class ScopedBinding {
   GLint before_ = 0;
 };
 
+/// How many units there are, over all stages.
+GLint texture_units();
+
+/// As in a new context: no unit has a texture, unit 0 is active, and rows begin at multiples of four bytes.
+/// What one picture bound does not help or spoil the next.
+void unbind_textures();
+
 /// Uploads one level of the bound texture; rows of any length are tightly packed.
 void upload_level(GLenum target, int level, const image::Image8& image, image::Encoding encoding);
 
