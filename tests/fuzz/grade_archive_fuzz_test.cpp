@@ -43,7 +43,7 @@ std::string spoilt(const std::string& archive, Random& random) {
 }
 
 TEST(ArchiveFuzz, gives_allowed_files_or_a_fault_when_bytes_are_spoilt) {
-  const test::TemporaryFolder folder("archive_fuzz");
+  const test::TemporaryFolder folder;
   const std::vector<std::string> allowed = {"labs/05_normal_map/lab.cpp", "shaders/lib/light.glsl"};
   const std::vector<test::Packed> files = {{"work/labs/05_normal_map/lab.cpp", std::string(3000, 'x')},
                                            {"work/shaders/lib/light.glsl", "short"},

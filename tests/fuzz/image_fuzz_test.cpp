@@ -70,7 +70,7 @@ void count(Outcome& outcome, Load load) {
 }
 
 TEST(ImageFuzz, gives_a_picture_or_an_error_when_bytes_are_spoilt) {
-  const test::TemporaryFolder folder("image_fuzz");
+  const test::TemporaryFolder folder;
   const std::vector<std::string> seeds = sound_files(folder);
   Outcome strict, eight, floats, texts;
   for (std::uint64_t i = 0; i < 3000; ++i) {

@@ -52,7 +52,7 @@ course::Case one(const char* file, View view, course::Size size, const Settings&
 
 class BatchOfThreads : public testing::TestWithParam<int> {
  protected:
-  BatchOfThreads() : files_("batch_test") {
+  BatchOfThreads() {
     ::setenv("TEXEL_THREADS", std::to_string(GetParam()).c_str(), 1);
     Grey::folder = files_ / "out";
     Grey::files_there.clear();

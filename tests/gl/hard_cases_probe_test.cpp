@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Functions of the shaders of labs 6, 8 and 9 by themselves, at the inputs at which such functions fail: run
 // over tables, and compared with teach/truth in double precision and with their twins in teach/answers.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,11 +14,14 @@
 #include "../../labs/09_bump/parameters.hpp"
 #include "../support/directions.hpp"
 #include "../support/oracles.hpp"
-#include "../support/probe.hpp"
 #include "../support/tolerance.hpp"
 #include "answers/basis.hpp"
 #include "app/lab.hpp"
 #include "gl/context.hpp"
+#include "gl/objects.hpp"
+#include "gl/program.hpp"
+#include "gl/target.hpp"
+#include "gl/upload.hpp"
 #include "procedural/cube.hpp"
 #include "truth/cube_map.hpp"
 #include "truth/optics.hpp"
@@ -31,6 +35,25 @@ using glm::vec3;
 using glm::vec4;
 using Table = std::vector<vec4>;
 
+// The table is folded into rows of so many pixels: a single row would be wider than a texture may be.
+constexpr int kWidth = 1024;
+
+/// One column as a texture, its last row filled up with zeros.
+Texture make_column(const Table& values, int height) {
+  Table padded = values;
+  padded.resize(static_cast<std::size_t>(kWidth) * static_cast<std::size_t>(height), vec4(0));
+  Texture texture;
+  const ScopedBinding binding(GL_TEXTURE_2D, texture);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, kWidth, height, 0, GL_RGBA, GL_FLOAT, padded.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  return texture;
+}
+
+std::string column_name(std::size_t column) {
+  return std::string(1, static_cast<char>('a' + column));
+}
+
 /// One context for the file: making one takes longer than all of its tests.
 class HardCase : public testing::Test {
  protected:
@@ -40,9 +63,52 @@ class HardCase : public testing::Test {
     for (const std::string& error : context_->take_errors()) ADD_FAILURE() << error;
   }
 
+  /// Runs a step function in GLSL over a table of inputs and reads its values back exactly (32-bit floats).
+  ///
+  /// `file` below `shaders` holds the function; `expression` is a GLSL expression of type vec4 in which `a`,
+  /// `b`, `c`, … (one for each column of the table, vec4 each) stand for the row's inputs:
+  /// "vec4(decode_normal(a.rgb), 1.0)". All columns have the same length, which is that of the result.
+  /// Functions that need derivatives (dFdx) cannot be asked so: a table has no neighbours.
   static Table values_of(const std::string& file, const std::string& expression,
                          const std::vector<Define>& defines, const std::vector<Table>& columns) {
-    return test::probe("shaders", file, expression, defines, columns);
+    const std::size_t count = columns.empty() ? 0 : columns.front().size();
+    if (count == 0) return {};
+
+    std::string fragment = fmt::format("#version 330 core\n#include \"{}\"\nout vec4 result;\n", file);
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      fragment += fmt::format("uniform sampler2D column_{};\n", column_name(i));
+    fragment += "void main() {\n";
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      fragment +=
+          fmt::format("  vec4 {0} = texelFetch(column_{0}, ivec2(gl_FragCoord.xy), 0);\n", column_name(i));
+    fragment += fmt::format("  result = {};\n}}\n", expression);
+
+    const auto vertex_source = std::make_shared<const ShaderSource>("shaders", "app/present.vert");
+    const auto fragment_source = std::make_shared<const ShaderSource>("shaders", "probe", fragment);
+    Program program(vertex_source, fragment_source, defines);
+    program.use();
+
+    const int height = static_cast<int>((count + kWidth - 1) / kWidth);
+    std::vector<Texture> textures;
+    for (const Table& column : columns) textures.push_back(make_column(column, height));
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      bind(static_cast<int>(i), GL_TEXTURE_2D, textures[i]);
+      program.set("column_" + column_name(i), static_cast<int>(i));
+    }
+    const Target target(Target::Kind::data, kWidth, height, 1);
+    target.bind();
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    const VertexArray no_attributes;
+    glBindVertexArray(no_attributes.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+
+    const image::ImageF values = target.read_float();
+    Table result(count);
+    for (std::size_t i = 0; i < count; ++i)
+      result[i] = {values.samples[4 * i], values.samples[4 * i + 1], values.samples[4 * i + 2],
+                   values.samples[4 * i + 3]};
+    return result;
   }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The labs' programs, and what a test asks of any of them.
+// The labs' programs, and the pictures that a test has them draw.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -9,38 +9,9 @@
 #include <vector>
 
 #include "../support/picture_files.hpp"
-#include "../support/places.hpp"
-#include "../support/process.hpp"
-#include "../support/said.hpp"
-#include "core/json.hpp"
 #include "image/image.hpp"
 
 namespace texel::test {
-
-/// Their names in order, from labs/CMakeLists.txt.
-inline constexpr const char* kLabs[] = {TEXEL_LABS};
-static_assert(std::size(kLabs) >= 9, "a lab is missing");
-
-/// A suite that runs once for each lab; GetParam() is the program's name.
-class EveryLab : public testing::TestWithParam<const char*> {
- protected:
-  [[nodiscard]] static std::string lab() { return GetParam(); }
-  /// Of this test alone, gone when it ends.
-  TemporaryFolder folder_{unique_name()};
-
- private:
-  static std::string unique_name();
-};
-
-/// INSTANTIATE_TEST_SUITE_P's arguments after the suite.
-inline const auto each_lab = testing::ValuesIn(kLabs);
-inline std::string lab_name(const testing::TestParamInfo<const char*>& lab) {
-  return std::string(lab.param).substr(0, 5);
-}
-
-/// Runs a lab without Mesa's shader cache, which would keep what earlier runs compiled. `before` stands
-/// before the program's name: variables, or "cd / &&".
-Result run_lab(const std::string& lab, const std::string& arguments, const std::string& before = {});
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
@@ -62,11 +33,7 @@ void draw(const std::string& lab, const std::vector<Shot>& shots, const Temporar
 /// The float pictures of the shots, whose names need no ".pfm", by name; drawn from one process.
 using Pictures = std::map<std::string, image::ImageF>;
 Pictures float_pictures(const std::string& lab, std::vector<Shot> shots);
-/// The settings as flags of the command line.
+/// The settings as flags of the command line, for messages.
 std::string flags(const Settings& settings);
-
-bool has_parameter(const std::string& lab, const std::string& name);
-/// What --stats - prints of a look.
-Json stats_of(const std::string& lab, const std::string& arguments = {});
 
 }  // namespace texel::test

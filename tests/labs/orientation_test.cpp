@@ -69,7 +69,7 @@ enum class Part { everything, background };
 /// times as much and more.
 void expect_six_sides(const std::string& lab, const Settings& common, double distance, double fov,
                       const Expected& expected, Part part = Part::everything) {
-  const TemporaryFolder folder(fmt::format("sides_{}", ::getpid()));
+  const TemporaryFolder folder;
   const std::pair<int, int> sides[] = {{0, 0}, {90, 0}, {180, 0}, {-90, 0}, {0, 89}, {0, -89}};
   std::vector<Shot> shots;
   for (const auto& [yaw, pitch] : sides) {

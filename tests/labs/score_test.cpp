@@ -72,7 +72,7 @@ class ScoreOf : public testing::TestWithParam<int> {
     return reference_.at(std::clamp(x, 0, reference_.width - 1), std::clamp(y, 0, reference_.height - 1), c);
   }
 
-  TemporaryFolder folder_{fmt::format("score_{}", ::getpid())};
+  TemporaryFolder folder_;
   Case of_;
   ExpectedFiles expected_;
   Image8 reference_;

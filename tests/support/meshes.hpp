@@ -2,16 +2,13 @@
 // Meshes that only tests need.
 #pragma once
 #include <array>
-#include <filesystem>
 #include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
 #include <utility>
 #include <vector>
 
-#include "core/files.hpp"
 #include "mesh/mesh.hpp"
-#include "mesh/ply.hpp"
 #include "mesh/tangents.hpp"
 #include "mesh/vectors.hpp"
 
@@ -57,10 +54,6 @@ inline mesh::Mesh icosphere(int subdivisions, float radius = 1.0F) {
     mesh.normals.emplace_back(point);
   }
   return mesh;
-}
-
-inline mesh::Mesh read_ply(const std::filesystem::path& path) {
-  return mesh::parse_ply(read_file(path), path.string());
 }
 
 }  // namespace texel::test

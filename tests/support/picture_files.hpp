@@ -1,35 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Tiny picture files made byte by byte, for the tests of what we do not write ourselves.
 #pragma once
-#include <unistd.h>
-
 #include <array>
 #include <cstdint>
 #include <filesystem>
 #include <initializer_list>
 #include <string>
 
+#include "core/files.hpp"
+
 namespace texel::test {
 
-/// A folder of this process alone, empty at first and gone at the end.
-class TemporaryFolder {
+/// A new empty folder, gone at the end, which all users of the machine may enter.
+class TemporaryFolder : public ScratchFolder {
  public:
-  explicit TemporaryFolder(const std::string& name)
-      : path_(std::filesystem::temp_directory_path() / ("texel_" + name + "_" + std::to_string(::getpid()))) {
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directories(path_);
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] std::filesystem::path operator/(const std::string& file) const { return path_ / file; }
-  [[nodiscard]] bool empty() const { return std::filesystem::is_empty(path_); }
-
- private:
-  std::filesystem::path path_;
+  TemporaryFolder() { std::filesystem::permissions(path(), std::filesystem::perms(0755)); }
+  [[nodiscard]] std::filesystem::path operator/(const std::string& file) const { return path() / file; }
+  [[nodiscard]] bool empty() const { return std::filesystem::is_empty(path()); }
 };
 
 inline std::string bytes(std::initializer_list<int> values) {

@@ -11,9 +11,9 @@
 
 #include "../../teach/grade/workshop.hpp"
 #include "../support/places.hpp"
-#include "../support/process.hpp"
 #include "../support/said.hpp"
 #include "core/files.hpp"
+#include "core/process.hpp"
 #include "course/batch.hpp"
 #include "course/lab_file.hpp"
 #include "course/markers.hpp"
@@ -23,8 +23,6 @@ namespace texel {
 namespace {
 
 namespace fs = std::filesystem;
-using test::shell;
-using test::shell_word;
 using Files = std::map<std::string, std::string>;
 
 const fs::path kSource = test::kSource, kCache = fs::path(test::kBuild) / "grade";
@@ -53,18 +51,19 @@ class StandsAlone : public testing::Test {
     return files;
   }
 
-  /// The command that runs a lab's program with these files in place of the starter's.
-  [[nodiscard]] std::string with(const course::Lab& lab, const Files& files, const std::string& name) {
+  /// The words that run a lab's program with these files in place of the starter's.
+  [[nodiscard]] std::vector<std::string> with(const course::Lab& lab, const Files& files,
+                                              const std::string& name) {
     const grade::Program program = workshop_.make(lab.program(), files);
     for (const store::CompilerLog& refused : program.refused) ADD_FAILURE() << refused.file << refused.text;
     const fs::path root = work_ / lab.folder / name;
     fs::create_directories(root);
     grade::make_root(starter_.source, files, root);
-    return fmt::format("TEXEL_ROOT={} {}", shell_word(root.string()), shell_word(program.file.string()));
+    return {"env", "TEXEL_ROOT=" + root.string(), program.file.string()};
   }
 
   /// The lab's first picture and its looks, as bytes.
-  [[nodiscard]] Files draw(const course::Lab& lab, const std::string& command,
+  [[nodiscard]] Files draw(const course::Lab& lab, std::vector<std::string> command,
                            const std::string& name) const {
     std::vector<course::Case> cases(1);
     cases[0].file = "first.png";
@@ -73,8 +72,10 @@ class StandsAlone : public testing::Test {
     for (course::Case& one : cases) one.size = {96, 96};
     const fs::path batch = work_ / lab.folder / (name + ".json"), out = work_ / lab.folder / (name + "_out");
     write_file(batch, course::to_batch(cases));
-    const test::Result result = shell(fmt::format("{} --batch {} --out {} 2>&1", command,
-                                                  shell_word(batch.string()), shell_word(out.string())));
+    for (const std::string& word :
+         {std::string("--batch"), batch.string(), std::string("--out"), out.string()})
+      command.push_back(word);
+    const Ran result = run_program(command, true);
     EXPECT_EQ(result.exit_code, 0) << result.output;
     Files pictures;
     for (const course::Case& one : cases)
@@ -110,12 +111,14 @@ TEST_F(StandsAlone, but_a_named_obj_file_is_read_by_the_students_reader) {
     SCOPED_TRACE(lab.folder);
     const Files broken =
         others(lab, [&](const std::string& path) { return crash(path, read_file(starter_.source / path)); });
-    const std::string command = with(lab, broken, "reader");
     const fs::path models = kSource / "assets/models";
+    const std::vector<std::string> program = with(lab, broken, "reader");
     const auto draws = [&](const fs::path& model) {
-      return shell(fmt::format("{} {} --size 16x16 --snapshot {} 2>&1", command, shell_word(model.string()),
-                               shell_word((work_ / "reader.png").string())))
-                 .exit_code == 0;
+      std::vector<std::string> command = program;
+      for (const std::string& word : {model.string(), std::string("--size"), std::string("16x16"),
+                                      std::string("--snapshot"), (work_ / "reader.png").string()})
+        command.push_back(word);
+      return run_program(command, true).exit_code == 0;
     };
     EXPECT_FALSE(draws(models / "ship.obj"));
     EXPECT_TRUE(draws(models / "ship.ply"));

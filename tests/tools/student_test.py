@@ -344,6 +344,10 @@ class Helped(StudentTree):
             for line in self.texel(command)[1].splitlines():
                 self.assertTrue(len(line.encode()) <= 80 or str(self.root) in line, line)  # a path is not cut
 
+    def test_by_the_reason_once_why_several_steps_wait(self):
+        said = self.texel("check 8")[1]
+        self.assertRegex(said, r"8\.2 .*: It needs 8\.1 first\.\n  waits  8\.3 [^:]*\n  waits  8\.4 .*: It needs 8\.1 and 8\.3 first\.")
+
     def test_by_one_hint_after_the_other(self):
         shown = BUILD / "check/hints.json"
         shown.unlink(missing_ok=True)
@@ -410,7 +414,7 @@ class Built(StudentTree):
         return shell(f"cd {self.root} && {before} && TEXEL_NO_APT=1 TEXEL_ROOT={self.root} ./run {arguments} 2>&1")
 
     def test_names_the_form_of_a_command_before_it_builds(self):
-        for typed, says in (("watch", "./run watch 1"), ("reset 1", "./run reset 5.1"), ("check 1.3", "./run see 1.3")):
+        for typed, says in (("watch", "./run watch 1"), ("reset 1", "./run reset 5.1"), ("see 1", "./run see 5.1")):
             code, said = shell(f"{self.root}/run {typed}")
             self.assertEqual(code, 2, said)
             self.assertIn(says, said)

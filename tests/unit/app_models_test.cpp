@@ -40,7 +40,7 @@ TEST(Models, that_are_bundled_are_what_the_reader_makes_of_their_obj_files) {
 }
 
 TEST(Models, from_a_ply_file_need_normals_and_texture_coordinates) {
-  const test::TemporaryFolder folder("models");
+  const test::TemporaryFolder folder;
   mesh::Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.indices = {0, 1, 2};

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 class CheckedPictures : public testing::Test {
  protected:
-  CheckedPictures() : folder_("check") {
+  CheckedPictures() {
     for (course::Lab& lab : course::read_labs(tree_.source / "labs"))
       if (lab.number == 6) lab_ = std::move(lab);
   }

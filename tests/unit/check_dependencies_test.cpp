@@ -29,8 +29,6 @@ judge::LabResult lab(int number, const std::vector<std::pair<std::string, bool>>
 
 class MemoryTest : public testing::Test {
  protected:
-  MemoryTest() : folder_("order"), file_(folder_ / "check/passed.json") {}
-
   /// One check: the steps' texts, and which of them passed.
   std::map<std::string, Steps> check(const std::map<std::string, std::string>& texts,
                                      const std::set<std::string>& passed) {
@@ -39,7 +37,7 @@ class MemoryTest : public testing::Test {
   }
 
   test::TemporaryFolder folder_;
-  std::filesystem::path file_;
+  std::filesystem::path file_ = folder_ / "check/passed.json";
 };
 
 const std::map<std::string, std::string> kTexts = {{"1.3", "a"}, {"1.5", "b"}, {"2.1", "c"}, {"6.1", "d"}};

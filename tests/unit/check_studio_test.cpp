@@ -46,7 +46,7 @@ done
 
 class StudioTest : public testing::Test {
  protected:
-  StudioTest() : folder_("studio") {
+  StudioTest() {
     fs::create_directories(folder_ / "program");
     fs::create_directories(folder_ / "root");
     studio_.program = folder_ / "program/lab";
@@ -125,8 +125,7 @@ TEST_F(StudioTest, allows_the_program_one_thread) {
 /// A tree whose "cmake" is a script.
 class BuildTest : public testing::Test {
  protected:
-  BuildTest()
-      : folder_("build"), tree_{folder_ / "tree", folder_ / "tree/build"}, path_(std::getenv("PATH")) {
+  BuildTest() {
     fs::create_directories(folder_ / "bin");
     fs::create_directories(tree_.build);
     lab_.folder = "05_x";
@@ -142,8 +141,8 @@ class BuildTest : public testing::Test {
   }
 
   test::TemporaryFolder folder_;
-  OwnTree tree_;
-  std::string path_;
+  OwnTree tree_{folder_ / "tree", folder_ / "tree/build"};
+  std::string path_ = std::getenv("PATH");
   course::Lab lab_;
 };
 

@@ -50,7 +50,7 @@ class Files : public testing::Test {
   [[nodiscard]] std::ptrdiff_t count() const {
     return std::distance(std::filesystem::directory_iterator(folder_ / ""), {});
   }
-  TemporaryFolder folder_{"core"};
+  TemporaryFolder folder_;
   const std::filesystem::path file_ = folder_ / "a.txt";
 };
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <regex>
 
 #include "../support/picture_files.hpp"
 #include "../support/said.hpp"
@@ -197,7 +198,7 @@ class Tree {
   [[nodiscard]] fs::path out() const { return folder_ / "out"; }
 
  private:
-  test::TemporaryFolder folder_{"markers"};
+  test::TemporaryFolder folder_;
 };
 
 TEST(Starter, has_no_solution_no_tests_and_no_right_answers) {
@@ -245,6 +246,21 @@ TEST(Steps, of_the_courses_tree_have_places_of_its_own_and_those_of_a_starter) {
            "//@step 5.2 begin\n//@starter\n//@end\n");
   EXPECT_EQ(step_places(tree.root()).at("5.2").line, 7);
   EXPECT_EQ(first_places(tree.root()).at("5.2").line, 5);
+}
+
+/// An editor that saves with other line ends or tabs, and comments alone, begin no step, in any file of the
+/// course.
+TEST(Steps, are_not_begun_by_line_ends_tabs_blank_lines_and_comments) {
+  for (const std::string& file : step_files(".")) {
+    const std::string first = with_steps(read_file(file), file, nothing);
+    for (const std::string& text :
+         {std::regex_replace(first, std::regex("\n"), "\r\n"),
+          std::regex_replace(first, std::regex("\n +"), "\n\t"),
+          std::regex_replace(first, std::regex("\n( *//@end)"), "\n\n  // it's my plan\n$1")}) {
+      ASSERT_NE(text, first);
+      EXPECT_EQ(untouched_steps(text, first).size(), step_texts(first).size()) << file;
+    }
+  }
 }
 
 using Pair = std::pair<const char*, const char*>;

@@ -18,7 +18,7 @@ using test::replaced;
 /// A folder with labs/05_normal_map/lab.toml of the given text.
 class LabFile {
  public:
-  explicit LabFile(const std::string& text) : folder_("course") {
+  explicit LabFile(const std::string& text) {
     std::filesystem::create_directories(path().parent_path());
     write_file(path(), text);
   }

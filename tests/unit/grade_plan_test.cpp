@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 
 #include "../../teach/grade/student_run.hpp"
+#include "../support/picture_files.hpp"
 #include "core/files.hpp"
 #include "core/json.hpp"
 #include "course/batch.hpp"
@@ -43,12 +43,12 @@ GradedCase case_of(const std::string& name, std::vector<course::Setting> setting
 
 class Plan : public testing::Test {
  protected:
-  ~Plan() override { fs::remove_all(models_); }
   std::vector<judge::LabPlan> plan_of(const Lab& lab, const std::string& seed) {
     return full_plan({lab}, seed, models_);
   }
 
-  fs::path models_ = fs::temp_directory_path() / ("texel_plan_" + std::to_string(::getpid()));
+  test::TemporaryFolder folder_;
+  fs::path models_ = folder_ / "models";
   const Lab lab_ = lab_of(1, {case_of("open", {{"turn", "10"}}),
                               case_of("secret", {{"turn", "10"}, {"tilt", "1"}},
                                       {{"turn", -90, 90, {}}, {"wood", 0, 0, {"a", "b", "c"}}}),

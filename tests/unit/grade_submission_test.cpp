@@ -36,10 +36,6 @@ const std::string kQuad = "labs/01_texture_quad/lab.cpp", kLab = "labs/05_normal
 const std::vector<std::string> allowed = {kWeld, kQuad, kLab, kDecode, kFrame};
 const std::string kMebibyte(1U << 20U, '/');
 
-fs::path path_of(const test::TemporaryFolder& folder) {
-  return (folder / "x").parent_path();
-}
-
 void put(const fs::path& root, const Texts& files) {
   for (const auto& [path, text] : files) {
     fs::create_directories((root / path).parent_path());
@@ -55,9 +51,9 @@ std::string no_step(const std::string& /*file*/) {
 /// What an archive of that name holds, alone in a class.
 Submission unpacked(Format name, const std::string& bytes, const UnpackLimits& limits = {},
                     const FirstText& first_text = no_step) {
-  const test::TemporaryFolder folder("submission");
+  const test::TemporaryFolder folder;
   write_file(folder / (name == Format::zip ? "jane.zip" : "jane.tar.gz"), bytes);
-  return unpack(read_class(path_of(folder)).at(0), allowed, first_text, limits);
+  return unpack(read_class(folder.path()).at(0), allowed, first_text, limits);
 }
 
 std::string reason_of(const Submission& submission, const std::string& path) {
@@ -67,14 +63,14 @@ std::string reason_of(const Submission& submission, const std::string& path) {
 }
 
 std::map<std::string, Entry> class_of(const std::vector<std::string>& file_names) {
-  const test::TemporaryFolder folder("class");
+  const test::TemporaryFolder folder;
   for (const std::string& name : file_names)
     if (name.ends_with('/'))
       fs::create_directory(folder / name);
     else
       write_file(folder / name, "x");
   std::map<std::string, Entry> entries;
-  for (const Entry& entry : read_class(path_of(folder))) EXPECT_TRUE(entries.emplace(entry.id, entry).second);
+  for (const Entry& entry : read_class(folder.path())) EXPECT_TRUE(entries.emplace(entry.id, entry).second);
   EXPECT_EQ(entries.size(), file_names.size());
   return entries;
 }
@@ -128,30 +124,30 @@ TEST(ReadClass, makes_ids_safe_and_keeps_names_as_text) {
 }
 
 TEST(ReadClass, takes_an_archive_alone_in_a_folder_for_the_submission) {
-  const test::TemporaryFolder folder("class");
+  const test::TemporaryFolder folder;
   put(folder / "Jane Doe_1_assignsubmission_file", {{"labs.zip", pack(Format::zip, {{kLab, "mine"}})}});
-  const Entry entry = read_class(path_of(folder)).at(0);
+  const Entry entry = read_class(folder.path()).at(0);
   EXPECT_EQ(entry.id, "jane-doe-1");
   EXPECT_EQ(entry.kind, Entry::Kind::zip);
   EXPECT_EQ(unpack(entry, allowed, no_step).files, (Texts{{kLab, "mine"}}));
 }
 
 TEST(ReadClass, follows_no_link_and_throws_for_a_missing_folder) {
-  const test::TemporaryFolder folder("class");
+  const test::TemporaryFolder folder;
   fs::create_directory_symlink("/etc", folder / "jane");
-  const Entry link = read_class(path_of(folder)).at(0);
+  const Entry link = read_class(folder.path()).at(0);
   EXPECT_EQ(link.kind, Entry::Kind::other);
   EXPECT_TRUE(unpack(link, allowed, no_step).fault.starts_with("is a symbolic link, which is not followed"));
   EXPECT_THROW(read_class(folder / "missing"), Error);
 }
 
 TEST(StepFiles, are_the_files_of_the_tree_with_a_marker) {
-  const test::TemporaryFolder tree("step_files");
-  put(path_of(tree), {{"labs/01_a/lab.cpp", "int x;\n    //@step 1.1 begin\n//@end\n"},
-                      {"labs/01_a/other.hpp", "// the marker //@step is explained here\n"},
-                      {"shaders/lib/light.glsl", "//@step 5.1 begin\n"},
-                      {"tests/test.cpp", "//@step 5.1 begin\n"}});
-  EXPECT_EQ(course::step_files(path_of(tree)),
+  const test::TemporaryFolder tree;
+  put(tree.path(), {{"labs/01_a/lab.cpp", "int x;\n    //@step 1.1 begin\n//@end\n"},
+                    {"labs/01_a/other.hpp", "// the marker //@step is explained here\n"},
+                    {"shaders/lib/light.glsl", "//@step 5.1 begin\n"},
+                    {"tests/test.cpp", "//@step 5.1 begin\n"}});
+  EXPECT_EQ(course::step_files(tree.path()),
             (std::vector<std::string>{"labs/01_a/lab.cpp", "shaders/lib/light.glsl"}));
   EXPECT_THROW(course::step_files(tree / "tests"), Error);
 }
@@ -234,9 +230,9 @@ TEST(Unpack, takes_steps_out_of_the_files_that_an_older_starter_had_them_in) {
   };
   for (const Row& row : rows) {
     SCOPED_TRACE(row.name);
-    const test::TemporaryFolder folder("older");
+    const test::TemporaryFolder folder;
     write_file(folder / "jane.zip", pack(Format::zip, row.handed));
-    const Submission submission = unpack(read_class(path_of(folder)).at(0), files, first_text);
+    const Submission submission = unpack(read_class(folder.path()).at(0), files, first_text);
     EXPECT_EQ(submission.fault, "");
     EXPECT_EQ(submission.files, row.taken);
     EXPECT_EQ(reason_of(submission, row.path), row.reason);
@@ -434,9 +430,9 @@ TEST(Unpack, takes_files_from_folders_with_names_in_any_encoding_and_locale) {
           EXPECT_TRUE(!is_utf8 || submission.root == folder + "/") << submission.root;
         }
     for (const std::string& name : {utf8[0], others[0]}) {
-      const test::TemporaryFolder folder("class");
+      const test::TemporaryFolder folder;
       put(folder / "jane" / name, {{kLab, "mine"}});
-      EXPECT_EQ(unpack(read_class(path_of(folder)).at(0), allowed, no_step).files.count(kLab), 1U) << name;
+      EXPECT_EQ(unpack(read_class(folder.path()).at(0), allowed, no_step).files.count(kLab), 1U) << name;
     }
   }
   std::setlocale(LC_ALL, "C");
@@ -516,15 +512,15 @@ TEST(Unpack, refuses_bombs_and_what_is_broken_or_no_archive) {
 }
 
 TEST(Unpack, takes_a_folder_and_follows_nothing_in_it) {
-  const test::TemporaryFolder folder("class"), outside("outside");
+  const test::TemporaryFolder folder, outside;
   write_file(outside / "lab.cpp", "secret");
   const fs::path work = folder / "jane/my work";
   put(work, {{kQuad, kMebibyte}, {"large.txt", kMebibyte + "/"}, {".git/config", "hidden"}});
   fs::create_directories(work / "shaders/05_normal_map");
-  fs::create_directory_symlink(path_of(outside), work / "labs/05_normal_map");
+  fs::create_directory_symlink(outside.path(), work / "labs/05_normal_map");
   fs::create_symlink(outside / "lab.cpp", work / kDecode);
   ASSERT_EQ(::mkfifo((work / kFrame).c_str(), 0600), 0);
-  const Entry entry = read_class(path_of(folder)).at(0);
+  const Entry entry = read_class(folder.path()).at(0);
   const Submission submission = unpack(entry, allowed, no_step);
   EXPECT_EQ(submission.root, "my work/");
   EXPECT_TRUE(submission.files == (Texts{{kQuad, kMebibyte}}));
@@ -540,11 +536,11 @@ TEST(Unpack, takes_a_folder_and_follows_nothing_in_it) {
 }
 
 TEST(Overlay, lays_files_over_a_tree_that_the_sandbox_can_read_whatever_the_umask) {
-  const test::TemporaryFolder tree("overlay_tree"), out("overlay_out");
+  const test::TemporaryFolder tree, out;
   const fs::path to = out / "work";
   const mode_t before = ::umask(077);
-  put(path_of(tree), {{kQuad, "starter"}, {"CMakeLists.txt", "trusted"}});
-  overlay(path_of(tree), {{kQuad, "mine"}, {"labs/new/file.hpp", "new"}}, to);
+  put(tree.path(), {{kQuad, "starter"}, {"CMakeLists.txt", "trusted"}});
+  overlay(tree.path(), {{kQuad, "mine"}, {"labs/new/file.hpp", "new"}}, to);
   ::umask(before);
   for (const auto& [path, text] :
        Texts{{kQuad, "mine"}, {"labs/new/file.hpp", "new"}, {"CMakeLists.txt", "trusted"}}) {
@@ -555,11 +551,11 @@ TEST(Overlay, lays_files_over_a_tree_that_the_sandbox_can_read_whatever_the_umas
     EXPECT_EQ(fs::status(to / name).permissions(), fs::perms(0755)) << name;
   EXPECT_EQ(read_file(tree / kQuad), "starter");
   EXPECT_EQ(fs::status(tree / kQuad).permissions(), fs::perms(0600));
-  EXPECT_THROW(overlay(path_of(tree), {}, to), Error);  // not empty
+  EXPECT_THROW(overlay(tree.path(), {}, to), Error);  // not empty
   for (const char* path : {"../x", "/etc/x", "", "a/../../x", "labs/"})
-    EXPECT_THROW(overlay(path_of(tree), {{path, "x"}}, out / "other"), Error) << path;
+    EXPECT_THROW(overlay(tree.path(), {{path, "x"}}, out / "other"), Error) << path;
   fs::create_symlink("/etc/passwd", tree / "link");
-  EXPECT_THROW(overlay(path_of(tree), {}, out / "linked"), Error);
+  EXPECT_THROW(overlay(tree.path(), {}, out / "linked"), Error);
 }
 
 }  // namespace

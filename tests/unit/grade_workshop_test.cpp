@@ -10,9 +10,9 @@
 #include <thread>
 
 #include "../support/picture_files.hpp"
-#include "../support/process.hpp"
 #include "../support/said.hpp"
 #include "core/files.hpp"
+#include "core/process.hpp"
 
 namespace texel::grade {
 namespace {
@@ -35,7 +35,7 @@ Outcome counting(const Confines& confines, const std::vector<std::string>& comma
 
 class WorkshopTest : public testing::Test {
  protected:
-  WorkshopTest() : folder_("workshop"), tree_{folder_ / "tree", folder_ / "tree/build", "this tree"} {
+  WorkshopTest() : tree_{folder_ / "tree", folder_ / "tree/build", "this tree"} {
     write("labs/03_obj/a.cpp", "int a() { return 1; }\n");
     write("labs/03_obj/b.cpp", "int b() { return 2; }\n");
     write("labs/one.cpp", "int a();\nint main() { return a(); }\n");
@@ -50,7 +50,7 @@ class WorkshopTest : public testing::Test {
         "build bin/one: link labs/one.o labs/03_obj/a.o\nbuild bin/two: link labs/two.o labs/03_obj/b.o\n"
         "build bin/both: link labs/two.o labs/03_obj/a.o labs/03_obj/b.o\n";
     write("build/build.ninja", ninja);
-    EXPECT_EQ(test::shell("ninja -C " + tree_.build.string()).exit_code, 0);
+    EXPECT_EQ(run_program({"ninja", "-C", tree_.build.string()}).exit_code, 0);
     compiled = 0;
     workshop_ = std::make_unique<Workshop>(tree_, folder_ / "cache", counting);
   }
@@ -58,7 +58,7 @@ class WorkshopTest : public testing::Test {
     fs::create_directories((tree_.source / path).parent_path());
     write_file(tree_.source / path, text);
   }
-  static int exit_code(const Program& program) { return test::shell(program.file.string()).exit_code; }
+  static int exit_code(const Program& program) { return run_program({program.file.string()}).exit_code; }
   static std::string refused(const Program& program) {
     std::string files;
     for (const store::CompilerLog& log : program.refused) files += log.file + " ";

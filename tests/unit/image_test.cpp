@@ -78,7 +78,7 @@ class ImageFile : public testing::Test {
     return error_of([&] { load_pfm(path_); });
   }
 
-  TemporaryFolder folder_{"image"};
+  TemporaryFolder folder_;
   std::filesystem::path path_ = folder_ / "a.png";
 };
 using Png = ImageFile;

@@ -28,7 +28,7 @@ class MutantFile : public testing::Test {
     return name == std::string::npos ? text : text.substr(name + 6);
   }
 
-  test::TemporaryFolder folder_{"mutant_file"};
+  test::TemporaryFolder folder_;
   std::filesystem::path first_ = folder_ / "01_first.toml", second_ = folder_ / "second.toml";
 };
 

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 
+#include "../support/picture_files.hpp"
 #include "../support/said.hpp"
 #include "core/files.hpp"
 #include "mesh/obj.hpp"
@@ -87,11 +88,7 @@ TEST(Mtl, reads_colors_and_maps_and_tells_of_lines_that_are_lost_and_options_not
 /// A folder of its own for one test, removed at its end, in which models are written and loaded.
 class ObjFiles : public testing::Test {
  protected:
-  ObjFiles() {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_ / "lib/maps");
-  }
-  ~ObjFiles() override { std::filesystem::remove_all(folder_); }
+  ObjFiles() { std::filesystem::create_directories(folder_ / "lib/maps"); }
 
   void write(const std::string& file, const std::string& text) const { write_file(folder_ / file, text); }
   /// A model with a triangle's positions and these lines.
@@ -101,9 +98,7 @@ class ObjFiles : public testing::Test {
   }
 
   const std::string face_ = "f 1 2 3\n";
-  const std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() /
-      ("texel_obj_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  const test::TemporaryFolder folder_;
 };
 
 TEST_F(ObjFiles, material_libraries_are_read_beside_the_file) {

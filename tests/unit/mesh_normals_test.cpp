@@ -13,6 +13,7 @@ namespace texel::mesh {
 namespace {
 
 using cube_wrap::face_normal;
+using cube_wrap::weld;
 
 using test::degrees_between;
 

@@ -31,8 +31,6 @@ constexpr std::size_t kLargest = 1'000'000;
 /// The demo class with its pictures in a folder of its own.
 class Reports : public testing::Test {
  protected:
-  Reports() : temporary_("grade_reports"), folder_(temporary_ / "out"), results_(test::demo_class(folder_)) {}
-
   [[nodiscard]] store::StudentResult& student(const std::string& id) {
     return *std::find_if(results_.students.begin(), results_.students.end(),
                          [&](const store::StudentResult& each) { return each.id == id; });
@@ -60,8 +58,8 @@ class Reports : public testing::Test {
   }
 
   test::TemporaryFolder temporary_;
-  fs::path folder_;
-  store::ClassResult results_;
+  fs::path folder_ = temporary_ / "out";
+  store::ClassResult results_ = test::demo_class(folder_);
   store::StudentResult& ada_ = student("ada-half");
 };
 

@@ -20,7 +20,6 @@
 #include <thread>
 
 #include "../support/picture_files.hpp"
-#include "../support/process.hpp"
 #include "../support/said.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
@@ -81,8 +80,8 @@ class Guest : public testing::Test {
   }
 
   Way way_;
-  test::TemporaryFolder folder_{"sandbox"}, programs_{"sandbox_programs"};
-  const fs::path guest_ = programs_ / "guest", out_ = (folder_ / "x").parent_path();
+  test::TemporaryFolder folder_, programs_;
+  const fs::path guest_ = programs_ / "guest", out_ = folder_.path();
   Confines confines_;
 };
 
@@ -130,9 +129,9 @@ TEST_P(EveryWay, has_no_network_and_no_system_call_that_breaks_out) {
 }
 
 TEST_P(EveryWay, reaches_no_closed_file_and_no_process_of_others) {
-  const test::TemporaryFolder closed("sandbox_closed");
+  const test::TemporaryFolder closed;
   write_file(closed / "seed.txt", "secret");
-  ASSERT_EQ(::chmod((closed / "x").parent_path().c_str(), 0700), 0);
+  ASSERT_EQ(::chmod(closed.path().c_str(), 0700), 0);
   EXPECT_FALSE(can("read", closed / "seed.txt"));
   EXPECT_FALSE(can("read", "/proc/" + std::to_string(::getpid()) + "/environ"));
   EXPECT_FALSE(can("write", "/usr/file"));
@@ -236,8 +235,8 @@ TEST_F(SandboxTest, holds_little_in_pipes) {
 
 TEST_F(SandboxTest,
        shows_no_file_that_is_not_named_and_writes_nowhere_but_into_the_writable_folders_and_tmp) {
-  const test::TemporaryFolder other("sandbox_secret");
-  const fs::path shown = (other / "x").parent_path(), secret = other / "reference.pfm";
+  const test::TemporaryFolder other;
+  const fs::path shown = other.path(), secret = other / "reference.pfm";
   write_file(secret, "secret");
   ASSERT_EQ(::chmod(secret.c_str(), 0644), 0);
   for (const std::string& file :
@@ -329,8 +328,8 @@ TEST_F(SandboxTest, dies_with_its_caller) {
 }
 
 TEST_F(SandboxTest, throws_when_the_machine_is_at_fault) {
-  const test::TemporaryFolder closed("sandbox_closed");
-  const fs::path folder = (closed / "x").parent_path();
+  const test::TemporaryFolder closed;
+  const fs::path folder = closed.path();
   ASSERT_EQ(::chmod(folder.c_str(), 0700), 0);
   const std::function<void(Confines&)> faults[] = {
       [](Confines& confines) { confines.read_only.emplace_back("/no/such/folder"); },
@@ -348,14 +347,15 @@ TEST_F(SandboxTest, throws_when_the_machine_is_at_fault) {
 TEST_F(SandboxTest, works_for_a_normal_user_too) {
   if (::geteuid() != 0) GTEST_SKIP() << "this is a normal user already";
   ASSERT_EQ(::chown(out_.c_str(), 12345, 12345), 0);
-  const std::string as_user =
-      "setpriv --reuid 12345 --regid 12345 --clear-groups env TMPDIR=" + out_.string() + " ";
+  const auto as_user = [&](const std::vector<std::string>& command) {
+    std::vector<std::string> words = {"setpriv", "--reuid",        "12345", "--regid",
+                                      "12345",   "--clear-groups", "env",   "TMPDIR=" + out_.string()};
+    words.insert(words.end(), command.begin(), command.end());
+    return run_program(words, true);
+  };
   const std::string self = fs::read_symlink("/proc/self/exe").string();
-  if (test::shell(as_user + "test -x " + test::shell_word(self)).exit_code != 0)
-    GTEST_SKIP() << "other users cannot run " << self;
-  const test::Result result =
-      test::shell(as_user + test::shell_word(self) +
-                  " --gtest_filter='-*normal_user*:*RunPlainly*:*memory*:*missing*' 2>&1");
+  if (as_user({"test", "-x", self}).exit_code != 0) GTEST_SKIP() << "other users cannot run " << self;
+  const Ran result = as_user({self, "--gtest_filter=-*normal_user*:*RunPlainly*:*memory*:*missing*"});
   EXPECT_EQ(result.exit_code, 0) << result.output;
   EXPECT_TRUE(has(result.output, "PASSED")) << result.output;
 }

@@ -125,7 +125,7 @@ class StoreTest : public testing::Test {
     store.put_override({id, "1.2", 0.5, nasty});
   }
 
-  const test::TemporaryFolder folder_{"store"};
+  const test::TemporaryFolder folder_;
 };
 
 TEST_F(StoreTest, gives_back_every_field) {
