@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,28 +25,13 @@ std::filesystem::path program_of(const course::Lab& lab);
 /// `texel list`: the labs at a glance.
 Exit list();
 
-struct CompareOptions {
-  std::filesystem::path reference, image, mask, heatmap;
-  bool edge_tolerance = false;
-  std::optional<double> max, mean, p99, flip;
-  bool json = false;
-};
-
-/// `texel compare`: how far one picture is from another. Differs when a limit is passed, or a pixel is not
-/// finite, or, where no limit is given, when the pictures are not the same.
-Exit compare(const CompareOptions& options);
-
 struct GalleryOptions {
   std::filesystem::path out = "out/gallery";
-  std::vector<int> labs;         ///< numbers; none for all
-  std::filesystem::path heroes;  ///< folder for the heroes, small and 3:2, or none
+  std::vector<int> labs;  ///< numbers; none for all
 };
 
 /// `texel gallery`: draws the looks of every lab that changed, and writes the page that shows them.
 Exit gallery(const GalleryOptions& options);
-
-/// `texel gallery --list`: prints docs/pictures.md, the sources' pictures with their commands.
-Exit list_sources();
 
 struct CheckOptions {
   std::vector<std::string> places;  ///< labs as "9" and steps as "9.4"; none for all labs

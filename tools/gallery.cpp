@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "gallery.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <map>
 #include <mutex>
 #include <regex>
 
@@ -18,7 +15,6 @@
 #include "course/batch.hpp"
 #include "embedded.hpp"
 #include "image/load.hpp"
-#include "image/mipmaps.hpp"
 #include "image/save.hpp"
 
 namespace texel::tools {
@@ -118,24 +114,6 @@ void draw(const std::vector<course::Lab>& labs, const fs::path& out) {
     throw Error::failed("could not draw the pictures of " + failed, {}, "see its message above");
 }
 
-/// The middle of a picture, as large as possible in 3:2: pictures then stand in even rows.
-image::Image8 middle(const image::Image8& picture) {
-  image::Image8 result(std::min(picture.width, picture.height * 3 / 2),
-                       std::min(picture.height, picture.width * 2 / 3), picture.channels);
-  const int left = (picture.width - result.width) / 2, below = (picture.height - result.height) / 2;
-  const auto row = static_cast<std::ptrdiff_t>(result.width) * result.channels;
-  for (int y = 0; y < result.height; ++y) std::copy_n(&picture.at(left, below + y), row, &result.at(0, y));
-  return result;
-}
-
-void save_heroes(const std::vector<course::Lab>& labs, const GalleryOptions& options) {
-  if (options.heroes.empty()) return;
-  make_folder(options.heroes);
-  for (const course::Lab& lab : labs)
-    if (const course::Look* hero = hero_of(lab))
-      save_hero(options.out / picture(lab, *hero), options.heroes / (lab.folder + ".png"));
-}
-
 /// What drew the first picture, as its text chunk has it.
 std::string renderer(const std::vector<course::Lab>& labs, const fs::path& out) {
   for (const course::Lab& lab : labs)
@@ -179,53 +157,12 @@ std::string page_of(const std::vector<course::Lab>& labs, const std::string& ren
   return page.replace(page.find(kPlace), kPlace.size(), json);
 }
 
-/// A '|' would end a table's cell, also inside of code.
-std::string cell(const std::string& text) {
-  return std::regex_replace(text, std::regex("\\|"), "\\|");
-}
-
-constexpr const char* kSourcesHead =
-    "# The sources' pictures\n\n"
-    "The labs implement three [sources](student.md#the-sources). Each picture that these show is drawn by "
-    "one command,\n"
-    "typed in the project's root; the faulty ones too. `texel gallery --list` prints this page from the "
-    "labs' `lab.toml`,\n"
-    "and a test holds it to that.\n";
-
 }  // namespace
-
-const course::Look* hero_of(const course::Lab& lab) {
-  const auto hero = std::ranges::find(lab.looks, true, &course::Look::hero);
-  return hero != lab.looks.end() ? &*hero : nullptr;
-}
-
-void save_hero(const fs::path& from, const fs::path& to) {
-  const std::vector<image::Image8> levels =
-      image::mip_chain(middle(image::load8(from, 3)), image::Encoding::srgb);
-  image::save_png(to, levels[std::min<std::size_t>(1, levels.size() - 1)], {}, 9);
-}
-
-Exit list_sources() {
-  std::map<std::string, std::string> rows;  // document -> its pictures, in the labs' order
-  for (const course::Lab& lab : course_labs())
-    for (const course::Look& look : lab.looks) {
-      if (look.source.empty()) continue;
-      const std::size_t comma = look.source.find(", ");
-      const std::string place = comma == std::string::npos ? "" : look.source.substr(comma + 2);
-      rows[look.source.substr(0, comma)] += fmt::format("| {} | {} | `{}` |\n", cell(place),
-                                                        cell(look.caption), cell(course::command(lab, look)));
-    }
-  fmt::print("{}", kSourcesHead);
-  for (const auto& [document, table] : rows)
-    fmt::print("\n## {}\n\n| where | what it shows | command |\n|---|---|---|\n{}", document, table);
-  return Exit::holds;
-}
 
 Exit gallery(const GalleryOptions& options) {
   std::vector<course::Lab> labs = chosen_labs(options.labs);
   leave_out_errors(labs);
   draw(labs, options.out);
-  save_heroes(labs, options);
   make_folder(options.out);
   const fs::path page = options.out / "index.html";
   write_file(page, page_of(labs, renderer(labs, options.out)));

@@ -15,37 +15,11 @@
 namespace texel::tools {
 namespace {
 
-constexpr const char* kExitCodes =
-    "Exit codes: 0 holds, 1 differs, 2 wrong usage, 3 could not load, render or compare.";
-
-void add_compare(CLI::App& app, CompareOptions& options) {
-  CLI::App* command = app.add_subcommand("compare", "Measure how far one picture is from another");
-  command->footer(kExitCodes);
-  command->add_option("REF", options.reference, "The right picture: .png, .jpg, .gif, .bmp, .tga or .pfm")
-      ->required();
-  command->add_option("IMG", options.image, "The picture to compare with it, of the same size")->required();
-  command->add_flag("--json", options.json, "Print one JSON object");
-  command->add_option("--mask", options.mask, "Count only pixels where this picture is not black");
-  command->add_option("--heatmap", options.heatmap, "Write a .png of where they differ");
-  command->add_option("--max", options.max, "Limit of the largest difference over R, G and B");
-  command->add_option("--mean", options.mean, "Limit of the mean over all samples");
-  command->add_option("--p99", options.p99,
-                      "Limit of the 99th percentile over the pixels' largest differences");
-  command->add_option("--flip", options.flip, "Limit of the mean of FLIP, 0 to 1");
-  command->add_flag(
-      "--edge-tolerance", options.edge_tolerance,
-      "At edges, accept a pixel that equals one of the 3x3 pixels around it in the other picture");
-}
-
-void add_gallery(CLI::App& app, GalleryOptions& options, bool& list) {
+void add_gallery(CLI::App& app, GalleryOptions& options) {
   CLI::App* command = app.add_subcommand("gallery", "Draw every lab's looks, and a page that shows them");
   command->add_option("--out", options.out, "Folder for the page and the pictures [out/gallery]");
   command->add_option("--lab", options.labs, "Draw only this lab; repeat the option for several labs")
       ->check(CLI::Range(1, 99));
-  command->add_option("--heroes", options.heroes,
-                      "Folder for one small picture of each lab, cut to 3:2, as in the README");
-  command->add_flag("--list", list,
-                    "Print a Markdown table: which command draws which picture of the sources");
 }
 
 /// What the student's commands take: one of them runs.
@@ -101,13 +75,10 @@ Exit run(int argc, char** argv) {
   CLI::App app("The course's command line", "texel");
   app.set_version_flag("--version", TEXEL_VERSION, "Print the version and exit");
   app.require_subcommand(1);
-  CompareOptions compare_options;
   GalleryOptions gallery_options;
   StudentOptions student;
-  bool list_only = false;
   app.add_subcommand("list", "List the labs");
-  add_gallery(app, gallery_options, list_only);
-  add_compare(app, compare_options);
+  add_gallery(app, gallery_options);
   add_student(app, student);
   const std::unique_ptr<MoreCommands> more =
       MoreCommands::make != nullptr ? MoreCommands::make(app) : nullptr;
@@ -121,7 +92,6 @@ Exit run(int argc, char** argv) {
     throw Error::usage(error.what(), "see --help");
   }
   if (app.got_subcommand("list")) return list();
-  if (app.got_subcommand("compare")) return compare(compare_options);
   if (app.got_subcommand("check")) return check(student.check, student.context);
   if (app.got_subcommand("see")) return see(student.step, student.out, student.context);
   if (app.got_subcommand("watch")) return watch(student.lab, student.context);
@@ -130,7 +100,7 @@ Exit run(int argc, char** argv) {
   if (app.got_subcommand("progress")) return progress(student.context);
   if (more)
     if (const std::optional<Exit> done = more->run()) return *done;
-  return list_only ? list_sources() : gallery(gallery_options);
+  return gallery(gallery_options);
 }
 
 }  // namespace

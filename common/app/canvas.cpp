@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/canvas.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "app/settings.hpp"
 #include "core/error.hpp"
-#include "core/stopwatch.hpp"
 #include "gl/upload.hpp"
 #include "image/color.hpp"
 
@@ -70,17 +68,10 @@ void Canvas::draw_into(const gl::Target& target, View view, const std::optional<
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, 0, border, size.y);
     draw_once();
-    params::Parameter& parameter = lab_.parameters().at(split->parameter);
-    const std::string left = parameter.text();
-    parameter.set(split->value);
+    const KeptValues left(lab_.parameters());
+    lab_.parameters().at(split->parameter).set(split->value);
     glScissor(border, 0, size.x - border, size.y);
-    try {
-      draw_once();
-    } catch (...) {
-      parameter.set(left);
-      throw;
-    }
-    parameter.set(left);
+    draw_once();
     glDisable(GL_SCISSOR_TEST);
   }
   target.resolve();
@@ -175,34 +166,16 @@ image::ImageF Canvas::measured_picture(const Measure& measure, glm::ivec2 size) 
 
 double Canvas::work_on_truth(glm::ivec2 size, double milliseconds) {
   if (!lab_.measure()) throw Error::usage("this lab has no view 'error'");
-  const Stopwatch stopwatch;
-  const std::string key = fmt::format("{} {}x{}", lab_.truth_key(), size.x, size.y);
-  if (key == truth_key_ && truth_rows_ == size.y) return 1;
-  const Truth truth = lab_.truth(size);
-  if (!truth)
-    throw Error::failed("there is no exact answer for these parameters", {},
-                        "choose a built-in model, picture or cube map that has a formula");
-  if (key != truth_key_) {
-    truth_ = image::ImageF(size.x, size.y, 4);
-    truth_rows_ = 0;
-    truth_key_ = key;
-  }
-  constexpr int kRows = 8;  // in one go
-  while (truth_rows_ < size.y && stopwatch.milliseconds() < milliseconds) {
-    const int end = std::min(truth_rows_ + kRows, size.y);
-    add_truth_rows(truth_, truth, truth_rows_, end);
-    truth_rows_ = end;
-  }
-  return static_cast<double>(truth_rows_) / size.y;
+  return measuring_->work_on_truth(lab_, size, milliseconds);
 }
 
 void Canvas::draw_error(glm::ivec2 size) {
   work_on_truth(size, std::numeric_limits<double>::infinity());
   const std::optional<Measure> measure = lab_.measure();
-  error_ = error_picture(measured_picture(*measure, size), truth_, *measure);
-  figures_ = figures_of(*error_, truth_);
-  const double scale = error_scale_ > 0 ? error_scale_ : round_up(figures_->p99);
-  fit(color_, gl::Target::Kind::color, size, 1).write8(error_map(*error_, scale, measure->unit));
+  Measured measured = measuring_->measured(measured_picture(*measure, size), *measure, error_scale_);
+  error_ = std::move(measured.error);
+  figures_ = measured.figures;
+  fit(color_, gl::Target::Kind::color, size, 1).write8(measured.map);
   std::swap(picture_, color_);
 }
 
@@ -239,20 +212,9 @@ image::ImageF Canvas::values_of(View view, glm::ivec2 size) {
 }
 
 glm::vec4 Canvas::value_at(View view, glm::ivec2 size, glm::ivec2 pixel) {
-  const image::ImageF around = values_around(view, size, pixel);
-  return {around.at(1, 1, 0), around.at(1, 1, 1), around.at(1, 1, 2), around.at(1, 1, 3)};
-}
-
-image::ImageF Canvas::values_around(View view, glm::ivec2 size, glm::ivec2 pixel) {
   const image::ImageF all = values_of(view, size);
-  image::ImageF around(3, 3, 4);
-  for (int y = 0; y < 3; ++y)
-    for (int x = 0; x < 3; ++x) {
-      const glm::ivec2 at = pixel + glm::ivec2(x, y) - 1;
-      if (at.x < 0 || at.y < 0 || at.x >= size.x || at.y >= size.y) continue;
-      for (int c = 0; c < 4; ++c) around.at(x, y, c) = all.at(at.x, at.y, c);
-    }
-  return around;
+  const float* value = &all.at(pixel.x, pixel.y);
+  return {value[0], value[1], value[2], value[3]};
 }
 
 std::vector<gl::Record::TextureUse> Canvas::textures(glm::ivec2 size) {
@@ -270,7 +232,7 @@ std::optional<Canvas::Comparison> Canvas::compare_at(glm::ivec2 size, glm::ivec2
   if (picture.at(pixel.x, pixel.y, 3) == 0) return {};
   glm::dvec3 value;
   for (int c = 0; c < 3; ++c) value[c] = picture.at(pixel.x, pixel.y, c);
-  return Comparison{*measure, value, *right, error_of(value, *right, *measure)};
+  return Comparison{*measure, value, *right, measuring_->error_of(value, *right, *measure)};
 }
 
 }  // namespace texel::app

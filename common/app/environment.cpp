@@ -10,9 +10,9 @@
 #include "core/stages.hpp"
 #include "gl/upload.hpp"
 #include "image/color.hpp"
+#include "image/cube_faces.hpp"
 #include "image/mipmaps.hpp"
 #include "mesh/primitives.hpp"
-#include "procedural/cube.hpp"
 
 namespace texel::app {
 
@@ -47,7 +47,7 @@ constexpr int kLargestSide = 2048;
 
 /// Linear-light RGB of a cube map in a direction: bilinear within one face.
 glm::vec3 look_up(const std::array<image::Image8, 6>& faces, const glm::dvec3& direction) {
-  const procedural::FaceCoordinate at = procedural::face_coordinate(direction);
+  const image::FaceCoordinate at = image::face_coordinate(direction);
   const image::Image8& face = faces[static_cast<std::size_t>(at.face)];
   const auto last = static_cast<double>(face.width - 1);
   const double x = std::clamp(at.s * face.width - 0.5, 0.0, last);

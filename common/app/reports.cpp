@@ -79,7 +79,7 @@ std::string to_json(AnyLab& lab, const ErrorFigures& figures) {
                {"pixels", figures.pixels},
                {"truth_pixels", figures.truth_pixels},
                {"non_finite", figures.non_finite}};
-  if (const char* reason = why_nothing(figures)) json["reason"] = reason;
+  if (figures.reason != nullptr) json["reason"] = figures.reason;
   return to_text(json, 2) + "\n";
 }
 

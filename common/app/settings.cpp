@@ -25,12 +25,8 @@ std::string as_text(const toml::node& node) {
 }  // namespace
 
 void check_settings(params::Set& parameters, const Settings& settings) {
-  for (const auto& [parameter, value] : settings) {
-    params::Parameter& p = parameters.at(parameter);
-    const std::string before = p.text();
-    p.set(value);
-    p.set(before);
-  }
+  const KeptValues before(parameters);
+  for (const auto& [parameter, value] : settings) parameters.at(parameter).set(value);
 }
 
 StartValues::StartValues(params::Set& parameters) : parameters_(parameters) {
@@ -92,8 +88,7 @@ View find_view(const AnyLab& lab, const std::string& name) {
     if (names.back() == name) return view;
     list += (list.empty() ? "" : ", ") + names.back();
   }
-  const std::span<const View> all = lab.info().views;
-  if (std::count(all.begin(), all.end(), View::error) > 0 && name == name_of(View::error))
+  if (name == name_of(View::error))
     throw Error::usage("the view 'error' needs the right answers; a student's tree does not contain them");
   const std::string near = nearest(name, names);
   throw Error::usage(fmt::format("this lab has no view '{}'; its views are {}", name, list),

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <vector>
 
-#include "comparison.hpp"
 #include "image/color.hpp"
+#include "image/comparison.hpp"
 
 namespace texel::image {
 namespace {

@@ -66,14 +66,7 @@ std::optional<CommandLine> read_command_line(app::AnyLab& lab, int argc, char** 
   app.add_option("--out", line.out, "Folder for the pictures of --batch");
   app.add_option("--stats", line.stats,
                  "Write as JSON what the scene contains and how long each stage took (- prints it)");
-  app.add_option("--measure", line.measure,
-                 "Write as JSON how far the picture is from the exact answer (- prints it)");
-  app.add_option("--bench", line.bench,
-                 "Measure error and cost of the cases in a JSON file that texel bench wrote");
-  app.add_option("--report", line.report, "Where --bench writes its figures, as JSON [-]");
-  app.add_option("--error-scale", line.error_scale,
-                 "Error at the end of the colour scale of view error [the 99th percentile]")
-      ->check(CLI::PositiveNumber);
+  if (MoreOptions::make != nullptr) line.more = MoreOptions::make(app);
   app.add_option("--mesh", line.mesh, "Write the vertices as drawn into a binary .ply");
   app.add_option("--frames", line.frames,
                  "Draw this many frames and print quantiles of their times; with --context window in the "

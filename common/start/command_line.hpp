@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "start/more_options.hpp"
 #include "window/window.hpp"
 
 namespace texel::start {
 
 /// What the command line asks for, of a window or without one; the parameters' values are already in the lab.
 struct CommandLine : window::WindowOptions {
-  std::filesystem::path snapshot, batch, out, stats, measure, bench, report = "-", mesh, save_config, assets;
+  std::filesystem::path snapshot, batch, out, stats, mesh, save_config, assets;
   std::string context = "auto";
-  double error_scale = 0;
+  std::unique_ptr<MoreOptions> more;  ///< or null
   bool list_parameters = false, list_views = false, print_shader = false, json = false;
 };
 

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "app/batch.hpp"
-#include "app/bench.hpp"
 #include "app/canvas.hpp"
 #include "app/lab.hpp"
 #include "app/reports.hpp"
@@ -25,14 +24,6 @@ constexpr glm::ivec2 kSnapshotSize(512, 512);
 /// What optimising a shader takes longer, it has saved after 7 pictures of 512x512 in labs 5 and 9, and after
 /// 20 in labs 1 and 7.
 constexpr double kPixelsWorthOptimising = 7 * 512 * 512;
-
-/// To standard output for "-".
-void write_report(const std::filesystem::path& file, const std::string& json) {
-  if (file == "-")
-    fmt::print("{}", json);
-  else
-    write_file(file, json);
-}
 
 std::unique_ptr<gl::Context> headless_context(const CommandLine& line, gl::Shaders shaders) {
   const Stage stage("context");
@@ -76,22 +67,16 @@ void run_headless(app::AnyLab& lab, const app::Assets& assets, const CommandLine
   const glm::ivec2 size = line.size.value_or(kSnapshotSize);
   if (!line.snapshot.empty()) app::check_ending(line.snapshot, view);
   const app::Batch batch = line.batch.empty() ? app::Batch() : app::read_batch(lab, line.batch);
-  const course::BenchList bench = line.bench.empty() ? course::BenchList() : app::read_bench(lab, line.bench);
-  const bool timed = line.frames > 0 || (!bench.cases.empty() && bench.seconds > 0);
+  const bool timed = (line.more && line.more->prepare(lab)) || line.frames > 0;
   const double pixels =
       batch.empty() ? static_cast<double>(size.x) * size.y : app::pixels_per_program(batch, lab.parameters());
   const std::unique_ptr<gl::Context> context =
       headless_context(line, timed || pixels > kPixelsWorthOptimising ? gl::Shaders::quick_to_draw
                                                                       : gl::Shaders::quick_to_compile);
   app::Canvas canvas(*context, assets, lab);
-  canvas.set_error_scale(line.error_scale);
+  if (line.more) line.more->run(canvas, lab, size);
   if (!line.mesh.empty()) app::write_mesh(lab, assets, line.mesh);
   if (!line.batch.empty()) app::draw_batch(canvas, lab, assets, batch, line.out, line.samples);
-  if (!line.measure.empty()) {
-    canvas.draw(app::View::error, size, 1);
-    write_report(line.measure, to_json(lab, *canvas.error_figures()));
-  }
-  if (!line.bench.empty()) write_report(line.report, app::run_bench(canvas, lab, bench));
   if (line.print_shader) {
     canvas.draw(view, size, line.samples);
     fmt::print("{}", app::shaders_as_text(canvas.programs(), lab.parameters(), view));
@@ -127,8 +112,8 @@ void run_as_asked(app::AnyLab& lab, const CommandLine& line) {
   if (!line.save_config.empty()) app::save_config(line.save_config, lab.info(), lab.parameters());
   const app::Assets assets(line.assets);
   const bool headless = !line.snapshot.empty() || !line.batch.empty() || !line.stats.empty() ||
-                        !line.mesh.empty() || !line.measure.empty() || !line.bench.empty() ||
-                        line.print_shader || (line.frames > 0 && line.context != "window");
+                        !line.mesh.empty() || (line.more && line.more->is_headless()) || line.print_shader ||
+                        (line.frames > 0 && line.context != "window");
   if (headless)
     run_headless(lab, assets, line);
   else if (line.context == "osmesa" || line.context == "egl")
@@ -138,6 +123,14 @@ void run_as_asked(app::AnyLab& lab, const CommandLine& line) {
 }
 
 }  // namespace
+
+void write_report(const std::filesystem::path& file, const std::string& json) {
+  if (file == "-")
+    fmt::print("{}", json);
+  else
+    write_file(file, json);
+}
+
 }  // namespace texel::start
 
 int texel::app::run(AnyLab& lab, int argc, char** argv) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "gui.hpp"
+#include "window/gui.hpp"
 
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>

@@ -6,7 +6,7 @@
 
 #include "app/settings.hpp"
 #include "core/error.hpp"
-#include "gui.hpp"
+#include "window/gui.hpp"
 
 namespace texel::window {
 

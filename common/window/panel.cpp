@@ -62,8 +62,8 @@ void number_widget(params::Parameter& p) {
 /// One parameter: its name, its widget, and a button that takes it back when it is not the default.
 void parameter_widget(params::Parameter& p) {
   ImGui::PushID(p.name.data());
-  const bool is_default = p.is_default(), is_ranged = p.type == Type::integer || p.type == Type::number;
-  const std::string range = is_ranged ? fmt::format(", {} to {} {}", p.least, p.most, p.unit) : "";
+  const bool is_default = p.is_default();
+  const std::string range = p.is_ranged() ? fmt::format(", {} to {} {}", p.least, p.most, p.unit) : "";
   label(is_default ? theme().text : theme().next, label_of(p.name), p.help,
         fmt::format("--{}, default {}{}\nCtrl+click a slider to type a value", p.flag(), p.initial(), range),
         is_default ? 1 : ImGui::GetFontSize() * 3.4F);
@@ -117,11 +117,10 @@ void view_section(app::AnyLab& lab, WindowState& state) {
   if (state.figures) {
     const app::ErrorFigures& f = *state.figures;
     const app::Measure measure = *lab.measure();
-    const char* reason = app::why_nothing(f);
     wrapped_text(
         theme().text,
-        reason != nullptr
-            ? reason
+        f.reason != nullptr
+            ? f.reason
             : fmt::format("mean {:.3g}, P99 {:.3g}, most {:.3g} {} over {:.1f} % of {} pixels", f.mean, f.p99,
                           f.max, name_of(measure.unit), 100 * f.coverage(), f.truth_pixels));
     wrapped_text(f.non_finite == 0 ? theme().dim : theme().wrong,
@@ -135,7 +134,7 @@ void view_section(app::AnyLab& lab, WindowState& state) {
   if (ImGui::BeginCombo("##compare", current.c_str())) {
     if (ImGui::Selectable("nothing", !state.split)) state.split.reset();
     for (const params::Parameter& p : lab.parameters()) {
-      if (p.type == Type::integer || p.type == Type::number) continue;
+      if (p.is_ranged()) continue;
       if (!ImGui::Selectable(label_of(p.name).c_str())) continue;
       const std::string other = p.type == Type::toggle
                                     ? (p.value() != 0 ? "off" : "on")
@@ -267,7 +266,7 @@ void draw_panel(app::AnyLab& lab, WindowState& state, float scale) {
   buttons(state);
   steps_section(lab, state);
   view_section(lab, state);
-  methods_section(lab, state, scale);
+  state.more_is_open = state.more && state.more->draw(scale);
   parameters_section(lab.parameters());
   statistics_section(state);
   ImGui::EndChild();

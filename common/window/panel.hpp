@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,13 +9,13 @@
 #include "actions.hpp"
 #include "app/canvas.hpp"
 #include "frame_lines.hpp"
-#include "gui.hpp"
 #include "history.hpp"
 #include "looks.hpp"
-#include "method_plot.hpp"
 #include "shader_message.hpp"
 #include "steps.hpp"
 #include "texture_view.hpp"
+#include "window/gui.hpp"
+#include "window/more_section.hpp"
 
 namespace texel::window {
 
@@ -66,8 +67,8 @@ struct WindowState {
   std::string step_to_open;           ///< in the section "Steps", or ""
   std::optional<SavedLook> own_look;  ///< as it was before a case was picked
   std::optional<Looks> looks;         ///< always there while the window is open
-  std::optional<MethodPlot> methods;  ///< from when its section is first opened
-  bool methods_open = false;
+  std::unique_ptr<MoreSection> more;  ///< or null
+  bool more_is_open = false;
   bool looks_open = false, keys_open = false, light_theme = false, wireframe = false, axes = false;
   std::vector<FrameLine> frame_lines;  ///< while `axes` is on
   std::string progress;                ///< what goes on for longer than a frame, or ""
@@ -80,9 +81,6 @@ void go_to(const SavedLook& look, params::Set& parameters, WindowState& state);
 
 /// The section "Steps": each with its figure; its cases, which set the look when they are picked; its hints.
 void steps_section(app::AnyLab& lab, WindowState& state);
-
-/// The section with error and cost of the methods as a plot, where the lab has both.
-void methods_section(app::AnyLab& lab, WindowState& state, float scale);
 
 /// Sets the case's look and shows its pictures. Nothing is seen of a vertex stream: there the look is that of
 /// `see_step`.

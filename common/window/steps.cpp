@@ -13,8 +13,8 @@
 #include "check/check.hpp"
 #include "core/error.hpp"
 #include "core/process.hpp"
-#include "gui.hpp"
 #include "judge/results.hpp"
+#include "window/gui.hpp"
 
 namespace texel::window {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui.hpp"
-#include "procedural/cube.hpp"
+#include "image/cube_faces.hpp"
+#include "window/gui.hpp"
 
 namespace texel::window {
 namespace {
@@ -72,7 +72,7 @@ std::optional<Place> place_at(const image::ImageF& around, int x, int y, bool is
   if (around.at(x, y, 3) <= 0 || !std::isfinite(value.x + value.y + value.z)) return std::nullopt;
   if (!is_cube) return Place{value};
   if (value == glm::dvec3(0)) return std::nullopt;
-  const procedural::FaceCoordinate met = procedural::face_coordinate(value);
+  const image::FaceCoordinate met = image::face_coordinate(value);
   return Place{{met.s, met.t}, static_cast<int>(met.face)};
 }
 
@@ -124,8 +124,8 @@ std::vector<TextureView> textures_at(app::Canvas& canvas, app::AnyLab& lab, glm:
     if (std::ranges::count(textures, texture.name, &gl::Record::TextureUse::name) > 1) continue;
     const app::View source = texture.is_cube ? app::View::direction : app::View::texcoord;
     if (std::ranges::count(lab.views(), source) == 0) continue;
-    const std::optional<Footprint> footprint =
-        footprint_of(canvas.values_around(source, size, pixel), texture.is_cube);
+    const std::optional<Footprint> footprint = footprint_of(
+        image::square_around(canvas.values_of(source, size), pixel.x, pixel.y, 3), texture.is_cube);
     if (!footprint) continue;
     const GLenum target = texture.is_cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
     const gl::ScopedBinding binding(target, texture.id);

@@ -31,19 +31,6 @@ constexpr int kFramesToSettle = 2;
 
 constexpr int kFrameSpacing = 40;  // pixels from one T, B and N to the next
 
-/// The pixels around one, kAround in a row; black beyond the picture.
-image::Image8 around(const image::Image8& picture, glm::ivec2 pixel) {
-  constexpr int kSide = WindowState::Inspected::kAround;
-  image::Image8 part(kSide, kSide, 3);
-  for (int y = 0; y < kSide; ++y)
-    for (int x = 0; x < kSide; ++x) {
-      const glm::ivec2 from = pixel + glm::ivec2(x, y) - kSide / 2;
-      if (from.x < 0 || from.y < 0 || from.x >= picture.width || from.y >= picture.height) continue;
-      for (int c = 0; c < 3; ++c) part.at(x, y, c) = picture.at(from.x, from.y, c);
-    }
-  return part;
-}
-
 /// Of the main thread: on a software renderer its rasteriser wants the same processors.
 double plumbing_milliseconds() {
   double sum = 0;
@@ -65,6 +52,7 @@ Window::Window(app::AnyLab& lab, const app::Assets& assets, const WindowOptions&
   state_.paused = options.turn_given;
   state_.config_file = lab.info().program() + ".toml";
   state_.looks.emplace(lab, assets);
+  if (MoreSection::make != nullptr) state_.more = MoreSection::make(context_, assets, lab);
   state_.message = state_.looks->fault;
   if (!options.look_given && !state_.looks->entries.empty()) perform(Action::default_look);
   const std::filesystem::path root = assets.shader_root().parent_path();
@@ -145,14 +133,14 @@ void Window::wait_until_shown() const {
 }
 
 bool Window::turning() {
-  // The exact answer takes longer than a frame: under the view `error`, and while the methods are measured,
+  // The exact answer takes longer than a frame: under the view `error`, and while a section measures by it,
   // the model stands still.
   return lab_.parameters().find("turn") != nullptr && !state_.paused && state_.error.first.empty() &&
-         state_.view != app::View::error && !state_.methods_open && !state_.looks_open && !turntable_;
+         state_.view != app::View::error && !state_.more_is_open && !state_.looks_open && !turntable_;
 }
 
 bool Window::is_busy() const {
-  return truth_share_ < 1 || turntable_ || (state_.methods_open && !state_.progress.empty()) ||
+  return truth_share_ < 1 || turntable_ || (state_.more_is_open && !state_.progress.empty()) ||
          (state_.looks_open && state_.looks->drawn() < state_.looks->entries.size());
 }
 
@@ -195,7 +183,7 @@ void Window::frame() {
       go_on_with_turntable();
     } else {
       draw_picture();
-      measure_methods();
+      work_on_more();
     }
   } catch (const Error& error) {
     state_.message = error.what();
@@ -274,7 +262,7 @@ void Window::reload(bool assets) {
   if (assets) lab_.forget();
   drawn_.clear();
   state_.looks->forget();
-  if (state_.methods) state_.methods->forget();
+  if (state_.more) state_.more->forget();
   reloaded_ = assets ? "files reloaded" : "shaders compiled again";
 }
 
@@ -352,14 +340,12 @@ void Window::draw_picture() {
   }
 }
 
-void Window::measure_methods() {
-  if (!state_.methods_open || truth_share_ < 1) return;
-  if (!state_.methods) state_.methods.emplace(context_, assets_, lab_);
+void Window::work_on_more() {
+  if (!state_.more_is_open || truth_share_ < 1) return;
   const app::KeptValues before(lab_.parameters());
   fit_view();
-  state_.methods->measure_next(picture_pixels());
-  if (state_.methods->share() < 1 && state_.methods->fault().empty() && state_.progress.empty())
-    state_.progress = fmt::format("measuring the methods: {:.0f} %", 100 * state_.methods->share());
+  const std::string progress = state_.more->work(picture_pixels());
+  if (state_.progress.empty()) state_.progress = progress;
 }
 
 void Window::inspect() {
@@ -373,7 +359,8 @@ void Window::inspect() {
       state_.inspected->values.emplace_back(view, canvas_.value_at(view, picture_pixels(), pixel));
   state_.inspected->textures = textures_at(canvas_, lab_, picture_pixels(), pixel);
   state_.inspected->comparison = canvas_.compare_at(picture_pixels(), pixel);
-  state_.inspected->around = picture_texture(around(canvas_.read8(), pixel));
+  state_.inspected->around = picture_texture(image::without_alpha(
+      image::square_around(canvas_.read8(), pixel.x, pixel.y, WindowState::Inspected::kAround)));
 }
 
 void run_window(app::AnyLab& lab, const app::Assets& assets, const WindowOptions& options) {

@@ -79,8 +79,8 @@ class Window {
   void open_anew();
 
   void draw_picture();
-  /// Error and cost of the methods, a little each frame while their section is open.
-  void measure_methods();
+  /// What the section that only some trees have works on, a little each frame.
+  void work_on_more();
   /// Reads the data views at the clicked pixel.
   void inspect();
   void perform(Action action);

@@ -46,7 +46,7 @@ struct Answer final : app::Answer<NormalMapParameters> {
     const truth::TexcoordMap map = texcoord_map(p);
     // The relief is made for a texture that is as long as this one is along t: on all these models the same
     // everywhere.
-    const double width = glm::length(shape->surface(procedural::Face::positive_z)(glm::dvec2(0.5)).dt);
+    const double width = glm::length(shape->surface(image::Face::positive_z)(glm::dvec2(0.5)).dt);
     const answers::Relief relief{relief_, *gradient, p.bump_strength, width / p.texture_scale};
 
     return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws the textures, normal maps and cube maps in assets/ that common/procedural has as functions: what
+// Draws the textures, normal maps and cube maps in assets/ that teach/procedural has as functions: what
 // truths compare with is then what is drawn. SOURCES.md says where the other files come from.
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@
 #include "image/difference.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
-#include "procedural/cube.hpp"
+#include "procedural/cube_maps.hpp"
 #include "procedural/height_fields.hpp"
 #include "procedural/textures.hpp"
 
@@ -138,13 +138,15 @@ void make_all(const fs::path& folder) {
     flat.samples[i] = encode_component(i % 3 == 2 ? 1 : 0);
   save("normal_maps/flat.png", flat);
   for (const auto& made : kCubeMaps)
-    for (const procedural::Face face : procedural::faces)
+    for (const image::Face face : procedural::faces) {
+      constexpr const char* files[] = {"px.png", "nx.png", "py.png", "ny.png", "pz.png", "nz.png"};
       // The first (top) row of a face is its t = 0, as OpenGL lays faces out; a picture's v runs up, a face's
       // t down.
-      save(fs::path("cube_maps") / made.name / (std::string(procedural::file_name(face)) + ".png"),
+      save(fs::path("cube_maps") / made.name / files[static_cast<int>(face)],
            render(made.size, made.size, 3, made.samples, [&](double u, double v) {
              return glm::dvec4(made.color(procedural::direction(face, u, 1 - v)), 1);
            }));
+    }
 }
 
 /// Whether each picture below `fresh` is in `committed` too. It may be packed by another version of zlib, and

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "command_line.hpp"
+#include "gallery.hpp"
 
 namespace texel::commands {
 namespace {
@@ -18,6 +19,26 @@ constexpr Script kScripts[] = {
     {"bench", "bench.py", "Measure every method's error and cost, and plot one against the other"},
     {"marks", "marks.py", "Check that each mistake of the catalogue loses marks, and no right answer"},
     {"renderers", "renderers.py", "Compare each case's limit with the spread between renderers"}};
+
+CLI::App* add_compare(CLI::App& app, CompareOptions& options) {
+  CLI::App* command = app.add_subcommand("compare", "Measure how far one picture is from another");
+  command->footer("Exit codes: 0 holds, 1 differs, 2 wrong usage, 3 could not load, render or compare.");
+  command->add_option("REF", options.reference, "The right picture: .png, .jpg, .gif, .bmp, .tga or .pfm")
+      ->required();
+  command->add_option("IMG", options.image, "The picture to compare with it, of the same size")->required();
+  command->add_flag("--json", options.json, "Print one JSON object");
+  command->add_option("--mask", options.mask, "Count only pixels where this picture is not black");
+  command->add_option("--heatmap", options.heatmap, "Write a .png of where they differ");
+  command->add_option("--max", options.max, "Limit of the largest difference over R, G and B");
+  command->add_option("--mean", options.mean, "Limit of the mean over all samples");
+  command->add_option("--p99", options.p99,
+                      "Limit of the 99th percentile over the pixels' largest differences");
+  command->add_option("--flip", options.flip, "Limit of the mean of FLIP, 0 to 1");
+  command->add_flag(
+      "--edge-tolerance", options.edge_tolerance,
+      "At edges, accept a pixel that equals one of the 3x3 pixels around it in the other picture");
+  return command;
+}
 
 CLI::App* add_starter(CLI::App& app, StarterOptions& options) {
   CLI::App* command = app.add_subcommand("starter", "Write the tree that students start with");
@@ -176,6 +197,12 @@ class CourseCommands final : public tools::MoreCommands {
       command->set_help_flag();
       add(command, [=] { return run_script(script.file, command->remaining()); });
     }
+    gallery_ = app.get_subcommand("gallery");
+    gallery_->add_option("--heroes", heroes_,
+                         "Folder for one small picture of each lab, cut to 3:2, as in the README");
+    gallery_->add_flag("--list", list_sources_,
+                       "Print a Markdown table: which command draws which picture of the sources");
+    add(add_compare(app, compare_), [&] { return compare(compare_); });
     add(add_starter(app, starter_), [&] { return starter(starter_); });
     CLI::App* grade = add_grade(app, grade_);
     add(add_merge(grade, results_, parts_), [&] { return grade_merge(results_, parts_); });
@@ -191,18 +218,32 @@ class CourseCommands final : public tools::MoreCommands {
   }
 
   [[nodiscard]] std::optional<Exit> run() const override {
+    if (gallery_->parsed() && list_sources_) return list_sources();
+    if (gallery_->parsed() && !heroes_.empty()) return gallery_with_heroes();
     for (const auto& [command, run] : commands_)
       if (command->parsed()) return run();
     return {};
   }
 
  private:
+  [[nodiscard]] Exit gallery_with_heroes() const {
+    tools::GalleryOptions options;
+    if (gallery_->count("--out") > 0) options.out = gallery_->get_option("--out")->as<std::string>();
+    if (gallery_->count("--lab") > 0) options.labs = gallery_->get_option("--lab")->as<std::vector<int>>();
+    const Exit result = tools::gallery(options);
+    save_heroes(options, heroes_);
+    return result;
+  }
   void add(const CLI::App* command, std::function<Exit()> run) {
     commands_.emplace_back(command, std::move(run));
   }
 
   std::vector<std::pair<const CLI::App*, std::function<Exit()>>>
       commands_;  ///< what is part of one, before it
+  CLI::App* gallery_ = nullptr;
+  std::filesystem::path heroes_;
+  bool list_sources_ = false;
+  CompareOptions compare_;
   StarterOptions starter_;
   GradeCommand grade_;
   EarlierResults results_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,17 @@ grade::CourseTree course_tree(const std::vector<int>& labs, const std::filesyste
 
 /// `texel expected`: draws what `check` compares with.
 Exit expected(const grade::CourseTree& tree);
+
+struct CompareOptions {
+  std::filesystem::path reference, image, mask, heatmap;
+  bool edge_tolerance = false;
+  std::optional<double> max, mean, p99, flip;
+  bool json = false;
+};
+
+/// `texel compare`: how far one picture is from another. Differs when a limit is passed, or a pixel is not
+/// finite, or, where no limit is given, when the pictures are not the same.
+Exit compare(const CompareOptions& options);
 
 struct CasesCommand {
   std::string what;                  ///< renderer, draw, batch, mutants, spreads or marks

@@ -97,7 +97,7 @@ run_all_tests() {
     need "${all_packages[@]}"
     configure tidy
     # clang-tidy 14 does not understand the labs' consteval parameters that come from a template's.
-    build tidy texel_{core,params,course,image,mesh,judge,check,sandbox,store,reports,grade,procedural,gl}
+    build tidy texel_{core,params,course,image,mesh,judge,check,sandbox,store,reports,grade,procedural,perception,gl}
     configure clang -D TEXEL_TESTS=ON
     build clang all
     export TEXEL_TEST_ALL=1

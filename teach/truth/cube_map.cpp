@@ -23,11 +23,8 @@ TexcoordGradient each(const DirectionGradient& change, Function f) {
 }  // namespace
 
 TexcoordGradient face_gradient(dvec3 direction, const DirectionGradient& change) {
-  const procedural::Face face = procedural::face_coordinate(direction).face;
-  // The face's middle is the major axis; a step from there to its rim is as long in s and t.
-  const dvec3 major = procedural::direction(face, 0.5, 0.5);
-  const dvec3 s_axis = glm::round(procedural::direction(face, 1, 0.5) * std::numbers::sqrt2 - major);
-  const dvec3 t_axis = glm::round(procedural::direction(face, 0.5, 1) * std::numbers::sqrt2 - major);
+  const glm::dmat3& axes = image::axes(image::face_coordinate(direction).face);
+  const dvec3 s_axis = axes[0], t_axis = axes[1], major = axes[2];
   const double depth = glm::dot(direction, major);
   const dvec2 place(glm::dot(direction, s_axis), glm::dot(direction, t_axis));
   return each(change, [&](dvec3 step) {

@@ -84,7 +84,7 @@ std::optional<Hit> hit_cube(const Ray& ray, double half_size) {
   const double distance = outside ? enter : leave;
   const int axis = outside ? enter_axis : leave_axis;
   const bool negative = (ray.direction[axis] > 0) == outside;
-  const auto face = static_cast<procedural::Face>(2 * axis + (negative ? 1 : 0));
+  const auto face = static_cast<image::Face>(2 * axis + (negative ? 1 : 0));
   const dvec3 position = ray.origin + distance * ray.direction;
   const SurfacePoint middle = cube_face(face, half_size)({0.5, 0.5});
   // ds and dt are at right angles and as long as the face is wide.

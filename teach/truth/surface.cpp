@@ -40,8 +40,8 @@ Surface quad(double half_size) {
   return square(dvec3(0), dvec3(half_size, 0, 0), dvec3(0, half_size, 0));
 }
 
-Surface cube_face(procedural::Face face, double half_size) {
-  const dvec3 out = procedural::direction(face, 0.5, 0.5);
+Surface cube_face(image::Face face, double half_size) {
+  const dvec3 out = image::axes(face)[2];
   const dvec3 up = out.y == 0 ? dvec3(0, 1, 0) : dvec3(0, 0, -out.y);
   return square(half_size * out, half_size * glm::cross(up, out), half_size * up);
 }

@@ -22,7 +22,7 @@
 #include "gl/program.hpp"
 #include "gl/target.hpp"
 #include "gl/upload.hpp"
-#include "procedural/cube.hpp"
+#include "procedural/cube_maps.hpp"
 #include "truth/cube_map.hpp"
 #include "truth/optics.hpp"
 
@@ -282,8 +282,8 @@ TEST_F(HardCaseOfCoordinates, a_direction_on_an_edge_or_corner_of_the_cube_has_o
                                  {column_of(directions)});
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const vec3 n = directions[i];
-    // On a tie x goes before y and y before z, as in procedural/cube.hpp.
-    const procedural::FaceCoordinate expected = procedural::face_coordinate(n);
+    // On a tie x goes before y and y before z, as in image/cube_faces.hpp.
+    const image::FaceCoordinate expected = image::face_coordinate(n);
     ASSERT_EQ(dvec3(majors[i]), procedural::direction(expected.face, 0.5, 0.5))
         << n.x << " " << n.y << " " << n.z;
     // Two roundings. Measured 4.5e-8.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Error and cost of a lab's methods, as the window measures them: the right figures for each, anew for
 // another look.
-#include "../../common/window/method_plot.hpp"
+#include "bench/method_plot.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "core/files.hpp"
 
-namespace texel::window {
+namespace texel::bench {
 namespace {
 
 enum class Method { right, two_off, not_finite };
@@ -110,4 +110,4 @@ TEST_F(MethodPlots, say_why_there_is_nothing_to_measure) {
 }
 
 }  // namespace
-}  // namespace texel::window
+}  // namespace texel::bench

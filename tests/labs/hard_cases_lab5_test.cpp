@@ -29,7 +29,7 @@ std::optional<truth::Hit> hit_model(const std::string& model, const truth::Ray& 
   if (model == "cube") return truth::hit_cube(ray, 0.577);
   return truth::hit_torus(ray, 0.7, 0.3);
 }
-truth::Surface surface_of(const std::string& model, procedural::Face face) {
+truth::Surface surface_of(const std::string& model, image::Face face) {
   if (model == "quad") return truth::quad(0.7);
   if (model == "cube") return truth::cube_face(face, 0.577);
   return truth::torus(0.7, 0.3);

@@ -13,7 +13,7 @@
 #include "image/color.hpp"
 #include "image/load.hpp"
 #include "labs.hpp"
-#include "procedural/cube.hpp"
+#include "procedural/cube_maps.hpp"
 #include "procedural/textures.hpp"
 #include "truth/ray.hpp"
 

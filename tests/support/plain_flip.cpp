@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace texel::image {
+namespace texel::perception {
 
 double plain_linear(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
@@ -43,7 +43,7 @@ double plain_color_error(double distance) {
 
 namespace {
 
-using Plane = Image<double>;          // of one channel
+using Plane = image::Image<double>;   // of one channel
 using Weights = std::vector<double>;  // along one axis, from -radius to radius
 
 /// One product of a filter along x and one along y; filters are sums of such.
@@ -190,4 +190,4 @@ std::vector<double> plain_flip(const Image8& reference, const Image8& image) {
   return errors;
 }
 
-}  // namespace texel::image
+}  // namespace texel::perception

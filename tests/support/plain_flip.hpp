@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // FLIP (Andersson et al. 2020) in double precision, with the constants as the paper has them: what
-// image::flip_errors must come near to, and what its speed is measured against.
+// perception::flip_errors must come near to, and what its speed is measured against.
 #pragma once
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "image/flip.hpp"
+#include "perception/flip.hpp"
 
-namespace texel::image {
+namespace texel::perception {
 
+using image::Image8;
 using Vector = glm::dvec3;
 
 /// X and Z of D65, Y = 1 (IEC 61966-2-1).
@@ -26,4 +27,4 @@ double plain_color_error(double distance);
 /// The error of each pixel, row after row.
 std::vector<double> plain_flip(const Image8& reference, const Image8& image);
 
-}  // namespace texel::image
+}  // namespace texel::perception

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "procedural/cube.hpp"
+#include "procedural/cube_maps.hpp"
 #include "procedural/height_fields.hpp"
 #include "procedural/noise.hpp"
 #include "procedural/shapes.hpp"
@@ -14,6 +14,10 @@
 
 namespace texel::procedural {
 namespace {
+
+using image::Face;
+using image::face_coordinate;
+using image::FaceCoordinate;
 
 /// Points spread over the unit square, the same on every run.
 glm::dvec2 point(int i) {

@@ -8,13 +8,14 @@
 #include <glm/geometric.hpp>
 
 #include "../support/oracles.hpp"
+#include "procedural/cube_maps.hpp"
 
 namespace texel::truth {
 namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-using procedural::face_coordinate;
+using image::face_coordinate;
 using test::number;
 
 dvec3 vector(int i) {
@@ -31,7 +32,7 @@ TEST(TruthCubeMap, direction_and_coordinate_go_back_and_forth_on_every_face) {
   for (double x = 0; x <= 1;
        x += 0.125)  // edges and corners are one place seen from every face that has them
     places.insert(places.end(), {{x, 0}, {x, 1}, {0, x}, {1, x}});
-  for (const procedural::Face face : procedural::faces)
+  for (const image::Face face : procedural::faces)
     for (const dvec2& st : places) {
       const dvec3 direction = procedural::direction(face, st.s, st.t);
       EXPECT_NEAR(glm::length(direction), 1, 4e-16);

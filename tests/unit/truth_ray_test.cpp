@@ -119,9 +119,9 @@ TEST(TruthRay, hits_where_algebra_says_or_not_at_all) {
   }
   EXPECT_LT(glm::distance(rows[0].hit->texcoord, dvec2(0.75, 0)), 1e-16);
   // An edge of the cube belongs to the first axis.
-  EXPECT_EQ(hit_cube({{2, 2, 0.25}, {-1, -1, 0}})->face, procedural::Face::positive_x);
-  EXPECT_EQ(hit_cube({{0.25, -2, -2}, {0, 1, 1}})->face, procedural::Face::negative_y);
-  EXPECT_EQ(hit_cube({{0, 0, 0}, {-1, 1, 1}})->face, procedural::Face::negative_x) << "a corner from inside";
+  EXPECT_EQ(hit_cube({{2, 2, 0.25}, {-1, -1, 0}})->face, image::Face::positive_x);
+  EXPECT_EQ(hit_cube({{0.25, -2, -2}, {0, 1, 1}})->face, image::Face::negative_y);
+  EXPECT_EQ(hit_cube({{0, 0, 0}, {-1, 1, 1}})->face, image::Face::negative_x) << "a corner from inside";
 }
 
 TEST(TruthRay, torus_is_hit_by_rays_that_only_just_cross_it) {

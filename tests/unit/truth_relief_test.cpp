@@ -73,7 +73,7 @@ TEST(TruthRelief, both_truths_agree_where_the_texture_keeps_right_angles_and_len
   // The square of 1.4 units: a texture width is 1.4 units long along s and t, so heights are 1.4 times as
   // high.
   for (const auto& [st, slope] : bumps())
-    for (const Surface& surface : {quad(), cube_face(procedural::Face::negative_x, 0.7)}) {
+    for (const Surface& surface : {quad(), cube_face(image::Face::negative_x, 0.7)}) {
       const SurfacePoint p = surface(st);
       EXPECT_LT(angle(relief_normal(p, 1.4 * slope), mapped_normal(orthonormal_frame(p), texel_at(st))),
                 4e-16);

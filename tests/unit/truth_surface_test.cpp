@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "truth/surface.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "../support/oracles.hpp"
+#include "procedural/cube_maps.hpp"
 #include "procedural/noise.hpp"
 
 namespace texel::truth {
@@ -55,8 +57,8 @@ std::vector<Named> surfaces() {
                          {"skewed sphere", placed(sphere(), skewed)},
                          {"mirrored, stretched torus", placed(torus(1, 0.4), mirror)},
                          {"both", placed(reparameterized(torus(1, 0.4), sheared(-0.6)), skewed)}};
-  for (const procedural::Face face : procedural::faces)
-    all.push_back({std::string("cube ") + procedural::file_name(face), cube_face(face, 0.5)});
+  for (const image::Face face : procedural::faces)
+    all.push_back({fmt::format("cube {}", static_cast<int>(face)), cube_face(face, 0.5)});
   return all;
 }
 
@@ -97,13 +99,13 @@ TEST(TruthSurface, normal_points_outward_however_the_texture_or_the_object_is_mi
       const SurfacePoint p = ball(texcoord(i));
       EXPECT_GT(glm::dot(p.normal, p.position), 0.2);  // at least 1/4 of the ellipsoid's longest axis
     }
-  for (const procedural::Face face : procedural::faces)
+  for (const image::Face face : procedural::faces)
     EXPECT_EQ(cube_face(face, 0.5)({0.3, 0.6}).normal, procedural::direction(face, 0.5, 0.5));
   EXPECT_EQ(quad()({0.3, 0.6}).normal, dvec3(0, 0, 1));
 }
 
 TEST(TruthSurface, corners_and_quarters_lie_where_the_shapes_are_documented) {
-  using procedural::Face;
+  using image::Face;
   struct Row {
     Surface surface;
     dvec2 texcoord;

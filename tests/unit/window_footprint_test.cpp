@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "procedural/cube_maps.hpp"
 #include "texture_view.hpp"
 #include "truth/cube_map.hpp"
 
@@ -72,7 +73,7 @@ TEST(Footprint, has_the_level_of_its_longer_side_or_of_a_part_of_it) {
 
 TEST(Footprint, lies_on_the_face_that_the_direction_meets) {
   const glm::dvec3 step_x(1e-3, 2e-3, -1e-3), step_y(-2e-3, 1e-3, 1e-3);
-  for (const procedural::Face face : procedural::faces) {
+  for (const image::Face face : procedural::faces) {
     const glm::dvec3 middle = procedural::direction(face, 0.3, 0.8);
     const Footprint f =
         *directions(around([&](double x, double y) { return middle + x * step_x + y * step_y; }));
@@ -86,7 +87,7 @@ TEST(Footprint, lies_on_the_face_that_the_direction_meets) {
 }
 
 TEST(Footprint, stays_on_its_face) {
-  const glm::dvec3 middle = procedural::direction(procedural::Face::positive_z, 0.999, 0.5);
+  const glm::dvec3 middle = procedural::direction(image::Face::positive_z, 0.999, 0.5);
   const auto to_the_right = [&](double x, double) { return middle + glm::dvec3(0.01 * x, 0, 0); };
   EXPECT_GT(directions(around(to_the_right))->dx.x, 0);
   EXPECT_EQ(directions(around(to_the_right, kLeft))->dx.x, 0) << "the right neighbour is on the next face";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "image/flip.hpp"
+#include "perception/flip.hpp"
 
 #include <cmath>
 
@@ -13,12 +13,12 @@ namespace {
 using image::Image8;
 
 std::vector<double> texel(const Image8& a, const Image8& b) {
-  const image::ImageF errors = image::flip_errors(a, b);
+  const image::ImageF errors = perception::flip_errors(a, b);
   return {errors.samples.begin(), errors.samples.end()};
 }
 
 std::vector<double> plain(const Image8& a, const Image8& b) {
-  return plain_flip(a, b);
+  return perception::plain_flip(a, b);
 }
 
 void register_size(int width, int height) {

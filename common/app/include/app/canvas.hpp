@@ -59,10 +59,8 @@ class Canvas {
   double work_on_truth(glm::ivec2 size, double milliseconds);
   /// A data view's values, as read_float() after draw() has them; the picture stays as it is.
   [[nodiscard]] image::ImageF values_of(View view, glm::ivec2 size);
-  /// The value of a data view at one pixel, counted from the bottom left.
+  /// The value of a data view at one pixel of the picture, counted from the bottom left.
   [[nodiscard]] glm::vec4 value_at(View view, glm::ivec2 size, glm::ivec2 pixel);
-  /// The same for the 3x3 pixels around it, 0 beyond the picture.
-  [[nodiscard]] image::ImageF values_around(View view, glm::ivec2 size, glm::ivec2 pixel);
   /// The textures that the lab reads for its colours; the picture stays as it is.
   [[nodiscard]] std::vector<gl::Record::TextureUse> textures(glm::ivec2 size);
 
@@ -107,9 +105,7 @@ class Canvas {
   double error_scale_ = 0;
   std::optional<image::ImageF> error_;  ///< when the last picture was the view `error`
   std::optional<ErrorFigures> figures_;
-  std::string truth_key_;  ///< of which look truth_ is
-  image::ImageF truth_;
-  int truth_rows_ = 0;  ///< so many of its rows are there
+  std::unique_ptr<Measuring> measuring_ = Measuring::make != nullptr ? Measuring::make() : nullptr;
 };
 
 }  // namespace texel::app

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <functional>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
-#include <string_view>
 
 #include "course/case.hpp"
 #include "image/image.hpp"
@@ -31,17 +31,14 @@ struct Measure {
 /// An empty function if there is no analytic answer (an OBJ file).
 using Truth = std::function<std::optional<glm::dvec3>(glm::dvec2 window)>;
 
-/// The truth at the middle of each pixel, RGBA, alpha 1 where there is one and it is finite: the rows from
-/// `first` to before `end`, into a picture that is black and transparent there.
-void add_truth_rows(image::ImageF& picture, const Truth& truth, int first, int end);
-
 /// Mean, root mean square, 99th percentile (nearest rank) and largest value of an error picture: NaN where no
 /// pixel has a finite error.
 struct ErrorFigures {
   double mean = std::nan(""), rms = mean, p99 = mean, max = mean;
-  long long truth_pixels = 0;  ///< that have a right answer
-  long long pixels = 0;        ///< of these compared: the picture has a value there too
-  long long non_finite = 0;    ///< of these NaN or infinite in the picture; in none of the means
+  long long truth_pixels = 0;    ///< that have a right answer
+  long long pixels = 0;          ///< of these compared: the picture has a value there too
+  long long non_finite = 0;      ///< of these NaN or infinite in the picture; in none of the means
+  const char* reason = nullptr;  ///< why there are no means, in a sentence; null where there are
 
   /// The part of the truth that the picture covers, 0 to 1; 1 for no truth.
   [[nodiscard]] double coverage() const {
@@ -49,30 +46,31 @@ struct ErrorFigures {
   }
 };
 
-/// How far two values of the measure's view are apart, in its unit.
-double error_of(const glm::dvec3& value, const glm::dvec3& truth, const Measure& measure);
+/// A picture, compared with the right answer.
+struct Measured {
+  image::ImageF error;  ///< in red, alpha 1 where it is known; NaN where the picture is not finite
+  ErrorFigures figures;
+  image::Image8 map;  ///< the error in colours, with a bar that shows the scale
+};
 
-/// The error at each pixel in red, alpha 1 where it is known. Where the picture is not finite the error is
-/// NaN. Both have the same size; alpha is 1 where the object is, and where there is a truth.
-image::ImageF error_picture(const image::ImageF& picture, const image::ImageF& truth, const Measure& measure);
+class AnyLab;
 
-/// Why there are no means, in a sentence; null where there are.
-const char* why_nothing(const ErrorFigures& figures);
+/// What compares a lab's pictures with its right answer. It is linked in with the answers (teach/answers), so
+/// a student's tree has none. It keeps the answer of the last look.
+class Measuring {
+ public:
+  virtual ~Measuring() = default;
+  /// As Canvas::work_on_truth, for a lab with an answer.
+  virtual double work_on_truth(AnyLab& lab, glm::ivec2 size, double milliseconds) = 0;
+  /// Compares the values of the measure's view with the answer that is worked out. The colours of the map end
+  /// at `scale`; 0 as for Canvas::set_error_scale.
+  [[nodiscard]] virtual Measured measured(const image::ImageF& picture, const Measure& measure,
+                                          double scale) const = 0;
+  /// How far two values of the measure's view are apart, in its unit.
+  [[nodiscard]] virtual double error_of(const glm::dvec3& value, const glm::dvec3& truth,
+                                        const Measure& measure) const = 0;
 
-/// Of an error picture and the truth that it was made with.
-ErrorFigures figures_of(const image::ImageF& error, const image::ImageF& truth);
-
-/// Whether methods are ranked by the root mean square of their errors, in which few pixels that are far off
-/// weigh as much as one sees them, and not by the mean: for colours. `unit` as name_of has it.
-inline bool ranks_by_rms(std::string_view unit) {
-  return unit == name_of(Unit::steps);
-}
-
-/// The smallest of 1, 2 and 5 times a power of ten that is not below `value`: the end of a scale. 1 for 0.
-double round_up(double value);
-
-/// The error picture in colours (image::heat; magenta where it is not finite), with a bar that goes from 0 to
-/// `scale`.
-image::Image8 error_map(const image::ImageF& error, double scale, Unit unit);
+  static inline std::unique_ptr<Measuring> (*make)() = nullptr;
+};
 
 }  // namespace texel::app

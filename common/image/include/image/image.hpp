@@ -58,6 +58,19 @@ Image<Sample> without_alpha(const Image<Sample>& rgba) {
   return rgb;
 }
 
+/// The square of `side` pixels around a pixel, `side` odd; 0 beyond the picture.
+template <class Sample>
+Image<Sample> square_around(const Image<Sample>& image, int x, int y, int side) {
+  Image<Sample> square(side, side, image.channels);
+  for (int j = 0; j < side; ++j)
+    for (int i = 0; i < side; ++i) {
+      const int from_x = x + i - side / 2, from_y = y + j - side / 2;
+      if (from_x < 0 || from_y < 0 || from_x >= image.width || from_y >= image.height) continue;
+      for (int c = 0; c < image.channels; ++c) square.at(i, j, c) = image.at(from_x, from_y, c);
+    }
+  return square;
+}
+
 /// How the samples of a colour picture are to be read.
 enum class Encoding {
   srgb,   ///< colour: R, G and B by the sRGB curve (IEC 61966-2-1), alpha linear

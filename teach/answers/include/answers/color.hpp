@@ -10,7 +10,7 @@
 
 #include "answers/camera.hpp"
 #include "image/color.hpp"
-#include "procedural/cube.hpp"
+#include "procedural/cube_maps.hpp"
 #include "procedural/textures.hpp"
 #include "truth/texture.hpp"
 

@@ -12,7 +12,7 @@ namespace texel::answers {
 /// A surface in object space, and where a ray meets it.
 struct Shape {
   std::function<std::optional<truth::Hit>(const truth::Ray&)> hit;
-  std::function<truth::Surface(procedural::Face)> surface;  ///< only a cube's depends on the face
+  std::function<truth::Surface(image::Face)> surface;  ///< only a cube's depends on the face
 
   [[nodiscard]] truth::SurfacePoint at(const truth::Hit& where) const {
     return surface(where.face)(where.texcoord);
@@ -23,7 +23,7 @@ struct Shape {
 /// is another. Nothing for ship, gator and files of the user's: their formulas are not known.
 inline std::optional<Shape> model_shape(const std::string& model, double half_cube = 0.577,
                                         double half_quad = 0.7) {
-  using procedural::Face;
+  using image::Face;
   using truth::Ray;
   if (model == "cube")
     return Shape{[=](const Ray& ray) { return truth::hit_cube(ray, half_cube); },

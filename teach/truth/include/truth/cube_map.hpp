@@ -3,10 +3,10 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "procedural/cube.hpp"
+#include "image/cube_faces.hpp"
 #include "truth/ray.hpp"
 
-/// Lookups by a direction. procedural/cube.hpp has the table between directions and the faces' coordinates,
+/// Lookups by a direction. image/cube_faces.hpp has the table between directions and the faces' coordinates,
 /// in double, from which the cube maps of the course are made; here are the derivatives.
 namespace texel::truth {
 

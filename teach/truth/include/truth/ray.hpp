@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "procedural/cube.hpp"
+#include "image/cube_faces.hpp"
 #include "truth/surface.hpp"
 
 namespace texel::truth {
@@ -42,9 +42,9 @@ Ray object_ray(const Ray& world_ray, const Placement& world_from_object);
 
 /// Where a ray meets a surface for the first time in front of its origin.
 struct Hit {
-  double distance;                                       ///< position = origin + distance * direction
-  glm::dvec2 texcoord;                                   ///< of the surface in surface.hpp
-  procedural::Face face = procedural::Face::positive_z;  ///< of a cube
+  double distance;                             ///< position = origin + distance * direction
+  glm::dvec2 texcoord;                         ///< of the surface in surface.hpp
+  image::Face face = image::Face::positive_z;  ///< of a cube
 };
 
 /// The square of quad(); both sides are hit.

@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "procedural/cube.hpp"
+#include "image/cube_faces.hpp"
 
 /// The right answer in double precision, from the analytic surface. It shares no code with the methods
 /// that are compared with it. Unless a function says otherwise: right-handed, y up, angles in radians,
@@ -33,7 +33,7 @@ Surface quad(double half_size = 0.7);
 
 /// One face of the cube from (-h, -h, -h) to (h, h, h): (0, 0) at its lower left seen from outside, upright;
 /// the lower edge of +y and the upper edge of -y are those at the front (+z).
-Surface cube_face(procedural::Face face, double half_size = 1);
+Surface cube_face(image::Face face, double half_size = 1);
 
 /// A sphere about the origin: s is the longitude / 2 pi, counter-clockwise seen from above, 0 at +z and 1/4
 /// at +x; t is the latitude / pi + 1/2. At the poles, ds is so short that it counts as zero, but its

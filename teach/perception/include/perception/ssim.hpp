@@ -2,7 +2,7 @@
 #pragma once
 #include "image/image.hpp"
 
-namespace texel::image {
+namespace texel::perception {
 
 /// The structural similarity of two pictures: 1 when they are the same, about 0 when they have nothing in
 /// common, -1 at the least. Mean over pixels of (2 ma mb + C1)(2 cov + C2) / ((ma^2 + mb^2 + C1)(va + vb +
@@ -15,6 +15,6 @@ namespace texel::image {
 /// when the sizes differ or no pixel is left. Source: Z. Wang, A. C. Bovik, H. R. Sheikh, E. P. Simoncelli,
 /// "Image Quality Assessment: From Error Visibility to Structural Similarity", IEEE Trans. Image Processing
 /// 13(4), 2004, equation 13.
-double ssim(const Image8& reference, const Image8& image, const Image8* mask = nullptr);
+double ssim(const image::Image8& reference, const image::Image8& image, const image::Image8* mask = nullptr);
 
-}  // namespace texel::image
+}  // namespace texel::perception

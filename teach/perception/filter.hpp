@@ -8,7 +8,9 @@
 
 #include "image/image.hpp"
 
-namespace texel::image {
+namespace texel::perception {
+
+using image::Image;
 
 /// How a kernel's two sides belong together.
 enum class Symmetry {
@@ -107,4 +109,4 @@ Image<Real> filtered(const Image<Real>& picture, const Kernel<Real>& along_x, co
   return result;
 }
 
-}  // namespace texel::image
+}  // namespace texel::perception

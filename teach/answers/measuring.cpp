@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "app/measure.hpp"
+// The view `error`: pictures compared with the labs' right answers.
+#include "answers/measuring.hpp"
 
 #include <fmt/format.h>
 
@@ -8,13 +9,20 @@
 #include <glm/glm.hpp>
 #include <limits>
 
+#include "app/lab.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
+#include "core/stopwatch.hpp"
 #include "image/color.hpp"
 #include "procedural/shapes.hpp"
 
-namespace texel::app {
+namespace texel::answers {
 namespace {
+
+using app::ErrorFigures;
+using app::Measure;
+using app::Truth;
+using app::Unit;
 
 glm::dvec3 value_at(const image::ImageF& picture, int x, int y) {
   return {picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2)};
@@ -45,20 +53,6 @@ void write(image::Image8& picture, const std::string& text, double left, double 
         put(picture, x, y, kWriting);
 }
 
-}  // namespace
-
-void add_truth_rows(image::ImageF& picture, const Truth& truth, int first, int end) {
-  in_parallel(processors(), static_cast<std::size_t>(end - first), [&](std::size_t row) {
-    const int y = first + static_cast<int>(row);
-    for (int x = 0; x < picture.width; ++x) {
-      const std::optional<glm::dvec3> value = truth(glm::dvec2(x + 0.5, y + 0.5));
-      if (!value || !std::isfinite(value->x + value->y + value->z)) continue;
-      for (int c = 0; c < 3; ++c) picture.at(x, y, c) = static_cast<float>((*value)[c]);
-      picture.at(x, y, 3) = 1;
-    }
-  });
-}
-
 double error_of(const glm::dvec3& value, const glm::dvec3& truth, const Measure& measure) {
   switch (measure.unit) {
     case Unit::degrees:
@@ -77,6 +71,29 @@ double error_of(const glm::dvec3& value, const glm::dvec3& truth, const Measure&
       break;
   }
   return measure.scale * std::abs(value.x - truth.x);
+}
+
+/// Why there are no means, in a sentence; null where there are.
+const char* why_nothing(const ErrorFigures& figures) {
+  if (figures.pixels > figures.non_finite) return nullptr;
+  if (figures.pixels > 0) return "no pixel is finite";
+  if (figures.truth_pixels > 0)
+    return "the picture has no pixel where the object must be: look whether the near plane cuts it off";
+  return "the object is not in the picture: look from another side, or from farther away";
+}
+
+}  // namespace
+
+void add_truth_rows(image::ImageF& picture, const Truth& truth, int first, int end) {
+  in_parallel(processors(), static_cast<std::size_t>(end - first), [&](std::size_t row) {
+    const int y = first + static_cast<int>(row);
+    for (int x = 0; x < picture.width; ++x) {
+      const std::optional<glm::dvec3> value = truth(glm::dvec2(x + 0.5, y + 0.5));
+      if (!value || !std::isfinite(value->x + value->y + value->z)) continue;
+      for (int c = 0; c < 3; ++c) picture.at(x, y, c) = static_cast<float>((*value)[c]);
+      picture.at(x, y, 3) = 1;
+    }
+  });
 }
 
 image::ImageF error_picture(const image::ImageF& picture, const image::ImageF& truth,
@@ -111,6 +128,7 @@ ErrorFigures figures_of(const image::ImageF& error, const image::ImageF& truth) 
       else
         ++figures.non_finite;
     }
+  figures.reason = why_nothing(figures);
   if (values.empty()) return figures;
   double sum = 0, squares = 0;
   for (const double value : values) {
@@ -125,14 +143,6 @@ ErrorFigures figures_of(const image::ImageF& error, const image::ImageF& truth) 
   figures.p99 = values[static_cast<std::size_t>(rank)];
   figures.max = *std::max_element(values.begin() + rank, values.end());
   return figures;
-}
-
-const char* why_nothing(const ErrorFigures& figures) {
-  if (figures.pixels > figures.non_finite) return nullptr;
-  if (figures.pixels > 0) return "no pixel is finite";
-  if (figures.truth_pixels > 0)
-    return "the picture has no pixel where the object must be: look whether the near plane cuts it off";
-  return "the object is not in the picture: look from another side, or from farther away";
 }
 
 double round_up(double value) {
@@ -161,7 +171,7 @@ image::Image8 error_map(const image::ImageF& error, double scale, Unit unit) {
     for (int y = margin; y < margin + bar_height; ++y)
       put(map, x, y, heat_color((x + 0.5 - left) / (right - left)));
   const double line = margin + bar_height + margin / 3.0;
-  std::string end = fmt::format("{:g} {}", scale, name_of(unit));  // the font has capitals
+  std::string end = fmt::format("{:g} {}", scale, course::name_of(unit));  // the font has capitals
   std::transform(end.begin(), end.end(), end.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   write(map, "0", left, line, text_height);
@@ -169,4 +179,53 @@ image::Image8 error_map(const image::ImageF& error, double scale, Unit unit) {
   return map;
 }
 
-}  // namespace texel::app
+namespace {
+
+class TheMeasuring final : public app::Measuring {
+ public:
+  double work_on_truth(app::AnyLab& lab, glm::ivec2 size, double milliseconds) override {
+    const Stopwatch stopwatch;
+    const std::string key = fmt::format("{} {}x{}", lab.truth_key(), size.x, size.y);
+    if (key == key_ && rows_ == size.y) return 1;
+    const Truth truth = lab.truth(size);
+    if (!truth)
+      throw Error::failed("there is no exact answer for these parameters", {},
+                          "choose a built-in model, picture or cube map that has a formula");
+    if (key != key_) {
+      truth_ = image::ImageF(size.x, size.y, 4);
+      rows_ = 0;
+      key_ = key;
+    }
+    constexpr int kRows = 8;  // in one go
+    while (rows_ < size.y && stopwatch.milliseconds() < milliseconds) {
+      const int end = std::min(rows_ + kRows, size.y);
+      add_truth_rows(truth_, truth, rows_, end);
+      rows_ = end;
+    }
+    return static_cast<double>(rows_) / size.y;
+  }
+  [[nodiscard]] app::Measured measured(const image::ImageF& picture, const Measure& measure,
+                                       double scale) const override {
+    image::ImageF error = error_picture(picture, truth_, measure);
+    const ErrorFigures figures = figures_of(error, truth_);
+    image::Image8 map = error_map(error, scale > 0 ? scale : round_up(figures.p99), measure.unit);
+    return {std::move(error), figures, std::move(map)};
+  }
+  [[nodiscard]] double error_of(const glm::dvec3& value, const glm::dvec3& truth,
+                                const Measure& measure) const override {
+    return answers::error_of(value, truth, measure);
+  }
+
+ private:
+  std::string key_;  ///< of which look truth_ is
+  image::ImageF truth_;
+  int rows_ = 0;  ///< so many of its rows are there
+};
+
+const bool known = [] {
+  app::Measuring::make = []() -> std::unique_ptr<app::Measuring> { return std::make_unique<TheMeasuring>(); };
+  return true;
+}();
+
+}  // namespace
+}  // namespace texel::answers

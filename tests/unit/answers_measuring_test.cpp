@@ -6,14 +6,18 @@
 #include <limits>
 #include <set>
 
-#include "app/measure.hpp"
+#include "answers/measuring.hpp"
 #include "core/error.hpp"
 
-namespace texel::app {
+namespace texel::answers {
 namespace {
 
+using app::ErrorFigures;
+using app::Measure;
+using app::Unit;
+
 Measure in(Unit unit, double scale = 1) {
-  return {View{}, unit, "", scale};
+  return {app::View{}, unit, "", scale};
 }
 
 /// A picture one pixel high; each pixel has three values and alpha.
@@ -84,12 +88,12 @@ TEST(ErrorFigures, leave_out_what_is_not_finite_and_count_it) {
 TEST(ErrorFigures, say_why_there_are_none) {
   const image::ImageF nothing = row({{0, 0, 0, 0}}), one = row({{1, 0, 0, 1}});
   const image::ImageF nan = row({{std::numeric_limits<float>::quiet_NaN(), 0, 0, 1}});
-  EXPECT_EQ(why_nothing(figures_of(one, one)), nullptr);
+  EXPECT_EQ(figures_of(one, one).reason, nullptr);
   std::set<std::string> reasons;
   for (const auto& [error, truth] : {std::pair{nan, one}, {nothing, one}, {nothing, nothing}}) {
     const ErrorFigures figures = figures_of(error, truth);
     EXPECT_TRUE(std::isnan(figures.mean + figures.rms + figures.p99 + figures.max));
-    reasons.insert(why_nothing(figures));
+    reasons.insert(figures.reason);
   }
   EXPECT_EQ(reasons.size(), 3);
 }
@@ -116,4 +120,4 @@ TEST(ErrorMap, shows_what_is_not_finite_in_magenta) {
 }
 
 }  // namespace
-}  // namespace texel::app
+}  // namespace texel::answers

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "image/ssim.hpp"
+#include "perception/ssim.hpp"
 
-#include "comparison.hpp"
 #include "filter.hpp"
+#include "image/comparison.hpp"
 
-namespace texel::image {
+namespace texel::perception {
 namespace {
+
+using image::Image8;
 
 using Plane = Image<double>;  // of one channel
 
@@ -58,8 +60,8 @@ double ssim(const Image8& reference, const Image8& image, const Image8* mask) {
       ++pixels;
       sum += similar.at(x, y);
     }
-  check_any(pixels > 0);
+  image::check_any(pixels > 0);
   return sum / static_cast<double>(pixels);
 }
 
-}  // namespace texel::image
+}  // namespace texel::perception

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "method_plot.hpp"
+#include "bench/method_plot.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/bench.hpp"
 #include "app/settings.hpp"
+#include "bench/bench.hpp"
 #include "core/error.hpp"
 
-namespace texel::window {
+namespace texel::bench {
 namespace {
 
 constexpr double kTruthMilliseconds = 40;  // a frame may work so long on the exact answer
@@ -30,7 +30,7 @@ bool MethodPlot::is_for(app::AnyLab& lab) {
 }
 
 MethodPlot::MethodPlot(gl::Context& context, const app::Assets& assets, app::AnyLab& lab)
-    : lab_(lab), canvas_(context, assets, lab), timer_(canvas_) {
+    : lab_(lab), canvas_(context, assets, lab) {
   for (const params::Item& item : lab.parameters().at("method").items)
     points_.emplace_back().method = item.name;
 }
@@ -81,7 +81,7 @@ void MethodPlot::measure_error(Point& point) {
 }
 
 void MethodPlot::time_frame(Point& point) {
-  point.frame_ns.push_back(timer_.time(size_));
+  point.frame_ns.push_back(frame_nanoseconds(canvas_, size_));
   std::vector<double> sorted = point.frame_ns;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
@@ -89,4 +89,4 @@ void MethodPlot::time_frame(Point& point) {
   ++done_;
 }
 
-}  // namespace texel::window
+}  // namespace texel::bench

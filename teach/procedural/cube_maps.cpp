@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "procedural/cube.hpp"
+#include "procedural/cube_maps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,13 +13,6 @@ namespace texel::procedural {
 namespace {
 
 using glm::dvec3;
-
-/// Of each face, as columns: the directions in which s, t and the major axis grow. The specification's sc, tc
-/// and ma are a direction's components along them.
-const glm::dmat3 axes[] = {
-    {dvec3(0, 0, -1), dvec3(0, -1, 0), dvec3(1, 0, 0)}, {dvec3(0, 0, 1), dvec3(0, -1, 0), dvec3(-1, 0, 0)},
-    {dvec3(1, 0, 0), dvec3(0, 0, 1), dvec3(0, 1, 0)},   {dvec3(1, 0, 0), dvec3(0, 0, -1), dvec3(0, -1, 0)},
-    {dvec3(1, 0, 0), dvec3(0, -1, 0), dvec3(0, 0, 1)},  {dvec3(-1, 0, 0), dvec3(0, -1, 0), dvec3(0, 0, -1)}};
 
 /// What the labelled cube shows on a face, and where up is for the one who reads it.
 struct Label {
@@ -35,26 +28,8 @@ constexpr Label labels[] = {
 
 }  // namespace
 
-const char* file_name(Face face) {
-  static constexpr const char* names[] = {"px", "nx", "py", "ny", "pz", "nz"};
-  return names[static_cast<int>(face)];
-}
-
-glm::dvec3 direction(Face face, double s, double t) {
-  return glm::normalize(axes[static_cast<int>(face)] * dvec3(2 * s - 1, 2 * t - 1, 1));
-}
-
-FaceCoordinate face_coordinate(glm::dvec3 d) {
-  const dvec3 size = glm::abs(d);
-  Face face = d.z < 0 ? Face::negative_z : Face::positive_z;
-  if (size.x >= size.y && size.x >= size.z) {
-    face = d.x < 0 ? Face::negative_x : Face::positive_x;
-  } else if (size.y >= size.z) {
-    face = d.y < 0 ? Face::negative_y : Face::positive_y;
-  }
-  const dvec3 coordinate =
-      d * axes[static_cast<int>(face)];  // the dot products with the columns: sc, tc, |ma|
-  return {face, 0.5 * (coordinate.x / coordinate.z + 1), 0.5 * (coordinate.y / coordinate.z + 1)};
+glm::dvec3 direction(image::Face face, double s, double t) {
+  return glm::normalize(image::axes(face) * dvec3(2 * s - 1, 2 * t - 1, 1));
 }
 
 glm::dvec3 smooth_color(glm::dvec3 d) {
@@ -66,9 +41,9 @@ glm::dvec3 smooth_color(glm::dvec3 d) {
 }
 
 glm::dvec3 labelled_color(glm::dvec3 d) {
-  const int face = static_cast<int>(face_coordinate(d).face);
-  const Label& text = labels[face];
-  const glm::dmat3& axis = axes[face];
+  const image::Face face = image::face_coordinate(d).face;
+  const Label& text = labels[static_cast<int>(face)];
+  const glm::dmat3& axis = image::axes(face);
   // What one sees from the middle of the cube: x to the right, y up, both -1..1 on the face.
   const dvec3 right = glm::cross(axis[2], text.up);
   const double depth = glm::dot(d, axis[2]);

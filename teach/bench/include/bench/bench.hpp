@@ -5,28 +5,17 @@
 
 #include "app/canvas.hpp"
 #include "course/batch.hpp"
-#include "gl/objects.hpp"
 
-namespace texel::app {
+namespace texel::bench {
 
 /// Reads a list for --bench, as course::parse_bench does. Throws Error (usage) that names the file and case,
 /// also where the lab has no such parameter.
-course::BenchList read_bench(AnyLab& lab, const std::filesystem::path& file);
+course::BenchList read_bench(app::AnyLab& lab, const std::filesystem::path& file);
 
-/// How long drawing takes. On hardware a timer query measures it. On a software renderer queries only time
-/// the call: there the clock measures from an idle driver to glFinish.
-class FrameTimer {
- public:
-  explicit FrameTimer(Canvas& canvas);
-  /// Nanoseconds of a frame with the lab's present parameters: draws once to load what it needs, and once by
-  /// the clock. Throws Error as Canvas::draw.
-  double time(glm::ivec2 size);
-
- private:
-  Canvas& canvas_;
-  bool is_software_;
-  gl::Query query_;
-};
+/// Nanoseconds of a frame with the lab's present parameters: draws once to load what it needs, and once by
+/// the clock. On hardware a timer query measures it. On a software renderer queries only time the call: there
+/// the clock measures from an idle driver to glFinish. Throws Error as Canvas::draw.
+double frame_nanoseconds(app::Canvas& canvas, glm::ivec2 size);
 
 /// Measures error and cost of a lab's methods. The frames of a case are timed in rounds: in each, every
 /// combination draws once to load what it needs and once by the clock, so that whatever else the machine does
@@ -39,6 +28,6 @@ class FrameTimer {
 /// `parameter` and `method` name what varies and its values: "method, segments" and "averaged, 32". The last
 /// two are there when the lab has something to prepare. Says on standard error which case it is at. Throws
 /// Error as Canvas::draw.
-std::string run_bench(Canvas& canvas, AnyLab& lab, const course::BenchList& list);
+std::string run_bench(app::Canvas& canvas, app::AnyLab& lab, const course::BenchList& list);
 
-}  // namespace texel::app
+}  // namespace texel::bench

@@ -6,10 +6,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "panel.hpp"
+#include "bench/method_plot.hpp"
+#include "window/gui.hpp"
+#include "window/more_section.hpp"
 
-namespace texel::window {
+namespace texel::bench {
 namespace {
+
+using window::theme;
+using window::wrapped_text;
 
 /// A logarithmic axis from one place on the screen to another.
 class Axis {
@@ -100,8 +105,14 @@ void grid(const Axis& x, const Axis& y, const ImRect& area) {
   }
 }
 
+/// Methods are ranked by the mean of their errors; for colours by the root mean square, in which few pixels
+/// that are far off weigh as much as one sees them.
+bool ranks_by_rms(const app::Measure& measure) {
+  return measure.unit == app::Unit::steps;
+}
+
 double error_of(const MethodPlot::Point& point, const app::Measure& measure) {
-  return app::ranks_by_rms(name_of(measure.unit)) ? point.error.rms : point.error.mean;
+  return ranks_by_rms(measure) ? point.error.rms : point.error.mean;
 }
 
 void describe(const MethodPlot::Point& point, const char* unit) {
@@ -163,23 +174,56 @@ std::string plot(const MethodPlot& methods, const std::string& present, float sc
   return clicked;
 }
 
+class MethodsSection final : public window::MoreSection {
+ public:
+  MethodsSection(gl::Context& context, const app::Assets& assets, app::AnyLab& lab)
+      : lab_(lab), methods_(context, assets, lab) {}
+
+  bool draw(float scale) override {
+    if (!ImGui::CollapsingHeader("Error and cost of the methods")) return false;
+    if (!methods_.fault().empty())
+      wrapped_text(theme().next, methods_.fault());
+    else if (!methods_.measure())
+      wrapped_text(theme().dim, "working out the exact answer");
+    else
+      show(scale);
+    return true;
+  }
+
+  std::string work(glm::ivec2 picture_size) override {
+    methods_.measure_next(picture_size);
+    if (methods_.share() >= 1 || !methods_.fault().empty()) return "";
+    return fmt::format("measuring the methods: {:.0f} %", 100 * methods_.share());
+  }
+
+  void forget() override { methods_.forget(); }
+
+ private:
+  void show(float scale) {
+    const app::Measure& measure = *methods_.measure();
+    ImGui::TextColored(theme().dim, "%s error in %s", ranks_by_rms(measure) ? "rms" : "mean",
+                       name_of(measure.unit));
+    params::Parameter& method = lab_.parameters().at("method");
+    const std::string clicked = plot(methods_, method.text(), scale);
+    if (!clicked.empty()) method.set(clicked);
+    const std::string cost = fmt::format("ms a frame of {}x{}", methods_.size().x, methods_.size().y);
+    const float right = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(cost.c_str()).x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(right, 0.0F));
+    ImGui::TextColored(theme().dim, "%s", cost.c_str());
+  }
+
+  app::AnyLab& lab_;
+  MethodPlot methods_;
+};
+
+const bool known = [] {
+  window::MoreSection::make = [](gl::Context& context, const app::Assets& assets,
+                                 app::AnyLab& lab) -> std::unique_ptr<window::MoreSection> {
+    if (!MethodPlot::is_for(lab)) return nullptr;
+    return std::make_unique<MethodsSection>(context, assets, lab);
+  };
+  return true;
+}();
+
 }  // namespace
-
-void methods_section(app::AnyLab& lab, WindowState& state, float scale) {
-  state.methods_open = MethodPlot::is_for(lab) && ImGui::CollapsingHeader("Error and cost of the methods");
-  if (!state.methods_open || !state.methods) return;
-  const MethodPlot& methods = *state.methods;
-  if (!methods.fault().empty()) return wrapped_text(theme().next, methods.fault());
-  if (!methods.measure()) return wrapped_text(theme().dim, "working out the exact answer");
-  const char* unit = name_of(methods.measure()->unit);
-  ImGui::TextColored(theme().dim, "%s error in %s", app::ranks_by_rms(unit) ? "rms" : "mean", unit);
-  params::Parameter& method = lab.parameters().at("method");
-  const std::string clicked = plot(methods, method.text(), scale);
-  if (!clicked.empty()) method.set(clicked);
-  const std::string cost = fmt::format("ms a frame of {}x{}", methods.size().x, methods.size().y);
-  const float right = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(cost.c_str()).x;
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(right, 0.0F));
-  ImGui::TextColored(theme().dim, "%s", cost.c_str());
-}
-
-}  // namespace texel::window
+}  // namespace texel::bench

@@ -4,7 +4,7 @@
 
 #include "image/image.hpp"
 
-namespace texel::image {
+namespace texel::perception {
 
 /// The paper's viewer: 0.7 m before a display that is 0.7 m wide and has 3840 pixels, 67.02 pixels a degree.
 inline constexpr double pixels_per_degree = 3840 * std::numbers::pi / 180;
@@ -16,7 +16,7 @@ inline constexpr double pixels_per_degree = 3840 * std::numbers::pi / 180;
 /// same in double precision. Throws Error (exit 3) when the sizes differ or the pictures are empty.
 /// Source: P. Andersson, J. Nilsson, T. Akenine-Moeller, M. Oskarsson, K. Astrom, M. D. Fairchild, "FLIP: A
 /// Difference Evaluator for Alternating Images", Proc. ACM Comput. Graph. Interact. Tech. 3(2), 2020.
-ImageF flip_errors(const Image8& reference, const Image8& image);
+image::ImageF flip_errors(const image::Image8& reference, const image::Image8& image);
 
 /// An error map in a few numbers.
 struct FlipFigures {
@@ -26,6 +26,6 @@ struct FlipFigures {
 
 /// Pools an error map in double precision, over the pixels whose first mask channel is above 0. Throws Error
 /// (exit 3) when the sizes differ or no pixel is left.
-FlipFigures flip_figures(const ImageF& errors, const Image8* mask = nullptr);
+FlipFigures flip_figures(const image::ImageF& errors, const image::Image8* mask = nullptr);
 
-}  // namespace texel::image
+}  // namespace texel::perception

@@ -12,11 +12,12 @@
 #include "../support/plain_flip.hpp"
 #include "../support/said.hpp"
 #include "core/error.hpp"
-#include "image/flip.hpp"
+#include "perception/flip.hpp"
 
-namespace texel::image {
+namespace texel::perception {
 namespace {
 
+using namespace image;
 using test::error_of;
 
 double mean_flip(const Image8& a, const Image8& b) {
@@ -184,4 +185,4 @@ TEST(FlipFigures, look_only_where_the_mask_is_light) {
 }
 
 }  // namespace
-}  // namespace texel::image
+}  // namespace texel::perception

@@ -3,19 +3,19 @@
 
 #include <cmath>
 
-#include "commands.hpp"
+#include "course_commands.hpp"
 #include "image/difference.hpp"
-#include "image/flip.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
-#include "image/ssim.hpp"
+#include "perception/flip.hpp"
+#include "perception/ssim.hpp"
 
-namespace texel::tools {
+namespace texel::commands {
 namespace {
 
 /// What only pictures of colours have.
 struct Perceived {
-  image::FlipFigures flip;
+  perception::FlipFigures flip;
   double ssim = 0;
 };
 
@@ -56,8 +56,9 @@ Comparison compare_floats(const CompareOptions& options, image::Comparing compar
 Comparison compare_colors(const CompareOptions& options, const image::Comparing& comparing) {
   const image::Image8 reference = image::load8(options.reference), image = image::load8(options.image);
   const image::Difference difference = image::compare(reference, image, comparing);
-  const Perceived perceived = {image::flip_figures(image::flip_errors(reference, image), comparing.mask),
-                               image::ssim(reference, image, comparing.mask)};
+  const Perceived perceived = {
+      perception::flip_figures(perception::flip_errors(reference, image), comparing.mask),
+      perception::ssim(reference, image, comparing.mask)};
   return {difference, "8-bit steps", perceived};
 }
 
@@ -65,7 +66,7 @@ void print_json(const Comparison& result) {
   const image::Difference& d = result.difference;
   std::string flip_mean = "null", flip_p99 = "null", ssim = "null";
   if (result.perceived) {
-    const image::FlipFigures& flip = result.perceived->flip;
+    const perception::FlipFigures& flip = result.perceived->flip;
     flip_mean = fmt::format("{}", flip.mean);
     flip_p99 = fmt::format("{}", flip.p99);
     ssim = fmt::format("{}", result.perceived->ssim);
@@ -139,4 +140,4 @@ Exit compare(const CompareOptions& options) {
   return within_limits(options, result) && same ? Exit::holds : Exit::differs;
 }
 
-}  // namespace texel::tools
+}  // namespace texel::commands

@@ -9,11 +9,12 @@
 #include "../support/flip_pictures.hpp"
 #include "../support/said.hpp"
 #include "core/error.hpp"
-#include "image/ssim.hpp"
+#include "perception/ssim.hpp"
 
-namespace texel::image {
+namespace texel::perception {
 namespace {
 
+using namespace image;
 using test::error_of;
 
 constexpr double kC1 = 6.5025, kC2 = 58.5225;  // (0.01 * 255)^2 and (0.03 * 255)^2
@@ -120,4 +121,4 @@ TEST(Ssim, looks_only_where_the_mask_is_light) {
 }
 
 }  // namespace
-}  // namespace texel::image
+}  // namespace texel::perception

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/bench.hpp"
+#include "bench/bench.hpp"
 
 #include <fmt/format.h>
 
@@ -11,21 +11,22 @@
 #include "core/files.hpp"
 #include "core/json.hpp"
 #include "core/stopwatch.hpp"
+#include "gl/objects.hpp"
 
-namespace texel::app {
+namespace texel::bench {
 namespace {
 
 /// Each combination of the values that vary; of a choice without values, all that it has. The first parameter
 /// changes slowest.
-std::vector<Settings> combinations(const course::BenchCase& one, params::Set& parameters) {
-  std::vector<Settings> all(1);
+std::vector<app::Settings> combinations(const course::BenchCase& one, params::Set& parameters) {
+  std::vector<app::Settings> all(1);
   for (const auto& [name, listed] : one.variations) {
     std::vector<std::string> values = listed;
     if (values.empty())
       for (const params::Item& item : parameters.at(name).items) values.emplace_back(item.name);
     if (values.empty()) throw Error::usage(fmt::format("'{}' is not a choice: list its values", name));
-    std::vector<Settings> longer;
-    for (const Settings& variant : all)
+    std::vector<app::Settings> longer;
+    for (const app::Settings& variant : all)
       for (const std::string& value : values) {
         longer.push_back(variant);
         longer.back().push_back({name, value});
@@ -35,7 +36,7 @@ std::vector<Settings> combinations(const course::BenchCase& one, params::Set& pa
   return all;
 }
 
-std::string joined(const Settings& values, bool names) {
+std::string joined(const app::Settings& values, bool names) {
   std::string text;
   for (const auto& [name, value] : values) text += (text.empty() ? "" : ", ") + (names ? name : value);
   return text;
@@ -43,13 +44,13 @@ std::string joined(const Settings& values, bool names) {
 
 class Bench {
  public:
-  Bench(Canvas& canvas, AnyLab& lab) : canvas_(canvas), lab_(lab), start_(lab.parameters()), timer_(canvas) {}
+  Bench(app::Canvas& canvas, app::AnyLab& lab) : canvas_(canvas), lab_(lab), start_(lab.parameters()) {}
 
   /// One result for each combination of the case.
   std::vector<Json> run(const course::BenchCase& c, double seconds) {
-    const std::vector<Settings> variants = combinations(c, lab_.parameters());
+    const std::vector<app::Settings> variants = combinations(c, lab_.parameters());
     std::vector<Json> results;
-    for (const Settings& values : variants) results.push_back(measured(c, values));
+    for (const app::Settings& values : variants) results.push_back(measured(c, values));
     const Stopwatch stopwatch;
     constexpr std::size_t kFewest = 5, kMost = 50;
     for (std::size_t round = 0; seconds > 0 && round < kMost; ++round) {
@@ -64,18 +65,18 @@ class Bench {
   }
 
  private:
-  void select(const course::BenchCase& c, const Settings& values) {
+  void select(const course::BenchCase& c, const app::Settings& values) {
     start_.set(c.settings);
     for (const auto& [name, value] : values) lab_.parameters().at(name).set(value);
   }
 
   /// Its error, and no times yet.
-  Json measured(const course::BenchCase& c, const Settings& values) {
+  Json measured(const course::BenchCase& c, const app::Settings& values) {
     select(c, values);
-    const gl::Record record = canvas_.record(View::error, pixels(c.size), 1);
-    const ErrorFigures& figures = *canvas_.error_figures();
-    const Measure measure = *lab_.measure();
-    if (figures.pixels == 0) throw Error::failed(fmt::format("case '{}': {}", c.name, why_nothing(figures)));
+    const gl::Record record = canvas_.record(app::View::error, app::pixels(c.size), 1);
+    const app::ErrorFigures& figures = *canvas_.error_figures();
+    const app::Measure measure = *lab_.measure();
+    if (figures.pixels == 0) throw Error::failed(fmt::format("case '{}': {}", c.name, figures.reason));
     long long bytes = record.index_bytes;
     for (const auto& use : record.attributes) bytes += use.bytes;
     for (const auto& use : record.textures) bytes += use.bytes;
@@ -99,9 +100,9 @@ class Bench {
     return result;
   }
 
-  void time(const course::BenchCase& c, const Settings& values, Json& result) {
+  void time(const course::BenchCase& c, const app::Settings& values, Json& result) {
     select(c, values);
-    result["frame_ns"].push_back(timer_.time(pixels(c.size)));
+    result["frame_ns"].push_back(frame_nanoseconds(canvas_, app::pixels(c.size)));
     if (const auto preparation = lab_.preparation(canvas_.assets())) {
       const Stopwatch stopwatch;
       preparation->work();
@@ -110,10 +111,9 @@ class Bench {
     }
   }
 
-  Canvas& canvas_;
-  AnyLab& lab_;
-  StartValues start_;
-  FrameTimer timer_;
+  app::Canvas& canvas_;
+  app::AnyLab& lab_;
+  app::StartValues start_;
 };
 
 bool is_software(const std::string& renderer) {
@@ -124,33 +124,32 @@ bool is_software(const std::string& renderer) {
 
 }  // namespace
 
-FrameTimer::FrameTimer(Canvas& canvas)
-    : canvas_(canvas), is_software_(is_software(canvas.context().renderer())) {}
-
-double FrameTimer::time(glm::ivec2 size) {
-  canvas_.draw(View::color, size, 1);
+double frame_nanoseconds(app::Canvas& canvas, glm::ivec2 size) {
+  canvas.draw(app::View::color, size, 1);
   glFinish();
-  const Stopwatch stopwatch;
-  if (!is_software_) glBeginQuery(GL_TIME_ELAPSED, query_.id());
-  canvas_.draw(View::color, size, 1);
-  if (is_software_) {
+  if (is_software(canvas.context().renderer())) {
+    const Stopwatch stopwatch;
+    canvas.draw(app::View::color, size, 1);
     glFinish();
     return stopwatch.milliseconds() * 1e6;
   }
+  const gl::Query query;
+  glBeginQuery(GL_TIME_ELAPSED, query.id());
+  canvas.draw(app::View::color, size, 1);
   glEndQuery(GL_TIME_ELAPSED);
   GLuint64 nanoseconds = 0;
-  glGetQueryObjectui64v(query_.id(), GL_QUERY_RESULT, &nanoseconds);
+  glGetQueryObjectui64v(query.id(), GL_QUERY_RESULT, &nanoseconds);
   return static_cast<double>(nanoseconds);
 }
 
-course::BenchList read_bench(AnyLab& lab, const std::filesystem::path& file) {
+course::BenchList read_bench(app::AnyLab& lab, const std::filesystem::path& file) {
   const std::string text = read_file(file);
   try {
     course::BenchList list = course::parse_bench(text);
     for (const course::BenchCase& one : list.cases) try {
-        check_settings(lab.parameters(), one.settings);
-        for (const Settings& values : combinations(one, lab.parameters()))
-          check_settings(lab.parameters(), values);
+        app::check_settings(lab.parameters(), one.settings);
+        for (const app::Settings& values : combinations(one, lab.parameters()))
+          app::check_settings(lab.parameters(), values);
       } catch (const Error& error) {
         throw Error::usage(fmt::format("case '{}': {}", one.name, error.what()));
       }
@@ -160,7 +159,7 @@ course::BenchList read_bench(AnyLab& lab, const std::filesystem::path& file) {
   }
 }
 
-std::string run_bench(Canvas& canvas, AnyLab& lab, const course::BenchList& list) {
+std::string run_bench(app::Canvas& canvas, app::AnyLab& lab, const course::BenchList& list) {
   Bench bench(canvas, lab);
   Json output = {{"renderer", canvas.context().name()}, {"results", Json::array()}};
   std::size_t number = 0;
@@ -171,4 +170,4 @@ std::string run_bench(Canvas& canvas, AnyLab& lab, const course::BenchList& list
   return to_text(output, 2) + "\n";
 }
 
-}  // namespace texel::app
+}  // namespace texel::bench

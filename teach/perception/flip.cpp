@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // FLIP (Andersson et al. 2020). The paper's parts are named by its headings.
-#include "image/flip.hpp"
+#include "perception/flip.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,12 +11,15 @@
 #include <numeric>
 #include <vector>
 
-#include "comparison.hpp"
 #include "filter.hpp"
 #include "image/color.hpp"
+#include "image/comparison.hpp"
 
-namespace texel::image {
+namespace texel::perception {
 namespace {
+
+using image::Image8;
+using image::ImageF;
 
 using Plane = ImageF;  // of one channel
 using Triple = std::array<float, 3>;
@@ -88,7 +91,7 @@ float color_error(float distance) {
 
 /// The filters of both pipelines, each as its kernel along rows and the one along columns.
 struct Filters {
-  using Kernel = image::Kernel<float>;
+  using Kernel = perception::Kernel<float>;
   // "Spatial filtering": the eye's contrast sensitivity to each opponent channel, as a sum of Gaussians
   // a sqrt(pi / b) exp(-pi^2 x^2 / b), x in degrees. Blue-yellow has two, the others one.
   Kernel luminance, red_green;
@@ -173,7 +176,7 @@ Seen see(const Image8& picture, const Filters& f) {
   Plane light(picture.width, picture.height, 1), red_green = light, blue_yellow = light;
   std::array<float, 256> light_of{};
   for (std::size_t i = 0; i < light_of.size(); ++i)
-    light_of[i] = from_encoding8(static_cast<std::uint8_t>(i));
+    light_of[i] = image::from_encoding8(static_cast<std::uint8_t>(i));
   const std::size_t green = picture.channels < 3 ? 0 : 1, blue = 2 * green;
   const std::uint8_t* rgb = picture.samples.data();
   for (std::size_t i = 0; i < light.samples.size(); ++i, rgb += picture.channels) {
@@ -217,7 +220,7 @@ float error_at(const Seen& a, const Seen& b, std::size_t i) {
 
 ImageF flip_errors(const Image8& reference, const Image8& image) {
   check_sizes(reference, image, nullptr);
-  check_any(!reference.samples.empty());
+  image::check_any(!reference.samples.empty());
   const Filters filters;
   const Seen a = see(reference, filters), b = see(image, filters);
   ImageF errors(reference.width, reference.height, 1);
@@ -231,10 +234,10 @@ FlipFigures flip_figures(const ImageF& errors, const Image8* mask) {
   for (int y = 0; y < errors.height; ++y)
     for (int x = 0; x < errors.width; ++x)
       if (counts(mask, x, y)) counted.push_back(errors.at(x, y));
-  check_any(!counted.empty());
+  image::check_any(!counted.empty());
   std::sort(counted.begin(), counted.end());
   const double sum = std::accumulate(counted.begin(), counted.end(), 0.0);
-  return {sum / static_cast<double>(counted.size()), counted[index_of_per_mille(counted.size(), 990)]};
+  return {sum / static_cast<double>(counted.size()), counted[image::index_of_per_mille(counted.size(), 990)]};
 }
 
-}  // namespace texel::image
+}  // namespace texel::perception

@@ -4,10 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "app/bench.hpp"
 #include "app/canvas.hpp"
 
-namespace texel::window {
+namespace texel::bench {
 
 /// Error and cost of each of the lab's methods with the present parameters, measured a little at a time. For
 /// a lab with a parameter `method` and the view `error`.
@@ -50,7 +49,6 @@ class MethodPlot {
 
   app::AnyLab& lab_;
   app::Canvas canvas_;  // the window's own keeps its picture
-  app::FrameTimer timer_;
   std::vector<Point> points_;
   std::optional<app::Measure> measure_;
   std::string look_, fault_;
@@ -58,4 +56,4 @@ class MethodPlot {
   std::size_t done_ = 0;  ///< errors, then frames
 };
 
-}  // namespace texel::window
+}  // namespace texel::bench

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "app/measure.hpp"
+
+/// The steps of app::Measuring.
+namespace texel::answers {
+
+/// The truth at the middle of each pixel, RGBA, alpha 1 where there is one and it is finite: the rows from
+/// `first` to before `end`, into a picture that is black and transparent there.
+void add_truth_rows(image::ImageF& picture, const app::Truth& truth, int first, int end);
+
+/// The error at each pixel in red, alpha 1 where it is known. Where the picture is not finite the error is
+/// NaN. Both have the same size; alpha is 1 where the object is, and where there is a truth.
+image::ImageF error_picture(const image::ImageF& picture, const image::ImageF& truth,
+                            const app::Measure& measure);
+
+/// Of an error picture and the truth that it was made with.
+app::ErrorFigures figures_of(const image::ImageF& error, const image::ImageF& truth);
+
+/// The smallest of 1, 2 and 5 times a power of ten that is not below `value`: the end of a scale. 1 for 0.
+double round_up(double value);
+
+/// The error picture in colours (image::heat; magenta where it is not finite), with a bar that goes from 0 to
+/// `scale`.
+image::Image8 error_map(const image::ImageF& error, double scale, app::Unit unit);
+
+}  // namespace texel::answers
