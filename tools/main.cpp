@@ -65,10 +65,9 @@ void reject_unknown_command(const CLI::App& app, int argc, char** argv) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   if (std::ranges::count(names, argv[1]) > 0) return;
-  const std::string near = nearest(argv[1], names);
-  throw Error::usage(fmt::format("there is no command '{}'", argv[1]),
-                     near.empty() ? fmt::format("the commands are {}", fmt::join(names, ", "))
-                                  : fmt::format("did you mean '{}'?", near));
+  throw Error::usage(
+      fmt::format("there is no command '{}'", argv[1]),
+      did_you_mean(argv[1], names, fmt::format("the commands are {}", fmt::join(names, ", "))));
 }
 
 Exit run(int argc, char** argv) {

@@ -72,10 +72,8 @@ fs::path Assets::find(const char* folder, const std::string& name, const char* e
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(place, error))
     names.push_back(entry.path().stem().string());
-  const std::string near = nearest(name, names);
   throw Error::failed(fmt::format("there is no '{}' among the bundled {}", name, folder), {},
-                      near.empty() ? "write a path with a '/' or its file extension"
-                                   : fmt::format("did you mean '{}'?", near));
+                      did_you_mean(name, names, "write a path with a '/' or its file extension"));
 }
 
 void Assets::remember(const fs::path& path) const {

@@ -90,9 +90,8 @@ View find_view(const AnyLab& lab, const std::string& name) {
   }
   if (name == name_of(View::error))
     throw Error::usage("the view 'error' needs the right answers; a student's tree does not contain them");
-  const std::string near = nearest(name, names);
   throw Error::usage(fmt::format("this lab has no view '{}'; its views are {}", name, list),
-                     near.empty() ? "" : fmt::format("did you mean '{}'?", near));
+                     did_you_mean(name, names));
 }
 
 params::Parameter* model_parameter(params::Set& parameters) {

@@ -21,7 +21,7 @@ std::string message(const std::string& what, const Place& place, const std::stri
 }
 
 /// Levenshtein distance: the fewest insertions, deletions and replacements.
-std::size_t edit_distance(const std::string& a, const std::string& b) {
+std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -49,7 +49,8 @@ Error Error::failed(const std::string& what, const Place& place, const std::stri
   return Error(Exit::failed, message(what, place, remedy), place);
 }
 
-std::string nearest(const std::string& word, const std::vector<std::string>& choices) {
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& choices,
+                         const std::string& otherwise) {
   std::string best;
   std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
   for (const std::string& choice : choices) {
@@ -59,7 +60,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& cho
       best = choice;
     }
   }
-  return best;
+  return best.empty() ? otherwise : fmt::format("did you mean '{}'?", best);
 }
 
 }  // namespace texel

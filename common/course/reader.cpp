@@ -120,10 +120,8 @@ std::vector<Reader> Reader::tables(const std::string& key) {
 void Reader::reject_unknown() const {
   for (const auto& [key, node] : table_) {
     if (std::find(known_.begin(), known_.end(), key.str()) != known_.end()) continue;
-    const std::string near = nearest(std::string(key.str()), known_);
     throw error(node, fmt::format("there is no key '{}'", key.str()),
-                near.empty() ? fmt::format("the keys are {}", fmt::join(known_, ", "))
-                             : fmt::format("did you mean '{}'?", near));
+                did_you_mean(key.str(), known_, fmt::format("the keys are {}", fmt::join(known_, ", "))));
   }
 }
 

@@ -154,10 +154,9 @@ Uniform* Program::to_set(std::string_view name, std::initializer_list<GLenum> ty
     if (vertex_->mentions(name) || fragment_->mentions(name)) return nullptr;
     std::vector<std::string> known;
     for (const Uniform& other : uniforms_) known.push_back(other.name);
-    const std::string near = nearest(std::string(name), known);
-    throw Error::failed(fmt::format("has no uniform '{}'", name), place(),
-                        near.empty() ? "the program sets it: declare it, or correct its name"
-                                     : fmt::format("the program sets it; did you mean '{}'?", near));
+    throw Error::failed(
+        fmt::format("has no uniform '{}'", name), place(),
+        "the program sets it; " + did_you_mean(name, known, "declare it, or correct its name"));
   }
   const bool fits = std::find(types.begin(), types.end(), uniform->type) != types.end() ||
                     (is_sampler(uniform->type) && *types.begin() == GL_INT);

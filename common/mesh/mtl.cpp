@@ -66,7 +66,6 @@ bool parse_color(std::string_view line, glm::vec3& color) {
 std::vector<Material> parse_mtl(std::string_view text, const std::string& name,
                                 std::vector<std::string>& warnings) {
   std::vector<Material> materials;
-  bool has_norm = false;  // `norm` is a normal map for certain, `bump` may be a height map: it yields
   LineReader lines(text);
   std::size_t lost = 0, changed = 0;
   std::string first_lost, first_changed;
@@ -77,12 +76,10 @@ std::vector<Material> parse_mtl(std::string_view text, const std::string& name,
   while (lines.next(line)) {
     const std::string keyword = lower(take_word(line));
     if (keyword == "newmtl") {
-      materials.push_back({std::string(rest_of_line(line)), glm::vec3(1.0f), {}, {}});
-      has_norm = false;
+      materials.push_back({.name = std::string(rest_of_line(line))});
       continue;
     }
-    const bool bump = keyword == "map_bump" || keyword == "bump", norm = keyword == "norm";
-    if (keyword != "kd" && keyword != "map_kd" && !bump && !norm) continue;
+    if (keyword != "kd" && keyword != "map_kd") continue;
     if (materials.empty()) {
       lose_line(for_message(keyword) + " before any newmtl");
       continue;
@@ -90,15 +87,11 @@ std::vector<Material> parse_mtl(std::string_view text, const std::string& name,
     Material& material = materials.back();
     if (keyword == "kd") {
       if (!parse_color(line, material.diffuse)) lose_line("Kd needs one or three finite numbers");
-    } else if (keyword == "map_kd") {
+    } else {
       std::string option;
       material.color_map = map_file(line, option);
       if (!option.empty() && changed++ == 0)
         first_changed = fmt::format("{} of material {}", option, for_message(material.name));
-    } else if (norm || !has_norm) {
-      std::string ignored;
-      material.normal_map = map_file(line, ignored);
-      has_norm = has_norm || norm;
     }
   }
   if (lost > 0)

@@ -22,13 +22,6 @@ std::vector<std::string> names(std::span<const Item> items) {
   return names;
 }
 
-/// What to try in place of a mistyped `word`.
-std::string suggestion(std::string_view word, const std::vector<std::string>& choices,
-                       const char* otherwise) {
-  const std::string near = nearest(std::string(word), choices);
-  return near.empty() ? otherwise : fmt::format("did you mean '{}'?", near);
-}
-
 }  // namespace
 
 std::string shell_quoted(const std::string& text) {
@@ -67,7 +60,7 @@ void Parameter::set(std::string_view text) {
     const std::vector<std::string> known = names(items);
     const auto item = std::find(known.begin(), known.end(), text);
     if (item == known.end())
-      throw refusal(fmt::format("one of {}", fmt::join(known, ", ")), suggestion(text, known, ""));
+      throw refusal(fmt::format("one of {}", fmt::join(known, ", ")), did_you_mean(text, known));
     set_value(static_cast<double>(item - known.begin()));
   } else if (type == Type::file) {
     if (text.empty())
@@ -151,7 +144,7 @@ Parameter& Set::at(std::string_view name) {
   std::vector<std::string> known;
   for (const Parameter& p : parameters_) known.emplace_back(p.name);
   throw Error::usage(fmt::format("there is no parameter '{}'", name),
-                     suggestion(name, known, "see --list-parameters"));
+                     did_you_mean(name, known, "see --list-parameters"));
 }
 
 void Set::reset() {

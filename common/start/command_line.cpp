@@ -34,9 +34,8 @@ void reject_unknown(const CLI::App& app) {
   std::vector<std::string> flags;
   for (const CLI::Option* option : app.get_options())
     for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
-  const std::string near = nearest(first.substr(0, first.find('=')), flags);
   throw Error::usage(fmt::format("there is no option '{}'", first),
-                     near.empty() ? "see --help" : fmt::format("did you mean '{}'?", near));
+                     did_you_mean(first.substr(0, first.find('=')), flags, "see --help"));
 }
 
 }  // namespace

@@ -15,8 +15,6 @@
 #include "core/parallel.hpp"
 #include "core/terminal.hpp"
 #include "image/color.hpp"
-#include "image/difference.hpp"
-#include "image/load.hpp"
 #include "image/save.hpp"
 #include "procedural/cube_maps.hpp"
 #include "procedural/height_fields.hpp"
@@ -149,47 +147,20 @@ void make_all(const fs::path& folder) {
     }
 }
 
-/// Whether each picture below `fresh` is in `committed` too. It may be packed by another version of zlib, and
-/// differ by one step where another library's sine rounds the other way. Prints what differs.
-bool same_pictures(const fs::path& fresh, const fs::path& committed) {
-  bool is_same = true;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fresh)) {
-    if (!entry.is_regular_file()) continue;
-    const fs::path file = committed / fs::relative(entry.path(), fresh);
-    if (fs::exists(file)) {
-      const image::Image8 a = image::load8(entry.path()), b = image::load8(file);
-      if (a.width == b.width && a.height == b.height && a.channels == b.channels &&
-          image::compare(a, b).max <= 1)
-        continue;
-    }
-    is_same = false;
-    fmt::print("missing or different: {}\n", file.string());
-  }
-  return is_same;
-}
-
 }  // namespace
 }  // namespace texel::assets
 
 int main(int argc, char** argv) {
   CLI::App app("Draws the textures, normal maps and cube maps of the labs that are functions.");
   std::string folder = "assets";
-  bool is_check = false;
-  app.add_option("--out", folder, "the asset folder to write, or to compare with")->capture_default_str();
-  app.add_flag("--check", is_check,
-               "write nothing there; exit 1 if what would be made differs from what is there");
+  app.add_option("--out", folder, "the asset folder to write")->capture_default_str();
   return texel::run_main("make_assets", [&] {
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
       return app.exit(error) == 0 ? texel::Exit::holds : texel::Exit::usage;
     }
-    if (!is_check) {
-      texel::assets::make_all(folder);
-      return texel::Exit::holds;
-    }
-    const texel::ScratchFolder fresh;
-    texel::assets::make_all(fresh.path());
-    return texel::assets::same_pictures(fresh.path(), folder) ? texel::Exit::holds : texel::Exit::differs;
+    texel::assets::make_all(folder);
+    return texel::Exit::holds;
   });
 }

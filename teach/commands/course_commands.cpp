@@ -2,14 +2,59 @@
 #include "course_commands.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
 #include <functional>
+#include <set>
 
 #include "command_line.hpp"
+#include "commands.hpp"
+#include "core/files.hpp"
+#include "core/terminal.hpp"
+#include "course/batch.hpp"
 #include "gallery.hpp"
+#include "grade/hidden_cases.hpp"
+#include "material/starter.hpp"
 
 namespace texel::commands {
+
+grade::CourseTree course_tree(const std::vector<int>& labs, const std::filesystem::path& cache) {
+  const std::filesystem::path root = tools::course_root();
+  return {root, tools::course_build(), cache.empty() ? root / "build/grade" : cache,
+          tools::chosen_labs(labs)};
+}
+
 namespace {
+
+using Words = std::vector<std::string>;
+
+/// Runs a script of teach/commands in place of this process, which the script finds in the variable TEXEL.
+/// Returns only by an Error (exit 3), when it cannot be started.
+Exit run_script(const std::filesystem::path& name, const Words& arguments) {
+  const std::string script = (tools::course_root() / "teach/commands" / name).string();
+  std::vector<char*> pointers = {const_cast<char*>(script.c_str())};
+  for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
+  pointers.push_back(nullptr);
+  std::error_code error;
+  ::setenv("TEXEL", std::filesystem::read_symlink("/proc/self/exe", error).c_str(), 1);
+  ::execv(script.c_str(), pointers.data());
+  throw Error::failed(fmt::format("cannot be started: {}", std::strerror(errno)), {script});
+}
+
+/// `texel course NAME …`: one of teach/commands/scripts. Throws Error (exit 2) for a name that there is not.
+Exit run_course_script(const Words& words) {
+  const Words known = {"classroom", "gradebook", "gradescope", "similar"};
+  const std::string name = words.empty() ? "" : words.front();
+  if (std::ranges::count(known, name) == 0)
+    throw Error::usage(fmt::format("there is no command 'course {}'", name),
+                       fmt::format("the commands are {}", fmt::join(known, ", ")));
+  return run_script(std::filesystem::path("scripts") / name, {words.begin() + 1, words.end()});
+}
 
 /// Commands that are scripts: all that follows the name is theirs, --help too.
 struct Script {
@@ -39,6 +84,21 @@ CLI::App* add_compare(CLI::App& app, CompareOptions& options) {
       "At edges, accept a pixel that equals one of the 3x3 pixels around it in the other picture");
   return command;
 }
+
+/// A log shows each line at once.
+void print_now(const std::string& line) {
+  fmt::print("{}\n", line);
+  flush_output();
+}
+
+struct StarterOptions {
+  std::filesystem::path out;
+  Words solve;                     ///< steps that are solved already
+  std::filesystem::path pictures;  ///< write nothing else: a folder for a picture of each step
+  bool verify = false;             ///< write nothing: check the starter
+  std::vector<int> labs;           ///< of those; none for all
+  std::filesystem::path cache;     ///< empty: build/grade of the course
+};
 
 CLI::App* add_starter(CLI::App& app, StarterOptions& options) {
   CLI::App* command = app.add_subcommand("starter", "Write the tree that students start with");
@@ -71,6 +131,33 @@ CLI::App* add_starter(CLI::App& app, StarterOptions& options) {
   return command;
 }
 
+/// `texel starter`: writes the tree that students start with.
+Exit starter(const StarterOptions& options) {
+  if (options.verify) {
+    Words words;
+    for (const int lab : options.labs) words.push_back(fmt::format("{}", lab));
+    if (!options.cache.empty()) words.insert(words.end(), {"--cache", options.cache.string()});
+    return run_script("verify_starter.py", words);
+  }
+  if (!options.pictures.empty()) {
+    grade::draw_step_pictures(course_tree(options.labs, options.cache), options.pictures, print_now);
+    return Exit::holds;
+  }
+  if (options.out.empty())
+    throw Error::usage("the folder is missing; type texel starter --out DIR", "DIR is a new folder");
+  std::set<std::string> unknown(options.solve.begin(), options.solve.end());
+  const std::set<std::string> solved = unknown;
+  for (const course::Lab& lab : tools::course_labs())
+    for (const course::Step& step : lab.steps) unknown.erase(step.id);
+  if (!unknown.empty())
+    throw Error::usage(fmt::format("there is no step '{}'", *unknown.begin()),
+                       "labs/*/lab.toml lists the steps");
+  const auto is_solved = [&](const std::string& step) { return solved.contains(step); };
+  material::write_files(material::starter_files(tools::course_root(), is_solved), options.out);
+  fmt::print("wrote {}; start there with: ./run\n", options.out.string());
+  return Exit::holds;
+}
+
 void add_cache(CLI::App* command, std::filesystem::path& cache) {
   command->add_option("--cache", cache, "Folder for starter, references and programs [build/grade]");
 }
@@ -82,6 +169,16 @@ CLI::App* add_expected(CLI::App& app, std::vector<int>& labs, std::filesystem::p
   add_cache(command, cache);
   return command;
 }
+
+struct CasesCommand {
+  std::string what;                  ///< renderer, draw, batch, mutants, spreads or marks
+  std::filesystem::path out, drawn;  ///< a folder or a file for JSON; the renderers' folders
+  std::string context = "auto", reference, seed;
+  std::vector<int> labs;  ///< numbers; none for all
+  int seeds = 3;          ///< of the hidden cases, for marks
+  bool places = false;    ///< marks without the catalogue: only the steps' places as the starter has them
+  std::filesystem::path cache;  ///< empty: build/grade of the course
+};
 
 CLI::App* add_cases(CLI::App& app, CasesCommand& command) {
   CLI::App* cases = app.add_subcommand("cases", "What scripts ask of the grader");
@@ -99,6 +196,29 @@ CLI::App* add_cases(CLI::App& app, CasesCommand& command) {
   add_cache(cases, command.cache);
   tools::add_context(cases, command.context);
   return cases;
+}
+
+/// `texel cases WHAT`: what the scripts of this folder ask of the grader, for ./run expected, renderers,
+/// marks and performance.
+Exit cases(const CasesCommand& command) {
+  const grade::CourseTree tree = course_tree(command.labs, command.cache);
+  if (command.what == "renderer") {
+    fmt::print("{}\n", grade::renderer_here(tree, command.context));
+  } else if (command.what == "draw") {
+    grade::draw_cases(tree, command.context, std::filesystem::absolute(command.out));
+  } else if (command.what == "batch") {
+    make_folder(command.out);
+    for (const judge::LabPlan& plan : grade::full_plan(tree.labs, command.seed, command.out / "models"))
+      write_file(command.out / (plan.lab.folder + ".json"), course::to_batch(plan.cases));
+  } else if (command.what == "mutants") {
+    write_file(command.out, to_text(grade::wrongly_passed(tree, command.context, print_now)));
+  } else if (command.what == "spreads") {
+    write_file(command.out,
+               to_text(grade::spreads(tree, std::filesystem::absolute(command.drawn), command.reference)));
+  } else {
+    write_file(command.out, to_text(grade::judged_solutions(tree, command.seeds, command.places, print_now)));
+  }
+  return Exit::holds;
 }
 
 void add_formats(CLI::App* command, std::vector<std::string>& formats) {
@@ -209,7 +329,10 @@ class CourseCommands final : public tools::MoreCommands {
     add(add_override(grade, override_), [&] { return grade_override(override_); });
     add(add_report(grade, results_), [&] { return grade_report(results_); });
     add(grade, [&] { return run_grade(grade_); });
-    add(add_expected(app, labs_, cache_), [&] { return expected(course_tree(labs_, cache_)); });
+    add(add_expected(app, labs_, cache_), [&] {
+      grade::write_expected(course_tree(labs_, cache_), print_now);
+      return Exit::holds;
+    });
     add(add_cases(app, cases_), [&] { return cases(cases_); });
     CLI::App* course =
         app.add_subcommand("course", "classroom, gradebook, gradescope, similar: see docs/course.md")

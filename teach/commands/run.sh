@@ -140,9 +140,13 @@ run_mutants() { # arguments of mutants.py
 }
 
 make_assets() {
-  build_release assets/all
+  build_release assets/all texel
   say "Making the assets"
-  "$root/build/release/bin/make_assets" --out "$root/assets" "$@"
+  case $* in
+    '') "$root/build/release/bin/make_assets" --out "$root/assets" ;;
+    --check) "$root/teach/assets/check_assets.py" "$root/build/release/bin" "$root/assets" ;;
+    *) fail 2 "./run assets takes --check or nothing" ;;
+  esac
 }
 
 renew_docs() {

@@ -83,14 +83,6 @@ std::uint64_t draw(std::initializer_list<std::string_view> texts) {
   return number;
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw Error::failed(fmt::format("cannot make the folder: {}", error.message()), {folder.string()},
-                        "check that it is writable and the disk has free space");
-}
-
 bool is_cached(const fs::path& folder) {
   if (!fs::exists(folder)) return false;
   std::error_code ignored;  // a cache may be another user's

@@ -25,9 +25,6 @@ std::string fingerprint_of_folder(
 /// A number that follows from the texts, evenly spread, and from which no one can tell the texts.
 std::uint64_t draw(std::initializer_list<std::string_view> texts);
 
-/// Makes a folder unless it is there. Throws Error (exit 3).
-void make_folder(const std::filesystem::path& folder);
-
 /// Whether a folder of the cache is there; if so it counts as used now.
 bool is_cached(const std::filesystem::path& folder);
 

@@ -22,11 +22,7 @@ const std::string& checked(const std::string& id) {
 }
 
 void write(const fs::path& file, const std::string& text) {
-  std::error_code error;
-  fs::create_directories(file.parent_path(), error);
-  if (error)
-    throw Error::failed("cannot make the folder: " + error.message(), {file.parent_path().string()},
-                        "choose another folder with --out");
+  make_folder(file.parent_path(), "choose another folder with --out");
   write_file(file, text);
 }
 

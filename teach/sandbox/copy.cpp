@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "copy.hpp"
-
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -13,6 +11,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "process.hpp"
 
 namespace texel::sandbox {
 namespace {

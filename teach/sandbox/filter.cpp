@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "filter.hpp"
-
 #include <linux/audit.h>
 #include <linux/filter.h>
 #include <linux/sched.h>
@@ -12,6 +10,8 @@
 #include <cstdint>
 #include <initializer_list>
 #include <vector>
+
+#include "process.hpp"
 
 namespace texel::sandbox {
 namespace {

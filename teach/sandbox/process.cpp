@@ -29,7 +29,6 @@ extern "C" {
 #include <sstream>
 #include <thread>
 
-#include "copy.hpp"
 #include "core/stopwatch.hpp"
 
 namespace texel::sandbox {

@@ -38,6 +38,18 @@ struct Usage {
   std::size_t processes = 0;  ///< that did not end yet
 };
 
+/// The seccomp filter of the sandbox, as bwrap's --seccomp takes it: an array of `struct sock_filter`. It
+/// refuses the system calls that no lab needs and that break out of sandboxes or hold memory which no limit
+/// counts. Empty for a processor whose calls we do not know.
+std::string seccomp_filter();
+
+/// Copies the regular files and folders of a folder that an untrusted program filled into a real one, over
+/// what has the same name there. No link is followed; what is neither file nor folder, folders in more than
+/// 16 others, and what cannot have its name there are left behind: the program chose them. Stops after
+/// `limit` bytes, counting holes, and returns whether all was copied. Throws Error (exit 3) when the real
+/// folder cannot be written.
+bool copy_results(const Descriptor& from, const std::filesystem::path& to, std::uint64_t limit);
+
 /// A sandbox from its start to its end; killed when it is destroyed before.
 class Process {
  public:

@@ -11,7 +11,6 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
-#include "filter.hpp"
 #include "process.hpp"
 
 namespace texel::sandbox {

@@ -38,10 +38,11 @@ TEST(Error, says_place_and_remedy_where_they_are_known) {
 }
 
 TEST(Nearest, finds_a_mistyped_word_and_nothing_when_all_are_far) {
-  EXPECT_EQ(nearest("galery", {"list", "gallery", "compare"}), "gallery");
-  EXPECT_EQ(nearest("--bump-strenght", {"--bump-strength", "--bricks"}), "--bump-strength");
-  EXPECT_EQ(nearest("xyzzy", {"list", "gallery", "compare"}), "");
-  EXPECT_EQ(nearest("anything", {}), "");
+  EXPECT_EQ(did_you_mean("galery", {"list", "gallery", "compare"}), "did you mean 'gallery'?");
+  EXPECT_EQ(did_you_mean("--bump-strenght", {"--bump-strength", "--bricks"}),
+            "did you mean '--bump-strength'?");
+  EXPECT_EQ(did_you_mean("xyzzy", {"list", "gallery", "compare"}, "see --help"), "see --help");
+  EXPECT_EQ(did_you_mean("anything", {}), "");
 }
 
 /// A folder, and how many files and folders are in it.

@@ -26,7 +26,7 @@ TEST(Mtl, reads_colors_and_maps_and_tells_of_lines_that_are_lost_and_options_not
   struct Row {
     std::string text;  // after "newmtl m"
     glm::vec3 diffuse{1};
-    std::string color_map{}, normal_map{};
+    std::string color_map{};
     const char* warning = nullptr;
   };
   const glm::vec3 white(1);
@@ -37,30 +37,26 @@ TEST(Mtl, reads_colors_and_maps_and_tells_of_lines_that_are_lost_and_options_not
       {"Kd 0.5\n", glm::vec3(0.5f)},
       {"Kd 0,5 0 1\n", {0.5f, 0, 1}},
       {"Kd spectral a.rfl\n"},
-      {"Kd 0.5 x 1\nmap_Kd b.png\n", white, "b.png", "", lost},
-      {"Kd 0.5 0.5\nmap_Kd b.png\n", white, "b.png", "", lost},
-      {"Kd 1.#QNAN 0 0\nmap_Kd b.png\n", white, "b.png", "", lost},
-      {"Kd\nmap_Kd b.png\n", white, "b.png", "", lost},
+      {"Kd 0.5 x 1\nmap_Kd b.png\n", white, "b.png", lost},
+      {"Kd 0.5 0.5\nmap_Kd b.png\n", white, "b.png", lost},
+      {"Kd 1.#QNAN 0 0\nmap_Kd b.png\n", white, "b.png", lost},
+      {"Kd\nmap_Kd b.png\n", white, "b.png", lost},
       {"map_kd a.png\n", white, "a.png"},
       {"map_Kd sub\\dir\\a.png\n", white, "sub/dir/a.png"},
       {"map_Kd -s 1 1 1\n"},
-      {"bump -bm 1.5 b.png\n", white, "", "b.png"},
-      {"bump -s 2 2 2 b.png\n", white, "", "b.png"},
-      {"map_bump b.png\n", white, "", "b.png"},
-      {"norm n.png\nbump b.png\n", white, "", "n.png"},  // bump may be a height map
-      {"bump b.png\nnorm n.png\n", white, "", "n.png"},
+      {"bump -s 2 2 2 b.png\nnorm n.png\n"},
       {"\tNs 96\nillum 2\nd 1\nmap_Ks s.png\nnonsense 1 2\n"},
       {"map_Kd -blendu off -mm 0 1 -texres 512 my file.png\n", white, "my file.png"},
       {"map_Kd -s 1 1 1 -o 0 0 0 a.png\n", white, "a.png"},
       {"map_Kd -s 1 -o 0 a.png\n", white, "a.png"},
       {"map_Kd -clamp off -mm 0 1 a.png\n", white, "a.png"},
       {"map_Kd -t 0 0 0 -blendu on a.png\n", white, "a.png"},
-      {"map_Kd -s 2 2 1 a.png\n", white, "a.png", "", unfollowed},
-      {"map_Kd -s 1 0.5 a.png\n", white, "a.png", "", unfollowed},
-      {"map_Kd -o 0.25 a.png\n", white, "a.png", "", unfollowed},
-      {"map_Kd -clamp on a.png\n", white, "a.png", "", unfollowed},
-      {"map_Kd -mm 0 2 a.png\n", white, "a.png", "", unfollowed},
-      {"map_Kd -s 1 1 1 -t 0 1 0 a.png\n", white, "a.png", "", unfollowed},
+      {"map_Kd -s 2 2 1 a.png\n", white, "a.png", unfollowed},
+      {"map_Kd -s 1 0.5 a.png\n", white, "a.png", unfollowed},
+      {"map_Kd -o 0.25 a.png\n", white, "a.png", unfollowed},
+      {"map_Kd -clamp on a.png\n", white, "a.png", unfollowed},
+      {"map_Kd -mm 0 2 a.png\n", white, "a.png", unfollowed},
+      {"map_Kd -s 1 1 1 -t 0 1 0 a.png\n", white, "a.png", unfollowed},
   };
   for (const Row& row : rows) {
     SCOPED_TRACE(row.text);
@@ -71,7 +67,6 @@ TEST(Mtl, reads_colors_and_maps_and_tells_of_lines_that_are_lost_and_options_not
     EXPECT_EQ(materials[0].name, "m");
     EXPECT_EQ(materials[0].diffuse, row.diffuse);
     EXPECT_EQ(materials[0].color_map, row.color_map);
-    EXPECT_EQ(materials[0].normal_map, row.normal_map);
     EXPECT_EQ(materials[1].diffuse, glm::vec3(0, 0, 1)) << "the rest is kept";
     ASSERT_EQ(warnings.size(), row.warning != nullptr ? 1u : 0u);
     if (row.warning != nullptr) {
@@ -103,12 +98,12 @@ class ObjFiles : public testing::Test {
 
 TEST_F(ObjFiles, material_libraries_are_read_beside_the_file) {
   write("my paints.mtl", "newmtl red\nKd 1 0 0\nmap_Kd -s 1 1 -clamp off red brick.png\n");
-  write("b.mtl", "newmtl blue\nnorm n.png\nmap_Bump -bm 0.5 h.png\n");
+  write("b.mtl", "newmtl blue\nKd 0 0 1\nmap_Bump -bm 0.5 h.png\n");
   const ObjData data =
       load("mtllib my paints.mtl\nmtllib missing.mtl b.mtl\nusemtl red\n" + face_ + "usemtl green\n" + face_);
   ASSERT_EQ(data.materials.size(), 2u);
   EXPECT_EQ(find_material(data, "red")->color_map, "");
-  EXPECT_EQ(find_material(data, "blue")->normal_map, "n.png");
+  EXPECT_EQ(find_material(data, "blue")->diffuse, glm::vec3(0, 0, 1));
   EXPECT_EQ(find_material(data, "green"), nullptr);
   ASSERT_EQ(data.warnings.size(), 3u);
   EXPECT_TRUE(has(data.warnings[0], "red brick.png")) << "the picture is missing";

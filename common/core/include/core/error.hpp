@@ -2,6 +2,7 @@
 #pragma once
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace texel {
@@ -34,7 +35,9 @@ class Error : public std::runtime_error {
   Place place_;
 };
 
-/// The nearest of `choices` to a mistyped `word` (edit distance at most a third of its length), or "".
-std::string nearest(const std::string& word, const std::vector<std::string>& choices);
+/// "did you mean 'gallery'?" with the nearest of `choices` to a mistyped `word` (edit distance at most a
+/// third of its length), or `otherwise` when none is near.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& choices,
+                         const std::string& otherwise = {});
 
 }  // namespace texel

@@ -18,7 +18,8 @@ std::string read_file(const std::filesystem::path& path);
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 /// Makes a folder that is missing, with those above it. Throws Error (exit 3), with the remedy.
-void make_folder(const std::filesystem::path& folder, const std::string& remedy = {});
+void make_folder(const std::filesystem::path& folder,
+                 const std::string& remedy = "check that it is writable and the disk has free space");
 
 /// A file's bytes, mapped read-only into memory.
 class MappedFile {

@@ -27,8 +27,8 @@ struct Corner {
 struct Material {
   std::string name;
   glm::vec3 diffuse{1.0f};  ///< Kd, as written
-  std::string color_map;    ///< map_Kd, or ""; after load_obj an absolute path, or "" where there is no file
-  std::string normal_map;   ///< norm, else map_Bump or bump, or ""
+  /// map_Kd, or ""; after load_obj an absolute path, or "" where there is no file.
+  std::string color_map = {};
 };
 
 /// From this triangle on, until the next run: a material's, group's or object's name.
@@ -83,7 +83,7 @@ ObjData parse_obj(std::string_view text, const std::string& name, const PartDone
 /// is missing or wrong is a warning. Throws Error (exit 3) as parse_obj and when the file cannot be read.
 ObjData load_obj(const std::filesystem::path& path, const PartDone& progress = {});
 
-/// Parses an MTL text: newmtl, Kd, map_Kd, norm, map_Bump and bump (any case); the rest is ignored. Adds a
+/// Parses an MTL text: newmtl, Kd and map_Kd (any case); the rest is ignored. Adds a
 /// warning, with `name`, for lines that are lost (a Kd that is no number, a property before the first
 /// newmtl), and one for options of map_Kd (-s, -o, -t, -mm, -clamp) that ask for more than the picture as it
 /// is.

@@ -2,13 +2,11 @@
 #pragma once
 #include <filesystem>
 #include <functional>
-#include <map>
-#include <set>
 #include <string>
 #include <vector>
 
+#include "core/json.hpp"
 #include "course/lab_file.hpp"
-#include "judge/results.hpp"
 
 /// What the course's makers do with its own tree.
 namespace texel::grade {
@@ -22,44 +20,22 @@ struct CourseTree {
 /// mutants looks like. `say` gets a line for each lab. Throws Error (exit 3) when something does not draw.
 void write_expected(const CourseTree& options, const std::function<void(const std::string&)>& say);
 
-/// Holds the course to what it promises of its starter, lab by lab: as it is it fails every step; with the
-/// first k steps solved it passes those k and no other; with all it passes all. Hidden cases count too. What
-/// is not so is returned, a line each. `say` gets progress. Throws Error (exit 3) when the starter does not
-/// build (a warning is an error there), or something does not draw.
-std::vector<std::string> verify_starter(const CourseTree& options,
-                                        const std::function<void(const std::string&)>& say);
-
-// --- A lab between starter and solution, as a student has it on the way ------------------------------------
-
-/// The steps that are solved, as "5.1".
-using Solved = std::set<std::string>;
-
-/// A lab with some steps solved.
-struct Stage {
-  std::filesystem::path program;
-  std::filesystem::path root;  ///< the folder with shaders/ and assets/
-};
-
-/// The lab at each of the stages. Their shaders are written into `folder`, which is empty; their programs are
-/// kept in the tree's cache. Throws Error (exit 3) when a stage does not build.
-std::map<Solved, Stage> make_stages(const CourseTree& tree, const course::Lab& lab,
-                                    const std::vector<Solved>& stages, const std::filesystem::path& folder);
+/// Draws what each step of the labs looks like before and after it is solved, side by side, into a folder:
+/// 5.1.png. `say` gets a line for each lab. Throws Error (exit 3) when a lab does not build with some of its
+/// steps solved, or does not draw.
+void draw_step_pictures(const CourseTree& tree, const std::filesystem::path& folder,
+                        const std::function<void(const std::string&)>& say);
 
 // --- Whether marks are earned: what right and wrong solutions of each step get -----------------------------
 
-struct JudgedSolution {
-  std::string name;  ///< the entry of the catalogue, or the place
-  bool is_right = false;
-  std::vector<judge::StepResult> by_seed;
-  /// The mistake that the grader takes it for, by the first seed, and what it is to be; or both "".
-  std::string called, is_called;
-};
-
 /// Judges the solution with each place of a step as the starter has it, and, unless `only_places`, each
-/// mutant and each equivalent of the catalogues, with so many seeds. `say` gets progress. Throws Error
-/// (exit 3) when something does not draw.
-std::vector<JudgedSolution> judged_solutions(const CourseTree& tree, int seeds, bool only_places,
-                                             const std::function<void(const std::string&)>& say);
+/// mutant and each equivalent of the catalogues, with so many seeds. Returns a list of {"step", "name",
+/// "is_right", "called", "is_called", "seeds": [{"passed", "score", "cases": [{"case", "passed", "error",
+/// "limit", "unit"}]}]}: `name` is the entry of the catalogue, or the place; `called` the mistake that the
+/// grader takes it for, by the first seed, and `is_called` what it is to be, or both "". `say` gets progress.
+/// Throws Error (exit 3) when something does not draw.
+Json judged_solutions(const CourseTree& tree, int seeds, bool only_places,
+                      const std::function<void(const std::string&)>& say);
 
 // --- How far renderers are from each other, in the judge's own measure -------------------------------------
 // A case's limit has to leave room for that. Which renderer draws is said by the environment, which
@@ -76,18 +52,11 @@ void draw_cases(const CourseTree& tree, const std::string& context, const std::f
 std::vector<std::string> wrongly_passed(const CourseTree& tree, const std::string& context,
                                         const std::function<void(const std::string&)>& say);
 
-/// How far the renderers are from what is expected, in one case.
-struct Spread {
-  int lab = 0;
-  std::string name, unit;
-  /// Whether a page in a browser judges the case, and so by a graphics card: public ones of steps in shaders.
-  bool is_in_pages = false;
-  std::map<std::string, double> by;  ///< by the renderer's folder; NaN where nothing could be compared
-};
-
 /// Judges what `draw_cases` wrote into the folders of `drawn` that have a kRendererFile: public cases by the
-/// tree's expected pictures, hidden ones by the folder `reference`. Throws Error (exit 3).
-std::vector<Spread> spreads(const CourseTree& tree, const std::filesystem::path& drawn,
-                            const std::string& reference);
+/// tree's expected pictures, hidden ones by the folder `reference`. Returns a list of {"lab", "case", "unit",
+/// "in_pages", "by": {renderer: error}}. `in_pages`: whether a page in a browser judges the case, and so by a
+/// graphics card, as public ones of steps in shaders. An error is null where nothing could be compared.
+/// Throws Error (exit 3).
+Json spreads(const CourseTree& tree, const std::filesystem::path& drawn, const std::string& reference);
 
 }  // namespace texel::grade

@@ -2,7 +2,6 @@
 #pragma once
 #include <cstdint>
 #include <string>
-#include <string_view>
 
 /// OBJ files that nobody has seen: whoever writes out what the bundled models look like fails with these.
 namespace texel::material {
@@ -22,7 +21,7 @@ inline constexpr const char* kUnseenKinds[] = {"numbers", "negative", "polygons"
 
 /// The text of an OBJ file of this kind, every position within the unit cube, numbers with 6 decimals. The
 /// same for the same seed, on every machine; another one for another seed. Throws Error (exit 2) for a kind
-/// that does not exist.
-std::string unseen_model(std::string_view kind, std::uint64_t seed);
+/// that does not exist, Error (exit 3) where the script unseen_model.py, which writes it, cannot be run.
+std::string unseen_model(const std::string& kind, std::uint64_t seed);
 
 }  // namespace texel::material

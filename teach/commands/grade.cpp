@@ -121,10 +121,8 @@ Exit grade_override(const GradeOverrideCommand& command) {
       for (const judge::StepResult& step : lab.steps) steps.push_back(step.id);
   }
   const auto check = [](const std::string& word, const std::vector<std::string>& known, const char* what) {
-    if (std::find(known.begin(), known.end(), word) != known.end()) return;
-    const std::string near = nearest(word, known);
-    throw Error::usage(fmt::format("there is no {} '{}'", what, word),
-                       near.empty() ? "" : fmt::format("did you mean '{}'?", near));
+    if (std::ranges::count(known, word) > 0) return;
+    throw Error::usage(fmt::format("there is no {} '{}'", what, word), did_you_mean(word, known));
   };
   check(command.student, students, "student");
   check(command.step, steps, "step");
