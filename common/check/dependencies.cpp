@@ -28,12 +28,12 @@ struct Before {
   bool is_explained = false;  ///< it failed by a known mistake, or nothing of it was written
 };
 
-/// What was begun keeps its mistake: students may write steps in any order.
+/// Its cases keep what is wrong with them: students may write steps in any order.
 void skip(judge::StepResult& step, const std::vector<std::string>& because_of, const std::string& message) {
   step.status = judge::Status::skipped;
   step.spoilt_by = because_of;
   step.message = message;
-  if (step.was_right || step.is_untouched()) step.mistake.clear(), step.mistake_says.clear();
+  step.mistake.clear(), step.mistake_says.clear();
 }
 
 }  // namespace

@@ -66,6 +66,10 @@ int run_into(const std::vector<std::string>& command, int output, int errors) {
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
+void TimeBudget::spend(double seconds) {
+  left_.fetch_sub(seconds);
+}
+
 Ran run_program(const std::vector<std::string>& command, bool with_errors) {
   const Stream output(command.front());
   const int exit_code = run_into(command, output.get(), with_errors ? output.get() : STDERR_FILENO);

@@ -125,12 +125,10 @@ Program::Program(std::shared_ptr<const ShaderSource> vertex, std::shared_ptr<con
   }
   std::sort(attributes_.begin(), attributes_.end());
 
-  GLint before = 0;
-  glGetIntegerv(GL_CURRENT_PROGRAM, &before);
   glUseProgram(id_);
   for (const Uniform& uniform : uniforms_)
     if (is_sampler(uniform.type)) glUniform1i(uniform.location, unset_unit());
-  glUseProgram(static_cast<GLuint>(before));
+  glUseProgram(0);
 }
 
 Program::~Program() {

@@ -124,7 +124,7 @@ Verdict judge_picture(const Case& of, const Expected& expected, std::string_view
   const Image8 mask = image::parse_png(expected.mask, "the mask", of.size.width, of.size.height);
   for (const bool is_object : {true, false}) {
     const Image8 part = part_of(mask, is_object);
-    if (std::ranges::find(part.samples, 255) == part.samples.end()) continue;
+    if (std::find(part.samples.begin(), part.samples.end(), 255) == part.samples.end()) continue;
     const image::Difference difference = image::compare(
         reference, picture,
         {.mask = &part, .edge_tolerance = true, .moved_pixels = kMovedPixels, .unit = compared_as(unit)});

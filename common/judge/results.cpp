@@ -40,7 +40,8 @@ void sort_cases(const course::Lab& lab, std::vector<CaseResult>& cases) {
     const auto found = place.find(result.name);
     return std::tuple(result.hidden, found == place.end() ? place.size() : found->second, result.name);
   };
-  std::ranges::sort(cases, {}, key);
+  std::sort(cases.begin(), cases.end(),
+            [&](const CaseResult& a, const CaseResult& b) { return key(a) < key(b); });
 }
 
 /// The steps whose mistakes can have spoilt the pictures of one that was judged alone: what did not pass in
@@ -48,7 +49,7 @@ void sort_cases(const course::Lab& lab, std::vector<CaseResult>& cases) {
 std::vector<std::string> causes_of(const StepResult& step, const std::vector<StepResult>& of_lab) {
   std::vector<std::string> causes;
   for (const StepResult& other : of_lab) {
-    const bool is_needed = std::ranges::find(step.needs, other.id) != step.needs.end();
+    const bool is_needed = std::find(step.needs.begin(), step.needs.end(), other.id) != step.needs.end();
     if (&other != &step && other.status == Status::failed && (is_needed || !other.is_untouched()))
       causes.push_back(other.id);
   }

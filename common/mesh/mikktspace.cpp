@@ -372,7 +372,7 @@ Frames find_frames(const Mesh& mesh, Groups groups, const Triangles& triangles, 
 /// The corners of collapsed triangles take what the first other corner of the same welded vertex has.
 void give_to_collapsed(const std::vector<std::uint32_t>& welded, const std::vector<Kind>& kinds,
                        Frames& frames) {
-  if (std::ranges::count(kinds, Kind::collapsed) == 0) return;
+  if (std::count(kinds.begin(), kinds.end(), Kind::collapsed) == 0) return;
   std::vector<std::uint32_t> at(welded.size(), no_index);  // by welded vertex
   for (std::size_t c = 0; c < welded.size(); ++c)
     if (kinds[c / 3] != Kind::collapsed && at[welded[c]] == no_index) at[welded[c]] = frames.of_corner[c];
@@ -392,7 +392,7 @@ void mikktspace(Mesh& mesh, unsigned threads) {
   // What no group reached is (1, 0, 0) with the sign -1, whatever the normal.
   const auto nothing = static_cast<std::uint32_t>(frames.tangents.size());
   frames.tangents.emplace_back(1.0f, 0.0f, 0.0f, -1.0f);
-  std::ranges::replace(frames.of_corner, no_index, nothing);
+  std::replace(frames.of_corner.begin(), frames.of_corner.end(), no_index, nothing);
   give_to_collapsed(welded, triangles.kinds, frames);
 
   const std::vector<std::uint32_t> of_vertex = split_by_label(mesh, frames.of_corner);

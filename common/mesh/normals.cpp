@@ -113,7 +113,8 @@ std::size_t generate_missing_normals(ObjData& data, Weighting weighting) {
   const auto is_missing = [&](const Corner& corner) {
     return corner.normal == no_index || is_zero(unit_or_zero(data.normals[corner.normal]));
   };
-  const auto missing = static_cast<std::size_t>(std::ranges::count_if(data.corners, is_missing));
+  const auto missing =
+      static_cast<std::size_t>(std::count_if(data.corners.begin(), data.corners.end(), is_missing));
   if (missing == 0) return 0;
   std::size_t key_count = 0;
   const std::vector<std::uint32_t> keys = smoothing_keys(data, key_count);

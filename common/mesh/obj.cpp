@@ -16,6 +16,11 @@
 namespace texel::mesh {
 namespace {
 
+/// What stands before the next blank or the end.
+std::string_view first_word(const char* at, const char* end) {
+  return {at, static_cast<std::size_t>(std::find_if(at, end, is_blank) - at)};
+}
+
 /// Beyond it float32 has no fractions: a texture coordinate there tells nothing of a place in the picture,
 /// and differences of larger ones could overflow.
 constexpr float greatest_texcoord = 16777216.0f;
@@ -74,7 +79,8 @@ class Parser {
   /// Counts one more of a trouble; its warning says the `details` of the first.
   template <class... Details>
   [[gnu::cold]] void note(std::string_view format, const Details&... details) {
-    auto found = std::ranges::find(troubles_, format, &Trouble::format);
+    auto found = std::find_if(troubles_.begin(), troubles_.end(),
+                              [&](const Trouble& one) { return one.format == format; });
     if (found == troubles_.end())
       found = troubles_.insert(found, Trouble{format, fmt::format(fmt::runtime(format), details...)});
     ++found->count;
@@ -109,7 +115,7 @@ class Parser {
     for (; skip_blanks(at, end); ++count) {
       if (count == most) fail(fmt::format("{} has more than {} numbers", keyword, most), "remove the rest");
       if (take_plain_number(at, end, numbers_[count])) continue;
-      const std::string_view word(at, std::find_if(at, end, is_blank));
+      const std::string_view word = first_word(at, end);
       at += word.size();
       const NumberStatus status = parse_float(word, numbers_[count]);
       const bool has_comma = word.find(',') != std::string_view::npos;
@@ -172,7 +178,7 @@ class Parser {
   }
 
   [[noreturn]] void fail_no_index(const char* at, const char* end, const char* list) const {
-    fail(fmt::format("{} is not an index of {}", for_message({at, std::find_if(at, end, is_blank)}), list),
+    fail(fmt::format("{} is not an index of {}", for_message(first_word(at, end)), list),
          "write corners as v, v/vt, v//vn or v/vt/vn");
   }
 
@@ -199,7 +205,7 @@ class Parser {
   }
 
   static bool is_in(const std::vector<std::uint32_t>& list, std::uint32_t index) {
-    return !list.empty() && std::ranges::binary_search(list, index);
+    return !list.empty() && std::binary_search(list.begin(), list.end(), index);
   }
 
   /// v, v/vt, v//vn or v/vt/vn; empty parts at the end are taken as not there.
@@ -348,7 +354,7 @@ bool is_file(const Path& path) {
 /// file itself lies in one of ours.
 Path find_file(std::string_view written, std::initializer_list<Path> folders) {
   std::string name(written);
-  std::ranges::replace(name, '\\', '/');
+  std::replace(name.begin(), name.end(), '\\', '/');
   Path found = *folders.begin() / name;
   longest_known(name, [&](std::string_view cut) {
     for (const Path& file : {Path(cut), Path(cut).filename()})
@@ -410,7 +416,8 @@ void read_libraries(const Path& folder, ObjData& data) {
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest))
       files.push_back(find_file(word, {folder}));
     const Path whole = find_file(names, {folder});
-    if (std::ranges::none_of(files, is_file) || (is_file(whole) && !std::ranges::all_of(files, is_file)))
+    if (std::none_of(files.begin(), files.end(), is_file) ||
+        (is_file(whole) && !std::all_of(files.begin(), files.end(), is_file)))
       files = {whole};
     for (const Path& file : files)
       if (read.insert(file).second) read_library(file, folder, data);

@@ -30,7 +30,7 @@ class TimeBudget {
   explicit TimeBudget(double seconds) : left_(seconds) {}
 
   [[nodiscard]] double left() const { return left_; }
-  void spend(double seconds) { left_.fetch_sub(seconds); }
+  void spend(double seconds);
 
  private:
   std::atomic<double> left_;
