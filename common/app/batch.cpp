@@ -6,16 +6,15 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <functional>
 #include <future>
 #include <set>
 
-#include "app/snapshot.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "core/stopwatch.hpp"
 #include "course/batch.hpp"
+#include "image/save.hpp"
 #include "mesh/ply.hpp"
 
 namespace texel::app {
@@ -38,6 +37,31 @@ course::Drawing not_drawn(const course::Case& one, const Error& fault) {
 }
 
 }  // namespace
+
+void check_ending(const std::filesystem::path& file, View view) {
+  const std::string ending = file.extension().string();
+  if (ending == ".pfm" && view == View::color)
+    throw Error::usage("a .pfm is for a data view, not for colours",
+                       "add --view with a data view, or write a .png");
+  if (ending != ".png" && ending != ".pfm")
+    throw Error::usage(fmt::format("cannot write a picture to '{}'", file.string()),
+                       "end the name in .png or .pfm");
+}
+
+std::function<void()> take_snapshot(const Canvas& canvas, AnyLab& lab, View view, glm::ivec2 size,
+                                    const std::filesystem::path& file) {
+  if (file.extension() == ".pfm")
+    return [file, values = canvas.read_float()] { image::save_pfm(file, values); };
+  // Alpha is no part of the picture.
+  return [file, colors = canvas.read8(),
+          texts = std::vector<image::Text>{{"Lab", lab.info().folder()},
+                                           {"Parameters", lab.parameters().key()},
+                                           {"View", name_of(view)},
+                                           {"Size", fmt::format("{}x{}", size.x, size.y)},
+                                           {"Renderer", canvas.context().name()}}] {
+    image::save_png(file, image::without_alpha(colors), texts);
+  };
+}
 
 Batch read_batch(AnyLab& lab, const std::filesystem::path& list) {
   const std::string text = read_file(list);
@@ -92,7 +116,7 @@ void draw_batch(Canvas& canvas, AnyLab& lab, const Assets& assets, const Batch& 
         write_mesh(lab, assets, file);
       } else {
         canvas.draw(one.view, pixels(one.size), samples);
-        write = [taken = take_snapshot(canvas, lab, one.view, pixels(one.size), file)] { taken.write(); };
+        write = take_snapshot(canvas, lab, one.view, pixels(one.size), file);
       }
     } catch (const Error& fault) {
       write = [fault] { throw fault; };

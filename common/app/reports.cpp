@@ -2,7 +2,6 @@
 #include "app/reports.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 
@@ -18,42 +17,6 @@ Json initial(const params::Parameter& p) {
 }
 
 }  // namespace
-
-long long peak_resident_bytes() {
-  rusage usage{};
-  ::getrusage(RUSAGE_SELF, &usage);
-  return static_cast<long long>(usage.ru_maxrss) * 1024;
-}
-
-std::string statistics_as_json(const AnyLab& lab, const Canvas& canvas, const gl::Record& record,
-                               const StageTimes& milliseconds, long long peak_bytes) {
-  Json attributes = Json::array(), textures = Json::array(), stages = Json::object();
-  for (const auto& use : record.attributes) attributes.push_back({{"name", use.name}, {"bytes", use.bytes}});
-  for (const auto& use : record.textures)
-    textures.push_back({{"name", use.name},
-                        {"width", use.width},
-                        {"height", use.height},
-                        {"format", use.format},
-                        {"bytes", use.bytes}});
-  for (const auto& [stage, time] : milliseconds) stages[stage] = time;
-  std::vector<std::string> warnings = canvas.notes().warnings;
-  warnings.insert(warnings.end(), record.warnings.begin(), record.warnings.end());
-  const Json json = {{"lab", lab.info().folder()},
-                     {"vertices", record.vertices},
-                     {"triangles", record.triangles},
-                     {"draw_calls", record.draw_calls},
-                     {"attributes", attributes},
-                     {"index_bytes", record.index_bytes},
-                     {"textures", textures},
-                     {"milliseconds", stages},
-                     {"peak_bytes", peak_bytes},
-                     {"notes", canvas.notes().facts},
-                     {"warnings", warnings},
-                     {"renderer", canvas.context().renderer()},
-                     {"version", canvas.context().version()},
-                     {"drawn_by", canvas.context().name()}};
-  return to_text(json, 2) + "\n";
-}
 
 std::string frame_times_as_text(std::vector<double> milliseconds, glm::ivec2 size) {
   std::sort(milliseconds.begin(), milliseconds.end());

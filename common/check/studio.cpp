@@ -7,9 +7,7 @@
 #include <array>
 #include <csignal>
 
-#include "core/error.hpp"
 #include "core/files.hpp"
-#include "core/json.hpp"
 #include "core/plain_text.hpp"
 #include "course/batch.hpp"
 
@@ -162,29 +160,6 @@ Drawn draw(const Studio& studio, const std::vector<Case>& cases, const fs::path&
             : "Not drawn: the submission used up its time";
   fs::remove_all(work);
   return drawn;
-}
-
-std::string renderer_of(const Studio& studio) {
-  Confines plain;
-  plain.environment = driver_variables();
-  plain.environment.emplace_back("TEXEL_ROOT", studio.root.string());
-  set_shader_cache(studio, plain);
-  plain.limits.wall_seconds = plain.limits.cpu_seconds = 60;
-  const Outcome outcome = run_plainly(
-      plain, {studio.program.string(), "--context", studio.context, "--size", "16x16", "--stats", "-"});
-  const auto json = json_or_null(outcome.output);
-  if (!outcome.succeeded() || !json.is_object())
-    throw Error::failed("the course's own program cannot draw", {studio.program.string()}, outcome.errors);
-  return json.value("drawn_by", std::string());
-}
-
-void draw_all(const Studio& studio, const std::vector<Case>& cases, const fs::path& out) {
-  const Drawn drawn = draw(studio, cases, out);
-  if (!drawn.faults.empty()) {
-    const auto& [file, fault] = *drawn.faults.begin();
-    throw Error::failed(fmt::format("the course's own program does not draw {}: {}", file, fault),
-                        {studio.program.string()});
-  }
 }
 
 }  // namespace texel::check

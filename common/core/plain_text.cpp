@@ -76,16 +76,4 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-std::string html_escaped(std::string_view text) {
-  constexpr std::string_view special = "&<>\"'";
-  constexpr const char* escaped[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
-  std::string result;
-  for (const char c : text)
-    if (const std::size_t found = special.find(c); found != special.npos)
-      result += escaped[found];
-    else
-      result += c;
-  return result;
-}
-
 }  // namespace texel

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <set>
 
@@ -24,81 +25,14 @@ std::string as_text(const Json& value) {
       fmt::format("a parameter's value must be a string, number or boolean, not {}", to_text(value)));
 }
 
-std::vector<Setting> read_settings(const Json& json) {
-  std::vector<Setting> settings;
-  if (!json.contains("set")) return settings;
-  if (!json.at("set").is_object()) throw Error::usage("'set' must be an object {parameter: value}");
-  for (const auto& [parameter, value] : json.at("set").items())
-    settings.push_back({parameter, as_text(value)});
-  return settings;
-}
-
-Json to_json(const std::vector<Setting>& settings) {
-  Json set = Json::object();
-  for (const Setting& setting : settings) set[setting.parameter] = setting.value;
-  return set;
-}
-
-Size read_size(const Json& json, Size otherwise) {
-  const std::string text = json.value("size", course::as_text(otherwise));
-  const std::optional<Size> size = find_size(text);
-  if (!size)
-    throw Error::usage(fmt::format("'{}' is not a size", text),
-                       fmt::format("write WIDTHxHEIGHT in pixels, each from 1 to {}", Size::kMostPixels));
-  return *size;
-}
-
-void reject_other_keys(const Json& json, const std::vector<std::string>& keys) {
+Case parse_entry(const Json& json) {
+  constexpr std::array<std::string_view, 4> keys = {"name", "view", "size", "set"};
   if (!json.is_object())
     throw Error::usage(fmt::format("it must be an object {{{}}}", fmt::join(keys, ", ")));
   for (const auto& [key, value] : json.items())
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
       throw Error::usage(fmt::format("there is no key '{}'", key),
                          fmt::format("the keys are {}", fmt::join(keys, ", ")));
-}
-
-/// Reads each entry; an error counts to it.
-template <class Entry, class Read>
-std::vector<Entry> read_each(const Json& list, const char* what, const char* several, Read read) {
-  std::vector<Entry> entries;
-  if (!list.is_array()) throw Error::usage(fmt::format("it must be a list of {}", several));
-  for (const Json& entry : list) try {
-      entries.push_back(read(entry));
-    } catch (const Json::exception& error) {
-      throw Error::usage(fmt::format("{} {}: {}", what, entries.size() + 1, error.what()));
-    } catch (const Error& error) {
-      throw Error::usage(fmt::format("{} {}: {}", what, entries.size() + 1, error.what()));
-    }
-  return entries;
-}
-
-Json parse(const std::string& text) {
-  try {
-    return parse_json(text);
-  } catch (const Json::exception& error) {
-    throw Error::usage(error.what());
-  }
-}
-
-BenchCase parse_bench_case(const Json& json) {
-  reject_other_keys(json, {"case", "size", "set", "vary"});
-  BenchCase one;
-  one.name = json.at("case").get<std::string>();
-  one.size = read_size(json, {256, 256});
-  one.settings = read_settings(json);
-  const Json& vary = json.at("vary");
-  if (!vary.is_object() || vary.empty()) throw Error::usage("'vary' must be an object {parameter: [values]}");
-  for (const auto& [parameter, values] : vary.items()) {
-    if (!values.is_array()) throw Error::usage(fmt::format("the values of '{}' must be a list", parameter));
-    Variation variation{parameter, {}};
-    for (const Json& value : values) variation.values.push_back(as_text(value));
-    one.variations.push_back(std::move(variation));
-  }
-  return one;
-}
-
-Case parse_entry(const Json& json) {
-  reject_other_keys(json, {"name", "view", "size", "set"});
   Case one;
   one.file = json.value("name", std::string());
   // The name is a file in the folder and nowhere else.
@@ -114,8 +48,15 @@ Case parse_entry(const Json& json) {
   if (!found || (*found == View::mesh) != is_mesh)
     throw Error::usage(fmt::format("there is no view '{}'", view));
   one.view = *found;
-  one.size = read_size(json, one.size);
-  one.settings = read_settings(json);
+  const std::string text = json.value("size", course::as_text(one.size));
+  const std::optional<Size> size = find_size(text);
+  if (!size)
+    throw Error::usage(fmt::format("'{}' is not a size", text),
+                       fmt::format("write WIDTHxHEIGHT in pixels, each from 1 to {}", Size::kMostPixels));
+  one.size = *size;
+  const Json set = json.value("set", Json::object());
+  if (!set.is_object()) throw Error::usage("'set' must be an object {parameter: value}");
+  for (const auto& [parameter, value] : set.items()) one.settings.push_back({parameter, as_text(value)});
   return one;
 }
 
@@ -126,27 +67,30 @@ std::string to_batch(const std::vector<Case>& cases) {
   for (const Case& one : cases) {
     Json entry{{"name", one.file}};
     if (!one.is_mesh()) entry["view"] = name_of(one.view), entry["size"] = course::as_text(one.size);
-    entry["set"] = to_json(one.settings);
+    entry["set"] = Json::object();
+    for (const Setting& setting : one.settings) entry["set"][setting.parameter] = setting.value;
     list.push_back(std::move(entry));
   }
   return to_text(list, 1) + "\n";
 }
 
 std::vector<Case> parse_batch(const std::string& list) {
+  std::vector<Case> cases;
   std::set<std::string> files;
-  return read_each<Case>(parse(list), "entry", "entries", [&](const Json& json) {
-    Case one = parse_entry(json);
-    if (!files.insert(one.file).second)
-      throw Error::usage(fmt::format("two entries are called '{}'", one.file));
-    return one;
-  });
-}
-
-BenchList parse_bench(const std::string& list) {
-  const Json json = parse(list);
-  if (!json.is_object() || !json.contains("cases"))
-    throw Error::usage("it must be an object {seconds, cases}");
-  return {json.value("seconds", 2.0), read_each<BenchCase>(json["cases"], "case", "cases", parse_bench_case)};
+  std::size_t number = 0;  // of the entry that is read; 0 for the list
+  try {
+    const Json entries = parse_json(list);
+    if (!entries.is_array()) throw Error::usage("it must be a list of entries");
+    for (const Json& entry : entries) {
+      ++number;
+      cases.push_back(parse_entry(entry));
+      if (!files.insert(cases.back().file).second)
+        throw Error::usage(fmt::format("two entries are called '{}'", cases.back().file));
+    }
+  } catch (const std::exception& error) {
+    throw Error::usage(number == 0 ? error.what() : fmt::format("entry {}: {}", number, error.what()));
+  }
+  return cases;
 }
 
 std::string to_json(const std::vector<Drawing>& drawings) {

@@ -185,15 +185,6 @@ std::string with_step_from(const std::string& text, const std::string& file, con
   return result + text.substr(at);
 }
 
-std::string with_step_alone(const std::string& text, const std::string& file, const std::string& step,
-                            const std::string& solution) {
-  if (!marker_faults(text, solution, file).empty()) return with_step_from(solution, file, step, text);
-  std::string result = text;
-  for (const auto& [other, texts] : texts_by_step(solution))
-    if (other != step) result = with_step_from(result, file, other, solution);
-  return result;
-}
-
 std::string first_text(const std::filesystem::path& tree, const std::string& file) {
   if (const std::filesystem::path first = tree / kFirstTexts / file; std::filesystem::exists(first))
     return read_file(first);

@@ -108,28 +108,6 @@ std::vector<StepResult> parse_steps(const std::string& json) {
   return steps;
 }
 
-std::string to_json(const std::vector<Mistake>& mistakes) {
-  std::string text = "[\n";
-  for (const Mistake& mistake : mistakes) {
-    Json one{{"name", mistake.name}, {"step", mistake.step}, {"says", mistake.says}};
-    for (const auto& [name, samples] : mistake.cases) {
-      Json& place = one["cases"][name];
-      if (!samples.refused.empty()) {
-        place["refused"] = samples.refused;
-        continue;
-      }
-      place["count"] = samples.count;
-      for (const Samples::Sample& sample : samples.samples) {
-        Json values = {sample.index};
-        for (const double value : sample.values) values.push_back(value);  // NaN becomes null
-        place["samples"].push_back(values);
-      }
-    }
-    text += to_text(one) + (&mistake == &mistakes.back() ? "\n" : ",\n");
-  }
-  return text + "]\n";
-}
-
 std::vector<Mistake> parse_mistakes(const std::string& text, const std::string& file) {
   std::vector<Mistake> mistakes;
   try {

@@ -8,16 +8,6 @@ namespace texel::judge {
 using course::Case;
 using course::View;
 
-std::vector<Case> LabPlan::masks() const {
-  std::vector<Case> masks;
-  for (Case one : cases) {
-    if (one.is_mesh()) continue;
-    one.view = View::mask, one.file = one.name + ".png";
-    masks.push_back(std::move(one));
-  }
-  return masks;
-}
-
 std::vector<LabPlan> public_plan(const std::vector<course::Lab>& labs) {
   std::vector<LabPlan> plans;
   for (const course::Lab& lab : labs) {

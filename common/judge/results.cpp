@@ -44,18 +44,6 @@ void sort_cases(const course::Lab& lab, std::vector<CaseResult>& cases) {
             [&](const CaseResult& a, const CaseResult& b) { return key(a) < key(b); });
 }
 
-/// The steps whose mistakes can have spoilt the pictures of one that was judged alone: what did not pass in
-/// its lab, but was begun, and what it needs.
-std::vector<std::string> causes_of(const StepResult& step, const std::vector<StepResult>& of_lab) {
-  std::vector<std::string> causes;
-  for (const StepResult& other : of_lab) {
-    const bool is_needed = std::find(step.needs.begin(), step.needs.end(), other.id) != step.needs.end();
-    if (&other != &step && other.status == Status::failed && (is_needed || !other.is_untouched()))
-      causes.push_back(other.id);
-  }
-  return causes;
-}
-
 }  // namespace
 
 const char* name_of(Status status) {
@@ -182,9 +170,6 @@ std::vector<LabResult> lab_results(const std::vector<course::Lab>& labs, std::ve
       result.steps.push_back(step_result(step, std::move(its_cases)));
     }
   }
-  for (LabResult& lab : results)
-    for (StepResult& step : lab.steps)
-      if (step.any(Judged::alone)) step.spoilt_by = causes_of(step, lab.steps);
   return results;
 }
 

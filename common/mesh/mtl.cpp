@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/plain_text.hpp"
 #include "mesh/obj.hpp"
 #include "text.hpp"
 
@@ -32,7 +33,7 @@ std::string map_file(std::string_view line, std::string& unfollowed) {
       float number = 0.0f;
       const std::string_view word = take_word(peek);
       if (parse_float(word, number) != NumberStatus::ok && i > 0) break;
-      if (neutral.empty() ? option == "-clamp" && lower(word) != "off" : number != neutral[i])
+      if (neutral.empty() ? option == "-clamp" && lower_case(word) != "off" : number != neutral[i])
         unfollowed = option;
       after = peek;
     }
@@ -74,7 +75,7 @@ std::vector<Material> parse_mtl(std::string_view text, const std::string& name,
   };
   std::string_view line;
   while (lines.next(line)) {
-    const std::string keyword = lower(take_word(line));
+    const std::string keyword = lower_case(take_word(line));
     if (keyword == "newmtl") {
       materials.push_back({.name = std::string(rest_of_line(line))});
       continue;

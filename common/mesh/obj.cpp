@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/plain_text.hpp"
 #include "mesh/polygon.hpp"
 #include "text.hpp"
 
@@ -281,7 +282,7 @@ class Parser {
   /// Any number is a group; also -1 and what is too large, of which some digits are enough to tell it from
   /// others.
   void smoothing_line(std::string_view line) {
-    const std::string word = lower(take_word(line));
+    const std::string word = lower_case(take_word(line));
     std::int64_t group = 0;
     const char* at = word.data();
     take_integer(at, at + word.size(), group);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/plain_text.hpp"
+
 namespace texel::mesh {
 
 LineReader::LineReader(std::string_view text)
@@ -58,13 +60,6 @@ std::string_view longest_known(std::string_view name, const std::function<bool(s
   return name;
 }
 
-std::string lower(std::string_view word) {
-  std::string text(word);
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
 namespace {
 
 /// parse_float of a number in C's spelling, without a '+'.
@@ -85,7 +80,7 @@ NumberStatus parse_usual(std::string_view word, float& value) {
 /// when they were rounded to fewer digits.
 bool names_not_finite(std::string_view word) {
   if (word.starts_with('-')) word.remove_prefix(1);
-  const std::string text = lower(word);
+  const std::string text = lower_case(word);
   return text.starts_with("1.#") || text == "nanq" || text == "nans" || text == "\xE2\x88\x9E";
 }
 

@@ -65,9 +65,6 @@ std::string_view rest_of_line(std::string_view line);
 /// of it without words from a '#' on, which may be a comment; the name itself if none is.
 std::string_view longest_known(std::string_view name, const std::function<bool(std::string_view)>& known);
 
-/// ASCII letters in lower case.
-std::string lower(std::string_view word);
-
 enum class NumberStatus { ok, repaired, malformed, not_finite };
 
 /// The float32 nearest to the number that is the whole of `word`; a leading '+' is fine. Numbers too small

@@ -1,14 +1,42 @@
 // SPDX-License-Identifier: MIT
-#include "looks.hpp"
+// The gallery's looks with their small pictures, and what opens over the picture: these, and the list of
+// keys.
+#include <fmt/format.h>
+#include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "app/settings.hpp"
 #include "core/error.hpp"
-#include "window/gui.hpp"
+#include "panel.hpp"
 
 namespace texel::window {
+namespace {
+
+constexpr ImGuiWindowFlags kFlags = kPlaced | ImGuiWindowFlags_NoResize;
+
+/// A small picture with its name; true when it was clicked.
+bool look_button(const Looks::Entry& entry, ImVec2 size) {
+  const ImVec2 at = ImGui::GetCursorScreenPos(), to(at.x + size.x, at.y + size.y);
+  ImGui::BeginGroup();
+  const bool is_clicked = ImGui::InvisibleButton(entry.look.name.c_str(), size);
+  const bool is_hovered = ImGui::IsItemHovered();
+  tooltip(entry.look.caption, entry.fault);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (entry.is_drawn && entry.fault.empty())
+    draw_texture(entry.picture, at, to);
+  else
+    list.AddRectFilled(at, to, ImGui::GetColorU32(ImGuiCol_FrameBg));
+  list.AddRect(at, to, ImGui::GetColorU32(is_hovered ? theme().next : theme().dim), 0, 0,
+               is_hovered ? 2.0F : 1.0F);
+  ImGui::TextColored(entry.fault.empty() ? theme().text : theme().next, "%s", entry.look.name.c_str());
+  ImGui::EndGroup();
+  return is_clicked;
+}
+
+}  // namespace
 
 Looks::Looks(app::AnyLab& lab, const app::Assets& assets) {
   const std::filesystem::path file =
@@ -54,6 +82,58 @@ void choose(const course::Case& look, app::AnyLab& lab, app::View& view) {
   lab.parameters().reset();
   for (const auto& [parameter, value] : look.settings) lab.parameters().at(parameter).set(value);
   view = look.view;
+}
+
+void draw_looks(app::AnyLab& lab, WindowState& state, glm::vec2 size, float scale) {
+  if (!state.looks_open) return;
+  const float margin = 12 * scale;
+  const ImVec2 largest(size.x - 2 * margin, size.y - 2 * margin);
+  ImGui::SetNextWindowPos({state.panel_width + margin, margin});
+  ImGui::SetNextWindowSizeConstraints({largest.x, 0}, largest);
+  ImGui::SetNextWindowSize({largest.x, 0});  // as high as the pictures
+  const std::vector<Looks::Entry>& entries = state.looks->entries;
+  const std::size_t drawn = state.looks->drawn();
+  const std::string progress =
+      drawn < entries.size() ? fmt::format(": drawing {} of {}", drawn + 1, entries.size()) : "";
+  ImGui::Begin(fmt::format("Looks{}###looks", progress).c_str(), &state.looks_open, kFlags);
+  const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
+  const float columns = std::clamp(
+      std::floor((room + gap) / (static_cast<float>(Looks::kSize.x) * scale * 0.8F + gap)), 1.0F, 5.0F);
+  const float width = (room - (columns - 1) * gap) / columns;
+  const ImVec2 picture(width, width * Looks::kSize.y / Looks::kSize.x);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (i % static_cast<std::size_t>(columns) != 0) ImGui::SameLine();
+    if (!look_button(entries[i], picture)) continue;
+    try {
+      choose(entries[i].look, lab, state.view);
+      state.look = i;
+      state.split.reset();
+      state.message = entries[i].look.caption;
+    } catch (const Error& error) {
+      state.message = error.what();
+    }
+    state.looks_open = false;
+  }
+  ImGui::End();
+}
+
+void draw_keys(WindowState& state, glm::vec2 size) {
+  if (!state.keys_open) return;
+  ImGui::SetNextWindowPos({state.panel_width + size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::Begin("Keys and mouse", &state.keys_open, kFlags | ImGuiWindowFlags_AlwaysAutoResize);
+  const auto row = [](const char* shown, const char* what) {
+    ImGui::TextColored(theme().next, "%s", shown);
+    ImGui::SameLine(ImGui::GetFontSize() * 6.5F);
+    ImGui::TextUnformatted(what);
+  };
+  for (const Key& key : kKeys) row(key.shown, key.what);
+  ImGui::Separator();
+  row("drag", "orbit");
+  row("right drag", "move the light");
+  row("wheel", "zoom");
+  row("click", "inspect a pixel");
+  row("drop a file", "an OBJ model or a picture");
+  ImGui::End();
 }
 
 }  // namespace texel::window

@@ -67,21 +67,14 @@ void parameter_widget(params::Parameter& p) {
   label(is_default ? theme().text : theme().next, label_of(p.name), p.help,
         fmt::format("--{}, default {}{}\nCtrl+click a slider to type a value", p.flag(), p.initial(), range),
         is_default ? 1 : ImGui::GetFontSize() * 3.4F);
-  switch (p.type) {
-    case Type::toggle: {
-      bool on = p.value() != 0;
-      if (ImGui::Checkbox("##value", &on)) p.set_value(on ? 1 : 0);
-      break;
-    }
-    case Type::integer:
-    case Type::number:
-      number_widget(p);
-      break;
-    case Type::choice:
-    case Type::file:
-      if (const std::string chosen = combo("##value", p.items, p.text()); chosen != p.text()) p.set(chosen);
-      tooltip(p.help);
-      break;
+  if (p.type == Type::toggle) {
+    bool on = p.value() != 0;
+    if (ImGui::Checkbox("##value", &on)) p.set_value(on ? 1 : 0);
+  } else if (p.is_ranged()) {
+    number_widget(p);
+  } else {
+    if (const std::string chosen = combo("##value", p.items, p.text()); chosen != p.text()) p.set(chosen);
+    tooltip(p.help);
   }
   if (!is_default) {
     ImGui::SameLine();

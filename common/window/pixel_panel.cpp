@@ -30,12 +30,6 @@ void pixel_row(const char* name, const glm::dvec3& value, int components, const 
 /// How a value of the view is written; 8-bit steps for colours.
 void pixel_row(const char* name, app::View view, const glm::dvec3& value) {
   switch (view) {
-    case app::View::mesh:  // no picture
-    case app::View::lod:
-    case app::View::depth:
-    case app::View::mask:
-    case app::View::error:
-      return pixel_row(name, value, 1, "%.5g");
     case app::View::texcoord:
       return pixel_row(name, value, 2, "%.5f");
     case app::View::color:
@@ -44,6 +38,8 @@ void pixel_row(const char* name, app::View view, const glm::dvec3& value) {
     case app::View::tangent:
     case app::View::direction:
       return pixel_row(name, value, 3, "%+.4f");
+    default:
+      return pixel_row(name, value, 1, "%.5g");
   }
 }
 

@@ -2,34 +2,25 @@
 #include "shader_message.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
+#include <regex>
 
 namespace texel::window {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Reads "12:" or "12" and goes on behind it; 0 where there is no number.
-int take_number(std::string_view& text) {
-  int number = 0;
-  const char* end = std::from_chars(text.data(), text.data() + text.size(), number).ptr;
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  if (text.starts_with(':')) text.remove_prefix(1);
-  return number;
-}
-
 /// "shaders/05_normal_map/normal_map.frag:20:25: …" gets a place, if there is such a file.
-void find_place(ErrorMessage& message, std::string_view text, const fs::path& root) {
-  const std::size_t colon = text.find(':');
-  if (colon == std::string_view::npos || colon == 0) return;
-  const fs::path name = text.substr(0, colon);
+void find_place(ErrorMessage& message, const fs::path& root) {
+  std::smatch match;
   std::error_code unknown;
+  if (!std::regex_search(message.first, match, std::regex("^([^:]+):(?:(\\d{1,9})(?::(\\d{1,9}))?)?")))
+    return;
+  const fs::path name = match[1].str();
   if (!name.is_relative() || !fs::is_regular_file(root / name, unknown)) return;
   message.file = root / name;
-  text.remove_prefix(colon + 1);
-  message.line = take_number(text);
-  if (message.line > 0) message.column = take_number(text);
+  if (match[2].matched) message.line = std::stoi(match[2]);
+  if (match[3].matched) message.column = std::stoi(match[3]);
 }
 
 /// A file's line without the blanks around it, or "".
@@ -50,7 +41,7 @@ ErrorMessage read_message(const std::string& text, const fs::path& root) {
   message.first = text.substr(0, end);
   if (end != std::string::npos) message.rest = text.substr(end + 1);
   if (!message.rest.empty()) message.others = 1 + static_cast<int>(std::ranges::count(message.rest, '\n'));
-  find_place(message, message.first, root);
+  find_place(message, root);
   if (message.line > 0) message.source_line = line_of(message.file, message.line);
   if (message.first.ends_with(": " + message.source_line)) message.source_line.clear();  // said already
   return message;

@@ -290,9 +290,6 @@ void Window::draw_picture() {
         truth_share_ = canvas_.work_on_truth(size, kTruthMilliseconds);
       } catch (const Error& error) {
         state_.no_truth = error.what();
-        const auto shows_error = [](const Looks::Entry& e) { return e.look.view == app::View::error; };
-        if (std::ranges::any_of(state_.looks->entries, shows_error))
-          state_.no_truth += "\nThe looks of the gallery (G) have one with a view of the error.";
       }
     if (truth_share_ < 1)
       state_.progress = fmt::format("working out the exact answer: {:.0f} %", 100 * truth_share_);

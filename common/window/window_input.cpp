@@ -6,15 +6,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
+#include "app/batch.hpp"
 #include "app/gestures.hpp"
 #include "app/settings.hpp"
-#include "app/snapshot.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
-#include "desktop.hpp"
+#include "core/process.hpp"
 #include "window_class.hpp"
 
 namespace texel::window {
@@ -22,6 +23,51 @@ namespace {
 
 constexpr float kClickTolerance = 3;    // window units that a click may move
 constexpr int kTurntablePictures = 36;  // every 10 degrees
+
+bool is_installed(const std::string& program) {
+  return run_program({"sh", "-c", "command -v \"$1\"", "sh", program}, true).exit_code == 0;
+}
+
+/// Starts a shell's command with arguments "$1" and so on. Nobody waits for its end: an editor may stay open
+/// as long as it likes.
+void run_beside(const std::string& command, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"sh", "-c", command + " >/dev/null 2>&1 &", "sh"});
+  run_program(arguments);
+}
+
+/// Opens a file at a line in the user's editor: $VISUAL where it is set, else Visual Studio Code (`code -g`).
+/// Line and column from 1; 0: unknown. Does not wait for the editor. Throws Error (exit 3) when there
+/// is none.
+void open_in_editor(const std::filesystem::path& file, int line, int column = 0) {
+  const char* visual = std::getenv("VISUAL");
+  const std::string command = visual == nullptr || *visual == '\0' ? "code" : visual;
+  const std::string program = command.substr(0, command.find(' '));
+  if (!is_installed(program))
+    throw Error::failed(fmt::format("there is no editor '{}' to open {}:{}", program, file.string(), line),
+                        {}, "set VISUAL to a command that opens a window, as VISUAL='gvim' or VISUAL='code'");
+  const std::string editor = std::filesystem::path(program).filename();
+  const std::string place = fmt::format("{}:{}:{}", file.string(), std::max(line, 1), std::max(column, 1));
+  if (editor == "code" || editor == "codium" || editor == "code-oss")
+    run_beside(command + " -g \"$1\"", {place});
+  else if (editor == "subl" || editor == "zed")
+    run_beside(command + " \"$1\"", {place});
+  else  // vi, emacs, kate's and nano's way
+    run_beside(command + " \"$@\"", {fmt::format("+{}", std::max(line, 1)), file.string()});
+}
+
+/// Puts a PNG into the clipboard by wl-copy or xclip: GLFW has only text. Throws Error (exit 3) when neither
+/// is installed.
+void copy_png(const std::filesystem::path& png) {
+  const bool is_wayland = std::getenv("WAYLAND_DISPLAY") != nullptr;
+  const std::string tool = is_wayland ? "wl-copy" : "xclip";
+  if (!is_installed(tool))
+    throw Error::failed(
+        fmt::format("a picture gets into the clipboard by the program {}, which is missing", tool), {},
+        is_wayland ? "install wl-clipboard" : "install xclip");
+  run_beside(
+      is_wayland ? "wl-copy --type image/png < \"$1\"" : "xclip -selection clipboard -t image/png -i \"$1\"",
+      {png.string()});
+}
 
 /// "lab05_normal_map-001.png": the first such name that is free.
 std::filesystem::path free_name(const app::AnyLab& lab, const std::string& ending) {
@@ -228,7 +274,7 @@ void Window::write_picture(const std::filesystem::path& file) {
                         "wait until the status line no longer says so");
   const app::KeptValues before(lab_.parameters());
   fit_view();
-  app::take_snapshot(canvas_, lab_, state_.view, picture_pixels(), file).write();
+  app::take_snapshot(canvas_, lab_, state_.view, picture_pixels(), file)();
 }
 
 void Window::go_on_with_turntable() {
@@ -241,7 +287,7 @@ void Window::go_on_with_turntable() {
   try {
     canvas_.draw(state_.view, picture_pixels(), options_.samples);
     const std::filesystem::path file = folder / fmt::format("{:03}.png", written);
-    app::take_snapshot(canvas_, lab_, state_.view, picture_pixels(), file).write();
+    app::take_snapshot(canvas_, lab_, state_.view, picture_pixels(), file)();
   } catch (const Error&) {
     turntable_.reset();
     throw;

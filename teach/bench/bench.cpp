@@ -11,6 +11,7 @@
 #include "core/files.hpp"
 #include "core/json.hpp"
 #include "core/stopwatch.hpp"
+#include "course/batch.hpp"
 #include "gl/objects.hpp"
 
 namespace texel::bench {
@@ -18,7 +19,7 @@ namespace {
 
 /// Each combination of the values that vary; of a choice without values, all that it has. The first parameter
 /// changes slowest.
-std::vector<app::Settings> combinations(const course::BenchCase& one, params::Set& parameters) {
+std::vector<app::Settings> combinations(const BenchCase& one, params::Set& parameters) {
   std::vector<app::Settings> all(1);
   for (const auto& [name, listed] : one.variations) {
     std::vector<std::string> values = listed;
@@ -42,12 +43,36 @@ std::string joined(const app::Settings& values, bool names) {
   return text;
 }
 
+/// What varies has no place in an entry of --batch, and all else of a case is one.
+course::Case parse_entry(const Json& json) {
+  return course::parse_batch(to_text(Json::array({json}))).front();
+}
+
+BenchCase parse_case(Json json) {
+  const Json vary = json.at("vary");
+  if (!vary.is_object() || vary.empty()) throw Error::usage("'vary' must be an object {parameter: [values]}");
+  json["name"] = json.at("case"), json["size"] = json.value("size", "256x256");
+  json.erase("case"), json.erase("vary");
+  BenchCase one{parse_entry(json), {}};
+  one.name = json["name"];
+  for (const auto& [parameter, values] : vary.items()) {
+    if (!values.is_array()) throw Error::usage(fmt::format("the values of '{}' must be a list", parameter));
+    Variation variation{parameter, {}};
+    for (const Json& value : values) {
+      const Json entry = {{"name", parameter}, {"set", {{parameter, value}}}};
+      variation.values.push_back(parse_entry(entry).settings.front().value);
+    }
+    one.variations.push_back(std::move(variation));
+  }
+  return one;
+}
+
 class Bench {
  public:
   Bench(app::Canvas& canvas, app::AnyLab& lab) : canvas_(canvas), lab_(lab), start_(lab.parameters()) {}
 
   /// One result for each combination of the case.
-  std::vector<Json> run(const course::BenchCase& c, double seconds) {
+  std::vector<Json> run(const BenchCase& c, double seconds) {
     const std::vector<app::Settings> variants = combinations(c, lab_.parameters());
     std::vector<Json> results;
     for (const app::Settings& values : variants) results.push_back(measured(c, values));
@@ -65,13 +90,13 @@ class Bench {
   }
 
  private:
-  void select(const course::BenchCase& c, const app::Settings& values) {
+  void select(const BenchCase& c, const app::Settings& values) {
     start_.set(c.settings);
     for (const auto& [name, value] : values) lab_.parameters().at(name).set(value);
   }
 
   /// Its error, and no times yet.
-  Json measured(const course::BenchCase& c, const app::Settings& values) {
+  Json measured(const BenchCase& c, const app::Settings& values) {
     select(c, values);
     const gl::Record record = canvas_.record(app::View::error, app::pixels(c.size), 1);
     const app::ErrorFigures& figures = *canvas_.error_figures();
@@ -100,7 +125,7 @@ class Bench {
     return result;
   }
 
-  void time(const course::BenchCase& c, const app::Settings& values, Json& result) {
+  void time(const BenchCase& c, const app::Settings& values, Json& result) {
     select(c, values);
     result["frame_ns"].push_back(frame_nanoseconds(canvas_, app::pixels(c.size)));
     if (const auto preparation = lab_.preparation(canvas_.assets())) {
@@ -142,11 +167,24 @@ double frame_nanoseconds(app::Canvas& canvas, glm::ivec2 size) {
   return static_cast<double>(nanoseconds);
 }
 
-course::BenchList read_bench(app::AnyLab& lab, const std::filesystem::path& file) {
+BenchList parse_bench(const std::string& list) {
+  BenchList result;
+  std::size_t number = 0;  // of the case that is read; 0 for the list
+  try {
+    const Json json = parse_json(list);
+    result.seconds = json.value("seconds", result.seconds);
+    for (const Json& one : json.at("cases")) ++number, result.cases.push_back(parse_case(one));
+  } catch (const std::exception& error) {
+    throw Error::usage(number == 0 ? error.what() : fmt::format("case {}: {}", number, error.what()));
+  }
+  return result;
+}
+
+BenchList read_bench(app::AnyLab& lab, const std::filesystem::path& file) {
   const std::string text = read_file(file);
   try {
-    course::BenchList list = course::parse_bench(text);
-    for (const course::BenchCase& one : list.cases) try {
+    BenchList list = parse_bench(text);
+    for (const BenchCase& one : list.cases) try {
         app::check_settings(lab.parameters(), one.settings);
         for (const app::Settings& values : combinations(one, lab.parameters()))
           app::check_settings(lab.parameters(), values);
@@ -159,11 +197,11 @@ course::BenchList read_bench(app::AnyLab& lab, const std::filesystem::path& file
   }
 }
 
-std::string run_bench(app::Canvas& canvas, app::AnyLab& lab, const course::BenchList& list) {
+std::string run_bench(app::Canvas& canvas, app::AnyLab& lab, const BenchList& list) {
   Bench bench(canvas, lab);
   Json output = {{"renderer", canvas.context().name()}, {"results", Json::array()}};
   std::size_t number = 0;
-  for (const course::BenchCase& c : list.cases) {
+  for (const BenchCase& c : list.cases) {
     fmt::print(stderr, "  case {} of {}: {}\n", ++number, list.cases.size(), c.name);
     for (Json& result : bench.run(c, list.seconds)) output["results"].push_back(std::move(result));
   }

@@ -39,7 +39,7 @@ class Options final : public start::MoreOptions {
  private:
   std::filesystem::path measure_, bench_, report_ = "-";
   double error_scale_ = 0;
-  course::BenchList list_;
+  BenchList list_;
 };
 
 const bool known = [] {

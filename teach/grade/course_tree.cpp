@@ -14,6 +14,7 @@
 #include "course/markers.hpp"
 #include "grade/hidden_cases.hpp"
 #include "judge/mistakes.hpp"
+#include "material/mistake_samples.hpp"
 #include "references.hpp"
 
 namespace texel::grade {
@@ -51,7 +52,7 @@ void write_expected(const CourseTree& options, const std::function<void(const st
       if (!expected.mask.empty()) fs::copy_file(expected.mask, fresh / (one.name + ".mask.png"));
     }
     write_file(fresh / check::kRendererFile, course.renderer() + "\n");
-    write_file(fresh / check::kMistakesFile, to_json(mistakes));
+    write_file(fresh / check::kMistakesFile, material::to_json(mistakes));
     fs::remove_all(folder);
     fs::rename(fresh, folder);
     say(fmt::format("lab {}: {} pictures, {} mistakes", plan.lab.number, plan.cases.size(), mistakes.size()));
@@ -193,7 +194,7 @@ check::ExpectedFiles kept(const CourseTree& tree, const judge::LabPlan& lab, con
 }  // namespace
 
 std::string renderer_here(const CourseTree& tree, const std::string& context) {
-  return check::renderer_of(studio(tree, tree.labs.front(), context));
+  return renderer_of(studio(tree, tree.labs.front(), context));
 }
 
 void draw_cases(const CourseTree& tree, const std::string& context, const fs::path& out) {
@@ -204,8 +205,8 @@ void draw_cases(const CourseTree& tree, const std::string& context, const fs::pa
       const fs::path to = out / seed / plans[i].lab.folder;
       fs::create_directories(to);
       if (plans[i].cases.empty()) return;
-      check::draw_all(own, plans[i].cases, to);
-      check::draw_all(own, plans[i].masks(), to / "mask");
+      draw_all(own, plans[i].cases, to);
+      draw_all(own, masks_of(plans[i]), to / "mask");
     });
   }
 }

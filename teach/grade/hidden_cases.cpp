@@ -79,4 +79,14 @@ std::vector<judge::LabPlan> full_plan(const std::vector<course::Lab>& labs, cons
   return plans;
 }
 
+std::vector<course::Case> masks_of(const judge::LabPlan& plan) {
+  std::vector<course::Case> masks;
+  for (course::Case one : plan.cases) {
+    if (one.is_mesh()) continue;
+    one.view = course::View::mask, one.file = one.name + ".png";
+    masks.push_back(std::move(one));
+  }
+  return masks;
+}
+
 }  // namespace texel::grade

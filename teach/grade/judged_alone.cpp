@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "course/markers.hpp"
+#include "material/starter.hpp"
 #include "student_run.hpp"
 
 namespace texel::grade {
@@ -32,7 +33,7 @@ std::optional<Files> step_among_solutions(const ClassSetup& setup, const Files& 
     if (!setup.files_of_step.at(step).contains(path)) continue;
     const auto own = files.find(path);
     try {
-      text = course::with_step_alone(
+      text = material::with_step_alone(
           own == files.end() ? read_file(setup.starter.source / path) : own->second, path, step, text);
     } catch (const Error&) {  // the markers are the student's
       return {};

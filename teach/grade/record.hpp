@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The third part of grading a class: what was judged, in the store and the results' folder as it comes.
 #pragma once
+#include <fmt/format.h>
+
 #include <atomic>
 #include <filesystem>
 #include <functional>
@@ -16,6 +18,11 @@
 #include "student_run.hpp"
 
 namespace texel::grade {
+
+/// A time as text: "12 s", from 90 seconds on "2 min".
+inline std::string duration_text(double seconds) {
+  return seconds < 90 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.0f} min", seconds / 60);
+}
 
 /// Its members may be called by several threads.
 class Record {

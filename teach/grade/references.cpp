@@ -12,9 +12,12 @@
 #include "check/check.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/json.hpp"
 #include "course/batch.hpp"
 #include "course/markers.hpp"
+#include "grade/hidden_cases.hpp"
 #include "grade/submission.hpp"
+#include "material/mistake_samples.hpp"
 
 namespace texel::grade {
 namespace {
@@ -40,6 +43,29 @@ std::string refused_instead_of(const fs::path& picture) {
 
 }  // namespace
 
+std::string renderer_of(const check::Studio& studio) {
+  Confines plain;
+  plain.environment = check::driver_variables();
+  plain.environment.emplace_back("TEXEL_ROOT", studio.root.string());
+  plain.environment.emplace_back("MESA_SHADER_CACHE_DISABLE", "true");
+  plain.limits.wall_seconds = plain.limits.cpu_seconds = 60;
+  const Outcome outcome = run_plainly(
+      plain, {studio.program.string(), "--context", studio.context, "--size", "16x16", "--stats", "-"});
+  const auto json = json_or_null(outcome.output);
+  if (!outcome.succeeded() || !json.is_object())
+    throw Error::failed("the course's own program cannot draw", {studio.program.string()}, outcome.errors);
+  return json.value("drawn_by", std::string());
+}
+
+void draw_all(const check::Studio& studio, const std::vector<Case>& cases, const fs::path& out) {
+  const check::Drawn drawn = draw(studio, cases, out);
+  if (!drawn.faults.empty()) {
+    const auto& [file, fault] = *drawn.faults.begin();
+    throw Error::failed(fmt::format("the course's own program does not draw {}: {}", file, fault),
+                        {studio.program.string()});
+  }
+}
+
 References::References(const fs::path& course, const fs::path& build, fs::path cache, std::string context)
     : starter_(starter_tree(course, cache)),
       solution_(solution_tree(course, build, starter_)),
@@ -49,7 +75,7 @@ References::References(const fs::path& course, const fs::path& build, fs::path c
       mutants_(material::read_mistakes(solution_.source)),
       places_(course::step_places(starter_.source)) {
   const std::vector<course::Lab> labs = course::read_labs(solution_.source / "labs");
-  renderer_ = check::renderer_of(studio(solution_, {labs.front(), {}}));
+  renderer_ = renderer_of(studio(solution_, {labs.front(), {}}));
   std::string variables;
   for (const auto& [name, value] : check::driver_variables()) variables += name + "=" + value + "\n";
   surroundings_ = fingerprint({fingerprint_of_folder(solution_.source / "shaders"),
@@ -70,9 +96,9 @@ void References::prepare(const judge::LabPlan& plan) {
     const fs::path fresh = cache_ / fmt::format("references-{}-{}", ::getpid(), plan.lab.number);
     fs::remove_all(fresh);
     fs::create_directories(fresh);
-    check::draw_all(studio(solution_, plan), plan.cases, fresh / "solution");
-    if (const std::vector<Case> masks = plan.masks(); !masks.empty())
-      check::draw_all(studio(solution_, plan), masks, fresh / "mask");
+    draw_all(studio(solution_, plan), plan.cases, fresh / "solution");
+    if (const std::vector<Case> masks = masks_of(plan); !masks.empty())
+      draw_all(studio(solution_, plan), masks, fresh / "mask");
     draw(studio(starter_, plan), plan.cases, fresh / "starter");
     fs::create_directories(folder.parent_path());
     std::error_code exists;
@@ -147,7 +173,7 @@ judge::Mistake References::mistake_of(const judge::LabPlan& plan, const material
   for (const Case& of : plan.cases) {
     if (of.step != mutant.step || check::judge(of, expected(plan, of), drawn / of.file).passed) continue;
     judge::Samples samples =
-        judge::sampled(of, read_file(expected(plan, of).reference), check::picture_bytes(drawn / of.file));
+        material::sampled(of, read_file(expected(plan, of).reference), check::picture_bytes(drawn / of.file));
     samples.refused = refused_instead_of(drawn / of.file);
     if (!samples.samples.empty() || !samples.refused.empty()) mistake.cases[of.name] = std::move(samples);
   }

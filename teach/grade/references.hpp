@@ -16,6 +16,14 @@
 
 namespace texel::grade {
 
+/// The driver that draws there, as the program says it: "llvmpipe (LLVM 15.0.6), Mesa 22.3.6". Throws Error
+/// (exit 3) when it does not draw.
+std::string renderer_of(const check::Studio& studio);
+
+/// The same by a trusted program. Throws Error (exit 3) when one cannot be drawn.
+void draw_all(const check::Studio& studio, const std::vector<course::Case>& cases,
+              const std::filesystem::path& out);
+
 /// Pictures of the course's own, drawn once and kept in `cache` under the fingerprint of what they depend on:
 /// program, shaders, assets, cases, renderer and processor. May be used by several threads.
 class References {

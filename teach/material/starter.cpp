@@ -99,4 +99,14 @@ void write_files(const std::vector<StarterFile>& files, const fs::path& to) {
   }
 }
 
+std::string with_step_alone(const std::string& text, const std::string& file, const std::string& step,
+                            const std::string& solution) {
+  if (!course::marker_faults(text, solution, file).empty())
+    return course::with_step_from(solution, file, step, text);
+  std::string result = text;
+  for (const auto& [other, its_text] : course::step_texts(solution))
+    if (other != step) result = course::with_step_from(result, file, other, solution);
+  return result;
+}
+
 }  // namespace texel::material

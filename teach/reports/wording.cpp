@@ -35,7 +35,15 @@ std::string escaped(std::string_view text) {
   for (const char* character : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})
     for (std::size_t at = 0; (at = cleaned.find(character, at)) != cleaned.npos;)
       cleaned.replace(at, 3, "\xEF\xBF\xBD");
-  return html_escaped(cleaned);
+  constexpr std::string_view special = "&<>\"'";
+  constexpr const char* escaped[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
+  std::string result;
+  for (const char c : cleaned)
+    if (const std::size_t found = special.find(c); found != special.npos)
+      result += escaped[found];
+    else
+      result += c;
+  return result;
 }
 
 std::string base64(std::string_view bytes) {

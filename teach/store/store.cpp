@@ -263,6 +263,7 @@ ClassResult read_class_result(Database& database, const std::vector<course::Lab>
   std::map<std::string, StudentResult> students = read_students(database);
   for (auto& [id, student] : students) {
     student.labs = judge::lab_results(labs, read_cases(database, id));
+    name_spoilers(student.labs);
     for (judge::LabResult& lab : student.labs)
       for (Query row(database, "SELECT text FROM notes WHERE student = ? AND lab = ? ORDER BY place", id,
                      lab.lab.folder);
@@ -318,6 +319,18 @@ void prepare(Connection& connection) {
 }
 
 }  // namespace
+
+void name_spoilers(std::vector<judge::LabResult>& labs) {
+  for (judge::LabResult& lab : labs)
+    for (judge::StepResult& step : lab.steps) {
+      if (!step.any(judge::Judged::alone)) continue;
+      for (const judge::StepResult& other : lab.steps) {
+        const bool is_needed = std::ranges::find(step.needs, other.id) != step.needs.end();
+        if (&other != &step && other.status == judge::Status::failed && (is_needed || !other.is_untouched()))
+          step.spoilt_by.push_back(other.id);
+      }
+    }
+}
 
 Store::Store(const fs::path& file) : connection_(std::make_unique<Connection>(file.string())) {
   prepare(*connection_);

@@ -2,6 +2,7 @@
 // Error and cost of a lab's methods, as the window measures them: the right figures for each, anew for
 // another look.
 #include "bench/method_plot.hpp"
+#include "bench/bench.hpp"
 
 #include <gtest/gtest.h>
 
@@ -107,6 +108,18 @@ TEST_F(MethodPlots, say_why_there_is_nothing_to_measure) {
   lab_.parameters().at("level").set("1");
   plot_.measure_next({640, 320});
   EXPECT_EQ(plot_.fault(), "");
+}
+
+TEST(Bench, is_what_the_list_says) {
+  const BenchList read = parse_bench(
+      R"({"seconds": 0.5, "cases": [{"case": "jittered torus", "size": "32x16", "set": {"model": "torus"},
+          "vary": {"method": [], "segments": [8, "16"]}}]})");
+  EXPECT_EQ(read.seconds, 0.5);
+  ASSERT_EQ(read.cases.size(), 1U);
+  EXPECT_EQ(read.cases[0].name, "jittered torus");
+  EXPECT_EQ(read.cases[0].size, (course::Size{32, 16}));
+  EXPECT_EQ(read.cases[0].settings, (std::vector<course::Setting>{{"model", "torus"}}));
+  EXPECT_EQ(read.cases[0].variations, (std::vector<Variation>{{"method", {}}, {"segments", {"8", "16"}}}));
 }
 
 }  // namespace

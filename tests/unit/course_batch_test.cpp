@@ -46,17 +46,5 @@ TEST(Batch, writes_in_its_folder_alone) {
   EXPECT_EQ(parse_batch(R"([{"name": "a"}])").at(0).file, "a.png");
 }
 
-TEST(Bench, is_what_the_list_says) {
-  const BenchList read = parse_bench(
-      R"({"seconds": 0.5, "cases": [{"case": "jittered torus", "size": "32x16", "set": {"model": "torus"},
-          "vary": {"method": [], "segments": [8, "16"]}}]})");
-  EXPECT_EQ(read.seconds, 0.5);
-  ASSERT_EQ(read.cases.size(), 1U);
-  EXPECT_EQ(read.cases[0].name, "jittered torus");
-  EXPECT_EQ(read.cases[0].size, (Size{32, 16}));
-  EXPECT_EQ(read.cases[0].settings, (std::vector<Setting>{{"model", "torus"}}));
-  EXPECT_EQ(read.cases[0].variations, (std::vector<Variation>{{"method", {}}, {"segments", {"8", "16"}}}));
-}
-
 }  // namespace
 }  // namespace texel::course

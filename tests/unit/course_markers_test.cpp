@@ -17,6 +17,7 @@ namespace texel::course {
 namespace {
 
 namespace fs = std::filesystem;
+using material::with_step_alone;
 using test::error_of;
 using test::replaced;
 using Steps = std::set<std::string>;

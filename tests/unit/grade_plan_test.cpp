@@ -109,7 +109,7 @@ TEST_F(Plan, lists_what_the_programs_batch_option_takes) {
   EXPECT_EQ(list[2]["name"], "unseen.ply");
   EXPECT_FALSE(list[2].contains("view"));
   EXPECT_EQ(course::parse_batch(course::to_batch({plan.cases[0]})).at(0).settings, plan.cases[0].settings);
-  const auto masks = parse_json(course::to_batch(plan.masks()));
+  const auto masks = parse_json(course::to_batch(masks_of(plan)));
   ASSERT_EQ(masks.size(), 2U) << "a vertex stream has no mask";
   EXPECT_EQ(masks[1]["view"], "mask");
 }

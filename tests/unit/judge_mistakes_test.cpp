@@ -10,6 +10,7 @@
 #include "core/files.hpp"
 #include "image/save.hpp"
 #include "judge/mistakes.hpp"
+#include "material/mistake_samples.hpp"
 
 namespace texel::judge {
 namespace {
@@ -40,7 +41,7 @@ class Mistakes : public testing::Test {
   }
 
   [[nodiscard]] Samples samples(int wrong, float by) const {
-    return sampled(plan_.cases[0], picture("right", 0, 0), picture("wrong", wrong, by));
+    return material::sampled(plan_.cases[0], picture("right", 0, 0), picture("wrong", wrong, by));
   }
 
   [[nodiscard]] std::string known(const std::vector<Mistake>& mistakes,
@@ -100,8 +101,8 @@ TEST_F(Mistakes, are_the_same_when_they_were_written_and_read) {
   const std::vector<Mistake> mistakes = {
       {"off", "1.1", "It is off.", {{"a", samples(8, std::nanf(""))}, {"b", refused}}},
       {"half", "1.2", "It is half.", {{"c", samples(4, 0.5F)}}}};
-  const std::vector<Mistake> read = parse_mistakes(to_json(mistakes), "mistakes.json");
-  EXPECT_EQ(to_json(read), to_json(mistakes));
+  const std::vector<Mistake> read = parse_mistakes(material::to_json(mistakes), "mistakes.json");
+  EXPECT_EQ(material::to_json(read), material::to_json(mistakes));
   ASSERT_EQ(read.size(), 2U);
   EXPECT_EQ(read[0].says, "It is off.");
   EXPECT_EQ(read[0].cases.at("b").refused, refused.refused);

@@ -9,6 +9,7 @@
 #include "../support/said.hpp"
 #include "core/error.hpp"
 #include "judge/plan.hpp"
+#include "store/class_results.hpp"
 
 namespace texel::judge {
 namespace {
@@ -155,13 +156,14 @@ TEST(StepResult, is_told_by_the_failed_case_that_is_furthest_beyond_its_limit) {
 TEST(LabResults, name_the_steps_that_spoil_one_that_was_judged_alone) {
   CaseResult not_begun = judged("c", 0), needed = not_begun;
   not_begun.step = "1.3", needed.step = "1.4", not_begun.status = needed.status = CaseStatus::untouched;
-  const std::vector<LabResult> results =
+  std::vector<LabResult> results =
       lab_results({lab_with("01_quad", {named_step("1.1", {"1.4"}), named_step("1.2"), named_step("1.3"),
                                         named_step("1.4"), named_step("1.5"), named_step("1.6")}),
                    lab_with("02_multi", {named_step("2.1")})},
                   {alone(judged_in("01_quad", "1.1", "a", 1)), alone(judged_in("01_quad", "1.2", "b", 0.5)),
                    not_begun, needed, judged_in("01_quad", "1.5", "e", 0.5),
                    judged_in("01_quad", "1.6", "f", 1), judged_in("02_multi", "2.1", "g", 0)});
+  store::name_spoilers(results);
   const std::vector<StepResult>& steps = results.at(0).steps;
   // What it needs, and what was begun in its lab.
   EXPECT_EQ(steps[0].spoilt_by, (Words{"1.2", "1.4", "1.5"}));

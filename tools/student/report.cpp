@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report.hpp"
+#include "student.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "check/check.hpp"
-#include "report.hpp"
 
 namespace texel::tools {
 
@@ -18,5 +17,24 @@ std::vector<judge::LabResult> checked(const std::vector<course::Lab>& labs, cons
 /// The step's hints that were shown before and one more, as text. The build remembers how many. Throws Error
 /// (exit 3) when it cannot.
 std::string next_hint(const course::Step& step);
+
+// What a check found, for people; judge/results.hpp is for programs.
+
+/// The step that comes next: of those that were begun and failed the one that was saved last, else the first
+/// that failed, else the first that is not done, or none.
+const judge::StepResult* next_step(const judge::LabResult& lab);
+
+/// A lab's steps, each in a line: done, wrong, next, to do or waiting; below the next one and below each that
+/// was begun, what is wrong and what helps. Lines end in '\n'. With colours for a terminal.
+std::string report(const judge::LabResult& lab, bool colors);
+
+/// A line for each lab, how far it is, and what comes next in the course.
+std::string progress_report(const std::vector<judge::LabResult>& labs, bool colors);
+
+/// Whether colours are wanted on standard output: a terminal, and no NO_COLOR.
+bool wants_colors();
+
+/// Text in lines that fit the terminal, each after so many blanks.
+std::string wrapped(const std::string& text, std::size_t indent);
 
 }  // namespace texel::tools

@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "app/canvas.hpp"
 #include "app/settings.hpp"
 
 namespace texel::app {
+
+/// Throws Error (usage) unless a picture of `view` can be written to such a file: .png, or .pfm for a data
+/// view.
+void check_ending(const std::filesystem::path& file, View view);
+
+/// Reads the picture that the canvas holds, which was drawn with the lab's present parameters. What it
+/// returns writes it, on any thread: it throws Error (exit 3) when the file cannot be written.
+std::function<void()> take_snapshot(const Canvas& canvas, AnyLab& lab, View view, glm::ivec2 size,
+                                    const std::filesystem::path& file);
 
 /// Writes the lab's vertex stream as drawn with its present parameters. Throws Error (exit 2) when the lab
 /// has none.

@@ -14,7 +14,6 @@
 #include "app/answer.hpp"
 #include "app/assets.hpp"
 #include "app/camera.hpp"
-#include "app/measure.hpp"
 #include "course/case.hpp"
 #include "gl/mesh_buffers.hpp"
 #include "gl/program.hpp"

@@ -1,23 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "app/canvas.hpp"
 
 namespace texel::app {
-
-/// The most memory that this process has had at once.
-long long peak_resident_bytes();
-
-/// Milliseconds by stage.
-using StageTimes = std::vector<std::pair<std::string, double>>;
-
-/// What --stats prints, a contract with scripts: what was drawn (canvas.record), and how long it took.
-/// `drawn_by` is renderer and version, without what changes no pixel.
-std::string statistics_as_json(const AnyLab& lab, const Canvas& canvas, const gl::Record& record,
-                               const StageTimes& milliseconds, long long peak_bytes);
 
 /// What --frames prints of frames that took so many milliseconds each, at least one.
 std::string frame_times_as_text(std::vector<double> milliseconds, glm::ivec2 size);

@@ -44,11 +44,4 @@ struct Drawn {
 /// Throws Error (exit 3) for faults of the machine.
 Drawn draw(const Studio& studio, const std::vector<course::Case>& cases, const std::filesystem::path& out);
 
-/// The driver that draws there, as the program says it: "llvmpipe (LLVM 15.0.6), Mesa 22.3.6". Throws Error
-/// (exit 3) when it does not draw.
-std::string renderer_of(const Studio& studio);
-
-/// The same by a trusted program. Throws Error (exit 3) when one cannot be drawn.
-void draw_all(const Studio& studio, const std::vector<course::Case>& cases, const std::filesystem::path& out);
-
 }  // namespace texel::check

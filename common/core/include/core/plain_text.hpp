@@ -22,7 +22,4 @@ bool is_word(char c);
 /// ASCII capitals made small.
 std::string lower_case(std::string_view text);
 
-/// Text escaped for HTML or XML, for elements and for attributes in quotes.
-std::string html_escaped(std::string_view text);
-
 }  // namespace texel

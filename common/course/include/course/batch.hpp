@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "course/case.hpp"
 
-/// The files between the tools and a lab's program: the list of --batch, the results.json that the program
-/// leaves beside the pictures, and the list of --bench.
+/// The files between the tools and a lab's program: the list of --batch, and the results.json that the
+/// program leaves beside the pictures.
 namespace texel::course {
 
 /// `[{"name", "view", "size", "set": {parameter: value}}]`. The name is the file; a mesh has no view and
@@ -41,28 +40,5 @@ std::string to_json(const std::vector<Drawing>& drawings);
 /// Reads such a list, which a program may have written that nobody trusts: entries that are none are left
 /// out, and texts are cut off after 2000 bytes.
 std::vector<Drawing> parse_drawings(const std::string& text);
-
-/// A parameter and the values that it takes one after the other; none for all of a choice.
-struct Variation {
-  std::string parameter;
-  std::vector<std::string> values;
-
-  bool operator==(const Variation&) const = default;
-};
-
-/// A scene on which methods are measured against the truth and against the clock.
-struct BenchCase : Case {
-  std::vector<Variation> variations;  ///< at least one: every combination is measured
-};
-
-/// What a lab's methods are measured on.
-struct BenchList {
-  double seconds = 2;  ///< how long each case is timed; 0: the errors alone
-  std::vector<BenchCase> cases;
-};
-
-/// Reads `{"seconds", "cases": [{"case", "size", "set": {parameter: value}, "vary": {parameter:
-/// [values]}}]}`. Throws Error (exit 2) that counts to the case that is wrong.
-BenchList parse_bench(const std::string& list);
 
 }  // namespace texel::course

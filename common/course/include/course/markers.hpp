@@ -71,13 +71,6 @@ std::set<std::string> untouched_steps(const std::string& text, const std::string
 std::string with_step_from(const std::string& text, const std::string& file, const std::string& step,
                            const std::string& other);
 
-/// The text of a student's file with the solution standing in for all steps but one: what stands between
-/// their markers is taken from `solution`, and all other lines stay. Where markers are damaged, nobody knows
-/// where those steps stand: there the one step is put into the solution. Throws Error (exit 3) when the
-/// step's own markers are damaged.
-std::string with_step_alone(const std::string& text, const std::string& file, const std::string& step,
-                            const std::string& solution);
-
 /// The files that a student may change, as paths in the tree: every file below labs and shaders with a
 /// begin_marker. In a student's tree they are those that its starter had: a copy that lies beside one is no
 /// other step. Sorted. Throws Error (exit 3) when there is none.

@@ -55,7 +55,6 @@ class Program {
   void set(std::string_view name, const glm::mat4& value);
 
   [[nodiscard]] const Uniform* find(std::string_view name) const;
-  [[nodiscard]] const std::vector<Uniform>& uniforms() const { return uniforms_; }
   /// Which attributes this variant reads.
   [[nodiscard]] const std::vector<Attribute>& attributes() const { return attributes_; }
   /// Throws Error when a uniform that the program reads was never set.

@@ -3,6 +3,7 @@
 // mistake without holding the catalogue, in which the solutions can be read.
 #pragma once
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,10 +29,25 @@ struct Mistake {
   std::map<std::string, Samples> cases;
 };
 
-/// Samples of the picture `wrong`: most from where it differs from `reference` by more than the case's limit,
-/// the others from where it does not. None when it differs nowhere, or is no picture. Both are a file's
-/// bytes.
-Samples sampled(const course::Case& of, std::string_view reference, std::string_view wrong);
+/// Digits of samples that are kept: float32 has seven, the limits need four.
+constexpr double kSampleDigits = 1e5;
+
+/// The values of all pixels or vertices of a file.
+struct Values {
+  std::size_t count = 0, each = 0;
+  std::vector<double> all;
+
+  [[nodiscard]] std::span<const double> at(std::size_t index) const {
+    return std::span(all).subspan(index * each, each);
+  }
+};
+
+/// Of bytes that may be anything; nothing when they are no picture of the case.
+Values parse_values(const course::Case& of, std::string_view bytes);
+/// How far two values of the case may be apart: its limit, of directions as the length of the chord.
+double tolerance(const course::Case& of);
+/// Whether no value is further from the other than `most`, and the same are not finite.
+bool are_same(std::span<const double> a, std::span<const double> b, double most);
 
 /// What was drawn in a case and is wrong, or why nothing was.
 struct Failed {
@@ -43,8 +59,8 @@ struct Failed {
 const Mistake* recognize(const std::vector<Mistake>& mistakes, const LabPlan& plan, const std::string& step,
                          const std::map<std::string, Failed>& failed);
 
-/// A lab's mistakes as a file. Reading throws Error (exit 3) with its name when it is broken.
-std::string to_json(const std::vector<Mistake>& mistakes);
+/// A lab's mistakes from a file that material::to_json wrote. Throws Error (exit 3) with its name when it is
+/// broken.
 std::vector<Mistake> parse_mistakes(const std::string& text, const std::string& name);
 
 }  // namespace texel::judge

@@ -11,9 +11,6 @@ namespace texel::judge {
 struct LabPlan {
   course::Lab lab;
   std::vector<course::Case> cases;  ///< in the file's order
-
-  /// The views `mask` of the same pictures, for the cases that have one.
-  [[nodiscard]] std::vector<course::Case> masks() const;
 };
 
 /// The cases that students can check: all but the hidden ones.

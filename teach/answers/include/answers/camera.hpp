@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "app/answer.hpp"
 #include "app/camera.hpp"
-#include "app/measure.hpp"
 #include "truth/ray.hpp"
 
 /// The scene of the labs' truths: its numbers in double precision.

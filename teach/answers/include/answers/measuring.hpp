@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "app/measure.hpp"
+#include "app/answer.hpp"
 
 /// The steps of app::Measuring.
 namespace texel::answers {

@@ -2,15 +2,39 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/canvas.hpp"
-#include "course/batch.hpp"
+#include "course/case.hpp"
 
 namespace texel::bench {
 
-/// Reads a list for --bench, as course::parse_bench does. Throws Error (usage) that names the file and case,
+/// A parameter and the values that it takes one after the other; none for all of a choice.
+struct Variation {
+  std::string parameter;
+  std::vector<std::string> values;
+
+  bool operator==(const Variation&) const = default;
+};
+
+/// A scene on which methods are measured against the truth and against the clock.
+struct BenchCase : course::Case {
+  std::vector<Variation> variations;  ///< at least one: every combination is measured
+};
+
+/// What a lab's methods are measured on.
+struct BenchList {
+  double seconds = 2;  ///< how long each case is timed; 0: the errors alone
+  std::vector<BenchCase> cases;
+};
+
+/// Reads `{"seconds", "cases": [{"case", "size", "set": {parameter: value}, "vary": {parameter:
+/// [values]}}]}`. Throws Error (exit 2) that names the case that is wrong.
+BenchList parse_bench(const std::string& list);
+
+/// Reads such a file. Throws Error (usage) that names the file and case,
 /// also where the lab has no such parameter.
-course::BenchList read_bench(app::AnyLab& lab, const std::filesystem::path& file);
+BenchList read_bench(app::AnyLab& lab, const std::filesystem::path& file);
 
 /// Nanoseconds of a frame with the lab's present parameters: draws once to load what it needs, and once by
 /// the clock. On hardware a timer query measures it. On a software renderer queries only time the call: there
@@ -28,6 +52,6 @@ double frame_nanoseconds(app::Canvas& canvas, glm::ivec2 size);
 /// `parameter` and `method` name what varies and its values: "method, segments" and "averaged, 32". The last
 /// two are there when the lab has something to prepare. Says on standard error which case it is at. Throws
 /// Error as Canvas::draw.
-std::string run_bench(app::Canvas& canvas, app::AnyLab& lab, const course::BenchList& list);
+std::string run_bench(app::Canvas& canvas, app::AnyLab& lab, const BenchList& list);
 
 }  // namespace texel::bench

@@ -14,4 +14,7 @@ namespace texel::grade {
 std::vector<judge::LabPlan> full_plan(const std::vector<course::Lab>& labs, const std::string& seed,
                                       const std::filesystem::path& models);
 
+/// The views `mask` of the plan's pictures, for the cases that have one.
+std::vector<course::Case> masks_of(const judge::LabPlan& plan);
+
 }  // namespace texel::grade

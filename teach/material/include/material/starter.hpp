@@ -26,4 +26,11 @@ std::vector<StarterFile> starter_files(
 /// when writing fails.
 void write_files(const std::vector<StarterFile>& files, const std::filesystem::path& to);
 
+/// The text of a student's file with the solution standing in for all steps but one: what stands between
+/// their markers is taken from `solution`, and all other lines stay. Where markers are damaged, nobody knows
+/// where those steps stand: there the one step is put into the solution. Throws Error (exit 3) when the
+/// step's own markers are damaged.
+std::string with_step_alone(const std::string& text, const std::string& file, const std::string& step,
+                            const std::string& solution);
+
 }  // namespace texel::material

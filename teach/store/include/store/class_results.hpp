@@ -68,6 +68,10 @@ struct Change {
   double before = 0, after = 0;
 };
 
+/// Says of each step that was judged alone which others can have spoilt its pictures: those of its lab that
+/// did not pass and were begun, and those that it needs.
+void name_spoilers(std::vector<judge::LabResult>& labs);
+
 struct ClassResult {
   std::map<std::string, std::string> facts;  ///< renderer, seed's fingerprint, version, command
   std::vector<StudentResult> students;       ///< by id
