@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/reports.hpp"
 #include "app/settings.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
@@ -100,28 +101,18 @@ class Bench {
     select(c, values);
     const gl::Record record = canvas_.record(app::View::error, app::pixels(c.size), 1);
     const app::ErrorFigures& figures = *canvas_.error_figures();
-    const app::Measure measure = *lab_.measure();
     if (figures.pixels == 0) throw Error::failed(fmt::format("case '{}': {}", c.name, figures.reason));
     long long bytes = record.index_bytes;
     for (const auto& use : record.attributes) bytes += use.bytes;
     for (const auto& use : record.textures) bytes += use.bytes;
-    Json result = {{"lab", lab_.info().folder()},
-                   {"case", c.name},
+    Json result = parse_json(app::to_json(lab_, figures));
+    result.update({{"case", c.name},
                    {"parameter", joined(values, true)},
                    {"method", joined(values, false)},
-                   {"truth", measure.truth},
-                   {"unit", name_of(measure.unit)},
-                   {"mean", figures.mean},
-                   {"rms", figures.rms},
-                   {"p99", figures.p99},
-                   {"max", figures.max},
-                   {"pixels", figures.pixels},
-                   {"truth_pixels", figures.truth_pixels},
-                   {"non_finite", figures.non_finite},
-                   {"bytes", bytes}};
+                   {"bytes", bytes},
+                   {"frame_ns", Json::array()}});
     if (const auto preparation = lab_.preparation(canvas_.assets()))
       result["prepare_of"] = preparation->element;
-    result["frame_ns"] = Json::array();
     return result;
   }
 
