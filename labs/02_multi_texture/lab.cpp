@@ -100,9 +100,7 @@ struct MultiTexture : app::Lab<MultiTextureParameters> {
 
  private:
   /// The unit that the parameter names, at most the driver's highest.
-  static int second_unit(const Parameters& p) {
-    return std::min(p.second_unit, gl::texture_units() - 1);
-  }
+  static int second_unit(const Parameters& p) { return std::min(p.second_unit, gl::texture_units() - 1); }
 
   /// A texture object with its levels.
   const gl::Texture& texture_object(const Parameters& p, const std::string& name, bool premultiply) {

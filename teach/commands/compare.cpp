@@ -7,8 +7,7 @@
 #include "image/difference.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
-#include "perception/flip.hpp"
-#include "perception/ssim.hpp"
+#include "perception/perception.hpp"
 
 namespace texel::commands {
 namespace {

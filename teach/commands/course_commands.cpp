@@ -17,7 +17,6 @@
 #include "core/files.hpp"
 #include "core/terminal.hpp"
 #include "course/batch.hpp"
-#include "gallery.hpp"
 #include "grade/hidden_cases.hpp"
 #include "material/starter.hpp"
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "commands.hpp"
 #include "core/error.hpp"
 #include "grade/course_tree.hpp"
 #include "grade/grader.hpp"
@@ -38,6 +39,12 @@ struct GradeCommand : grade::GradeOptions {
 /// each step that is not the starter's, or of a file whose markers are spoilt the lines that are new; what is
 /// not taken, and why. Beside it the solution's steps. Draws nothing and runs no student's program.
 Exit print_steps(const GradeCommand& command);
+
+/// `texel gallery --heroes FOLDER`: saves the small pictures of the gallery's labs into it.
+void save_heroes(const tools::GalleryOptions& gallery, const std::filesystem::path& folder);
+
+/// `texel gallery --list`: prints docs/pictures.md, the sources' pictures with their commands.
+Exit list_sources();
 
 /// `texel grade CLASS`: grades a class and writes its reports.
 Exit grade_class(GradeCommand command);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What docs and README have of the gallery.
-#include "gallery.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +7,9 @@
 #include <map>
 #include <regex>
 
+#include "commands.hpp"
 #include "core/files.hpp"
+#include "course_commands.hpp"
 #include "image/load.hpp"
 #include "image/mipmaps.hpp"
 #include "image/save.hpp"
@@ -41,18 +42,21 @@ constexpr const char* kSourcesHead =
     "labs' `lab.toml`,\n"
     "and a test holds it to that.\n";
 
-}  // namespace
-
+/// The lab's picture for README and handout: the first look with `hero`, or null.
 const course::Look* hero_of(const course::Lab& lab) {
   const auto hero = std::ranges::find(lab.looks, true, &course::Look::hero);
   return hero != lab.looks.end() ? &*hero : nullptr;
 }
 
+/// That picture small: the middle of `from`, as large as fits into 3:2, at half its size, averaged in linear
+/// light.
 void save_hero(const fs::path& from, const fs::path& to) {
   const std::vector<image::Image8> levels =
       image::mip_chain(middle(image::load8(from, 3)), image::Encoding::srgb);
   image::save_png(to, levels[std::min<std::size_t>(1, levels.size() - 1)], {}, 9);
 }
+
+}  // namespace
 
 void save_heroes(const tools::GalleryOptions& gallery, const fs::path& folder) {
   make_folder(folder);

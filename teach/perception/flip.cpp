@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // FLIP (Andersson et al. 2020). The paper's parts are named by its headings.
-#include "perception/flip.hpp"
+#include "perception/perception.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "perception/ssim.hpp"
+#include "perception/perception.hpp"
 
 #include "filter.hpp"
 #include "image/comparison.hpp"

@@ -239,7 +239,8 @@ std::vector<judge::CaseResult> read_cases(Database& database, const std::string&
     one.score = row.number(), one.error = row.number(), one.limit = row.number();
     one.message = row.text(), one.mistake = row.text(), one.mistake_says = row.text();
     one.command = row.text(), one.picture = row.text(), one.reference = row.text();
-    one.status = judge::of_name<judge::CaseStatus>(row.text()), one.judged = judge::of_name<judge::Judged>(row.text());
+    one.status = judge::of_name<judge::CaseStatus>(row.text()),
+    one.judged = judge::of_name<judge::Judged>(row.text());
   }
   return cases;
 }

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "perception/flip.hpp"
+#include "perception/perception.hpp"
 
 namespace texel::perception {
 

@@ -12,7 +12,7 @@
 #include "../support/plain_flip.hpp"
 #include "../support/said.hpp"
 #include "core/error.hpp"
-#include "perception/flip.hpp"
+#include "perception/perception.hpp"
 
 namespace texel::perception {
 namespace {

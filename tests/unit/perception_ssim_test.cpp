@@ -9,7 +9,7 @@
 #include "../support/flip_pictures.hpp"
 #include "../support/said.hpp"
 #include "core/error.hpp"
-#include "perception/ssim.hpp"
+#include "perception/perception.hpp"
 
 namespace texel::perception {
 namespace {

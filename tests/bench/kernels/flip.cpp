@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "perception/flip.hpp"
+#include "perception/perception.hpp"
 
 #include <cmath>
 

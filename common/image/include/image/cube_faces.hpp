@@ -12,8 +12,8 @@ enum class Face { positive_x, negative_x, positive_y, negative_y, positive_z, ne
 /// ma are a direction's components along them. t grows from the row that is uploaded first.
 const glm::dmat3& axes(Face face);
 
-/// The face and coordinate that a direction of any length (not zero) looks up. On a tie, x goes before y and y
-/// before z.
+/// The face and coordinate that a direction of any length (not zero) looks up. On a tie, x goes before y and
+/// y before z.
 struct FaceCoordinate {
   Face face;
   double s, t;  ///< 0 to 1
