@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "truth/relief.hpp"
+
 namespace texel::truth {
 
 using glm::dvec2;
@@ -116,6 +118,20 @@ Frame orthonormal_frame(const SurfacePoint& point) {
   const dvec3 normal = point.normal, tangent = glm::normalize(point.ds - normal * glm::dot(normal, point.ds));
   const double side = handedness(point.ds, point.dt, normal);
   return {tangent, side * glm::cross(normal, tangent), normal, side};
+}
+
+dvec3 surface_gradient(const SurfacePoint& point, dvec2 height_gradient) {
+  const dvec3 along = height_gradient.s * glm::cross(point.dt, point.normal) +
+                      height_gradient.t * glm::cross(point.normal, point.ds);
+  return along / glm::dot(point.normal, glm::cross(point.ds, point.dt));
+}
+
+dvec3 relief_normal(const SurfacePoint& point, dvec2 height_gradient, double strength) {
+  return glm::normalize(point.normal - strength * surface_gradient(point, height_gradient));
+}
+
+dvec3 mapped_normal(const Frame& frame, dvec3 texel) {
+  return glm::normalize(texel.x * frame.tangent + texel.y * frame.bitangent + texel.z * frame.normal);
 }
 
 }  // namespace texel::truth
