@@ -20,6 +20,7 @@ For teachers and makers of the course:
 ./run course NAME [..] autograder for Gradescope, GitHub workflow, gradebook, similarity; see docs/course.md
 ./run test             check the formatting, build, run all tests, and run the parsers' tests with sanitizers
 ./run test N           build, and run the tests of lab N
+./run test ROOM        build, and run the tests of one folder below common or teach, as in ./run test judge
 ./run test --all       run all tests, a build by Clang, clang-tidy for the libraries below common/app, a class with
                        all wrong and all hostile solutions, a Gradescope container, a Slurm cluster, and the last
                        commit on bare machines of three releases (hours)
@@ -88,9 +89,18 @@ test_lab() { # number
   say "The tests of lab $1 passed after $SECONDS s"
 }
 
+test_room() { # folder below common or teach
+  local of=$root/tests/unit/$1
+  compgen -G "${of}_*test.cpp" >/dev/null || fail 2 "there is no test of a folder '$1'; ./run test takes a lab's number, a folder below common or teach, or --all"
+  need "${packages[@]}" "${test_packages[@]}"
+  configure release -D TEXEL_TESTS=ON
+  build release "unit_$1"
+  (cd "$root" && "build/release/bin/unit_$1" --gtest_brief=1) || fail 1 "tests of $1 failed"
+  say "The tests of $1 passed after $SECONDS s"
+}
+
 run_all_tests() {
   local all=${1:-}
-  [[ $# == 0 || $# == 1 && $all == --all ]] || fail 2 "./run test takes a lab's number or --all"
   need "${packages[@]}" "${format_packages[@]}" "${test_packages[@]}"
   check_format
   if [[ $all == --all ]]; then
@@ -164,7 +174,11 @@ course_command() { # command, arguments
   shift
   case $command in
     test)
-      if [[ $# == 1 && $1 =~ ^[1-9][0-9]*$ ]]; then test_lab "$1"; else run_all_tests "$@"; fi
+      case $* in
+        '' | --all) run_all_tests "$@" ;;
+        [1-9] | [1-9][0-9]) test_lab "$1" ;;
+        *) test_room "$*" ;;
+      esac
       ;;
     bench) run_bench "$@" ;;
     course | expected | grade | marks)

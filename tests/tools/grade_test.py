@@ -206,6 +206,16 @@ class Starter(GraderTest):
         self.assertEqual(sum(test["score"] for test in steps), 0)
         self.assertGreater(sum(test["max_score"] for test in steps), 0)
 
+    def test_compiles_what_no_student_edits_as_the_course_does(self):
+        """So the compiler's cache has it already."""
+        def commands(tree, build):
+            found = json.loads((build / "compile_commands.json").read_text())
+            return {one["command"].replace(str(tree), "") for one in found if "/common/" in one["file"]}
+        starter = max(CACHE.glob("starter-*"), key=lambda folder: folder.stat().st_mtime)
+        own = commands(starter, starter / "build/release")
+        self.assertGreaterEqual(len(own), 20)
+        self.assertLessEqual(own, commands(ROOT, BUILD))
+
 
 class GradedClass(GraderTest):
     """Two labs: one of C++, one of GLSL; and a few students on one lab for what does not depend on the labs."""
