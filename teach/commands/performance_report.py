@@ -16,6 +16,25 @@ what they stand beside in {} rounds (batches, grading and the first `./run` in {
 the quarters below and above it. The driver's cache of compiled shaders is off (`MESA_SHADER_CACHE_DISABLE=true`) where nothing \
 else is said. Speed against *error* is in [accuracy.md](accuracy.md).
 """
+# What users gain and lose, as the page begins: the row's section and name, and what is said of its ratio.
+GAINS = (
+    ("A snapshot beside its floor", "lab 5, time", "A snapshot of lab 5 takes {:.2f} of the time of the same program written by hand."),
+    ("A snapshot beside its floor", "lab 5, memory", "It takes {:.2f} of its memory."),
+    ("One more picture", "lab 5, one more", "One more picture from the same process takes {:.2f} of the time."),
+    ("A batch beside a process each", "lab 5, a turning camera", "36 pictures by one `--batch` come {:.1f} times as fast as by 36 processes."),
+    ("A window's first picture", "lab 5, the picture", "A window shows its first picture after {:.2f} of the hand-written program's time."),
+    ("A window's first picture", "lab 5, the panel", "It shows its panel after {:.2f}."),
+    ("The panel's share of a frame", "lab 5", "The panel takes {:.3f} of a frame."),
+    ("Beside three.js", "page, first picture", "Lab 9's page shows its first picture after {:.2f} of three.js' time."),
+    ("Beside three.js", "page, antialiased", "Then a frame takes {:.2f} of three.js'."),
+    ("Kernels", "obj/triangles_2m: texel beside tinyobjloader", "An OBJ file of 2 million triangles is read {:.1f} times as fast as by tinyobjloader."),
+    ("Kernels", "tangents/torus: texel beside plain", "Tangents come {:.1f} times as fast as from the plain code that they equal bit by bit."),
+    ("Grading beside drawing", "lab 5, 24 students, 10 with a mistake each, 576 cases", "A class with mistakes is graded in {:.2f} of the time of drawing its pictures."),
+    ("The first ./run", "the course's", "The first `./run` takes {:.2f} of an earlier commit's time."),
+    ("The first ./run", "a student's", "A student's first `./run` takes {:.2f} of an earlier commit's."),
+    ("From a save to the verdict", "labs/05_normal_map/lab.cpp", "From a saved `lab.cpp` to the verdict: {:.2f} of an earlier commit's time."),
+    ("The tests", "./run test", "All tests take {:.2f} of an earlier commit's time."),
+)
 STAGES = """
 ## Where a snapshot's milliseconds go
 `labNN --snapshot FILE --stats -`, once. `start` is the program's own loading, `loader` the renderer's, `first_draw` mostly the \
@@ -153,7 +172,11 @@ class Report:
         return json.dumps({key: value for key, value in results.items() if value}, indent=2, ensure_ascii=False) + "\n"
 
     def as_markdown(self, setting):
+        ratios = {(row["section"], row["what"]): row["ratio"]["median"] for section in self.sections for row in section["rows"]}
+        said = "".join(f"- {text.format(ratios[section, what])}\n" for section, what, text in GAINS if (section, what) in ratios)
         text = HEAD.format(os.cpu_count(), setting.rounds, setting.long_rounds)
+        if said:
+            text += f"\n**What a user gains and loses**\n{said}"
         for section in self.sections:
             if not section["rows"]:
                 continue

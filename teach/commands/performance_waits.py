@@ -20,6 +20,13 @@ def run_in(tree, arguments, most_code=0, environment=""):
     return 1e3 * (time.perf_counter() - begin)
 
 
+def first_run(tree, cache):
+    """Milliseconds of `./run` with nothing built, and nothing in the compiler's cache."""
+    for folder in (tree / "build", tree / "out", cache):
+        shutil.rmtree(folder, ignore_errors=True)
+    return run_in(tree, "", 0, f"CCACHE_DIR={shlex.quote(str(cache))}")
+
+
 def edit(file, number):
     """A line that was never compiled, so that the compiler's cache does not have it, at the end of a file."""
     mark = "\n// edited: "
@@ -56,12 +63,6 @@ class Starter:
         self.tree = tree
         output_of(pathlib.Path(course) / "build/release/bin/texel", "starter", "--out", tree)
 
-    def first_run(self):
-        """Nothing is built, and the compiler's cache has nothing."""
-        for folder in ("build", "out"):
-            shutil.rmtree(self.tree / folder, ignore_errors=True)
-        return run_in(self.tree, "", 0, "CCACHE_DISABLE=1")
-
     def save_to_verdict(self, files, number):
         """Of the first of the files that this tree has: an older one may have the step elsewhere."""
         edit(next(self.tree / file for file in files if (self.tree / file).exists()), number)
@@ -74,14 +75,19 @@ class Starter:
 
 def measure_waits(setting, report):
     if setting.first_run_before:
-        report.begin("A student's first ./run", f"""
-            In starters of this tree and of the earlier commit {commit_of(setting.first_run_before)}, in turn: with nothing built,
-            without the compiler's cache, all packages installed.""", "now", "before")
+        report.begin("The first ./run", f"""
+            In clones of this tree and of the earlier commit {commit_of(setting.first_run_before)}, and in their starters, in
+            turn: with nothing built, nothing in the compiler's cache, all packages installed.""", "now", "before")
+        cache = setting.work / "cache"
+        now, before = Tested(ROOT, setting.work / "clone_now").tree, Tested(setting.first_run_before, setting.work / "clone_before").tree
+        report.add("the course's", "ms", interleaved(setting.long_rounds, lambda: first_run(now, cache), lambda: first_run(before, cache)),
+                   at_most=0.6)
         now, before = Starter(ROOT, setting.work / "now"), Starter(setting.first_run_before, setting.work / "before")
         report.add("C++ in a student's tree", "lines", [(now.lines_of_cpp(), before.lines_of_cpp())], at_most=0.5, why="""
             window 4000 lines, meshes 3300, OpenGL 2500, app 2500, pictures 2300, labs 2200, course 1800, command line 1600, judge
             1300, core 1200, procedural 1100. The grader is left out already.""")
-        report.add("the first ./run", "ms", interleaved(setting.long_rounds, now.first_run, before.first_run), at_most=0.5, why="""
+        report.add("a student's", "ms", interleaved(setting.long_rounds, lambda: first_run(now.tree, cache),
+                                                     lambda: first_run(before.tree, cache)), at_most=0.5, why="""
             nearly all of it compiles: app takes 12 %, commands and judge 10 each, meshes and window 9 each, the nine labs 8,
             pictures 7, start, course and precompiled headers 6 each. Files that nobody edits are compiled seven at a time, and
             the window with few optimisations; before that the ratio was 0.93. Tried: no optimisation at all for the two files
