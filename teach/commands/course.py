@@ -79,7 +79,7 @@ def read_labs(numbers=()):
     """What each labs/NN_name/lab.toml says, and the lab's number; of those with these numbers, or of all. Copies of a folder are no labs."""
     labs = {}
     for file in sorted(ROOT.glob("labs/[0-9][0-9]_*/lab.toml")):
-        with reading(file, "./run list says more"):
+        with reading(file, "build/release/bin/texel list says more"):
             lab = tomllib.loads(file.read_text(encoding="utf-8"))
             if lab["lab"] != file.parent.name:
                 continue

@@ -97,6 +97,7 @@ TEST_F(JudgeOfPictures, passes_up_to_the_limit_and_what_a_gpu_rounds_and_no_furt
       // Columns 9 and 10 lie on both sides of the object's edge, where renderers differ.
       {"the object's edge", View::color, 3, grey(100), grey(100, 9, 11, 200), kPasses},
       {"within the edge", View::color, 3, grey(100), grey(100, 11, 13, 200), 100},
+      {"the background alone", View::color, 3, grey(100), grey(100, 0, 9, 200), 100},
       {"degrees", View::normal, 2, directions(0), directions(1.9), kPasses},
       {"degrees beyond", View::normal, 2, directions(0), directions(2.1), 2.1},
       {"a flat picture", View::normal, 0.05, directions(0), directions(0.06), 0.06},
@@ -126,7 +127,8 @@ TEST_F(JudgeOfPictures, sees_a_wrong_background_of_one_pixel) {
   for (const auto& [x, y] : {std::pair{0, 0}, {0, 1}, {1, 0}, {1, 1}}) mask.at(x, y) = 0;
   mask_ = bytes_of(mask);
   wrong.at(0, 0, 0) = 99;  // the only one that is not at an edge
-  EXPECT_EQ(judged(course::View::color, 3, grey(0), bytes_of(wrong)).error, 99);
+  const Verdict verdict = judged(course::View::color, 3, grey(0), bytes_of(wrong));
+  EXPECT_TRUE(!verdict.passed && verdict.error == 99) << verdict.message;
 }
 
 TEST_F(JudgeOfPictures, fails_what_has_another_size_or_numbers_that_are_not_finite) {
