@@ -56,6 +56,9 @@ Exit watch(int lab, const std::string& context);
 /// course.
 Exit hint(const std::string& where, const std::string& context);
 
+/// `texel predict STEP [CHOICE]`: the handout's question of a step, or what it says to a choice, from 1.
+Exit predict(const std::string& step, std::size_t choice);
+
 /// `texel reset STEP`: restores a step's starting code, and saves the student's.
 Exit reset(const std::string& step);
 

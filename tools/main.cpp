@@ -26,6 +26,7 @@ void add_gallery(CLI::App& app, GalleryOptions& options) {
 struct StudentOptions {
   CheckOptions check;
   int lab = 0;
+  std::size_t choice = 0;
   std::string step, context = "auto";
   std::filesystem::path out;
 };
@@ -53,6 +54,9 @@ void add_student(CLI::App& app, StudentOptions& options) {
   watch->add_option("LAB", options.lab, "The lab's number")->required()->check(CLI::Range(1, 99));
   CLI::App* hint = add("hint", "Show one more hint for a step");
   hint->add_option("STEP", options.step, "A step as 5.1, or a lab's number [the next step of the course]");
+  CLI::App* predict = app.add_subcommand("predict", "Ask a step's question, or answer your choice");
+  predict->add_option("STEP", options.step, "A step as 5.1")->required();
+  predict->add_option("CHOICE", options.choice, "Your answer: 1, 2 or 3")->check(CLI::Range(1, 3));
   CLI::App* reset =
       app.add_subcommand("reset", "Restore a step's starting code; your code is saved in another file");
   reset->add_option("STEP", options.step, "A step as 5.1")->required();
@@ -95,6 +99,7 @@ Exit run(int argc, char** argv) {
   if (app.got_subcommand("see")) return see(student.step, student.out, student.context);
   if (app.got_subcommand("watch")) return watch(student.lab, student.context);
   if (app.got_subcommand("hint")) return hint(student.step, student.context);
+  if (app.got_subcommand("predict")) return predict(student.step, student.choice);
   if (app.got_subcommand("reset")) return reset(student.step);
   if (app.got_subcommand("progress")) return progress(student.context);
   if (more)

@@ -44,28 +44,40 @@ std::string formula(std::string text) {
   return result;
 }
 
-/// A section's explanation and its "Write:", without picture. Paragraphs, formulas and a table's rows are
+/// Takes a step's section of the handout apart, without picture. Paragraphs, formulas and a table's rows are
 /// lines.
-std::string task_of(const std::vector<std::string>& lines, const std::string& step) {
-  std::string task;
+void read_section(const std::vector<std::string>& lines, const std::string& step, StepText& text) {
   const std::string heading = fmt::format("### {} ", step);
-  bool is_here = false, is_shown = false, begins_line = true;
+  std::string* part = nullptr;                // that the line belongs to
+  std::vector<std::string>* items = nullptr;  // that a numbered line begins one of
+  bool is_here = false, begins_line = true;
   for (const std::string& line : lines) {
-    if (line.starts_with("#")) is_here = is_shown = line.starts_with(heading);
+    if (line.starts_with("#")) part = (is_here = line.starts_with(heading)) ? &text.task : nullptr;
     if (!is_here || line.starts_with("#") || line.starts_with("![") || line.starts_with("|--")) continue;
+    const bool is_fold = line.starts_with("<details>"), is_after = line.find("After") != line.npos;
     const bool is_bullet = line.starts_with("- "), is_row = line.starts_with("| ");
-    if (is_bullet) is_shown = line.starts_with("- **Write:**");
-    const bool is_alone = is_bullet || is_row || line.starts_with("$$");
-    const std::size_t text = line.find_first_not_of(' ');
-    if (!is_shown || text == std::string::npos) {
+    const bool is_item = items != nullptr && line.size() > 2 && line.substr(1, 2) == ". ";
+    if (is_bullet) part = line.starts_with("- **Write:**") ? &text.task : nullptr;
+    if (line.starts_with("**Predict:**")) part = &text.question, items = &text.choices;
+    if (is_fold) part = is_after ? &text.after : nullptr, items = is_after ? nullptr : &text.answers;
+    if (line == "</details>") part = nullptr, items = nullptr;
+    if (is_item) part = &items->emplace_back();
+    const bool is_alone = is_bullet || is_row || is_item || line.starts_with("$$");
+    const std::size_t begin = line.find_first_not_of(' ');
+    if (part == nullptr || is_fold || begin == std::string::npos) {
       begins_line = true;
       continue;
     }
-    if (!task.empty()) task += is_bullet ? "\n\n" : begins_line || is_alone ? "\n" : " ";
-    task += is_bullet ? line.substr(2) : is_row ? line.substr(2, line.rfind(" |") - 2) : line.substr(text);
-    begins_line = is_alone && !is_bullet;
+    if (!part->empty()) *part += is_bullet ? "\n\n" : begins_line || is_alone ? "\n" : " ";
+    *part += is_bullet ? line.substr(2)
+             : is_item ? line.substr(3)
+             : is_row  ? line.substr(2, line.rfind(" |") - 2)
+                       : line.substr(begin);
+    begins_line = is_alone && !is_bullet && !is_item;
   }
-  return without_markdown(task);
+  for (std::string* one : {&text.task, &text.question, &text.after}) *one = without_markdown(*one);
+  for (auto* list : {&text.choices, &text.answers})
+    for (std::string& one : *list) one = without_markdown(one);
 }
 
 }  // namespace
@@ -109,9 +121,9 @@ StepText read_step_text(const std::filesystem::path& root, const std::string& la
     text.lines.clear();  // the file's name still helps
   }
   try {
-    text.task = task_of(lines_of(read_file(root / "labs" / lab_folder / "README.md")), step);
+    read_section(lines_of(read_file(root / "labs" / lab_folder / "README.md")), step, text);
   } catch (const Error&) {
-    text.task.clear();
+    text.task.clear();  // the lines still help
   }
   return text;
 }

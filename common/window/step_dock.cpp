@@ -17,6 +17,17 @@ namespace {
 
 using Shown = CasePictures::Shown;
 
+/// The step's question, and the answer to the choice that was made.
+void question_part(CasePictures& p) {
+  wrapped_text(theme().text, p.text.question);
+  for (std::size_t i = 1; i <= p.text.choices.size(); ++i) {
+    if (ImGui::RadioButton(fmt::format("##choice{}", i).c_str(), p.chosen == i)) p.chosen = i;
+    ImGui::SameLine();
+    wrapped_text(theme().text, p.text.choices[i - 1]);
+    if (p.chosen == i && i <= p.text.answers.size()) wrapped_text(theme().next, p.text.answers[i - 1]);
+  }
+}
+
 /// The file, a button that opens it, the handout's task, and the step's lines.
 void text_part(WindowState& state) {
   const course::StepText& text = state.case_pictures->text;
@@ -33,6 +44,8 @@ void text_part(WindowState& state) {
            "Sets parameters and view as they were before you picked a case");
   }
   wrapped_text(theme().dim, fmt::format("{}:{}", text.shown_file, text.line));
+  wrapped_text(theme().good, text.after);
+  question_part(*state.case_pictures);
   wrapped_text(theme().text, text.task);
   if (text.lines.empty()) return;
   ImGui::Separator();

@@ -137,6 +137,7 @@ CasePictures load_case(const fs::path& root, const std::string& lab, const judge
   CasePictures pictures;
   pictures.step = step.id, pictures.title = step.title, pictures.result = one;
   pictures.text = course::read_step_text(root, lab, step.id, step.file, step.line);
+  if (step.status != judge::Status::passed) pictures.text.after.clear();
   try {
     const image::Compared all = check::compared(one);
     pictures.width = all.own.width, pictures.height = all.own.height;

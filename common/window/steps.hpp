@@ -58,7 +58,8 @@ struct CasePictures {
   course::StepText text;
   std::string fault;  ///< why there is nothing to be seen, or ""
   enum class Shown { split, difference, heat_map } shown = Shown::split;
-  float position = 0.5F;  ///< of the split line, 0 to 1; the expected picture is right of it
+  std::size_t chosen = 0;  ///< answer to the step's question, from 1
+  float position = 0.5F;   ///< of the split line, 0 to 1; the expected picture is right of it
   int width = 0, height = 0;
   gl::Texture own, expected, difference, heat_map;  ///< bottom row first
   image::Difference figures;

@@ -252,6 +252,7 @@ void Window::follow_steps() {
       if (one.name == state_.case_pictures->result.name) {
         CasePictures fresh = load_case(state_.steps->root(), lab_.info().folder(), step, one);
         fresh.shown = state_.case_pictures->shown, fresh.position = state_.case_pictures->position;
+        fresh.chosen = state_.case_pictures->chosen;
         state_.case_pictures = std::move(fresh);
       }
 }

@@ -73,7 +73,7 @@ struct CubeMap : app::Lab<CubeMapParameters> {
         gl::upload_level(face, static_cast<int>(level), levels[level], image::Encoding::srgb);
     }
     //@starter
-    // // The front's picture on every face, and only its full size.
+    // // The picture of +Z, called BACK, on every face, and only its full size.
     // for (GLenum face = GL_TEXTURE_CUBE_MAP_POSITIVE_X; face <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z; ++face)
     //   gl::upload_level(face, 0, faces[4], image::Encoding::srgb);
     // glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, 0);

@@ -317,8 +317,9 @@ class CourseCommands final : public tools::MoreCommands {
       add(command, [=] { return run_script(script.file, command->remaining()); });
     }
     gallery_ = app.get_subcommand("gallery");
-    gallery_->add_option("--heroes", heroes_,
-                         "Folder for one small picture of each lab, cut to 3:2, as in the README");
+    gallery_->add_option(
+        "--heroes", heroes_,
+        "Folder for one small picture of each lab, cut to 3:2, as in the README; beside it source_pictures");
     gallery_->add_flag("--list", list_sources_,
                        "Print a Markdown table: which command draws which picture of the sources");
     add(add_compare(app, compare_), [&] { return compare(compare_); });

@@ -40,7 +40,8 @@ struct GradeCommand : grade::GradeOptions {
 /// not taken, and why. Beside it the solution's steps. Draws nothing and runs no student's program.
 Exit print_steps(const GradeCommand& command);
 
-/// `texel gallery --heroes FOLDER`: saves the small pictures of the gallery's labs into it.
+/// `texel gallery --heroes FOLDER`: saves the small pictures of the gallery's labs into it, and those of the
+/// sources into source_pictures beside it.
 void save_heroes(const tools::GalleryOptions& gallery, const std::filesystem::path& folder);
 
 /// `texel gallery --list`: prints docs/pictures.md, the sources' pictures with their commands.

@@ -42,27 +42,33 @@ constexpr const char* kSourcesHead =
     "labs' `lab.toml`,\n"
     "and a test holds it to that.\n";
 
-/// The lab's picture for README and handout: the first look with `hero`, or null.
-const course::Look* hero_of(const course::Lab& lab) {
-  const auto hero = std::ranges::find(lab.looks, true, &course::Look::hero);
-  return hero != lab.looks.end() ? &*hero : nullptr;
+/// Saves a picture at half its size, averaged in linear light.
+void save_small(const fs::path& to, const image::Image8& picture) {
+  const std::vector<image::Image8> levels = image::mip_chain(picture, image::Encoding::srgb);
+  image::save_png(to, levels[std::min<std::size_t>(1, levels.size() - 1)], {}, 9);
 }
 
-/// That picture small: the middle of `from`, as large as fits into 3:2, at half its size, averaged in linear
-/// light.
-void save_hero(const fs::path& from, const fs::path& to) {
-  const std::vector<image::Image8> levels =
-      image::mip_chain(middle(image::load8(from, 3)), image::Encoding::srgb);
-  image::save_png(to, levels[std::min<std::size_t>(1, levels.size() - 1)], {}, 9);
+constexpr const char* kSourcePictures = "source_pictures";  // in docs, beside the heroes' folder
+
+/// The name of the small picture of a look of the sources.
+std::string source_picture(const course::Lab& lab, const course::Look& look) {
+  return fmt::format("{}/{}_{}.png", kSourcePictures, lab.folder, look.name);
 }
 
 }  // namespace
 
 void save_heroes(const tools::GalleryOptions& gallery, const fs::path& folder) {
-  make_folder(folder);
-  for (const course::Lab& lab : tools::chosen_labs(gallery.labs))
-    if (const course::Look* hero = hero_of(lab))
-      save_hero(gallery.out / lab.folder / hero->file, folder / (lab.folder + ".png"));
+  const fs::path docs = fs::absolute(folder).parent_path();
+  make_folder(folder), make_folder(docs / kSourcePictures);
+  for (const course::Lab& lab : tools::chosen_labs(gallery.labs)) {
+    const auto drawn = [&](const course::Look& look) {
+      return image::load8(gallery.out / lab.folder / look.file, 3);
+    };
+    const auto hero = std::ranges::find(lab.looks, true, &course::Look::hero);
+    if (hero != lab.looks.end()) save_small(folder / (lab.folder + ".png"), middle(drawn(*hero)));
+    for (const course::Look& look : lab.looks)
+      if (!look.source.empty()) save_small(docs / source_picture(lab, look), drawn(look));
+  }
 }
 
 Exit list_sources() {
@@ -72,12 +78,14 @@ Exit list_sources() {
       if (look.source.empty()) continue;
       const std::size_t comma = look.source.find(", ");
       const std::string place = comma == std::string::npos ? "" : look.source.substr(comma + 2);
-      rows[look.source.substr(0, comma)] += fmt::format("| {} | {} | `{}` |\n", cell(place),
-                                                        cell(look.caption), cell(course::command(lab, look)));
+      rows[look.source.substr(0, comma)] +=
+          fmt::format("| ![]({}) | {}: {}<br>`{}` |\n", source_picture(lab, look), cell(place),
+                      cell(look.caption), cell(course::command(lab, look)));
     }
   fmt::print("{}", kSourcesHead);
   for (const auto& [document, table] : rows)
-    fmt::print("\n## {}\n\n| where | what it shows | command |\n|---|---|---|\n{}", document, table);
+    fmt::print("\n## {}\n\n| picture | where, what it shows, and its command |\n|---|---|\n{}", document,
+               table);
   return Exit::holds;
 }
 

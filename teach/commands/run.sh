@@ -162,6 +162,7 @@ make_assets() {
 renew_docs() {
   build_programs
   draw_gallery --heroes "$root/docs/pictures"
+  "$root/teach/commands/drawings.py" "$root/docs/pictures/drawings"
   say "Drawing each step before and after"
   texel starter --pictures "$root/docs/pictures/steps"
   texel gallery --list >"$root/docs/pictures.md.part"

@@ -58,7 +58,7 @@ std::string output_of(const Words& command, const fs::path& folder, double secon
 
 /// Whether programs do not depend on a file of the starter.
 bool is_for_people(const std::string& path) {
-  return path.starts_with("docs/") || fs::path(path).filename() == "README.md" ||
+  return path.starts_with("docs/") || fs::path(path).extension() == ".md" ||
          path.find("/expected/") != path.npos;
 }
 

@@ -15,13 +15,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kStudentsGuide = "docs/student.md";
+/// What students read first: the README of their tree.
+constexpr const char* kReadme = "STARTER.md";
 
 /// All but `teach` and `tests`, and what is about these.
-constexpr const char* kGiven[] = {".devcontainer", ".gitattributes", "CMakeLists.txt", "CMakePresets.json",
-                                  "LICENSE",       "assets",         "cmake",          "common",
-                                  "docs/pictures", kStudentsGuide,   "labs",           "run",
-                                  "shaders",       "tools",          "vcpkg.json",     "web"};
+constexpr const char* kGiven[] = {".devcontainer", ".gitattributes",  "CMakeLists.txt", "CMakePresets.json",
+                                  "LICENSE",       "assets",          "cmake",          "common",
+                                  "docs/pictures", "docs/student.md", "labs",           "run",
+                                  "shaders",       "tools",           "vcpkg.json",     "web"};
 
 constexpr const char* kInstalled = "web/site/node_modules/";  // npm ci makes it
 
@@ -65,8 +66,7 @@ std::vector<StarterFile> starter_files(const fs::path& root,
   } catch (const fs::filesystem_error& error) {
     throw Error::failed(fmt::format("cannot read: {}", error.code().message()), {error.path1().string()});
   }
-  // What students read first.
-  if (fs::exists(root / kStudentsGuide)) files.push_back({"README.md", root / kStudentsGuide, {}});
+  if (fs::exists(root / kReadme)) files.push_back({"README.md", root / kReadme, {}});
   std::ranges::sort(files, {}, &StarterFile::path);
   return files;
 }

@@ -94,7 +94,7 @@ class Runner:
         """Whether the command does what it promises, and what it said."""
         if found := re.fullmatch(r"\./run lab (\d+)(.*)", command):
             code, said = self.lab(*found.groups())
-        elif found := re.fullmatch(r"\./run ((check|hint|reset|progress)( .*)?)", command):
+        elif found := re.fullmatch(r"\./run ((check|hint|predict|reset|progress)( .*)?)", command):
             code, said = self.as_student(f"{TEXEL} {found[1]}")
             code = 0 if code == 1 else code  # a step is not right
         elif found := re.fullmatch(r"\./run (watch \d+)", command):

@@ -71,6 +71,27 @@ class Handouts(unittest.TestCase):
                         self.assertTrue(any(is_hidden(case) == is_of_hidden and has_option(case, name, value) for case in cases),
                                         f"--{name} {value} is in no case")
 
+    def test_ask_before_a_step_and_tell_after_it(self):
+        # The form that window, browser and terminal read: a question with three choices, and an answer to each.
+        question = re.compile(r"\n\n\*\*Predict:\*\* .*?\n1\. (.*?)\n\n<details><summary>Answers</summary>\n\n1\. (.*?)\n\n</details>\n\n- \*\*Where", re.DOTALL)
+        for lab, step, section in steps():
+            with self.subTest(step["id"]):
+                choices, answers = (re.split(r"\n\d\. ", part) for part in question.search(section).groups())
+                self.assertEqual(len(choices), 3)
+                self.assertEqual(sorted(answer.split()[0] for answer in answers), ["No:", "No:", "Right:"])
+                self.assertRegex(section, r"\*\*Where:\*\*[^*]*\d points?, (easy|medium|hard)[,.]")
+                after = re.search(r"\n\n<details><summary>After it passes</summary>\n\n(.*)\n\n</details>\n*$", section, re.DOTALL)
+                self.assertTrue(after, "says nothing after it")
+                self.assertIn(f"`./run lab {lab['number']}", after[1].replace("\n", " "), "has no look to try")
+        for lab in LABS:
+            text = handout_of(lab)
+            for heading in ("Steps", "Things to try (nice)", "Challenge (nice, no points)", "Questions (nice)", "Background (deep)"):
+                self.assertIn(f"\n## {heading}\n", text, lab["folder"])
+            asked, answers = (re.findall(r"^\d\. ", part, re.MULTILINE) for part in
+                              tree.section(text, "## Questions (nice)\n").split("<details><summary>Answers</summary>"))
+            self.assertEqual(asked, answers, lab["folder"])
+            self.assertNotRegex(text, r"[Yy]our teacher has|course's\s+own\s+tree", "is no student's to type")
+
     def test_begin_with_the_picture_and_the_first_step_within_one_screen(self):
         for lab in LABS:
             head = handout_of(lab).partition("\n### ")[0]

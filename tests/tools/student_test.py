@@ -144,6 +144,11 @@ class Starter(StudentTree):
         for given in ("labs/05_normal_map/README.md", "docs/student.md", "docs/pictures/05_normal_map.png", "docs/pictures/steps/5.1.png",
                       "labs/05_normal_map/expected/decode_bumps.pfm", "run"):
             self.assertTrue((self.root / given).exists(), given)
+        # The README is the first page and not the guide once more; all that the two and the handouts link is there.
+        self.assertEqual((self.root / "README.md").read_bytes(), pathlib.Path("STARTER.md").read_bytes())
+        for page in (*self.root.glob("*.md"), *self.root.glob("docs/*.md"), *self.root.glob("labs/*/*.md")):
+            for link in re.findall(r"\]\(([^):#]+)", page.read_text(encoding="utf-8")):
+                self.assertTrue(link == "https" or (page.parent / link).exists(), f"{page.name} links {link}")
         # No file has a step's solution, its own or another.
         given = {path: "".join(path.read_text(encoding="utf-8").split()) for folder in ("labs", "shaders", "common", "tools", "web")
                  for path in (self.root / folder).rglob("*") if path.suffix in (".cpp", ".hpp", ".glsl", ".frag", ".vert")}
@@ -340,13 +345,25 @@ class Helped(StudentTree):
         self.assertIn("./run lab 4", vertices)
 
     def test_within_eighty_columns(self):
-        for command in ("check 6", "see 6.2", "hint 6.2", "progress"):
+        for command in ("check 6", "see 6.2", "hint 6.2", "predict 6.4", "progress"):
             for line in self.texel(command)[1].splitlines():
                 self.assertTrue(len(line.encode()) <= 80 or str(self.root) in line, line)  # a path is not cut
 
     def test_by_the_reason_once_why_several_steps_wait(self):
         said = self.texel("check 8")[1]
         self.assertRegex(said, r"8\.2 .*: It needs 8\.1 first\.\n  waits  8\.3 [^:]*\n  waits  8\.4 .*: It needs 8\.1 and 8\.3 first\.")
+
+    def test_by_a_question_before_the_step(self):
+        code, said = self.texel("predict 9.4")
+        self.assertEqual((code, said.count("Predict:"), "Right:" in said), (0, 1, False))
+        answers = [self.texel(f"predict 9.4 {choice}") for choice in (1, 2, 3)]
+        self.assertEqual(["Right:" in said for _, said in answers], [False, True, False])
+        self.assertEqual(["No:" in said for _, said in answers], [True, False, True])
+        self.assertEqual([self.texel(line)[0] for line in ("predict 9.4 4", "predict 9.9")], [2, 2])
+        self.assertIn("./run predict 9.4", self.texel("check 9.4")[1])
+        file = "shaders/09_bump/reflect_ray.glsl"
+        with self.changed(file, solved((ROOT / file).read_text(encoding="utf-8"))):
+            self.assertIn("9.4: The ball mirrors as if it were bumpy.", self.texel("check 9.4")[1])
 
     def test_by_one_hint_after_the_other(self):
         shown = BUILD / "check/hints.json"

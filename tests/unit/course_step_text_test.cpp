@@ -23,11 +23,15 @@ TEST(StepText, has_the_steps_lines_and_the_handouts_task) {
   const ScratchFolder root;
   std::filesystem::create_directories(root.path() / "labs/05_x");
   write_file(root.path() / "a.glsl", "vec3 f() {\n  //@step 5.1 begin\n  return x;\r\n  //@end\n}\n");
-  write_file(root.path() / "labs/05_x/README.md",
-             "### 5.1 One\n![A picture.](a.png)\n\nOf *a*\nthis is known:\n\n$$a = b$$\n\n"
-             "| name | value |\n|---|---|\n| `c` | $d_1$ |\n\nNo more.\n- **Where:** here\n"
-             "- **Write:** the value,\n  and more.\n- **Checked by:** us\n  and you\n\nThe end.\n"
-             "### 5.10 Other\n- **Write:** nothing\n");
+  write_file(
+      root.path() / "labs/05_x/README.md",
+      "### 5.1 One\n![A picture.](a.png)\n\nOf *a*\nthis is known:\n\n$$a = b$$\n\n"
+      "| name | value |\n|---|---|\n| `c` | $d_1$ |\n\nNo more.\n\n"
+      "**Predict:** What comes\nnext?\n1. `a`\n2. b,\n   or c\n\n<details><summary>Answers</summary>\n\n"
+      "1. No.\n   Not so.\n2. Right: $x_1$.\n\n</details>\n\n- **Where:** here\n"
+      "- **Write:** the value,\n  and more.\n- **Checked by:** us\n  and you\n\n"
+      "<details><summary>After it passes</summary>\n\nWell *done*.\nLook.\n\n</details>\n\nThe end.\n"
+      "### 5.10 Other\n- **Write:** nothing\n");
   const StepText text = read_step_text(root.path(), "05_x", "5.1", "a.glsl", 2);
   EXPECT_EQ(text.lines,
             (std::vector<std::string>{"vec3 f() {", "  //@step 5.1 begin", "  return x;", "  //@end"}));
@@ -35,6 +39,10 @@ TEST(StepText, has_the_steps_lines_and_the_handouts_task) {
   EXPECT_EQ(text.first_line, 1);
   EXPECT_EQ(text.task,
             "Of a this is known:\n   a = b\nname | value\nc | d₁\nNo more.\n\nWrite: the value, and more.");
+  EXPECT_EQ(text.question, "Predict: What comes next?");
+  EXPECT_EQ(text.choices, (std::vector<std::string>{"a", "b, or c"}));
+  EXPECT_EQ(text.answers, (std::vector<std::string>{"No. Not so.", "Right: x₁."}));
+  EXPECT_EQ(text.after, "Well done. Look.");
 }
 
 TEST(StepText, stops_before_the_starters_text_and_bears_missing_files) {

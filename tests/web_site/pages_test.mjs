@@ -152,8 +152,11 @@ test("what is written is judged after a pause, and survives a reload", async () 
   await until(() => document.querySelector(".cause").textContent === "This looks like: red and green swapped");
   assert.match(await text(".verdict"), /Off by 12.4 degrees/);
   await badge("wrong");
+  const told = () => page.$eval("[data-step='5.1'] details.after", (after) => after.open);
+  assert.equal(await told(), false);
   await type("  return right;");
   await badge("done");
+  assert.equal(await told(), true);  // why it is right, and a look to try
   assert.match(await text(".progress b"), /^1 of 1 shader steps is right, 1 of 1 points/);
   await page.reload();
   await page.evaluate(() => texel.ready);
@@ -164,6 +167,17 @@ test("what is written is judged after a pause, and survives a reload", async () 
   await page.reload();
   await page.evaluate(() => texel.ready);
   assert.match(await text(".editor"), /return color;/);
+});
+
+test("a choice opens the answer to it, and closes the others", async () => {
+  await open("?look=default");
+  const steps = await page.$$eval(".step", (sections) => sections.map((one) => [...one.querySelectorAll(".predict details")].map((choice) => choice.querySelector("p").textContent.split(":")[0])));
+  for (const answers of steps) assert.deepEqual([...answers].sort(), ["No", "No", "Right"]);
+  const shown = () => page.$$eval("[data-step='5.1'] .predict details", (choices) => choices.map((choice) => choice.open));
+  for (const i of [0, 2]) {
+    await page.$$eval("[data-step='5.1'] .predict summary", (choices, n) => choices[n].click(), i);
+    assert.deepEqual(await shown(), [0, 1, 2].map((n) => n === i));
+  }
 });
 
 test("two tabs have the same text, and so have the .zip of the older one and a reload", async () => {

@@ -60,7 +60,8 @@ std::string details(const StepResult& step, const Paint& paint) {
   const CaseResult& telling = *judge::clearest_case(step);
   const bool is_drawn = !telling.picture.empty();
   const std::string see = paint(kDim, fmt::format("{:12}see it: ./run see {}\n", "", step.id));
-  if (step.is_untouched() && is_drawn) return wrapped("Not begun. Write your lines there.", indent) + see;
+  if (step.is_untouched() && is_drawn)
+    return wrapped("Not begun. Write your lines there.", indent) + see + prediction(step.id, 0, indent);
   // One fault may be in the way of several cases.
   std::vector<std::pair<std::string, std::string>> names_by_message;
   for (const CaseResult& one : step.cases) {
@@ -132,7 +133,7 @@ std::string report(const LabResult& lab, bool colors) {
     if (is_wrong(step) || step.status != Status::skipped) text += details(step, paint);
   }
   if (lab.steps.size() < lab.lab.steps.size() && next == nullptr)  // some of them were asked for
-    text += paint(kGreen, "Right.") + "\n";
+    for (const StepResult& step : lab.steps) text += paint(kGreen, "Right.") + "\n" + after_step(step.id);
   else if (next == nullptr)
     text += paint(kGreen, fmt::format("All done: {:g} of {:g} points.", lab.points(), lab.max_points())) +
             what_follows(lab.lab.number) + "\n";

@@ -18,6 +18,7 @@
 #include "core/files.hpp"
 #include "core/json.hpp"
 #include "course/markers.hpp"
+#include "course/step_text.hpp"
 #include "image/compared.hpp"
 #include "image/save.hpp"
 #include "judge/results.hpp"
@@ -92,6 +93,32 @@ check::OwnTree own_tree() {
 std::vector<judge::LabResult> checked(const std::vector<course::Lab>& labs, const std::string& context) {
   const std::jthread patience = ::isatty(STDERR_FILENO) != 0 ? std::jthread(wait_patiently) : std::jthread();
   return check::check(own_tree(), labs, check::by_programs(own_tree(), context));
+}
+
+namespace {
+course::StepText handout_of(const std::string& step) {
+  step_called(step);
+  const course::Lab lab = chosen_labs({std::stoi(step)}).front();
+  return course::read_step_text(course_root(), lab.folder, step, {}, 0);
+}
+}  // namespace
+
+std::string prediction(const std::string& step, std::size_t choice, std::size_t indent) {
+  const course::StepText text = handout_of(step);
+  if (text.question.empty()) return {};
+  if (choice > text.answers.size())
+    throw Error::usage(fmt::format("there is no answer {}", choice), "choose one of the numbers");
+  std::string said = wrapped(text.question, indent);
+  for (std::size_t i = 0; i < text.choices.size(); ++i)
+    if (choice == 0 || choice == i + 1) said += wrapped(fmt::format("{} {}", i + 1, text.choices[i]), indent);
+  return said + wrapped(choice == 0 ? fmt::format("Your answer: ./run predict {} 1, 2 or 3", step)
+                                    : text.answers[choice - 1],
+                        indent);
+}
+
+std::string after_step(const std::string& step) {
+  const std::string after = handout_of(step).after;
+  return after.empty() ? "" : wrapped(fmt::format("{}: {}", step, after), 0);
 }
 
 std::string next_hint(const course::Step& step) {
@@ -177,6 +204,11 @@ Exit hint(const std::string& where, const std::string& context) {
     id = next->id;
   }
   fmt::print("{}", next_hint(step_called(id)));
+  return Exit::holds;
+}
+
+Exit predict(const std::string& step, std::size_t choice) {
+  fmt::print("{}", prediction(step, choice, 0));
   return Exit::holds;
 }
 

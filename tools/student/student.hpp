@@ -18,6 +18,13 @@ std::vector<judge::LabResult> checked(const std::vector<course::Lab>& labs, cons
 /// (exit 3) when it cannot.
 std::string next_hint(const course::Step& step);
 
+/// The handout's question of a step with its choices, or with the answer to one, counted from 1; "" where it
+/// has none. Throws Error (exit 2) for a step or choice that is not there.
+std::string prediction(const std::string& step, std::size_t choice, std::size_t indent);
+
+/// What the handout says once a step is right.
+std::string after_step(const std::string& step);
+
 // What a check found, for people; judge/results.hpp is for programs.
 
 /// The step that comes next: of those that were begun and failed the one that was saved last, else the first

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdio>
 #include <optional>
+#include <set>
 
 #include "commands.hpp"
 #include "core/files.hpp"
@@ -113,8 +114,14 @@ class Watch {
         const judge::StepResult* next = next_step(labs.front());
         next_ = next != nullptr ? next->id : "";
         if (is_terminal) fmt::print("\033[2J\033[H");
-        fmt::print("{}checked in {:.1f} s. ", report(labs.front(), wants_colors()),
-                   stopwatch.milliseconds() / 1000);
+        fmt::print("{}", report(labs.front(), wants_colors()));
+        std::set<std::string> right;
+        for (const judge::StepResult& step : labs.front().steps)
+          if (step.status == judge::Status::passed) right.insert(step.id);
+        for (const std::string& step : right)
+          if (right_ && !right_->contains(step)) fmt::print("{}", after_step(step));
+        right_ = std::move(right);
+        fmt::print("checked in {:.1f} s. ", stopwatch.milliseconds() / 1000);
       }
     } catch (const Error& error) {  // a marker that was spoilt, say: mended by the next save
       fmt::print("{}\n", error.what());
@@ -135,6 +142,7 @@ class Watch {
   std::string context_;
   check::OwnTree tree_ = own_tree();
   Watcher watcher_;
+  std::optional<std::set<std::string>> right_;  ///< steps of the last check
   std::optional<std::string> next_;  ///< the step that comes next, "" after the last; unknown before a check
 };
 

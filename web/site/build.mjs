@@ -9,9 +9,9 @@ import { parseArgs } from "node:util";
 import { brotliCompressSync, constants } from "node:zlib";
 import esbuild from "esbuild";
 import { readLabs } from "./build/course.mjs";
-import { handout } from "./build/handout.mjs";
+import { documents, handout } from "./build/handout.mjs";
 import { indexPage, labPage, textPage } from "./build/page.mjs";
-import { asWebp, galleryPicture, pngSize, smallPicture } from "./build/pictures.mjs";
+import { asWebp, galleryPicture, pictureSize, pngSize, smallPicture } from "./build/pictures.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 
@@ -74,7 +74,7 @@ function mathFonts() {
 function pages() {
   const labs = readLabs(tree, programs);
   const copies = new Set();
-  const sizeOf = (path) => pngSize(docs(`pictures/${path.replace("../pictures/", "").replace(/webp$/, "png")}`));
+  const sizeOf = (path) => pictureSize(docs(`pictures/${path.replace("../pictures/", "").replace(/webp$/, "png")}`));
   for (const lab of labs) {
     const thumbnails = new Map();
     for (const look of lab.looks) {
@@ -86,8 +86,11 @@ function pages() {
     const markdown = readFileSync(join(tree, "labs", lab.folder, "README.md"), "utf8");
     write(`${lab.folder}/index.html`, labPage({ lab, labs, handout: handout(markdown, lab, copies, sizeOf), thumbnails }));
   }
-  const guide = handout(readFileSync(docs("student.md"), "utf8"), null, copies, sizeOf);
-  write("guide/index.html", textPage({ labs, title: "The student’s guide", html: guide }));
+  for (const [file, folder] of Object.entries(documents)) {
+    const markdown = readFileSync(join(tree, file), "utf8");
+    const title = /^# (.*)/.exec(markdown)[1].replace("'", "’");
+    write(`${folder}/index.html`, textPage({ labs, title, html: handout(markdown, null, copies, sizeOf) }));
+  }
 
   const heroes = new Map(labs.map((lab) => {
     const file = galleryPicture(gallery, lab, lab.looks.find((look) => look.hero)) ?? docs(`pictures/${lab.folder}.png`);

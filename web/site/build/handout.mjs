@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A handout's Markdown becomes HTML: formulas typeset, pictures beside it, and its commands live.
 import katex from "katex";
-import { Marked } from "marked";
+import { Marked, Parser } from "marked";
 import { query } from "./course.mjs";
 
 export const escaped = (text) =>
@@ -58,11 +58,17 @@ export function lookOf(command, lab) {
   return look;
 }
 
-/** Where a link of the tree leads on the site: pictures are copied, the guide is a page, the rest stays text. */
+/** The documents that are pages too: their files from the tree's root, and their folders on the site. */
+export const documents = { "docs/student.md": "guide", "labs/from_file_to_pixel.md": "from_file_to_pixel", "labs/05_normal_map/frames.md": "frames" };
+
+/** Where a link of the tree leads on the site: pictures are copied, some documents are pages, the rest stays text. */
 function site(href, copies) {
   if (/^(https?:|#)/.test(href)) return href;
   const [path, anchor] = href.split("#");
-  if (path.endsWith("docs/student.md")) return `../guide/index.html${anchor ? `#${anchor}` : ""}`;
+  const named = Object.keys(documents).find((file) => file.endsWith(`/${path.split("/").pop()}`) && !path.endsWith("README.md"));
+  if (named) return `../${documents[named]}/index.html${anchor ? `#${anchor}` : ""}`;
+  const handout = /(\d\d_\w+)\/README\.md$/.exec(path);
+  if (handout) return `../${handout[1]}/index.html${anchor ? `#${anchor}` : ""}`;
   const picture = /docs\/pictures\/(.+\.(?:png|svg))$/.exec(path);
   if (picture) {
     copies.add(picture[1]);
@@ -82,7 +88,8 @@ export function handout(markdown, lab, copies, sizeOf = () => ({})) {
     return look && `<a class="see" href="${escaped(query(look) || "?")}" title="Show this look in the picture">`;
   };
   const renderer = {
-    html: ({ text }) => escaped(text),
+    html: ({ text }) => (/^<\/?details>(<summary>[\w ]+<\/summary>)?\s*$/.test(text)
+      ? text.replace("<details><summary>After", '<details class="after"><summary>After') : escaped(text)),
     heading({ tokens, depth, text }) {
       return `<h${depth} id="${slug(text)}">${this.parser.parseInline(tokens)}</h${depth}>\n`;
     },
@@ -108,7 +115,8 @@ export function handout(markdown, lab, copies, sizeOf = () => ({})) {
       if (to === null) throw new Error(`the handout shows ${href}, which is no file below docs/pictures`);
       const { width, height } = sizeOf(to);
       const size = width ? ` width="${width}" height="${height}"` : "";
-      return `<img src="${escaped(to)}" alt="${escaped(text)}"${size} loading="lazy" decoding="async">`;
+      const drawn = to.endsWith(".svg") ? ' class="drawing"' : "";
+      return `<img${drawn} src="${escaped(to)}" alt="${escaped(text)}"${size} loading="lazy" decoding="async">`;
     },
     table(token) {
       const inline = (cell) => this.parser.parseInline(cell.tokens);
@@ -119,16 +127,22 @@ export function handout(markdown, lab, copies, sizeOf = () => ({})) {
   };
   const marked = new Marked(formulas, { renderer });
   const tokens = marked.lexer(markdown);
-  let html = "", open = "";
+  let html = "", open = "", id = "";
   const close = () => {
     html += open;
     open = "";
   };
-  for (const token of tokens) {
+  while (tokens.length > 0) {
+    const token = tokens.shift();
+    if (token.type === "paragraph" && token.text.startsWith("**Predict:**")) {
+      html += marked.parser([token]) + predict(id, tokens.splice(0, 6).filter(({ type }) => type === "list"), marked);
+      continue;
+    }
     if (token.type === "heading" && token.depth <= 3) {
       close();
       if (token.depth === 1) continue;  // the page's own
       const step = token.depth === 3 && steps.get(token.text.split(" ")[0]);
+      id = step?.id ?? "";
       if (step) {
         html += stepHead(step);
         open = `${stepPlace(step)}</section>\n`;
@@ -141,6 +155,14 @@ export function handout(markdown, lab, copies, sizeOf = () => ({})) {
   }
   close();
   return html;
+}
+
+/** The choices of a step's question: each opens the answer to it, and closes the others. */
+function predict(id, [choices, answers], marked) {
+  const inline = (item) => Parser.parseInline(item.tokens[0].tokens, marked.defaults);
+  const all = choices.items.map((choice, i) =>
+    `<details name="predict-${id}"><summary>${inline(choice)}</summary><p>${inline(answers.items[i])}</p></details>\n`);
+  return `<div class="predict">\n${all.join("")}</div>\n`;
 }
 
 const points = (n) => `${n} point${n === 1 ? "" : "s"}`;

@@ -11,6 +11,13 @@ export function pngSize(file) {
   return { width: bytes.readUInt32BE(16), height: bytes.readUInt32BE(20) };
 }
 
+/** Width and height of a picture: of a PNG, or of an SVG by its viewBox. */
+export function pictureSize(file) {
+  if (!file.endsWith(".svg")) return pngSize(file);
+  const [, width, height] = /viewBox="0 0 (\d+) (\d+)"/.exec(readFileSync(file, "utf8"));
+  return { width, height };
+}
+
 const linear = Float64Array.from({ length: 256 }, (_, i) => (i / 255 <= 0.04045 ? i / 255 / 12.92 : ((i / 255 + 0.055) / 1.055) ** 2.4));
 const encoded = (value) => Math.round(255 * (value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055));
 

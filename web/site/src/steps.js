@@ -151,6 +151,8 @@ class Workbench {
     this.cause.textContent = this.cause.hidden ? "" : `This looks like: ${result.looks_like_says}`;
     this.back.disabled = [undefined, this.read?.first].includes(this.work.text(this.step.id));
     this.cases.replaceChildren(...result.cases.map((one) => this.caseItem(one, judged)));
+    const after = this.place.closest(".step").querySelector("details.after");
+    if (after && judged) after.open = good;
     if (judged) this.changed();
     if (this.open && judged) this.compare(this.open).catch(this.complain);
   }

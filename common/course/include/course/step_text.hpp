@@ -13,7 +13,11 @@ struct StepText {
   int line = 0;                    ///< of the first marker, counted from 1
   int first_line = 0;              ///< of `lines`
   std::vector<std::string> lines;  ///< from the function's head to the last marker; none without the file
-  std::string task;                ///< the handout's explanation and its "Write:", as plain text; or ""
+  // The handout's, as plain text; "" and none without it.
+  std::string task;                           ///< its explanation and its "Write:"
+  std::string question;                       ///< to be answered before the picture shows it
+  std::vector<std::string> choices, answers;  ///< what may be chosen, and what is said to each
+  std::string after;                          ///< what is said once the step is right
 };
 
 /// Reads the step's file around `line`, and the section "### ID …" of the lab's README.md, both below
