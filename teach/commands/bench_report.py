@@ -5,6 +5,7 @@ import itertools
 import math
 import pathlib
 import re
+import textwrap
 
 from bench_plot import Panel, Plot, Point, escaped, panel_svgs
 from bench_results import ALL_CASES, error, error_name, number_of, over_all_cases, slopes, values_of, without
@@ -225,16 +226,24 @@ def plot_file(lab, index):
     return f"{lab['lab']}-{index + 1}.svg"
 
 
+IN_PAGE_ALONE = ("rms", "covered", "memory")  # columns for which a terminal has no room
+
+
 def terminal_table(of):
+    """Within 80 columns."""
     out = f"\nLab {of.lab['number']}: {of.lab['title']}\n"
     for section in of.sections():
-        rows = [section.head(), *map(section.cells, section.results)]
+        keep = [i for i, name in enumerate(section.head()) if name not in IN_PAGE_ALONE]
+        rows = [[re.sub(r" ns a \w+$| ± .*", "", row[i]) for i in keep] for row in (section.head(), *map(section.cells, section.results))]
+        made = next((one["prepare_of"] for one in section.results if "prepare_ns" in one), "")
+        rows[0] = [f"ns/{made}" if name == "prepared" else name for name in rows[0]]
         widths = [max(map(len, column)) for column in zip(*rows)]
-        out += f"\n  {section.title()}\n"
+        gap = "  " if sum(widths) + 2 * len(widths) <= 80 else " "
+        out += "\n" + textwrap.fill(section.title(), 80, initial_indent="  ", subsequent_indent="    ") + "\n"
         for row in rows:
             cells = [f"{cell:{'<' if i < 2 else '>'}{widths[i]}}" for i, cell in enumerate(row)]
-            out += f"  {'  '.join(cells)}".rstrip() + "\n"
-        out += "".join(f"  {line}\n" for line in section.slope_lines())
+            out += f"  {gap.join(cells)}".rstrip() + "\n"
+        out += "".join(textwrap.fill(line, 80, initial_indent="  ", subsequent_indent="    ") + "\n" for line in section.slope_lines())
     return out
 
 

@@ -14,34 +14,55 @@ course_help() {
   cat <<'TEXT'
 
 For teachers and makers of the course:
-./run starter DIR      write the tree that students start with; see docs/student.md
-./run web --starter    the same pages with the starter's steps, without solutions, into out/web_starter
-./run grade CLASS [..] grade a class: a folder with one folder or archive per student; see docs/instructor.md
-./run course NAME [..] autograder for Gradescope, GitHub workflow, gradebook, similarity; see docs/course.md
-./run test             check the formatting, build, run all tests, and run the parsers' tests with sanitizers
+./run starter DIR      write the tree that students start with; see
+                       docs/student.md
+./run web --starter    the same pages with the starter's steps, without
+                       solutions, into out/web_starter
+./run grade CLASS [..] grade a class: a folder with one folder or archive per
+                       student; see docs/instructor.md
+./run course NAME [..] autograder for Gradescope, GitHub workflow, gradebook,
+                       similarity; see docs/course.md
+./run test             check the formatting, build, run all tests, and run the
+                       parsers' tests with sanitizers
 ./run test N           build, and run the tests of lab N
-./run test ROOM        build, and run the tests of one folder below common or teach, as in ./run test judge
-./run test --all       run all tests, a build by Clang, clang-tidy for the libraries below common/app, a class with
-                       all wrong and all hostile solutions, a Gradescope container, a Slurm cluster, and the last
-                       commit on bare machines of three releases (hours)
-./run bench [N] [args] measure the cost and the error of each method of each lab, into out/bench/index.html
-./run accuracy         the same, into docs/accuracy.md, its plots and docs/accuracy.json, beside a graphics card's figures:
-                       TEXEL_CONTEXT=egl ./run bench --json docs/accuracy_gpu.json measures these
-./run performance      compare the programs with hand-written floor programs, and kernels with plain versions and other
-                       libraries; writes docs/performance.md (about an hour).
-                       --first-run-before TREE and --saves-before TREE also compare what people wait for with earlier
-                       commits' trees, in which ./run build was typed
-./run renderers [args] draw all cases with every renderer of this machine into out/renderers. Each limit must be three
-                       times the spread. Without args it writes docs/renderers.json and the end of docs/accuracy.md.
-                       To include machines with another Mesa, copy their folders into out/renderers first
-./run mutants [args]   make small wrong changes in a copy of the tree, and check that the tests notice. Without args it
-                       writes docs/mutants.md, and goes on where it was cut off (an hour)
-./run marks [N ..]     check that each mistake of the catalogue loses marks, and no right answer does. Without args it
-                       writes docs/marks.md (half an hour)
+./run test ROOM        build, and run the tests of one folder below common or
+                       teach, as in ./run test judge
+./run test --all       run all tests, a build by Clang, clang-tidy for the
+                       libraries below common/app, a class with all wrong and
+                       all hostile solutions, a Gradescope container, a Slurm
+                       cluster, and the last commit on bare machines of three
+                       releases (hours)
+./run bench [N] [args] measure the cost and the error of each method of each
+                       lab, into out/bench/index.html
+./run accuracy         the same, into docs/accuracy.md, its plots and
+                       docs/accuracy.json, beside a graphics card's figures:
+                       TEXEL_CONTEXT=egl ./run bench --json
+                       docs/accuracy_gpu.json measures these
+./run performance      compare the programs with hand-written floor programs,
+                       and kernels with plain versions and other libraries;
+                       writes docs/performance.md (about an hour).
+                       --first-run-before TREE and --saves-before TREE also
+                       compare what people wait for with earlier commits' trees,
+                       in which ./run build was typed
+./run renderers [args] draw all cases with every renderer of this machine into
+                       out/renderers. Each limit must be three times the spread.
+                       Without args it writes docs/renderers.json and the end of
+                       docs/accuracy.md. To include machines with another Mesa,
+                       copy their folders into out/renderers first
+./run mutants [args]   make small wrong changes in a copy of the tree, and check
+                       that the tests notice. Without args it writes
+                       docs/mutants.md, and goes on where it was cut off (an
+                       hour)
+./run marks [N ..]     check that each mistake of the catalogue loses marks, and
+                       no right answer does. Without args it writes
+                       docs/marks.md (half an hour)
 ./run format           format the C++ files
-./run assets           draw the textures, normal maps and cube maps again that are functions
-./run expected [N ..]  draw the expected pictures of check again, with the solutions
-./run docs             write docs/pictures.md and the pictures of README and handouts again
+./run assets           draw the textures, normal maps and cube maps again that
+                       are functions
+./run expected [N ..]  draw the expected pictures of check again, with the
+                       solutions
+./run docs             write docs/pictures.md and the pictures of README and
+                       handouts again
 TEXT
 }
 

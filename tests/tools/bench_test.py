@@ -18,7 +18,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "teach/commands"))
 os.environ["TEXEL"] = sys.argv.pop(1)
 from bench_plot import Panel, Plot, Point, panel_svgs, svg  # noqa: E402
-from bench_report import by_lab  # noqa: E402
+from bench_report import by_lab, terminal_table  # noqa: E402
 from bench_results import ALL_CASES, differences, number_of, over_all_cases, read_lab_output, read_report, slopes, to_json  # noqa: E402
 from course import BIN, Failure, check_tables, program_of, read_labs, text_of  # noqa: E402
 
@@ -187,6 +187,10 @@ class AccuracyReport(unittest.TestCase):
             for file in files:
                 self.assertTrue((made.parent / file).read_bytes() == (ROOT / "docs" / file).read_bytes(), f"{file}: ./run accuracy renews it")
             self.assertEqual(len(list(made.with_suffix("").iterdir())), len(files) - 1)
+
+    def test_fits_a_terminal(self):
+        for of in by_lab(read_labs(), read_report(ROOT / "docs/accuracy.json"), {"results": []}):
+            self.assertEqual([line for line in terminal_table(of).splitlines() if len(line) > 80], [])
 
     def test_has_every_default_on_the_front_and_finite(self):
         """What the labs take by default: finite in every case; and on the front over all cases of its stated truth, which is that of the first

@@ -139,6 +139,9 @@ def main():
     text = DOCUMENT.read_text(encoding="utf-8")
     # One document makes a lab that is not there.
     faults = [f"names {name}, which is not there" for name in missing_files(text)] if DOCUMENT.stem != "adding_a_lab" else []
+    # What visitors see first fits the column of a code host.
+    blocks = re.findall(r"```\w*\n(.*?)```", text, re.DOTALL) if DOCUMENT.parent == pathlib.Path() else []
+    faults += [f"has a block wider than 80 columns: {line}" for block in blocks for line in block.splitlines() if len(line) > 80]
     commands = commands_of(text)
     if not commands:
         faults.append("shows no command")

@@ -90,6 +90,9 @@ class CourseTree(unittest.TestCase):
                     self.assertEqual([mistake[key] for key in ("step", "says")], [catalogue[mistake["name"]][key] for key in ("step", "says")])
                     self.assertLessEqual(set(mistake["cases"]), {case["name"] for case in lab["case"] if case["step"] == mistake["step"]})
 
+    def test_has_a_help_that_fits_a_terminal(self):
+        self.assertEqual([line for line in shell(f"{ROOT}/run help")[1].splitlines() if len(line) > 80], [])
+
     def test_does_not_let_its_solutions_be_reset(self):
         before = pathlib.Path(DECODE).read_bytes()
         code, said = in_course("reset 5.1")

@@ -150,17 +150,19 @@ std::string progress_report(const std::vector<LabResult>& labs, bool colors) {
   const LabResult* next = nullptr;
   std::size_t width = 0;
   for (const LabResult& lab : labs) width = std::max(width, lab.lab.title.size());
+  const char *done = colors ? "█" : "#", *to_do = colors ? "░" : "-", *waits = colors ? "·" : ".";
   for (const LabResult& lab : labs) {
     std::string bar;
     for (const StepResult& step : lab.steps)
-      bar += passed(step) ? paint(kGreen, "#") : step.status == Status::skipped ? "." : "-";
+      bar += passed(step) ? paint(kGreen, done) : step.status == Status::skipped ? waits : to_do;
     bar += std::string(8 - std::min<std::size_t>(8, lab.steps.size()), ' ');
     text += fmt::format("  {:>2}  {:<{}}  {} {:>3g} of {:g} points\n", lab.lab.number, lab.lab.title, width,
                         bar, lab.points(), lab.max_points());
     points += lab.points(), most += lab.max_points();
     if (next == nullptr && next_step(lab) != nullptr) next = &lab;
   }
-  text += fmt::format("  {:g} of {:g} points; # done, - to do, . waits for another step\n", points, most);
+  text += fmt::format("  {:g} of {:g} points; {} done, {} to do, {} waits for another step\n", points, most,
+                      paint(kGreen, done), to_do, waits);
   for (const LabResult& lab : labs)
     for (const std::string& copy : lab.lab.copies)
       text += wrapped(fmt::format("labs/{} is a copy of lab {}: what is written there does not count.", copy,
