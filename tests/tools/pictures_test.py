@@ -34,9 +34,9 @@ def halves(size):
             for i in range(half)]
 
 
-def small(picture):
-    """The middle of a picture, as large as fits into 3:2, at half its size, averaged in linear light, as a file."""
-    width, height = min(picture.width, picture.height * 3 // 2), min(picture.height, picture.width * 2 // 3)
+def small(picture, is_hero):
+    """A picture at half its size, averaged in linear light, as a file; of a hero its middle, as large as fits into 3:2."""
+    width, height = (min(picture.width, picture.height * 3 // 2), min(picture.height, picture.width * 2 // 3)) if is_hero else (picture.width, picture.height)
     left, below, texels = (picture.width - width) // 2, (picture.height - height) // 2, []
     for rows in reversed(halves(height)):
         for columns in halves(width):
@@ -59,16 +59,27 @@ class Pictures(unittest.TestCase):
     def test_of_the_labs_are_of_the_present_code(self):
         for lab in tree.labs():
             hero = next(look for look in lab["look"] if look.get("hero"))
-            drawn, kept = self.folder / "drawn.png", PICTURES / f"{lab['folder']}.png"
-            settings = {name: tree.as_text(value) for name, value in hero.get("set", {}).items()}
-            said = labs.run(BIN / f"lab{lab['lab']}", "--view", hero.get("view", "color"), "--size", hero.get("size", "512x512"), "--snapshot", drawn,
-                            *labs.flags(settings))
-            self.assertEqual(said.returncode, 0, said.stderr)
-            drawn.write_bytes(small(labs.Picture(drawn)))
-            # Mesa 25 is off by up to 0.15 in the mean and 5 in P99: lab 5's pictures are read by the driver's filter.
-            off = self.difference(kept, drawn)
-            self.assertLessEqual(off["mean"], 0.5, f"{kept}: ./run docs renews it")
-            self.assertLessEqual(off["p99"], 15, f"{kept}: ./run docs renews it")
+            self.assert_is_of(PICTURES / f"{lab['folder']}.png", lab, hero, is_hero=True)
+
+    def test_of_the_sources_are_there_and_of_the_present_code(self):
+        names = set()
+        for lab in tree.labs():
+            files = {ROOT / f"docs/source_pictures/{lab['folder']}_{look['name']}.png": look for look in lab["look"] if "source" in look}
+            names |= set(files)
+            self.assert_is_of(*next((file, lab, look) for file, look in files.items()), is_hero=False)  # one a lab: each takes a second
+        self.assertEqual(names, set((ROOT / "docs/source_pictures").iterdir()))
+
+    def assert_is_of(self, kept, lab, look, is_hero):
+        drawn = self.folder / "drawn.png"
+        settings = {name: tree.as_text(value) for name, value in look.get("set", {}).items()}
+        said = labs.run(BIN / f"lab{lab['lab']}", "--view", look.get("view", "color"), "--size", look.get("size", "512x512"), "--snapshot", drawn,
+                        *labs.flags(settings))
+        self.assertEqual(said.returncode, 0, said.stderr)
+        drawn.write_bytes(small(labs.Picture(drawn), is_hero))
+        # Mesa 25 is off by up to 0.15 in the mean and 5 in P99: lab 5's pictures are read by the driver's filter.
+        off = self.difference(kept, drawn)
+        self.assertLessEqual(off["mean"], 0.5, f"{kept}: ./run docs renews it")
+        self.assertLessEqual(off["p99"], 15, f"{kept}: ./run docs renews it")
 
     def test_drawings_are_what_the_program_writes(self):
         subprocess.run([ROOT / "teach/commands/drawings.py", self.folder], check=True)
