@@ -74,7 +74,7 @@ Image8 side_by_side(const std::vector<Image8>& pictures, int zoom) {
   constexpr int kGap = 6;
   const int width = pictures.front().width * zoom, count = static_cast<int>(pictures.size());
   Image8 all(count * width + (count - 1) * kGap, pictures.front().height * zoom, 3);
-  std::fill(all.samples.begin(), all.samples.end(), std::uint8_t{255});
+  std::fill(all.samples.begin(), all.samples.end(), std::uint8_t{128});
   for (int i = 0; i < count; ++i)
     for (int y = 0; y < all.height; ++y)
       for (int x = 0; x < width; ++x)

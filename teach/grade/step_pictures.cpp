@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr course::Size kSize = {200, 200};
+constexpr course::Size kSize = {300, 300};
 
 /// The steps that are solved, as "5.1".
 using Solved = std::set<std::string>;

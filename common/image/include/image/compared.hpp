@@ -30,7 +30,7 @@ Compared compared(const Image8& own, const Image8& expected, double least_scale,
 Compared compared(const ImageF& own, const ImageF& expected, double least_scale, double error,
                   const std::string& view, Unit unit);
 
-/// RGB pictures of one size from left to right, with white gaps of 6 pixels. Each pixel becomes a square of
+/// RGB pictures of one size from left to right, with grey gaps of 6 pixels. Each pixel becomes a square of
 /// `zoom` pixels a side.
 Image8 side_by_side(const std::vector<Image8>& pictures, int zoom = 1);
 
