@@ -134,7 +134,7 @@ def numbers(random):
     corners = [{} for _ in relief.points]
 
     def position(point):
-        weight = (1,) if random.coin() else ()
+        weight = (random.between(0.5, 2),) if random.coin() else ()
         color = random.vector(0, 1) if random.coin() else ()
         return relief.points[point] + weight + color
 
@@ -194,6 +194,9 @@ def shared(random):
     # One triangle once more, above: only v tells its corners from the first one's.
     above = [plus(relief.points[point], (0, 0, 0.3)) for point in (0, 1, relief.columns + 1)]
     faces.append([corner | {"v": text.add("v", place)} for corner, place in zip(faces[0], above)])
+    # And one without area: two of its corners are at the same place, with other texture coordinates.
+    flat = next(corners for corners in faces if corners[0]["vt"] != corners[1]["vt"])
+    faces.append([flat[0], flat[1], flat[1] | {"vt": flat[0]["vt"]}])
     random.shuffle(faces)  # equal corners lie far apart
     for corners in faces:
         text.face(corners)
