@@ -2,6 +2,7 @@
 #include "grade/grader.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -115,6 +116,7 @@ class Student {
 
   /// Whatever happens in one lab is an incident of that lab, and never the end of the class's run.
   void grade(const judge::LabPlan& plan) {
+    record_.begin_lab(entry_, plan);
     std::call_once(once_, [&] { open(); });
     std::vector<course::Case> cases;
     for (const course::Case& one : plan.cases)
@@ -209,8 +211,11 @@ GradeSummary grade_class(const GradeOptions& given, const std::function<void(con
                        "programs of one could leave files for the next; grade on a machine with namespaces");
   for (const fs::path& folder : {options.out, options.out / "pictures", options.cache}) make_folder(folder);
   const FileLock lock(options.out / "lock", true);
-  // Two programs at a time could read each other's files.
-  const unsigned jobs = as_another_user ? 1 : options.jobs > 0 ? options.jobs : processors();
+  // Two programs at a time could read each other's files. A sandbox's memory ends at 1 GiB.
+  const auto memory = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
+                      static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+  const auto most = static_cast<unsigned>(std::max<std::uint64_t>(memory / ProcessLimits().memory, 1));
+  const unsigned jobs = as_another_user ? 1 : options.jobs > 0 ? options.jobs : std::min(processors(), most);
   if (as_another_user) restrict_access(options);
 
   const Stopwatch stopwatch;

@@ -23,26 +23,32 @@ using Files = std::map<std::string, std::string>;
 
 /// All files with steps: the solution's, but the student's step in its own; none where that cannot be put
 /// together. Those of other labs are the starter's: a step may not borrow their solutions.
-std::optional<Files> step_among_solutions(const ClassSetup& setup, const Files& files, const course::Lab& lab,
-                                          const std::string& step) {
-  Files spliced = setup.solution;
-  std::erase_if(spliced, [&](const auto& file) {
-    return file.first.find("/" + lab.folder + "/") == std::string::npos;
-  });
-  for (auto& [path, text] : spliced) {
-    if (!setup.files_of_step.at(step).contains(path)) continue;
-    const auto own = files.find(path);
-    try {
-      text = material::with_step_alone(
-          own == files.end() ? read_file(setup.starter.source / path) : own->second, path, step, text);
-    } catch (const Error&) {  // the markers are the student's
-      return {};
-    }
+std::optional<Files> step_among_solutions(const ClassSetup& setup, Files files, const std::string& step) {
+  for (auto& [path, text] : files) {
+    const std::string& solution = setup.solution.at(path);
+    if (!setup.files_of_step.at(step).contains(path)) {
+      text = solution;
+    } else
+      try {
+        text = material::with_step_alone(text, path, step, solution);
+      } catch (const Error&) {  // the markers are the student's
+        return {};
+      }
   }
-  return spliced;
+  return files;
 }
 
 }  // namespace
+
+Files StudentRun::own_files(const course::Lab& lab) const {
+  Files files;
+  for (const auto& [path, solution] : setup_.solution) {
+    if (path.find("/" + lab.folder + "/") == std::string::npos) continue;
+    const auto own = submission_.files.find(path);
+    files[path] = own == submission_.files.end() ? read_file(setup_.starter.source / path) : own->second;
+  }
+  return files;
+}
 
 Files StudentRun::draw_spliced(const Files& spliced, const judge::LabPlan& plan,
                                const std::vector<course::Case>& cases, const fs::path& out) const {
@@ -65,7 +71,7 @@ Files StudentRun::draw_spliced(const Files& spliced, const judge::LabPlan& plan,
 std::optional<Files> StudentRun::draw_alone(const judge::LabPlan& plan, const std::string& step,
                                             const std::vector<course::Case>& cases,
                                             const fs::path& out) const {
-  const std::optional<Files> spliced = step_among_solutions(setup_, submission_.files, plan.lab, step);
+  const std::optional<Files> spliced = step_among_solutions(setup_, own_files(plan.lab), step);
   if (!spliced) return {};
   std::string fault;
   try {
@@ -78,12 +84,12 @@ std::optional<Files> StudentRun::draw_alone(const judge::LabPlan& plan, const st
   throw Error::failed(fmt::format("the machine failed while step {} was judged alone{}", step, fault));
 }
 
-void StudentRun::judge_alone(const judge::LabPlan& plan, const std::string& step, StepCases& cases) const {
+void StudentRun::judge_alone(const judge::LabPlan& plan, StepCases& cases) const {
   const fs::path out = folder_ / (plan.lab.folder + ".alone");
   std::vector<course::Case> again;
   for (const judge::CaseResult& result : cases.results)
     if (!result.passed()) again.push_back(result);
-  const std::optional<Files> refused = draw_alone(plan, step, again, out);
+  const std::optional<Files> refused = draw_alone(plan, cases.step, again, out);
   for (judge::CaseResult& result : cases.results) {
     if (result.passed()) continue;
     if (!refused) {
@@ -103,6 +109,53 @@ void StudentRun::judge_alone(const judge::LabPlan& plan, const std::string& step
     result.error = verdict.passed ? 0 : coarse_error(verdict.error);
   }
   fs::remove_all(out);
+}
+
+void StudentRun::blame(const judge::LabPlan& plan, std::vector<StepCases>& steps) const {
+  std::vector<course::Case> wrong;
+  std::set<std::string> of_steps, begun;
+  double sum = 0;
+  for (const StepCases& step : steps) {
+    if (begun_.contains(step.step)) begun.insert(step.step);
+    for (const judge::CaseResult& result : step.results)
+      if (begun_.contains(step.step) && !result.passed())
+        return;
+      else if (result.is_alone())
+        wrong.push_back(result), of_steps.insert(result.step), sum += step.wrong.at(result.name);
+  }
+  if (wrong.empty()) return;
+  // What is not begun may be what is wrong with the pictures: it is mended first, and stays so.
+  const fs::path out = folder_ / (plan.lab.folder + ".mended");
+  const auto heals = [&](const std::string& mended) {
+    Files files = own_files(plan.lab);
+    for (auto& [path, text] : files)
+      for (const auto& [step, solved] : course::step_texts(setup_.solution.at(path)))
+        if (step == mended || !begun.contains(step))
+          text = course::with_step_from(text, path, step, setup_.solution.at(path));
+    fs::remove_all(out);
+    static_cast<void>(draw_spliced(files, plan, wrong, out));
+    return std::ranges::all_of(wrong, [&](const course::Case& of) {
+      return check::judge(of, setup_.course->expected(plan, of), out / "pictures" / of.file).passed;
+    });
+  };
+  std::vector<StepCases*> healers;
+  try {
+    if (heals("")) return;
+    for (StepCases& step : steps)
+      if (begun.contains(step.step) && heals(step.step)) healers.push_back(&step);
+  } catch (const Error&) {  // markers are damaged
+  }
+  fs::remove_all(out);
+  if (healers.size() != 1) return;
+  for (judge::CaseResult& result : healers.front()->results) {
+    result.status = judge::CaseStatus::failed,
+    result.score = coarse_score(sum / static_cast<double>(wrong.size()));
+    result.message = fmt::format(
+        "This picture is right, but the step spoils pictures of {}: with it mended, and nothing else, they "
+        "are "
+        "right.",
+        judge::listed({of_steps.begin(), of_steps.end()}));
+  }
 }
 
 double coarse_score(double score) {

@@ -102,6 +102,11 @@ void Record::keep(const Entry& entry, const JudgedCase& judged) {
   ++judged_, ++finished_;
 }
 
+void Record::begin_lab(const Entry& entry, const judge::LabPlan& plan) {
+  const std::scoped_lock lock(mutex_);
+  running_[{entry.id, plan.lab.folder}] = seconds();
+}
+
 void Record::end_lab(const Entry& entry, const judge::LabPlan& plan, const JudgedLab& judged,
                      std::size_t judged_before, const std::string& incident) {
   for (const store::CompilerLog& log : judged.logs) store_->put_log(entry.id, log);
@@ -109,6 +114,8 @@ void Record::end_lab(const Entry& entry, const judge::LabPlan& plan, const Judge
     store_->put_notes(entry.id, plan.lab.folder, judged.notes);
   store_->put_incident(entry.id, plan.lab.folder, incident);
   finished_ += judged_before;
+  const std::scoped_lock lock(mutex_);
+  running_.erase({entry.id, plan.lab.folder});
   progress();
 }
 
@@ -119,14 +126,18 @@ std::size_t Record::incidents() const {
 }
 
 void Record::progress() {
-  const std::scoped_lock lock(mutex_);
   const double now = seconds();
   if (now - said_ < 1 && finished_ < cases_) return;
   said_ = now;
   const double rate = static_cast<double>(judged_) / std::max(now, 1e-3);
   const auto left = static_cast<double>(cases_ - std::min<std::size_t>(cases_, finished_));
-  say_(fmt::format("{} of {} cases, {:.1f} a second, {} left", finished_.load(), cases_, rate,
-                   rate > 0 ? duration_text(left / rate) : "?"));
+  const auto longest = std::ranges::min_element(running_, {}, [](const auto& one) { return one.second; });
+  const bool is_slow = longest != running_.end() && now - longest->second > 10;
+  say_(fmt::format("{} of {} cases, {:.1f} a second, {} left{}", finished_.load(), cases_, rate,
+                   rate > 0 ? duration_text(left / rate) : "?",
+                   is_slow ? fmt::format("; {} runs {} for {}", longest->first.first, longest->first.second,
+                                         duration_text(now - longest->second))
+                           : ""));
 }
 
 }  // namespace texel::grade

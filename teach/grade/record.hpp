@@ -6,6 +6,7 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -39,6 +40,7 @@ class Record {
   /// A student, and the submission where it could be opened. Returns the cases, as "05_normal_map/bumps",
   /// that were judged before.
   std::set<std::string> begin(const Entry& entry, const StudentRun* run);
+  void begin_lab(const Entry& entry, const judge::LabPlan& plan);
   void keep(const Entry& entry, const JudgedCase& judged);
   /// After a lab: of its cases, so many were judged before. `incident` is what kept it from being judged, or
   /// "".
@@ -52,7 +54,7 @@ class Record {
   [[nodiscard]] double seconds() const { return stopwatch_.milliseconds() / 1000; }
 
  private:
-  void progress();
+  void progress();  ///< the caller holds the mutex
   void keep_references() const;
 
   const GradeOptions& options_;
@@ -64,6 +66,7 @@ class Record {
   std::atomic<std::size_t> judged_ = 0, finished_ = 0;
   std::mutex mutex_;
   double said_ = 0;  ///< seconds at which `say_` was called last
+  std::map<std::pair<std::string, std::string>, double> running_;  ///< since when, by student and lab
 };
 
 }  // namespace texel::grade

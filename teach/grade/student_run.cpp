@@ -121,30 +121,32 @@ JudgedLab StudentRun::judge(const judge::LabPlan& plan, const std::vector<Case>&
   if (submission_.fault.empty()) drawn = draw(studio(program, folder_ / "root"), cases, out);
 
   // Step by step: a mistake shows in all pictures of its step.
+  std::vector<StepCases> steps;
   for (const course::Step& step : plan.lab.steps) {
-    StepCases of_step;
-    std::set<std::string> wrong;  // with the student's picture
+    StepCases& of_step = steps.emplace_back(StepCases{step.id, {}, {}, {}});
     for (const Case& one : cases) {
       if (one.step != step.id) continue;
-      of_step.results.push_back(judged(plan, one, program, drawn, out));
-      if (of_step.results.back().passed()) continue;
-      const judge::Failed& failed = of_step.failed[one.name] = failed_by(drawn.refused, one, out);
-      if (!failed.picture.empty()) wrong.insert(one.name);
+      const judge::CaseResult& result = of_step.results.emplace_back(judged(plan, one, program, drawn, out));
+      if (result.passed()) continue;
+      of_step.wrong[one.name] = result.score;
+      of_step.failed[one.name] = failed_by(drawn.refused, one, out);
     }
-    const bool is_begun = submission_.fault.empty() && begun_.contains(step.id);
-    const judge::Mistake* mistake = nullptr;
-    if (is_begun && !of_step.failed.empty()) {
-      if (options_.judge_alone) judge_alone(plan, step.id, of_step);
-      std::erase_if(of_step.failed,
-                    [](const auto& one) { return one.second.picture.empty() && one.second.refused.empty(); });
-      if (!of_step.failed.empty()) mistake = setup_.course->recognize(plan, step.id, of_step.failed);
-    }
-    for (judge::CaseResult& result : of_step.results) {
-      if (mistake != nullptr && of_step.failed.contains(result.name))
-        result.mistake = mistake->name, result.mistake_says = mistake->says;
-      keep({result, wrong.contains(result.name) ? out / result.file : fs::path()});
-    }
+    if (!submission_.fault.empty() || !begun_.contains(step.id) || of_step.failed.empty()) continue;
+    if (options_.judge_alone) judge_alone(plan, of_step);
+    std::erase_if(of_step.failed,
+                  [](const auto& one) { return one.second.picture.empty() && one.second.refused.empty(); });
+    if (of_step.failed.empty()) continue;
+    if (const judge::Mistake* mistake = setup_.course->recognize(plan, step.id, of_step.failed))
+      for (judge::CaseResult& result : of_step.results)
+        if (of_step.failed.contains(result.name))
+          result.mistake = mistake->name, result.mistake_says = mistake->says;
   }
+  if (submission_.fault.empty() && options_.judge_alone) blame(plan, steps);
+  for (const StepCases& of_step : steps)
+    for (const judge::CaseResult& result : of_step.results) {
+      const bool is_wrong = of_step.wrong.contains(result.name) && fs::exists(out / result.file);
+      keep({result, is_wrong ? out / result.file : fs::path()});
+    }
   fs::remove_all(out);
   return {program.refused, drawn.notes};
 }
@@ -172,7 +174,7 @@ std::string StudentRun::fault_of(const Case& of, const Program& program, const c
   if (fault == drawn.faults.end()) return {};
   // Without the grader's own folders.
   std::string text = fault->second;
-  for (const fs::path& folder : {setup_.models, setup_.starter.source, options_.out / "work"})
+  for (const fs::path& folder : {setup_.models, setup_.starter.source, options_.out / "work", options_.cache})
     for (std::size_t at = 0; (at = text.find(folder.string() + "/", at)) != text.npos;)
       text.erase(at, folder.string().size() + 1);
   return text;

@@ -65,13 +65,21 @@ class StudentRun {
                                  const std::filesystem::path& out);
   /// What became of the cases of one step, each judged as the student's tree draws it.
   struct StepCases {
+    std::string step;
     std::vector<judge::CaseResult> results;
     std::map<std::string, judge::Failed> failed;  ///< by the case's name
+    std::map<std::string, double> wrong;          ///< the marks of wrong pictures in the student's tree
   };
   /// Judges the failed cases again, with the solution standing in for all other steps: the better mark
   /// counts. Those that still fail are then the failed ones. Nothing changes but `judged` where it cannot be
   /// done.
-  void judge_alone(const judge::LabPlan& plan, const std::string& step, StepCases& cases) const;
+  void judge_alone(const judge::LabPlan& plan, StepCases& cases) const;
+  /// Where pictures are wrong, but no step that was begun lost a mark: mends one of these steps after the
+  /// other. If all of the pictures become right by one of them and by no other, that step loses, and has
+  /// their mean mark.
+  void blame(const judge::LabPlan& plan, std::vector<StepCases>& steps) const;
+  /// All files with steps of the lab as the student has them.
+  [[nodiscard]] Files own_files(const course::Lab& lab) const;
   /// Draws cases of one step into the folder `out`/pictures, where the solution stands in for all other
   /// steps: in the step's files what stands between their markers is the solution's, and all other files of
   /// the lab, and those that labs share, are the solution's. So the program of a GLSL step has no C++ of the

@@ -38,6 +38,16 @@ std::pair<std::string, std::string> note(const store::StudentResult& student) {
     return {fmt::format("! not finished: {} of {} cases judged", student.judged, student.planned),
             "incident"};
   if (!student.fault.empty()) return {"submission " + student.fault, "failed"};
+  if (student.points() == 0 && !student.ignored.empty())
+    return {"! 0 points, and files were left out", "failed"};
+  // The grader found no step whose mending alone heals the pictures.
+  const auto is_right = [](const judge::StepResult& step) {
+    return step.status == judge::Status::passed || step.is_untouched();
+  };
+  for (const judge::LabResult& lab : student.labs)
+    if (std::ranges::all_of(lab.steps, is_right) &&
+        std::ranges::any_of(lab.steps, [](const auto& step) { return step.any(judge::Judged::alone); }))
+      return {fmt::format("! lab {}: wrong pictures, and no step lost", lab.lab.number), "failed"};
   return student.logs.empty() ? std::pair("", "") : std::pair("does not compile", "failed");
 }
 

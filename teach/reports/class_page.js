@@ -125,14 +125,16 @@ function whoMade({steps, students: makers}) {
 function mistakesSection() {
   const made = mistakesMade();
   const unnamed = students.flatMap((student) => student.labs).flatMap(({steps}) => steps)
-      .filter(({style, mistake}) => (style === 'failed' || style === 'partial') && !mistake).length;
+      .filter(({style, mistake}) => (style === 'failed' || style === 'partial') && !mistake);
+  const bySteps = columns.map(({id}) => [id, unnamed.filter((step) => step.id === id).length]).filter(([, count]) => count > 0);
   const sentence = (rest) => rest.replace(/^[.:; ]+/, '').replace(/^[a-z]/, (c) => c.toUpperCase());
   return html`<section id="mistakes"><h2>Mistakes</h2>
     ${made.length > 0 && html`<ol class="histogram">${made.map((one) => histogramLine(one.students.size, made[0].students.size,
         html`<button type="button" class="pick" data-mistake="${one.name}" title="Show these students">${withCode(one.title)}</button>
           <span class="quiet">${whoMade(one)}</span><p>${withCode(sentence(one.rest))}</p>`))}</ol>`}
-    ${unnamed === 0 && made.length === 0 ? html`<p>None.</p>` :
-      html`<p class="quiet">${counted(unnamed, 'failed step')} ${unnamed === 1 ? 'looks' : 'look'} like no known mistake.</p>`}</section>`;
+    ${unnamed.length === 0 && made.length === 0 ? html`<p>None.</p>` :
+      html`<p class="quiet">${counted(unnamed.length, 'failed step')} ${unnamed.length === 1 ? 'looks' : 'look'} like no known mistake${
+          bySteps.map(([id, count], i) => `${i === 0 ? ': ' : ', '}${id} (${count})`).join('')}.</p>`}</section>`;
 }
 
 function incidentsSection() {

@@ -36,6 +36,7 @@ namespace {
 
 constexpr int start_milliseconds = 30'000;  // bubblewrap needs some ten
 constexpr double end_seconds = 30;          // from the kill until the kernel has taken the sandbox down
+constexpr double idle_seconds = 30;         // without processor time: it waits for itself, or was stopped
 constexpr int watch_milliseconds = 10;      // how often memory and disk are looked at
 constexpr std::size_t most_names = 100'000;
 constexpr std::size_t block_size = 65536;  // what a pipe holds
@@ -281,7 +282,7 @@ Outcome Process::watch(const std::vector<std::filesystem::path>& results) {
   const Stopwatch stopwatch;
   const auto seconds = [&] { return stopwatch.milliseconds() / 1000; };
   Outcome outcome;
-  double stopped_at = 0;
+  double stopped_at = 0, busy_at = 0;
   while (!has_ended()) {
     drain();
     if (outcome.limit != Limit::none) {
@@ -290,8 +291,8 @@ Outcome Process::watch(const std::vector<std::filesystem::path>& results) {
     }
     const Usage usage = usage_of_all(proc_, user_);
     outcome.peak_memory = std::max(outcome.peak_memory, usage.memory);
-    outcome.cpu_seconds = std::max(outcome.cpu_seconds, usage.cpu_seconds);
-    outcome.limit = exceeded(seconds(), usage);
+    if (usage.cpu_seconds > outcome.cpu_seconds) outcome.cpu_seconds = usage.cpu_seconds, busy_at = seconds();
+    outcome.limit = seconds() - busy_at > idle_seconds ? Limit::wall : exceeded(seconds(), usage);
     if (outcome.limit == Limit::none) continue;
     stop();
     stopped_at = seconds();

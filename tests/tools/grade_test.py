@@ -451,6 +451,17 @@ class JudgedAlone(GraderTest):
         self.assertEqual(query(one.out, "SELECT * FROM incidents"), [])
         self.assertEqual([row[3] for row in table_of(one.out)[1:]], ["0", "0", "0"])
 
+    def test_blames_the_step_that_spoils_pictures_of_others_only(self):
+        """Each step of lab 2 is right by itself, but 2.1 puts its object into the first one's place too."""
+        one, file, steps = Class("spoiler", "2"), "labs/02_multi_texture/lab.cpp", {"2.1", "2.2", "2.3", "2.4"}
+        put(one, "jane", file, replaced(students_file(file, steps), "p.texture1, premultiply) : nullptr;\n",
+                                        "p.texture1, premultiply) : nullptr;\n    if (p.unit0_on && p.unit1_on) object0 = object1;\n"))
+        shader = "shaders/02_multi_texture/combine.glsl"
+        put(one, "jane", shader, students_file(shader, steps))
+        self.grade(one, "--format gradescope")
+        self.assertEqual({step: found["status"] for step, found in steps_of(one.out, "jane").items()},
+                         {"2.1": "failed", "2.2": "passed", "2.3": "passed", "2.4": "passed"})
+
     def test_says_why_a_step_without_its_own_markers_was_not(self):
         """8.2 and 8.3 are right and 8.1 is wrong. A comment that looks like a marker changes nothing; a damaged marker of 8.3 costs 8.3 alone."""
         one = Class("markers", "8")

@@ -19,7 +19,7 @@ struct GradeOptions {
   std::filesystem::path build;         ///< and where Ninja built it
   std::filesystem::path cache;         ///< starter, references and programs, shared by all runs
   std::vector<int> labs;               ///< numbers; none for all that have steps
-  unsigned jobs = 0;                   ///< at a time; 0 for as many as there are processors
+  unsigned jobs = 0;                   ///< at a time; 0: one a processor and GiB of memory
   unsigned shard = 1, shards = 1;      ///< of the students, in the order of their ids, every so many-th
   bool resume = false;                 ///< go on where an earlier run was cut off
   Run run = sandbox::run_locked_in;    ///< the students' programs; plainly, where one trusts them
