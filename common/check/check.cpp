@@ -141,6 +141,7 @@ class LabCheck {
     judge::resolve(result, judge(one, ExpectedFiles{result.reference, mask}, own_ / one.file),
                    text_at(drawn_.faults, one.file), untouched_.contains(one.step));
     result.score = result.passed() ? 1 : 0;
+    result.died = drawn_.faults.contains(one.file) && !drawn_.refused.contains(one.file);
     return result;
   }
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/files.hpp"
 #include "core/json.hpp"
 
@@ -62,6 +64,9 @@ std::map<std::string, std::vector<std::string>> changed_since_it_passed(
 void skip_those_that_wait(judge::LabResult& lab,
                           const std::map<std::string, std::vector<std::string>>& changed) {
   std::map<std::string, Before> before;
+  std::vector<std::string> wrong;  // what was begun and is not right: a program ends by one of these
+  for (const judge::StepResult& step : lab.steps)
+    if (step.status == judge::Status::failed && !step.is_untouched()) wrong.push_back(step.id);
   for (judge::StepResult& step : lab.steps) {
     Before& own = before[step.id];
     own.is_passed = step.status == judge::Status::passed;
@@ -70,6 +75,14 @@ void skip_those_that_wait(judge::LabResult& lab,
       step.was_right = true;
       skip(step, found->second, fmt::format("It passed until you changed {}.", judge::listed(found->second)));
       own.is_passed = true;  // its text is right: the steps that need it do not wait for it
+      continue;
+    }
+    const bool died =
+        std::any_of(step.cases.begin(), step.cases.end(), [](const auto& one) { return one.died; });
+    if (died && step.is_untouched() && !wrong.empty()) {
+      skip(step, wrong,
+           fmt::format("The program ended before its pictures were drawn, by what you wrote for {}.",
+                       judge::listed(wrong)));
       continue;
     }
     std::vector<std::string> missing;  // the needs that did not pass

@@ -48,9 +48,12 @@ std::optional<std::string> code_of(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const std::string_view rest = text.substr(i);
     if (rest.starts_with("//")) {
-      const std::size_t end = std::min(text.find('\n', i), text.size());
-      const std::size_t last = text.find_last_not_of(" \t\r", end - 1);
-      if (text[last] == '\\') return {};  // the comment goes on
+      std::size_t end = i, last = 0;
+      do {  // behind a backslash the comment goes on in the next line
+        end = std::min(text.find('\n', end + 1), text.size());
+        last = text.find_last_not_of(" \t\r", end - 1);
+        if (text[last] == '\\' && last + 1 < end) return {};  // compilers differ
+      } while (text[last] == '\\' && end < text.size());
       i = end - 1;
     } else if (rest.starts_with("/*")) {
       const std::size_t end = text.find("*/", i + 2);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/weld.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string_view>
 #include <unordered_map>
 
+#include "core/error.hpp"
 #include "mesh/corner_numbers.hpp"
 #include "mesh/distinct.hpp"
 #include "mesh/normals.hpp"
@@ -51,8 +54,13 @@ Mesh weld(ObjData data) {
   for (const auto& [material, runs] : runs_by_material(data)) {
     const auto first = static_cast<std::uint32_t>(mesh.indices.size());
     for (const auto& [begin, end] : runs)
-      for (std::size_t i = 3 * begin; i < 3 * end; ++i)
+      for (std::size_t i = 3 * begin; i < 3 * end; ++i) {
         mesh.indices.push_back(numbers.number(data.corners[i]));
+        if (mesh.indices.back() >= numbers.distinct().size())
+          throw Error::failed(fmt::format("CornerNumbers::number gave {}, and distinct_ has {} corners",
+                                          mesh.indices.back(), numbers.distinct().size()),
+                              {"labs/03_obj_texcoords/corner_numbers.cpp"});
+      }
     mesh.groups.push_back({material, first, static_cast<std::uint32_t>(mesh.indices.size()) - first});
   }
   if (mesh.groups.size() == 1 && mesh.groups[0].material.empty()) mesh.groups.clear();

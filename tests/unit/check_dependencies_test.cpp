@@ -110,6 +110,16 @@ TEST(Waiting, skips_what_needs_a_step_that_did_not_pass) {
   }
 }
 
+TEST(Waiting, a_program_that_ends_is_the_fault_of_what_was_begun) {
+  judge::LabResult first = lab(1, {{"1.1", true}, {"1.2", false}, {"1.3", false}});
+  for (std::size_t i : {1, 2}) first.steps[i].cases.emplace_back().died = true;
+  first.steps[1].cases[0].status = judge::CaseStatus::untouched;
+  skip_those_that_wait(first, {});
+  EXPECT_EQ(first.steps[1].status, judge::Status::skipped);
+  EXPECT_EQ(first.steps[1].spoilt_by, Steps{"1.3"});
+  EXPECT_EQ(first.steps[2].status, judge::Status::failed);
+}
+
 TEST(Waiting, does_not_skip_a_known_mistake_while_nothing_explains_what_it_needs) {
   const auto steps_with = [](const std::string& mistake_of_first, bool is_untouched) {
     judge::LabResult first =

@@ -60,6 +60,7 @@ struct CaseResult : course::Case {
   std::string picture;  ///< the student's file, relative to the results' folder; "" when there is none or it
                         ///< is as good as the reference
   std::string reference;  ///< the expected one, relative as well; "" where it stays secret
+  bool died = false;      ///< the program ended before it was drawn; only in check
 
   [[nodiscard]] bool passed() const { return status == CaseStatus::passed; }
   [[nodiscard]] bool is_alone() const { return judged == Judged::alone; }
