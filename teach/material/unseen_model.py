@@ -194,9 +194,9 @@ def shared(random):
     # One triangle once more, above: only v tells its corners from the first one's.
     above = [plus(relief.points[point], (0, 0, 0.3)) for point in (0, 1, relief.columns + 1)]
     faces.append([corner | {"v": text.add("v", place)} for corner, place in zip(faces[0], above)])
-    # And one without area: two of its corners are at the same place, with other texture coordinates.
-    flat = next(corners for corners in faces if corners[0]["vt"] != corners[1]["vt"])
-    faces.append([flat[0], flat[1], flat[1] | {"vt": flat[0]["vt"]}])
+    # And one without area: its corners lie on a line along x.
+    y, z = random.vector(0.4, 0.6, 2)
+    faces.append([corner | {"v": text.add("v", (x, y, z))} for corner, x in zip(faces[1], (0.2, 0.3, 0.4))])
     random.shuffle(faces)  # equal corners lie far apart
     for corners in faces:
         text.face(corners)
