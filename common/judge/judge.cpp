@@ -130,18 +130,22 @@ Verdict judge_picture(const Case& of, const Expected& expected, std::string_view
         {.mask = &part, .edge_tolerance = true, .moved_pixels = kMovedPixels, .unit = compared_as(unit)});
     if (difference.p999 > verdict.error || place.empty()) {
       verdict.error = std::max(verdict.error, difference.p999);
-      place = fmt::format("so is the pixel {}, {} from the lower left, in the {}", difference.telling_x,
-                          difference.telling_y, is_object ? "object" : "background");
+      const auto in_part = std::count(part.samples.begin(), part.samples.end(), 255);
+      const auto wrong = std::count_if(difference.pixels.begin(), difference.pixels.end(),
+                                       [&](double pixel) { return pixel > of.limit; });
+      const double share = 100.0 * static_cast<double>(wrong) / static_cast<double>(in_part);
+      place = fmt::format("in {} % of the {}, as at the pixel {}, {} from the lower left",
+                          share < 1 ? "less than 1" : fmt::format("{:.0f}", share),
+                          is_object ? "object" : "background", difference.telling_x, difference.telling_y);
     }
     if (difference.p999 > of.limit) verdict.passed = false;
   }
   verdict.score = verdict.passed ? 1 : non_finite > 0 ? 0 : score(verdict.error / of.limit);
   if (verdict.passed) return verdict;
-  verdict.message =
-      non_finite > 0
-          ? fmt::format("{} pixels are not finite (NaN or infinity).", non_finite)
-          : fmt::format("Off by {} {}, {} times the limit of {}; {}.", short_number(verdict.error),
-                        name_of(unit), short_number(verdict.error / of.limit), short_number(of.limit), place);
+  verdict.message = non_finite > 0
+                        ? fmt::format("{} pixels are not finite (NaN or infinity).", non_finite)
+                        : fmt::format("Off by {} {} {}. At most {} is right.", short_number(verdict.error),
+                                      name_of(unit), place, short_number(of.limit));
   return verdict;
 }
 

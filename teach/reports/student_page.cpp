@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "page.hpp"
 #include "reports/reports.hpp"
@@ -57,7 +58,10 @@ class StudentPage {
     Json steps = Json::array();
     for (const bool begun : {true, false})  // what is not begun comes last
       for (const judge::StepResult& step : lab.steps)
-        if (step.is_untouched() != begun) steps.push_back(details(step));
+        if (step.is_untouched() != begun) {
+          steps.push_back(details(step));
+          steps.back()["judging"] = judging(step) + only_hidden(lab, step);
+        }
     return {{"number", lab.lab.number},
             {"title", lab.lab.title},
             {"points", number(lab.points())},
@@ -66,9 +70,25 @@ class StudentPage {
             {"steps", steps}};
   }
 
+  /// Which parameters the hidden cases change that fail while all public ones pass, or "".
+  static std::string only_hidden(const judge::LabResult& lab, const judge::StepResult& step) {
+    if (step.is_untouched() || count(step.cases, false, false) == 0 || count(step.cases, false, true) > 0 ||
+        count(step.cases, true, true) == 0)
+      return "";
+    std::set<std::string> names;
+    for (const judge::CaseResult& result : step.cases) {
+      const auto graded = std::find_if(lab.lab.cases.begin(), lab.lab.cases.end(),
+                                       [&](const auto& one) { return one.name == result.name; });
+      if (result.passed() || graded == lab.lab.cases.end()) continue;
+      for (const course::Setting& setting : graded->settings) names.insert(setting.parameter);
+      for (const course::Hidden& hidden : graded->hidden_settings) names.insert(hidden.parameter);
+    }
+    return fmt::format(" It is right in the cases that you can check, and wrong with other settings of {}.",
+                       judge::listed({names.begin(), names.end()}));
+  }
+
   Json details(const judge::StepResult& step) {
     Json data = step_data(step);
-    data["judging"] = judging(step);
     data["isUntouched"] = step.is_untouched();
     // Of a submission with a fault no step has more to say.
     data["isExplained"] =

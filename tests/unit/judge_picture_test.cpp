@@ -118,7 +118,7 @@ TEST_F(JudgeOfPictures, passes_up_to_the_limit_and_what_a_gpu_rounds_and_no_furt
 
 TEST_F(JudgeOfPictures, says_by_how_much_a_direction_is_off) {
   const Verdict off = judged(course::View::normal, 0.1, directions(0), directions(0.3));
-  EXPECT_TRUE(off.message.starts_with("Off by 0.3 degrees, 3 times the limit of 0.1;")) << off.message;
+  EXPECT_TRUE(off.message.starts_with("Off by 0.3 degrees in 100 % of the object")) << off.message;
 }
 
 TEST_F(JudgeOfPictures, sees_a_wrong_background_of_one_pixel) {
@@ -172,7 +172,7 @@ TEST_F(JudgeOfPictures, names_a_pixel_that_has_the_error_that_is_told) {
   EXPECT_NEAR(verdict.error, difference.p999, 1e-7);
   EXPECT_NEAR(wrong.at(difference.telling_x, difference.telling_y, 0), verdict.error, 1e-7);
   EXPECT_NE(verdict.message.find(
-                fmt::format("so is the pixel {}, {} ", difference.telling_x, difference.telling_y)),
+                fmt::format("as at the pixel {}, {} ", difference.telling_x, difference.telling_y)),
             std::string::npos)
       << verdict.message;
   // The same pixel of the picture that is shown, and the same figure.
