@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: MIT
-// The right answer of lab 9: the direction that the bumpy mirror shows. In double precision, a ray meets the
-// exact sphere, the relief's slope comes from the formula that the normal map was made from, by its exact
-// derivatives, and the ray is reflected at the normal that follows. See teach/truth/include/truth/relief.hpp
-// for the two normals: as a height field (Blinn's, and Mikkelsen's surface gradient) or as a map read in the
-// frame of u and v.
+// The right answer of lab 9: the direction that the bumpy mirror shows, or the mean of its colours over a
+// pixel. In double precision, a ray meets the exact sphere, the relief's slope comes from the formula that
+// the normal map was made from, by its exact derivatives, and the ray is reflected at the normal that
+// follows. See teach/truth/include/truth/relief.hpp for the two normals: as a height field (Blinn's, and
+// Mikkelsen's surface gradient) or as a map read in the frame of u and v.
 #include <glm/gtc/constants.hpp>
 
 #include "09_bump/parameters.hpp"
 #include "answers/basis.hpp"
 #include "answers/camera.hpp"
+#include "answers/color.hpp"
 #include "answers/relief.hpp"
 #include "app/answer.hpp"
 #include "truth/optics.hpp"
 
 namespace texel::bump {
 namespace {
+
+enum class TruthOf { height_field, baked_map, color };
+constexpr params::Item kTruths[] = {
+    answers::kReliefTruths[0],
+    answers::kReliefTruths[1],
+    {"color", "The mean, over the pixel, of what the rays of the baked map show, in 8-bit levels"}};
 
 /// The method's basis, at directions all around: the cost of a frame alone is too small to see in the time of
 /// a picture, so the benchmark runs the same function on the CPU many times.
@@ -44,17 +51,18 @@ app::Preparation bases_around(Method method) {
 struct Answer final : app::Answer<BumpParameters> {
   void declare(params::Set& set) override {
     set.section("Error");
-    set.add(relief_, {"truth", answers::ReliefTruth::baked_map, answers::kReliefTruths,
-                      "What the view error compares with"});
+    set.add(truth_of_, {"truth", TruthOf::baked_map, kTruths, "What the view error compares with"});
   }
   [[nodiscard]] std::vector<std::string_view> methods() const override {
     return {"method", "mip_filter", "incident", "rings", "segments"};
   }
   [[nodiscard]] app::Measure measure(const BumpParameters& /*parameters*/) const override {
-    return {app::View::direction, app::Unit::degrees, answers::name_of(relief_)};
+    if (truth_of_ == TruthOf::color)
+      return {app::View::color, app::Unit::steps, "the mean of what the exact relief shows over the pixel"};
+    return {app::View::direction, app::Unit::degrees, answers::name_of(relief())};
   }
-  /// Unit vectors in the world, as the view `direction` has them. Empty for a normal map from a file: its
-  /// formula is not known.
+  /// Unit vectors in the world, as the view `direction` has them; or colours in 8-bit levels. Empty for a
+  /// normal map or, for colours, a cube map whose formula is not known.
   [[nodiscard]] app::Truth truth(const BumpParameters& p, glm::ivec2 size) const override {
     const auto gradient = answers::height_gradient(p.normal_mapping ? p.normal_map : "flat");
     if (!gradient) return {};
@@ -66,24 +74,36 @@ struct Answer final : app::Answer<BumpParameters> {
     const truth::TexcoordMap worksheet{.linear = glm::dmat2(-repeats), .offset = {0, repeats}};
     const truth::Surface surface = truth::placed(truth::reparameterized(truth::sphere(), worksheet), ball);
     // The relief is as high as a map must be that fits the half meridian `repeats` times: no stretch along v.
-    const answers::Relief relief{relief_, *gradient, p.bump_strength, glm::pi<double>() / repeats};
+    const answers::Relief relief{this->relief(), *gradient, p.bump_strength, glm::pi<double>() / repeats};
 
-    return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
+    const auto see = [=](glm::dvec2 window, bool mean) -> std::optional<glm::dvec3> {
       const truth::PixelRay pixel = truth::pixel_ray(camera, window);
       const auto hit = truth::hit_sphere(truth::object_ray(pixel.ray, ball));
       if (!hit) return std::nullopt;
       const glm::dvec2 texcoord = worksheet.texcoord(hit->texcoord);
-      const auto normal = relief.mean_normal(pixel, surface(texcoord), texcoord);
+      const auto normal = mean ? relief.mean_normal(pixel, surface(texcoord), texcoord)
+                               : relief.normal(surface(texcoord), texcoord);
       if (!normal) return std::nullopt;
       return truth::reflected(pixel.ray.direction, *normal);
     };
+    if (truth_of_ != TruthOf::color) return [=](glm::dvec2 window) { return see(window, true); };
+    const auto environment = answers::cube_map_color(p.cube_map);
+    if (!environment) return {};
+    return answers::mean_in_steps([=](glm::dvec2 window) {
+      const auto seen = see(window, false);
+      return seen ? glm::dvec4(environment(*seen), 1) : glm::dvec4(0);
+    });
   }
   [[nodiscard]] std::optional<app::Preparation> preparation(const BumpParameters& p) const override {
     return bases_around(p.method);
   }
 
  private:
-  answers::ReliefTruth relief_{};
+  [[nodiscard]] answers::ReliefTruth relief() const {
+    return truth_of_ == TruthOf::height_field ? answers::ReliefTruth::height_field
+                                              : answers::ReliefTruth::baked_map;
+  }
+  TruthOf truth_of_{};
 };
 
 const bool known = app::know<BumpParameters, Answer>();

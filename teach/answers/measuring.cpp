@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 #include <limits>
 
+#include "answers/camera.hpp"
 #include "app/lab.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
@@ -138,11 +139,52 @@ ErrorFigures figures_of(const image::ImageF& error, const image::ImageF& truth) 
   const auto count = static_cast<double>(values.size());
   figures.mean = sum / count;
   figures.rms = std::sqrt(squares / count);
-  const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.99 * count)) - 1;
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  figures.p99 = values[static_cast<std::size_t>(rank)];
-  figures.max = *std::max_element(values.begin() + rank, values.end());
+  const auto quantile = [&](double q) {  // nearest rank
+    const auto rank = static_cast<std::ptrdiff_t>(std::ceil(q * count)) - 1;
+    std::nth_element(values.begin(), values.begin() + rank, values.end());
+    return values[static_cast<std::size_t>(rank)];
+  };
+  figures.median = quantile(0.5);
+  figures.p99 = quantile(0.99);
+  figures.max = quantile(1);
   return figures;
+}
+
+void tell_outlines_apart(ErrorFigures& figures, const image::ImageF& error, const image::ImageF& picture,
+                         const image::ImageF& truth, const Measure& measure) {
+  if (figures.pixels == figures.non_finite) return;
+  float most = 0;
+  for (int y = 0; y < error.height; ++y)
+    for (int x = 0; x < error.width; ++x) {
+      float least = error.at(x, y, 3) == 0 ? 0 : error.at(x, y, 0);
+      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, error.height - 1) && least > most; ++v)
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, error.width - 1); ++u)
+          if (truth.at(u, v, 3) != 0)
+            least = std::min(
+                least, static_cast<float>(error_of(value_at(picture, x, y), value_at(truth, u, v), measure)));
+      if (least > most) most = least;  // not a NaN
+    }
+  figures.max_aside = static_cast<double>(most);
+  for (std::size_t i = 0; i < error.samples.size(); i += 4)
+    if (error.samples[i + 3] != 0 && error.samples[i] > most) ++figures.outline_pixels;
+}
+
+double truth_error(const image::ImageF& picture, const Truth& truth, const Measure& measure) {
+  constexpr int kEach = 5;  // of the rows, and of the pixels in them
+  place_shift = {0x9e3779b9U, 0x7f4a7c15U};
+  double squares = 0;
+  int count = 0;
+  for (int y = 0; y < picture.height; y += kEach)
+    for (int x = y % kEach; x < picture.width; x += kEach) {
+      if (picture.at(x, y, 3) == 0) continue;
+      const std::optional<glm::dvec3> other = truth(glm::dvec2(x + 0.5, y + 0.5));
+      if (!other) continue;
+      const double apart = error_of(value_at(picture, x, y), *other, measure);
+      squares += apart * apart;
+      ++count;
+    }
+  place_shift = {0, 0};
+  return std::sqrt(squares / (2 * std::max(count, 1)));
 }
 
 double round_up(double value) {
@@ -201,13 +243,16 @@ class TheMeasuring final : public app::Measuring {
       const int end = std::min(rows_ + kRows, size.y);
       add_truth_rows(truth_, truth, rows_, end);
       rows_ = end;
+      if (rows_ == size.y) truth_error_ = truth_error(truth_, truth, *lab.measure());
     }
     return static_cast<double>(rows_) / size.y;
   }
   [[nodiscard]] app::Measured measured(const image::ImageF& picture, const Measure& measure,
                                        double scale) const override {
     image::ImageF error = error_picture(picture, truth_, measure);
-    const ErrorFigures figures = figures_of(error, truth_);
+    ErrorFigures figures = figures_of(error, truth_);
+    figures.truth_error = truth_error_;
+    tell_outlines_apart(figures, error, picture, truth_, measure);
     image::Image8 map = error_map(error, scale > 0 ? scale : round_up(figures.p99), measure.unit);
     return {std::move(error), figures, std::move(map)};
   }
@@ -220,6 +265,7 @@ class TheMeasuring final : public app::Measuring {
   std::string key_;  ///< of which look truth_ is
   image::ImageF truth_;
   int rows_ = 0;  ///< so many of its rows are there
+  double truth_error_ = 0;
 };
 
 const bool known = [] {

@@ -115,7 +115,8 @@ constexpr struct {
   int size, samples;
   glm::dvec3 (*color)(glm::dvec3 direction);
 } kCubeMaps[] = {{"labelled", 256, 6, procedural::labelled_color},
-                 {"smooth", 128, 4, procedural::smooth_color}};
+                 {"smooth", 128, 4, procedural::smooth_color},
+                 {"smooth_5", 5, 64, procedural::smooth_color}};
 
 void make_all(const fs::path& folder) {
   const auto save = [&](const fs::path& file, const image::Image8& picture) {

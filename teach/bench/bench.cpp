@@ -15,6 +15,14 @@
 #include "course/batch.hpp"
 #include "gl/objects.hpp"
 
+#if __has_include(<valgrind/callgrind.h>)
+#include <valgrind/callgrind.h>
+#else
+#define CALLGRIND_START_INSTRUMENTATION
+#define CALLGRIND_STOP_INSTRUMENTATION
+#define CALLGRIND_DUMP_STATS
+#endif
+
 namespace texel::bench {
 namespace {
 
@@ -72,11 +80,34 @@ class Bench {
  public:
   Bench(app::Canvas& canvas, app::AnyLab& lab) : canvas_(canvas), lab_(lab), start_(lab.parameters()) {}
 
+  /// What a frame of each combination of the case executes: under callgrind a dump for each, in their order.
+  void count(const BenchCase& c) {
+    for (const app::Settings& values : combinations(c, lab_.parameters())) {
+      select(c, values);
+      for (int frame = 0; frame < 3; ++frame) {  // after the first two, all is loaded
+        if (frame == 2) CALLGRIND_START_INSTRUMENTATION;
+        canvas_.draw(app::View::color, app::pixels(c.size), 1);
+        glFinish();
+      }
+      CALLGRIND_STOP_INSTRUMENTATION;
+      CALLGRIND_DUMP_STATS;
+    }
+  }
+
   /// One result for each combination of the case.
-  std::vector<Json> run(const BenchCase& c, double seconds) {
+  std::vector<Json> run(const BenchCase& c, double seconds, bool errors) {
     const std::vector<app::Settings> variants = combinations(c, lab_.parameters());
     std::vector<Json> results;
-    for (const app::Settings& values : variants) results.push_back(measured(c, values));
+    for (const app::Settings& values : variants) {
+      select(c, values);
+      Json& result = results.emplace_back(errors ? measured(c) : Json::object());
+      result.update({{"case", c.name},
+                     {"parameter", joined(values, true)},
+                     {"method", joined(values, false)},
+                     {"frame_ns", Json::array()}});
+      if (const auto preparation = lab_.preparation(canvas_.assets()))
+        result["prepare_of"] = preparation->element;
+    }
     const Stopwatch stopwatch;
     constexpr std::size_t kFewest = 5, kMost = 50;
     for (std::size_t round = 0; seconds > 0 && round < kMost; ++round) {
@@ -96,9 +127,8 @@ class Bench {
     for (const auto& [name, value] : values) lab_.parameters().at(name).set(value);
   }
 
-  /// Its error, and no times yet.
-  Json measured(const BenchCase& c, const app::Settings& values) {
-    select(c, values);
+  /// The error of what is selected, and the bytes that it reads.
+  Json measured(const BenchCase& c) {
     const gl::Record record = canvas_.record(app::View::error, app::pixels(c.size), 1);
     const app::ErrorFigures& figures = *canvas_.error_figures();
     if (figures.pixels == 0) throw Error::failed(fmt::format("case '{}': {}", c.name, figures.reason));
@@ -106,13 +136,7 @@ class Bench {
     for (const auto& use : record.attributes) bytes += use.bytes;
     for (const auto& use : record.textures) bytes += use.bytes;
     Json result = parse_json(app::to_json(lab_, figures));
-    result.update({{"case", c.name},
-                   {"parameter", joined(values, true)},
-                   {"method", joined(values, false)},
-                   {"bytes", bytes},
-                   {"frame_ns", Json::array()}});
-    if (const auto preparation = lab_.preparation(canvas_.assets()))
-      result["prepare_of"] = preparation->element;
+    result["bytes"] = bytes;
     return result;
   }
 
@@ -164,6 +188,8 @@ BenchList parse_bench(const std::string& list) {
   try {
     const Json json = parse_json(list);
     result.seconds = json.value("seconds", result.seconds);
+    result.errors = json.value("errors", true);
+    result.counts = json.value("counts", false);
     for (const Json& one : json.at("cases")) ++number, result.cases.push_back(parse_case(one));
   } catch (const std::exception& error) {
     throw Error::usage(number == 0 ? error.what() : fmt::format("case {}: {}", number, error.what()));
@@ -193,8 +219,13 @@ std::string run_bench(app::Canvas& canvas, app::AnyLab& lab, const BenchList& li
   Json output = {{"renderer", canvas.context().name()}, {"results", Json::array()}};
   std::size_t number = 0;
   for (const BenchCase& c : list.cases) {
+    if (list.counts) {
+      bench.count(c);
+      continue;
+    }
     fmt::print(stderr, "  case {} of {}: {}\n", ++number, list.cases.size(), c.name);
-    for (Json& result : bench.run(c, list.seconds)) output["results"].push_back(std::move(result));
+    for (Json& result : bench.run(c, list.seconds, list.errors))
+      output["results"].push_back(std::move(result));
   }
   return to_text(output, 2) + "\n";
 }

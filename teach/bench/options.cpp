@@ -25,7 +25,7 @@ class Options final : public start::MoreOptions {
   [[nodiscard]] bool prepare(app::AnyLab& lab) override {
     if (bench_.empty()) return false;
     list_ = read_bench(lab, bench_);
-    return !list_.cases.empty() && list_.seconds > 0;
+    return !list_.cases.empty() && (list_.seconds > 0 || list_.counts);
   }
   void run(app::Canvas& canvas, app::AnyLab& lab, glm::ivec2 size) override {
     canvas.set_error_scale(error_scale_);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Error against cost, as tables in the terminal, as a page, and as docs/accuracy.md with its plots."""
+"""Error against cost, as tables in the terminal, as a page, and as docs/accuracy.md with its plots and tables."""
 import dataclasses
 import itertools
 import math
@@ -13,24 +13,48 @@ from course import ROOT
 
 PICTURES = "pictures"  # the folder of the page's pictures, beside the page; each lab has one below it
 SIDE = 200  # of those, in pixels
+GOES = 4  # the cases of a lab whose costs have not parted are timed again, so often
 
-INTRODUCTION = """# Speed against error
+INTRODUCTION = """# What we learned
 
-Every method of every lab on its easy and hard cases: how far it is from the exact answer in double precision,
-and what a frame costs, as `./run accuracy` measured on {}.
+How far each method of each lab is from the exact answer in double precision, and what a frame costs, as `./run accuracy` measured
+on {}. Each lab has its figures on a page of its own, made by the same command.
 `./run bench` measures on your machine and writes `out/bench/index.html`: point at a dot there to see more.
 
-A filled dot, ● in the tables, is on the Pareto front: no other method of the case is cheaper and as close, or closer and as cheap.
-Colours are ranked by the rms of their error, everything else by the mean.
-A picture has 256x256 pixels, or what its case says, and one sample in each. `max` is often one pixel at a silhouette; `P99` leaves
-the worst hundredth out. `covered` is the part of the exact object's pixels in which the method draws something.
-`frame` is the median of interleaved rounds, {} to {} of them. `ratio` is that time over the time of the case's cheapest method, ± half \
-the interval in which the median lies with 95 %.
-Costs whose intervals overlap (at least 3 %) and errors within 2 % count as equal. `memory` holds vertices, indices and textures.
+A filled dot is on the Pareto front: no other method of the case is cheaper and as close, or closer and as cheap.
+Colours are ranked by the rms of their error, everything else by the mean. The line through a dot goes from the median of its
+pixels' errors to their 99th percentile. A picture has 256x256 pixels, or what its case says, and one sample in each.
+
+**What a method costs is counted in instructions.** Times do not repeat: two runs after each other disagreed about the front in 6 of 44
+cases, whatever counted as equal. So `callgrind` counts what the software renderer executes for one frame, with its vertices,
+rasterising, shading and the texels that a filter reads. The count has no model and no weights in it, and two runs differ by less
+than 0.01 %. It knows nothing of a cache that misses, and one instruction may work on eight pixels at once.
+The time stands beside it, with the interval in which its median lies with 95 %. Frames are timed in rounds, each method once in a
+round; rounds are added until all intervals part, or after {} goes ({} to {} rounds).
+A graphics card counts nothing. There the times rank, and methods whose intervals overlap cost the same.
 """
 
-GPU = """`ratio, GPU` is the ratio by a graphics card, {}, by its own clock.
+TABLES = """# {} {}: figures
+
+Measured by `./run accuracy` on {}. [What we learned](../accuracy.md) says how.
+
+● is on the Pareto front of instructions and error; in the column `memory`, on that of bytes and error. Counts within 1 % and
+errors within 2 % are equal. `max aside` is the largest error where each pixel may show what is right one pixel aside, and then in
+brackets how many pixels are beyond it: a mesh has its outline elsewhere than the exact surface, and these pixels show that alone.
+`covered` is the part of the exact object's pixels in which the method draws something. `instructions` are those of a frame, in
+millions. `frame` is the median of the rounds, `ratio` that time over the time of the case's cheapest method, ± half the interval
+in which its median lies with 95 %. `memory` holds vertices, indices and textures.
+"""
+
+GPU = """`ratio, GPU` is the ratio by a graphics card, {}, by its own clock; ● there is the front of its times and errors.
 A frame takes it {:.2f} to {:.2f} ms, a good part of which is the same for all methods. In {} of {} rows its error is within 10 % of the one here.
+"""
+
+OTHER_RENDERERS = """
+## Other renderers
+
+[All renderers that were tried]({0}/renderers.md) shows how far they are from each other, and the room that limits leave them.
+The pages of figures have a column for a graphics card, {1}.
 """
 
 PAGE = """<!doctype html>
@@ -39,8 +63,9 @@ PAGE = """<!doctype html>
 {style}</style></head><body>
 <div class="masthead"><h1>Speed against error</h1><p>Every method of every lab on its easy and hard cases: how far it is from \
 the exact answer, and what a frame costs. Further left is cheaper, further down is closer to the truth. A filled dot is on the \
-Pareto front: no method is both cheaper and closer. Point at a dot to see its picture, and where its error is. \
-Measured on {renderer}.</p></div>
+Pareto front: no other method is cheaper and as close, or closer and as cheap. The lines through a dot are intervals: upwards from the \
+median of its pixels' errors to their 99th percentile, and across, where times rank, the interval in which its time lies. \
+Point at a dot to see its picture, and where its error is. Measured on {renderer}.</p></div>
 <nav><ol>
 {links}</ol></nav>
 <main>
@@ -96,6 +121,14 @@ def ratio(one):
     return "" if one is None or one["cost_ns"] is None else f"{one['cost_ratio']:.2f} ± {one['cost_ratio'] * one['cost_spread']:.2f}"
 
 
+def millions(count):
+    return "" if count is None else f"{count / 1e6:.3g}"
+
+
+def dot(is_on_front):
+    return "●" if is_on_front else ""
+
+
 @dataclasses.dataclass
 class Section:
     """The results of one case, as a table and in words."""
@@ -116,20 +149,32 @@ class Section:
 
     def columns(self):
         """{head: the cell of a result}."""
-        columns = {"": lambda one: "●" if one["pareto"] else "",
+        def any_has(key):
+            return any(one[key] is not None for one in self.results)
+
+        def aside(one):
+            return "" if one["max_aside"] is None else figure(one["max_aside"]) + f" ({one['outline_pixels']})" * (one["outline_pixels"] > 0)
+
+        columns = {"": lambda one: dot(one["pareto"]),
                    self.results[0]["parameter"]: lambda one: one["method"],
                    "mean": lambda one: figure(one["mean"]),
                    "rms": lambda one: figure(one["rms"]),
+                   "median": lambda one: "" if one["median"] is None else figure(one["median"]),
                    "P99": lambda one: figure(one["p99"]),
                    "max": lambda one: figure(one["max"]),
-                   "covered": covered,
-                   "frame": lambda one: "" if one["cost_ns"] is None else f"{one['cost_ns'] / 1e6:.2f} ms",
-                   "ratio": ratio}
+                   "max aside": aside,
+                   "covered": covered}
+        if any_has("error_low"):
+            columns[f"{self.results[0]['cameras']} cameras"] = lambda one: f"{figure(one['error_low'])} to {figure(one['error_high'])}"
+        if any_has("instructions"):
+            columns["instructions"] = lambda one: millions(one["instructions"])
+        if any_has("cost_ns"):
+            columns |= {"frame": lambda one: "" if one["cost_ns"] is None else f"{one['cost_ns'] / 1e6:.2f} ms", "ratio": ratio}
         if self.of.by_gpu:
-            columns["ratio, GPU"] = lambda one: ratio(self.of.by_gpu_of(one))
-        if any("prepare_ns" in one for one in self.results):
-            columns["prepared"] = lambda one: f"{one['prepare_ns']:.3g} ns a {one['prepare_of']}" if "prepare_ns" in one else ""
-        return columns | {"memory": lambda one: bytes_text(one["bytes"])}
+            columns["ratio, GPU"] = lambda one: f"{ratio(self.of.by_gpu_of(one))} {dot((self.of.by_gpu_of(one) or {'pareto': None})['pareto'])}".strip()
+        if any_has("prepare_ns"):
+            columns["prepared"] = lambda one: "" if one["prepare_ns"] is None else f"{one['prepare_ns']:.3g} ns a {one['prepare_of']}"
+        return columns | {"memory": lambda one: f"{bytes_text(one['bytes'])} {dot(one['pareto_bytes'])}".strip()}
 
     def head(self):
         return list(self.columns())
@@ -137,13 +182,19 @@ class Section:
     def cells(self, one):
         return [cell(one) for cell in self.columns().values()]
 
-    def slope_lines(self):
-        found = slopes(self.bench, self.of.results) if self.bench else {}
-        if not found:
-            return []
-        number = list(self.bench["vary"])[number_of(self.bench)]
-        parts = ", ".join(f"{series + ' ' if series else ''}{exponent:+.2f}" for series, exponent in found.items())
-        return [f"{error_name(self.results[0])} error ~ {number} ^ exponent, fitted: {parts}."]
+    def notes(self):
+        """What is to be said of the whole table: its rounds, how far off the truth itself is, and how fast errors fall."""
+        first, rounds = self.results[0], [one["rounds"] for one in self.results if one["rounds"]]
+        lines = [f"{min(rounds)} rounds."] if rounds else []
+        if first["truth_error"] is not None:
+            lines.append("The truth has no samples." if first["truth_error"] < 1e-4 else
+                         f"The truth itself is {figure(first['truth_error'])} {first['unit']} off (rms).")
+        for name, of_error in (((error_name(first), error), ("largest", lambda one: one["max_aside"])) if self.bench else ()):
+            if found := slopes(self.bench, self.of.results, of_error):
+                number = list(self.bench["vary"])[number_of(self.bench)]
+                parts = ", ".join(f"{series + ' ' if series else ''}{exponent:+.2f}" for series, exponent in found.items())
+                lines.append(f"{name} error ~ {number} ^ exponent, fitted: {parts}.")
+        return [" ".join(lines)] if lines else []
 
     def error_label(self):
         return f"{error_name(self.results[0])} error, {self.results[0]['unit']}"
@@ -164,13 +215,24 @@ def pictures_of(bench, one):
 
 def hover(one):
     lines = [one["method"], one["case"], f"mean {figure(one['mean'])} P99 {figure(one['p99'])} max {figure(one['max'])} {one['unit']}"]
+    if one["error_low"] is not None:
+        lines.append(f"{figure(one['error_low'])} to {figure(one['error_high'])} over {one['cameras']} cameras")
     if one["non_finite"]:
         lines.append(f"{one['non_finite']} pixels not finite")
+    if one["instructions"]:
+        lines.append(f"{millions(one['instructions'])} million instructions a frame")
     if one["cost_ns"] is not None:
-        lines.append(f"{one['cost_ns'] / 1e6:.2f} ms a frame, {one['cost_ratio']:.2f} times the cheapest")
+        lines.append(f"{one['cost_ns'] / 1e6:.2f} ms a frame, {ratio(one)} times the quickest in {one['rounds']} rounds")
     if one["pareto"]:
         lines.append("on the Pareto front")
     return "\n".join(lines)
+
+
+def interval_of(one):
+    """From the median of the pixels' errors to their 99th percentile; over cameras, from the smallest to the largest error."""
+    if one["error_low"] is not None:
+        return one["error_low"], one["error_high"]
+    return (one["median"], one["p99"]) if one["median"] is not None else None
 
 
 def number_plot(section, number):
@@ -186,22 +248,39 @@ def number_plot(section, number):
             names.append(name)
         line = names.index(name)
         panel.lines[line][0].append(len(panel.points))
-        panel.points.append(Point(float(values[number]), error(one), line, True, "", hover(one), section.pictures(one)))
+        panel.points.append(Point(float(values[number]), error(one), line, True, "", hover(one), section.pictures(one),
+                                  interval_of(one)))
     for name, (points, _) in zip(names, panel.lines):  # at its last dot
         panel.points[points[-1]].label = name
     return Plot(list(section.bench["vary"])[number], section.error_label(), [panel])
 
 
-def cost_panel(section, methods):
+def cost_panel(section, methods, in_counts):
     """Error against cost, with a line along the front. A method has its color in all panels."""
     panel = Panel(section.name, is_hard=section.bench.get("hard", False))
     for one in section.results:
-        if one["cost_ns"] is not None:
+        cost = one["instructions"] and one["instructions"] / 1e6 if in_counts else one["cost_ratio"]
+        if cost:
+            spread = None if in_counts else (cost * (1 - one["cost_spread"]), cost * (1 + one["cost_spread"]))
             number = methods.setdefault(one["method"], len(methods))
-            panel.points.append(Point(one["cost_ns"] / 1e6, error(one), number, one["pareto"], one["method"], hover(one), section.pictures(one)))
+            panel.points.append(Point(cost, error(one), number, bool(one["pareto"]), one["method"], hover(one), section.pictures(one),
+                                      interval_of(one), spread))
     front = [i for i, point in enumerate(panel.points) if point.filled]
     panel.lines.append((sorted(front, key=lambda i: panel.points[i].x), None))
     return panel
+
+
+def costs_label(of):
+    """What the cost axes of a lab's plots show: what its marks hang on."""
+    return "million instructions a frame" if all(one["instructions"] for one in of.results) else "time of a frame, times the quickest"
+
+
+def main_plot(of):
+    """The lab's one plot: of the case that its lab.toml chooses, else of its first."""
+    section = next((each for each in of.sections() if each.bench and each.bench.get("plot")), of.sections()[0])
+    if (number := number_of(section.bench)) is not None:
+        return number_plot(section, number)
+    return Plot(costs_label(of), section.error_label(), [cost_panel(section, {}, costs_label(of).startswith("million"))])
 
 
 def plots(of):
@@ -215,8 +294,8 @@ def plots(of):
             number_plots.append(number_plot(section, number))
             continue
         key = section.results[0]["parameter"], section.results[0]["unit"]
-        plot, methods = cost_plots.setdefault(key, (Plot("milliseconds a frame", section.error_label()), {}))
-        if (panel := cost_panel(section, methods)).points:
+        plot, methods = cost_plots.setdefault(key, (Plot(costs_label(of), section.error_label()), {}))
+        if (panel := cost_panel(section, methods, costs_label(of).startswith("million"))).points:
             plot.panels.append(panel)
     return [plot for plot, _ in cost_plots.values() if plot.panels] + number_plots
 
@@ -226,16 +305,16 @@ def plot_file(lab, index):
     return f"{lab['lab']}-{index + 1}.svg"
 
 
-IN_PAGE_ALONE = ("rms", "covered", "memory")  # columns for which a terminal has no room
+IN_PAGE_ALONE = ("rms", "median", "max", "max aside", "covered", "frame", "memory")  # columns for which a terminal has no room
 
 
 def terminal_table(of):
     """Within 80 columns."""
     out = f"\nLab {of.lab['number']}: {of.lab['title']}\n"
     for section in of.sections():
-        keep = [i for i, name in enumerate(section.head()) if name not in IN_PAGE_ALONE]
+        keep = [i for i, name in enumerate(section.head()) if name not in IN_PAGE_ALONE and not name.endswith(" cameras")]
         rows = [[re.sub(r" ns a \w+$| ± .*", "", row[i]) for i in keep] for row in (section.head(), *map(section.cells, section.results))]
-        made = next((one["prepare_of"] for one in section.results if "prepare_ns" in one), "")
+        made = next((one["prepare_of"] for one in section.results if one["prepare_ns"] is not None), "")
         rows[0] = [f"ns/{made}" if name == "prepared" else name for name in rows[0]]
         widths = [max(map(len, column)) for column in zip(*rows)]
         gap = "  " if sum(widths) + 2 * len(widths) <= 80 else " "
@@ -243,7 +322,7 @@ def terminal_table(of):
         for row in rows:
             cells = [f"{cell:{'<' if i < 2 else '>'}{widths[i]}}" for i, cell in enumerate(row)]
             out += f"  {gap.join(cells)}".rstrip() + "\n"
-        out += "".join(textwrap.fill(line, 80, initial_indent="  ", subsequent_indent="    ") + "\n" for line in section.slope_lines())
+        out += "".join(textwrap.fill(line, 80, initial_indent="  ", subsequent_indent="    ") + "\n" for line in section.notes())
     return out
 
 
@@ -259,7 +338,7 @@ def html_table(section):
     out = f'<h3>{escaped(section.title())}</h3>\n<div class="scroll"><table><thead><tr>{row(section.head(), "th")}</thead><tbody>\n'
     for one in section.results:
         out += ('<tr class="front">' if one["pareto"] else "<tr>") + row(section.cells(one), "td") + "\n"
-    out += "</tbody></table></div>\n" + "".join(f"<p>{escaped(line)}</p>\n" for line in section.slope_lines())
+    out += "</tbody></table></div>\n" + "".join(f"<p>{escaped(line)}</p>\n" for line in section.notes())
     return out + (f"<p>{with_code(section.bench['teaches'])}</p>\n" if section.bench else "")
 
 
@@ -291,10 +370,9 @@ def claims(labs):
     return "\n## What the sources say, tested\n\n" + "".join(map(markdown_row, head + rows))
 
 
-def gpu_text(labs, gpu):
-    """How the graphics card's figures compare, over the cases that both renderers measured."""
-    pairs = [(one, other) for of in labs for one in of.results if one["case"] != ALL_CASES
-             and (other := of.by_gpu_of(one)) and other["cost_ns"] is not None]
+def gpu_text(of, gpu):
+    """How the graphics card's figures of a lab compare, over the cases that both renderers measured."""
+    pairs = [(one, other) for one in of.results if one["case"] != ALL_CASES and (other := of.by_gpu_of(one)) and other["cost_ns"] is not None]
     if not pairs:
         return ""
     times = [other["cost_ns"] / 1e6 for _, other in pairs]
@@ -302,18 +380,27 @@ def gpu_text(labs, gpu):
     return GPU.format(gpu, min(times), max(times), alike, len(pairs))
 
 
-def markdown(labs, renderer, gpu, folder):
-    """docs/accuracy.md, whose plots are `folder`/NN_name-1.svg …; `gpu` is the graphics card's name."""
-    rounds = [one["rounds"] for of in labs for one in of.results if one.get("rounds")] or [0]
-    out = INTRODUCTION.format(renderer, min(rounds), max(rounds)) + gpu_text(labs, gpu) + claims(labs)
-    for of in labs:
-        out += f"\n## {of.lab['number']} {of.lab['title']}\n\n{of.lab.get('choice', '')}\n"
-        for i, plot in enumerate(plots(of)):
-            out += f"\n![{plot.y_label}, by {plot.x_label}]({folder}/{plot_file(of.lab, i)})\n"
-        for section in of.sections():
-            head = section.head()
-            out += f"\n### {section.title()}\n\n" + markdown_row(head) + markdown_row(["---"] * 2 + ["--:"] * (len(head) - 2))
-            out += "".join(markdown_row(section.cells(one)) for one in section.results)
-            out += "".join(f"\n{line}\n" for line in section.slope_lines())
-            out += f"\n{section.bench['teaches']}\n" if section.bench else ""
+def lab_markdown(of, renderer, gpu):
+    """docs/accuracy/NN_name.md: all that was measured of a lab; `gpu` is the graphics card's name."""
+    out = TABLES.format(of.lab["number"], of.lab["title"], renderer) + gpu_text(of, gpu)
+    for i, plot in enumerate(plots(of)):
+        out += f"\n![{plot.y_label}, by {plot.x_label}]({plot_file(of.lab, i)})\n"
+    for section in of.sections():
+        head = section.head()
+        out += f"\n## {section.title()}\n\n" + markdown_row(head) + markdown_row(["---"] * 2 + ["--:"] * (len(head) - 2))
+        out += "".join(markdown_row(section.cells(one)) for one in section.results)
+        out += "".join(f"\n{line}\n" for line in section.notes())
+        out += f"\n{section.bench['teaches']}\n" if section.bench else ""
     return out
+
+
+def markdown(labs, renderer, gpu, folder):
+    """docs/accuracy.md: what we learned of each lab; its plot and its page of figures lie in `folder`."""
+    rounds = [one["rounds"] for of in labs for one in of.results if one["rounds"]] or [0]
+    out = INTRODUCTION.format(renderer, GOES, min(rounds), max(rounds)) + claims(labs)
+    for of in labs:
+        plot = main_plot(of)
+        out += (f"\n## {of.lab['number']} {of.lab['title']}\n\n{of.lab.get('choice', '')}\n"
+                f"\n![{plot.panels[0].name}: {plot.y_label}, by {plot.x_label}]({folder}/{of.lab['lab']}.svg)\n"
+                f"\n`./run bench {of.lab['number']}` measures it; [all figures]({folder}/{of.lab['lab']}.md)\n")
+    return out + OTHER_RENDERERS.format(folder, gpu)

@@ -17,7 +17,7 @@ import tempfile
 sys.dont_write_bytecode = True
 from bench_results import ALL_CASES, read_report  # noqa: E402
 from course import BIN, ROOT, Failure, captured, labs_option, read_labs, run, texel, write  # noqa: E402
-from renderers_table import ROOM, TITLE, group_of, limits_of, renderers_markdown, room_of, to_json  # noqa: E402
+from renderers_table import ROOM, group_of, limits_of, renderers_markdown, room_of, to_json  # noqa: E402
 
 NAME, FILTERS, TOLERANCES = "renderer.txt", "filters.json", "tolerances"  # what a renderer's folder has beside the pictures
 BUILD = BIN.parent
@@ -183,7 +183,7 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, default="out/renderers", help="folder of the pictures, one for each renderer [out/renderers]")
     parser.add_argument("--only", type=lambda text: text.split(","), help="names of renderers separated by commas [all]")
     parser.add_argument("--json", type=pathlib.Path, help="write the figures as JSON, as in docs/renderers.json")
-    parser.add_argument("--markdown", type=pathlib.Path, help="write the table at the end of this file again, as in docs/accuracy.md")
+    parser.add_argument("--markdown", type=pathlib.Path, help="write the tables into this file, as docs/accuracy/renderers.md")
     parser.add_argument("--reference", default="mesa22_llvmpipe_osmesa",
                         help="folder with which hidden cases are compared [mesa22_llvmpipe_osmesa]")
     parser.add_argument("--judge-only", action="store_true", help="draw nothing: judge the pictures that are there")
@@ -215,7 +215,7 @@ def main():
         if given.json:
             write(given.json, to_json(report))
         if given.markdown:
-            write(given.markdown, given.markdown.read_text(encoding="utf-8").partition(f"\n{TITLE}")[0] + section)
+            write(given.markdown, section)
         if not given.json and not given.markdown:
             say(section)
         faults += faults_of(report, labs)

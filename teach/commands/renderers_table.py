@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""docs/renderers.json, and the section of docs/accuracy.md that shows it.
+"""docs/renderers.json, and docs/accuracy/renderers.md that shows it.
 
 The report has `drawn_by`, {"mesa22_llvmpipe_sse2": "llvmpipe (LLVM 15.0.6), Mesa 22.3.6"}, and three lists of rows: `cases`, the graded
 ones; `tests`, assertions of tests that draw, in shares of their limits; `filters`, lab 1's errors. A row has `lab`, `case`, `unit`, and
@@ -12,7 +12,7 @@ from course import reading
 
 LISTS = ("cases", "tests", "filters")
 ROOM = 3  # a limit is so many times what the renderers differ by
-TITLE = "## Renderers, and the room that limits leave them"
+TITLE = "# Renderers, and the room that limits leave them"
 INTRODUCTION = """
 No two drivers draw the same. The table has each graded case's limit and its spread: the largest distance of each renderer's
 picture from the expected one, after one pixel of a thousand is left out. A limit is at least three times the spread.
@@ -30,14 +30,14 @@ llvmpipe draws with vectors of 128 and 256 bits and with the instructions of old
 processor's approximation: it is also drawn with an exact one, and with one that is off by as much as Intel specifies.
 """
 TESTS_HEAD = """
-### Tests that hold a limit, by the share of it that is used
+## Tests that hold a limit, by the share of it that is used
 
 Each row is an assertion in a test that draws. 0.2 means: the value was at most a fifth of its limit.
 The room is (1 - smallest share) / (largest share - smallest share). It is at least 3.
 
 """
 FILTERS_HEAD = """
-### Lab 1's filters by driver, rms error in 8-bit steps
+## Lab 1's filters by driver, rms error in 8-bit steps
 
 The anisotropic filter is the driver's, and Mesa changed it between 22 and 25 and again before 26.
 `supersampled` is the lab's own: it is the same in all versions of Mesa, and nearly the same on a graphics card.
@@ -115,7 +115,7 @@ def table(rows, head, cells):
 
 
 def renderers_markdown(report, labs):
-    """The section of docs/accuracy.md, beginning with an empty line and its title."""
+    """docs/accuracy/renderers.md."""
     limits, ways = limits_of(labs), {}
     for renderer, says in sorted(report["drawn_by"].items()):
         ways.setdefault(says, []).append(way_of(renderer))
@@ -128,7 +128,7 @@ def renderers_markdown(report, labs):
         code = row["unit"].replace("|", "\\|")
         return (row["case"], f"`{code}`"), (room_text(row, 1),)
 
-    return (f"\n{TITLE}\n{INTRODUCTION}\n| renderer | with |\n| --- | --- |\n"
+    return (f"{TITLE}\n{INTRODUCTION}\n| renderer | with |\n| --- | --- |\n"
             + "".join(f"| {says} | {', '.join(all_ways)} |\n" for says, all_ways in sorted(ways.items())) + "\n"
             + table(report["cases"], (("lab", "case", "unit"), ("limit", "limit / spread")), case_cells)
             + TESTS_HEAD + table(report["tests"], (("test", "holds"), ("room",)), test_cells)

@@ -5,6 +5,8 @@
 packages+=(libarchive-dev libsodium-dev libsqlitecpp-dev bubblewrap python3 tzdata)
 # Debian 13 does not have it.
 optional_packages+=(similarity-tester)
+# texel bench counts instructions with it; not every processor has it.
+optional_packages+=(valgrind)
 format_packages=(clang-format)
 test_packages=(libgtest-dev libtinyobjloader-dev xvfb xauth xdotool x11-utils imagemagick chromium webp)
 bench_packages=(libbenchmark-dev libosmesa6-dev libtinyobjloader-dev xvfb xauth chromium)
@@ -34,10 +36,13 @@ For teachers and makers of the course:
                        releases (hours)
 ./run bench [N] [args] measure the cost and the error of each method of each
                        lab, into out/bench/index.html
-./run accuracy         the same, into docs/accuracy.md, its plots and
+./run accuracy         the same, into docs/accuracy.md, docs/accuracy and
                        docs/accuracy.json, beside a graphics card's figures:
                        TEXEL_CONTEXT=egl ./run bench --json
                        docs/accuracy_gpu.json measures these
+./run sweep [N]        measure N random settings of each lab beside its right
+                       answer [112]: no error may be above its method's bound
+                       (ten minutes)
 ./run performance      compare the programs with hand-written floor programs,
                        and kernels with plain versions and other libraries;
                        writes docs/performance.md (about an hour).
@@ -46,9 +51,9 @@ For teachers and makers of the course:
                        in which ./run build was typed
 ./run renderers [args] draw all cases with every renderer of this machine into
                        out/renderers. Each limit must be three times the spread.
-                       Without args it writes docs/renderers.json and the end of
-                       docs/accuracy.md. To include machines with another Mesa,
-                       copy their folders into out/renderers first
+                       Without args it writes docs/renderers.json and
+                       docs/accuracy/renderers.md. To include machines with
+                       another Mesa, copy their folders into out/renderers first
 ./run mutants [args]   make small wrong changes in a copy of the tree, and check
                        that the tests notice. Without args it writes
                        docs/mutants.md, and goes on where it was cut off (an
@@ -217,13 +222,18 @@ course_command() { # command, arguments
       run_bench --json "$root/docs/accuracy.json" --gpu "$root/docs/accuracy_gpu.json" \
         --markdown "$root/docs/accuracy.md"
       ;;
+    sweep)
+      build_programs
+      say "Measuring"
+      "$root/tests/figures/sweep.py" "${1:-112}" "$root"/build/release/bin/lab[0-9]*
+      ;;
     performance)
       # A part, or with few rounds, is not the report.
       [[ " $* " == *' --only '* || " $* " == *' --rounds '* ]] || set -- --markdown "$root/docs/performance.md" "$@"
       run_performance "$@"
       ;;
     renderers)
-      (($#)) || set -- --json "$root/docs/renderers.json" --markdown "$root/docs/accuracy.md"
+      (($#)) || set -- --json "$root/docs/renderers.json" --markdown "$root/docs/accuracy/renderers.md"
       need "${packages[@]}" "${test_packages[@]}"
       configure release -D TEXEL_TESTS=ON
       build release all rsqrt

@@ -31,7 +31,7 @@ A file in `sound` is right, so the error does not name it.
 
 A line compares one call with a number, several numbers, a word, or with the same call of other settings. Beside settings, a call may
 hold `view`, `size`, and `at`, a pixel from the lower left. `view=each`: in every view but color and error. The calls:
-  mean, p99, max, pixels, non_finite   what --measure says; non_finite with a view: of that picture's pixels
+  mean, rms, median, p99, max, max_aside, outline_pixels, pixels, non_finite   what --measure says; non_finite with a view: of that picture's pixels
   unknown                              there is no exact answer, and the lab says so
   value(at=64 64)                      a pixel, one number for each channel; `channel` for one alone
   drawn                                the picture's width and height

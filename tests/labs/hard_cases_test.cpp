@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The labs at the inputs at which their techniques fail: what the default method survives, and where the
-// others are known to fail, and by how much. Whole pictures, compared with teach/truth pixel by pixel.
+// Lab 1 at the inputs at which its techniques fail. Whole pictures, compared with teach/truth pixel by pixel.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
-#include <map>
 
 #include "../support/oracles.hpp"
 #include "../support/tolerance.hpp"
 #include "image/load.hpp"
 #include "labs.hpp"
-#include "truth/cube_map.hpp"
-#include "truth/optics.hpp"
+#include "truth/ray.hpp"
 #include "truth/texture.hpp"
 
 namespace texel::test {
@@ -45,12 +41,6 @@ Settings settings_of(const truth::Camera& camera) {
           {"pitch", text(camera.pitch)},
           {"distance", text(camera.distance)},
           {"field_of_view", text(camera.field_of_view)}};
-}
-
-/// World space from object space, as the labs turn their spheres: about the poles first, then forward.
-truth::Placement turned(double tilt, double turn) {
-  const glm::dmat4 about_x = glm::rotate(glm::dmat4(1), glm::radians(tilt), dvec3(1, 0, 0));
-  return {.linear = glm::dmat3(glm::rotate(about_x, glm::radians(turn), dvec3(0, 1, 0)))};
 }
 
 // ---- Lab 1.
@@ -158,151 +148,6 @@ TEST(HardCaseOfLab1, every_texel_of_an_odd_picture_of_any_format_is_at_its_place
         }
     }
   }
-}
-
-// ---- Lab 6.
-
-const char* const kLab6 = "lab06_cube_map";
-
-/// What lab 6's sphere, looked up by its own directions, shows of a pixel, exactly.
-struct Lookup {
-  dvec3 direction;                  ///< in object space
-  truth::DirectionGradient change;  ///< per pixel
-};
-
-/// Nothing beside the sphere, nor at its rim, where the ray grazes: there the change is infinite, and the
-/// triangles decide.
-std::optional<Lookup> exact_lookup(const truth::Camera& camera, const truth::Placement& place, dvec2 window) {
-  constexpr double rim = 0.1;  // cosine; the outermost 0.9 % of the pixels
-  const truth::PixelRay pixel = truth::pixel_ray(camera, window);
-  const auto hit = truth::hit_sphere(truth::object_ray(pixel.ray, place));
-  if (!hit) return std::nullopt;
-  const truth::SurfacePoint point = truth::placed(truth::sphere(), place)(hit->texcoord);
-  if (-glm::dot(pixel.ray.direction, point.normal) < rim) return std::nullopt;
-  const truth::PositionGradient step = truth::position_gradient(pixel, point);
-  const glm::dmat3 object_from_world = glm::transpose(place.linear);
-  return Lookup{object_from_world * point.position,
-                {object_from_world * step.dx, object_from_world * step.dy}};
-}
-
-/// Of how many pixels the level of detail is wrong by more than 3, and by how much at most and on average.
-struct Levels {
-  int wrong = 0, pixels = 0;
-  double most = 0, sum = 0;
-  [[nodiscard]] double mean() const { return sum / pixels; }
-};
-
-TEST(HardCaseOfLab6, level_of_detail_is_right_at_seam_poles_and_edges_but_for_naive_and_select) {
-  // The seam down the middle of the ball, upright and aslant, through neighbours of one quad of pixels (yaw
-  // 10) and between two; and the pole leaning to the eye, at the eye, and past it.
-  struct Look {
-    double tilt, turn, yaw;
-  };
-  const std::vector<Look> looks = {{0, 180, 0},   {0, 180, 10},  {50, 180, 10}, {60, 170, 3},
-                                   {80, 180, 0},  {80, 180, 10}, {90, 180, 0},  {90, 180, 0.2},
-                                   {90, 180, 10}, {100, 180, 0}, {100, 180, 10}};
-  const std::vector<std::string> methods = {"naive", "select", "wrapped", "analytic"};
-  truth::Camera camera{.distance = 3, .width = 256, .height = 256};
-  std::vector<Shot> shots;
-  for (std::size_t i = 0; i < looks.size(); ++i) {
-    camera.yaw = looks[i].yaw;
-    const Settings look =
-        settings_of(camera) +
-        Settings{{"mapping", "sphere-2d"}, {"tilt", text(looks[i].tilt)}, {"turn", text(looks[i].turn)}};
-    for (const std::string& method : methods)
-      shots.push_back(
-          {fmt::format("{}_{}", method, i), look + Settings{{"seam_method", method}}, "lod", "256x256"});
-    shots.push_back({fmt::format("cube_{}", i), look + Settings{{"mapping", "cube"}}, "lod", "256x256"});
-    shots.push_back({fmt::format("mask_{}", i), look, "mask", "256x256"});
-  }
-  const Pictures pictures = float_pictures(kLab6, shots);
-  std::map<std::string, Levels> all;
-  for (std::size_t i = 0; i < looks.size(); ++i) {
-    camera.yaw = looks[i].yaw;
-    const ImageF& mask = pictures.at(fmt::format("mask_{}", i));
-    const truth::Placement place = turned(looks[i].tilt, looks[i].turn);
-    for_each_pixel(mask, [&](int x, int y, dvec2 window) {
-      const auto seen = exact_lookup(camera, place, window);
-      if (!seen || mask.at(x, y, 0) == 0) return;
-      // Both the picture and the faces are 512 texels wide.
-      const double exact =
-          truth::level_of_detail(truth::worksheet_gradient(seen->direction, seen->change), dvec2(512));
-      const double exact_of_cube = truth::cube_level_of_detail(seen->direction, seen->change, 512);
-      for (const std::string method : {"naive", "select", "wrapped", "analytic", "cube"}) {
-        const double error = std::abs(pictures.at(fmt::format("{}_{}", method, i)).at(x, y, 0) -
-                                      (method == "cube" ? exact_of_cube : exact));
-        Levels& levels = all[method];
-        ++levels.pixels;
-        if (!(error <= 3)) ++levels.wrong;
-        levels.most = std::max(levels.most, error);
-        levels.sum += error;
-      }
-    });
-  }
-  EXPECT_GT(all["analytic"].pixels, 400000);
-  // The difference to the exact derivative is that of the triangles, and of a step of one pixel at the pole.
-  // Measured 1.4 levels at most with the formula's derivative and on the cube, and 2.9 with the short way
-  // round.
-  EXPECT_EQ(all["cube"].wrong, 0);
-  // Measured 0.0483 by llvmpipe and by softpipe; 0.134 where one derivative is not divided by the square, and
-  // 0.254 where one has the wrong sign.
-  EXPECT_BELOW(all["cube"].mean(), 0.09);
-  EXPECT_EQ(all["analytic"].wrong, 0);
-  EXPECT_BELOW(all["analytic"].most, 2);
-  EXPECT_LE(all["wrapped"].wrong, 3);  // 1 by softpipe, 0 by llvmpipe
-  // Known to fail: along the whole seam, by 8.9 levels, where neighbours seem to be a whole picture apart;
-  // and in a few pixels still when each pixel of a quad makes its own choice.
-  // Measured 1013 of 408012, and 78 with select; softpipe, where a quad has one choice, has 1.
-  EXPECT_ABOVE(all["naive"].wrong, 500);
-  EXPECT_ABOVE(all["naive"].most, 8);
-  EXPECT_GT(all["select"].wrong, 0);
-  EXPECT_LT(all["select"].wrong, all["naive"].wrong / 8);
-}
-
-// ---- Lab 8.
-
-TEST(HardCaseOfLab8, one_ray_for_all_is_9_7_degrees_off_over_pixels_and_11_8_over_the_visible_surface) {
-  // Both rays are mirrored at the same normal, so the error is the angle at the eye, 4 away, between the
-  // middle of the ball and the point that is seen: tan = sin t / (4 - cos t) for a point at the angle t from
-  // the middle. The visible surface ends at cos t = 1/4.
-  const double distance = 4;
-  constexpr int kSteps = 100000;
-  double over_surface = 0, over_pixels = 0;
-  for (int i = 0; i < kSteps; ++i) {
-    const double share = (i + 0.5) / kSteps;
-    // The area of a sphere is even in cos t.
-    const double cosine = 1 / distance + (1 - 1 / distance) * share;
-    over_surface += std::atan2(std::sqrt(1 - cosine * cosine), distance - cosine) / kSteps;
-    // The picture's plane is even in the square of the angle's tangent, up to that of asin(1/4) at the rim.
-    over_pixels += std::atan(std::sqrt(share / (distance * distance - 1))) / kSteps;
-  }
-  EXPECT_WITHIN(glm::degrees(over_surface), 11.797, 1e-3);
-  EXPECT_WITHIN(glm::degrees(over_pixels), 9.735, 1e-3);
-
-  // The lab's picture, each pixel counted once, and as much as the surface that it shows.
-  const truth::Camera camera{.distance = distance, .field_of_view = 30, .width = 512, .height = 512};
-  const Settings look =
-      settings_of(camera) + Settings{{"method", "constant-eye"}, {"rings", "256"}, {"segments", "512"}};
-  const Pictures pictures = float_pictures(
-      "lab08_reflection", {{"direction", look, "direction", "512x512"}, {"mask", look, "mask", "512x512"}});
-  double pixels = 0, pixel_sum = 0, area = 0, area_sum = 0;
-  for_each_pixel(pictures.at("mask"), [&](int x, int y, dvec2 window) {
-    const truth::PixelRay pixel = truth::pixel_ray(camera, window);
-    const auto hit = truth::hit_sphere(pixel.ray);
-    if (!hit || pictures.at("mask").at(x, y, 0) == 0) return;
-    const truth::SurfacePoint point = truth::sphere()(hit->texcoord);
-    const dvec3 reflected = truth::reflected(pixel.ray.direction, point.normal);
-    const double error = test::angle_in_degrees(value_at(pictures.at("direction"), x, y), reflected);
-    const truth::PositionGradient step = truth::position_gradient(pixel, point);
-    const double shown = glm::length(glm::cross(step.dx, step.dy));
-    ++pixels;
-    pixel_sum += error;
-    area += shown;
-    area_sum += shown * error;
-  });
-  // Measured 9.734 and 11.794: the pixels' middles are a sum instead of the integral, coarse at the rim.
-  EXPECT_WITHIN(pixel_sum / pixels, glm::degrees(over_pixels), 0.02);
-  EXPECT_WITHIN(area_sum / area, glm::degrees(over_surface), 0.05);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ sys.path.insert(0, str(ROOT / "teach/commands"))
 os.environ["TEXEL"] = sys.argv.pop(1)
 from bench_plot import Panel, Plot, Point, panel_svgs, svg  # noqa: E402
 from bench_report import by_lab, terminal_table  # noqa: E402
-from bench_results import ALL_CASES, differences, number_of, over_all_cases, read_lab_output, read_report, slopes, to_json  # noqa: E402
+from bench_results import ALL_CASES, are_apart, differences, number_of, over_all_cases, read_lab_output, read_report, slopes, to_json  # noqa: E402
 from course import BIN, Failure, check_tables, program_of, read_labs, text_of  # noqa: E402
 
 LAB = {"lab": "05_normal_map", "number": 5, "bench": [{"case": "flat", "vary": {"method": []}}, {"case": "round", "vary": {"method": []}},
@@ -32,8 +32,9 @@ def texel(*arguments):
 
 def entry(case, method, mean, times, non_finite=0, parameter="method"):
     """One entry of a lab's --bench."""
-    return {"lab": "05_normal_map", "case": case, "parameter": parameter, "method": method, "truth": "relief", "unit": "degrees", "mean": mean,
-            "rms": 0, "p99": 0, "max": 0, "pixels": 9, "truth_pixels": 10, "non_finite": non_finite, "bytes": 7, "frame_ns": times}
+    return {"lab": "05_normal_map", "case": case, "parameter": parameter, "method": method, "truth": "relief", "truth_error": 0, "unit": "degrees", "mean": mean,
+            "rms": 0, "median": 0, "p99": 0, "max": 0, "max_aside": 0, "outline_pixels": 0, "pixels": 9, "truth_pixels": 10,
+            "non_finite": non_finite, "bytes": 7, "frame_ns": times}
 
 
 class LabOutput(unittest.TestCase):
@@ -42,9 +43,9 @@ class LabOutput(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.file = pathlib.Path(folder.name) / "times.json"
 
-    def read(self, *entries):
+    def read(self, *entries, counts=None):
         self.file.write_text(json.dumps({"renderer": "paper", "results": entries}))
-        return read_lab_output(self.file, LAB)
+        return read_lab_output(self.file, LAB, counts)
 
     def test_becomes_medians_and_ratios_within_each_round(self):
         report = self.read(entry("flat", "quick", 4, [10, 90, 20]), entry("flat", "slow", 1, [20, 180, 60]))
@@ -64,6 +65,44 @@ class LabOutput(unittest.TestCase):
             self.assertGreaterEqual(min(one["cost_ratio"] for one in results), 1)
             self.assertAlmostEqual(results[2]["cost_ratio"] / results[1]["cost_ratio"], 1.3, delta=0.1)  # measured 1.24 to 1.36
             self.assertEqual(results[0]["rounds"], 50)
+
+    def test_has_the_same_marks_each_time_where_instructions_are_counted(self):
+        """Made-up times of a machine on which each frame is up to twice as slow as another, in 30 rounds: thirty
+        runs. Of the times alone, the marks are not the same."""
+
+        def marks(run, counts):
+            random = Random(run)
+            times = {name: [1000 * cost * random.uniform(1, 2) for _ in range(30)] for name, cost in (("a", 1), ("b", 1.15), ("c", 1.3))}
+            entries = [entry("flat", name, mean, times[name]) for name, mean in (("a", 3), ("b", 2), ("c", 2))]
+            return tuple(one["pareto"] for one in self.read(*entries, counts=counts)["results"])
+
+        self.assertEqual({marks(run, [100_000, 115_000, 130_000]) for run in range(30)}, {(True, True, False)})
+        self.assertGreater(len({marks(run, None) for run in range(30)}), 1)
+        # Counts within a hundredth are equal, and then the smaller error is.
+        self.assertEqual(marks(0, [100_000, 100_500, 130_000]), (False, True, False))
+        self.assertRaisesRegex(Failure, "more counts", marks, 0, [1, 2, 3, 4])
+
+    def test_has_a_front_of_bytes_beside_that_of_work(self):
+        entries = [entry("flat", "small", 4, [20]) | {"bytes": 10}, entry("flat", "large", 4, [10]) | {"bytes": 99}]
+        self.assertEqual([(one["pareto"], one["pareto_bytes"]) for one in self.read(*entries)["results"]], [(False, True), (True, False)])
+
+    def test_knows_when_more_rounds_say_nothing_new(self):
+        random = Random(1)
+        slow = [random.uniform(1, 3) for _ in range(20)]
+        times = [[cost * by * random.uniform(0.95, 1.05) for by in slow] for cost in (1, 1.5, 2)]
+        self.assertTrue(are_apart(times))
+        self.assertFalse(are_apart([*times, [time * 1.001 for time in times[0]]]))
+
+    def test_sums_up_several_cameras_and_counts_errors_whose_intervals_overlap_as_equal(self):
+        random = Random(1)
+        # Rounding: one camera says that "even" is better, the next that "odd" is. "worse" is ten times as wrong.
+        entries = [entry("flat", name, size * random.uniform(0.5, 2), []) for _ in range(30) for name, size in (("even", 1), ("odd", 1), ("worse", 10))]
+        results = self.read(*entries, counts=[10, 10, 10])["results"]
+        self.assertEqual([(one["method"], one["cameras"], one["pixels"], one["pareto"]) for one in results],
+                         [("even", 30, 270, True), ("odd", 30, 270, True), ("worse", 30, 270, False)])
+        for one in results:
+            self.assertLess(one["error_low"], one["mean"])
+            self.assertGreater(one["error_high"], one["mean"])
 
     def test_has_a_front_of_what_nothing_beats(self):
         rows = [("quick", 4, 10, 0, True),
@@ -211,7 +250,9 @@ class AccuracyReport(unittest.TestCase):
                     stated[one["parameter"]] = one
             self.assertTrue(stated, of.lab["title"])
             for one in stated.values():
-                self.assertTrue(one["pareto"] or one["case"] in numbered, (of.lab["title"], one["method"]))
+                # Lab 7's ray is off by a float32's last bits, and another method by fewer of them.
+                is_rounding = one["unit"] == "degrees" and one["mean"] < 1e-5
+                self.assertTrue(one["pareto"] or is_rounding or one["case"] in numbered, (of.lab["title"], one["method"]))
 
 
 if __name__ == "__main__":

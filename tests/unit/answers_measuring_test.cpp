@@ -83,6 +83,21 @@ TEST(ErrorFigures, leave_out_what_is_not_finite_and_count_it) {
   EXPECT_DOUBLE_EQ(figures.mean, 3.5);
   EXPECT_DOUBLE_EQ(figures.rms, std::sqrt(12.5));
   EXPECT_EQ(figures.max, 4);
+  EXPECT_EQ(figures.median, 3);
+}
+
+TEST(ErrorFigures, tell_apart_what_a_move_by_a_pixel_explains) {
+  // A step from 0 to 100 that the picture has a pixel too far to the right, and one pixel that is 3 off.
+  const image::ImageF truth =
+      row({{0, 0, 0, 1}, {100, 0, 0, 1}, {100, 0, 0, 1}, {100, 0, 0, 1}, {100, 0, 0, 1}});
+  const image::ImageF picture =
+      row({{0, 0, 0, 1}, {1, 0, 0, 1}, {100, 0, 0, 1}, {97, 0, 0, 1}, {100, 0, 0, 1}});
+  const image::ImageF error = error_picture(picture, truth, in(Unit::levels));
+  ErrorFigures figures = figures_of(error, truth);
+  tell_outlines_apart(figures, error, picture, truth, in(Unit::levels));
+  EXPECT_EQ(figures.max, 99);
+  EXPECT_EQ(figures.max_aside, 3);
+  EXPECT_EQ(figures.outline_pixels, 1);
 }
 
 TEST(ErrorFigures, say_why_there_are_none) {

@@ -34,10 +34,12 @@ struct Measure {
 /// An empty function if there is no analytic answer (an OBJ file).
 using Truth = std::function<std::optional<glm::dvec3>(glm::dvec2 window)>;
 
-/// Mean, root mean square, 99th percentile (nearest rank) and largest value of an error picture: NaN where no
-/// pixel has a finite error.
+/// Of an error picture; percentiles by nearest rank. NaN where no pixel has a finite error.
 struct ErrorFigures {
-  double mean = std::nan(""), rms = mean, p99 = mean, max = mean;
+  double mean = std::nan(""), rms = mean, median = mean, p99 = mean, max = mean;
+  double max_aside = mean;  ///< where each pixel may show what is right one pixel aside: but for outlines
+  long long outline_pixels = 0;  ///< whose error is larger than that
+  double truth_error = 0;        ///< how far off the right answer itself is, by the samples it is a mean of
   long long truth_pixels = 0;    ///< that have a right answer
   long long pixels = 0;          ///< of these compared: the picture has a value there too
   long long non_finite = 0;      ///< of these NaN or infinite in the picture; in none of the means

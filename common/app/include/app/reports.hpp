@@ -10,8 +10,8 @@ namespace texel::app {
 /// What --frames prints of frames that took so many milliseconds each, at least one.
 std::string frame_times_as_text(std::vector<double> milliseconds, glm::ivec2 size);
 
-/// What --measure prints: {"lab", "parameters", "view", "truth", "unit", "mean", "rms", "p99", "max",
-/// "pixels", "non_finite"}.
+/// What --measure prints: {"lab", "parameters", "view", "truth", "unit", "mean", "rms", "median",
+/// "p99", "max", "max_aside", "outline_pixels", "pixels", "truth_pixels", "non_finite"}.
 std::string to_json(AnyLab& lab, const ErrorFigures& figures);
 
 /// The lab's programs that were compiled, each with where its constants and uniforms come from.

@@ -28,6 +28,10 @@ inline glm::dmat3 about_y(double degrees) {
   return glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(degrees), glm::dvec3(0, 1, 0)));
 }
 
+/// Exchanges halves, quarters, … of the pixel in place_in_pixel: other places, as evenly spread (a digital
+/// shift, Kollig and Keller). 0 for the usual ones. For one thread, while no other asks.
+inline glm::uvec2 place_shift(0);
+
 /// The i-th of `count` places (a power of two) at which a pixel is looked at, -1/2 to 1/2 from its middle,
 /// which is their mean. One lies in the middle of each of `count` columns and rows, and in each box of any
 /// shape between: an edge, upright or level, is found to 1/count of a pixel, for which a square grid needs
@@ -40,7 +44,8 @@ inline glm::dvec2 place_in_pixel(std::uint32_t i, std::uint32_t count) {
       x ^= bit;
       y ^= direction;
     }
-  return glm::dvec2(x, y) * 0x1p-32 + 0.5 / count - 0.5;
+  const double middle = place_shift == glm::uvec2(0) ? 0.5 / count : 0;
+  return glm::dvec2(x ^ place_shift.x, y ^ place_shift.y) * 0x1p-32 + middle - 0.5;
 }
 
 }  // namespace texel::answers

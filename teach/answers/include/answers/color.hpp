@@ -18,7 +18,7 @@ namespace texel::answers {
 
 /// The function of one of the bundled pictures; nothing for other files.
 inline std::optional<procedural::Texture> texture_of(const std::string& name) {
-  if (name == "brick_32") return procedural::Texture::brick;
+  if (name == "brick_32" || name == "brick_128") return procedural::Texture::brick;
   if (name == "label_npot") return procedural::Texture::label_grid;
   for (const procedural::Texture texture : procedural::textures)
     if (procedural::name(texture) == name) return texture;
@@ -32,7 +32,7 @@ using ColorOf = std::function<glm::dvec3(glm::dvec3 direction)>;
 /// are not known.
 inline ColorOf cube_map_color(const std::string& name) {
   if (name == "labelled") return procedural::labelled_color;
-  if (name == "smooth") return procedural::smooth_color;
+  if (name == "smooth" || name == "smooth_5") return procedural::smooth_color;
   return {};
 }
 
@@ -50,11 +50,12 @@ inline glm::dvec3 steps(glm::dvec3 light) {
 /// levels of the 8-bit picture, sRGB-encoded and not rounded; light above 1 is clipped after the mean.
 /// Nothing where the pixel's middle misses the object.
 ///
-/// A few samples are enough where the picture is smooth, and a thousand are slow everywhere. So 16 are taken,
-/// and 128 or 1,024 where the means of the earlier and of the later half differ by two levels or more, or two
-/// samples by so much that the halves may agree by chance.
+/// A few samples are enough where the picture is smooth, and thousands are slow everywhere. So 16 are taken,
+/// and four times as many, up to 4,096, where the means of the earlier and of the later half differ by a
+/// level or more, or two samples by so much that the halves may agree by chance. truth_error() says how far
+/// off that is.
 inline std::optional<glm::dvec3> mean_in_steps(const ColorAt& color, glm::dvec2 middle) {
-  constexpr double agree = 2, chance = 64;  // levels
+  constexpr double agree = 1, chance = 24;  // levels
   const glm::dvec4 in_the_middle = color(middle);
   if (in_the_middle.a == 0) return std::nullopt;
   const auto apart = [&](glm::dvec3 a, glm::dvec3 b) {
@@ -62,7 +63,7 @@ inline std::optional<glm::dvec3> mean_in_steps(const ColorAt& color, glm::dvec2 
     return std::max({difference.r, difference.g, difference.b});
   };
   const auto mean = [](glm::dvec4 sum) { return glm::dvec3(sum) / sum.a; };  // of what met the object
-  for (std::uint32_t count = 16;; count *= 8) {
+  for (std::uint32_t count = 16;; count *= 4) {
     glm::dvec4 earlier(0), later(0);
     glm::dvec3 least(in_the_middle), greatest(in_the_middle);
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -73,7 +74,7 @@ inline std::optional<glm::dvec3> mean_in_steps(const ColorAt& color, glm::dvec2 
       greatest = glm::max(greatest, glm::dvec3(sample));
     }
     const bool agreed = earlier.a > 0 && later.a > 0 && apart(mean(earlier), mean(later)) < agree;
-    if (count < 1024 && !(agreed && (count > 16 || apart(least, greatest) < chance))) continue;
+    if (count < 4096 && !(agreed && (count > 64 || apart(least, greatest) < chance))) continue;
     const glm::dvec4 all = earlier + later;
     return steps(mean(all.a > 0 ? all : in_the_middle));  // a corner's tip may lie between samples
   }

@@ -17,6 +17,15 @@ image::ImageF error_picture(const image::ImageF& picture, const image::ImageF& t
 /// Of an error picture and the truth that it was made with.
 app::ErrorFigures figures_of(const image::ImageF& error, const image::ImageF& truth);
 
+/// Finds max_aside and outline_pixels: of the picture and truth that the error picture was made with.
+void tell_outlines_apart(app::ErrorFigures& figures, const image::ImageF& error, const image::ImageF& picture,
+                         const image::ImageF& truth, const app::Measure& measure);
+
+/// How far off the truth is by its own samples, in the measure's unit: it is found again from other places in
+/// every 25th pixel, and this is the root mean square of what both differ by, over the square root of 2.
+/// Below a float32's rounding where the truth has no samples. `picture` has the truth.
+double truth_error(const image::ImageF& picture, const app::Truth& truth, const app::Measure& measure);
+
 /// The smallest of 1, 2 and 5 times a power of ten that is not below `value`: the end of a scale. 1 for 0.
 double round_up(double value);
 
