@@ -45,6 +45,11 @@ def longer(s):
     return max(s.get("stretch", 1), 1 / s.get("stretch", 1))
 
 
+def texels_a_pixel(s):
+    """How many of the 512 texels around a unit ball a pixel in its middle covers."""
+    return 512 / math.tau * 2 * math.tan(math.radians(s["field_of_view"]) / 2) * s["distance"] / int(SIZE.split("x")[0])
+
+
 COLOR = Bound({}, "max", lambda s: 255, "a level of 8 bits")
 DIRECTION = Bound({}, "max", lambda s: 180, "a direction is opposite at most")
 ROUNDED = 1e-6  # what a float32 loses of a coordinate and of 1 / w, over a triangle
@@ -66,7 +71,8 @@ BOUNDS = {
         Bound({"truth": "normal"}, "p99", lambda s: 12, "half of a facet"),
         Bound({"method": ("weld", "split"), "model": ("cube", "quad")}, "p99", lambda s: 512 * s["texture_scale"] * ROUNDED * (1 + s["distance"]),
               "float32, which loses where the cube is small beside its distance"),
-        Bound({"method": ("weld", "split")}, "p99", lambda s: 4 * s["texture_scale"], "linear between the vertices of a round model"),
+        Bound({"method": ("weld", "split")}, "p99", lambda s: s["texture_scale"] * (4 + texels_a_pixel(s)),
+              "linear between the vertices of a round model; at its rim a pixel"),
         Bound({}, "max", lambda s: 512 * math.sqrt(2) * s["texture_scale"], "the picture's diagonal")],
     "05_normal_map": [
         Bound({"normal_mapping": "off", "model": ("cube", "quad")}, "max_aside", lambda s: 1e-4, "one normal for a face"),
