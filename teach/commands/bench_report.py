@@ -258,12 +258,15 @@ def number_plot(section, number):
 def cost_panel(section, methods, in_counts):
     """Error against cost, with a line along the front. A method has its color in all panels."""
     panel = Panel(section.name, is_hard=section.bench.get("hard", False))
+    fronts = [values_of(one) for one in section.results if one["pareto"]]
+    shared = [len(fronts) > 1 and len(set(values)) == 1 for values in zip(*fronts)]  # values that need not stand beside a dot of the front
     for one in section.results:
+        label = ", ".join(value for value, is_shared in zip(values_of(one), shared) if not is_shared) if one["pareto"] else ""
         cost = one["instructions"] and one["instructions"] / 1e6 if in_counts else one["cost_ratio"]
         if cost:
             spread = None if in_counts else (cost * (1 - one["cost_spread"]), cost * (1 + one["cost_spread"]))
             number = methods.setdefault(one["method"], len(methods))
-            panel.points.append(Point(cost, error(one), number, bool(one["pareto"]), one["method"], hover(one), section.pictures(one),
+            panel.points.append(Point(cost, error(one), number, bool(one["pareto"]), label or one["method"], hover(one), section.pictures(one),
                                       interval_of(one), spread))
     front = [i for i, point in enumerate(panel.points) if point.filled]
     panel.lines.append((sorted(front, key=lambda i: panel.points[i].x), None))
