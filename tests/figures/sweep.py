@@ -98,8 +98,9 @@ BOUNDS = {
         DIRECTION],
     "09_bump": [
         Bound({"truth": "color"}, "max", lambda s: 255, "a level of 8 bits"),
-        Bound({"normal_mapping": "off", "incident": "per-fragment"}, "p99", lambda s: min(180, facet(s)), "a facet"),
-        Bound({"normal_mapping": "off"}, "p99", lambda s: min(180, at_the_eye(s) + facet(s)), "the angle at the eye as well"),
+        Bound({"normal_mapping": "off", "incident": "per-fragment"}, "p99", lambda s: min(180, 2 * facet(s)),
+              "twice what a normal turns between vertices"),
+        Bound({"normal_mapping": "off"}, "p99", lambda s: min(180, at_the_eye(s) + 2 * facet(s)), "the angle at the eye as well"),
         DIRECTION]}
 
 
