@@ -123,7 +123,14 @@ std::string renderer(const std::vector<course::Lab>& labs, const fs::path& out) 
   return "an unnamed renderer";
 }
 
-Json described(const course::Lab& lab) {
+/// What a picture's colours mean, as its text chunk has it; null for colours.
+Json legend_of(const fs::path& file) {
+  for (const image::Text& text : image::read_png_text(file))
+    if (text.key == "Legend") return parse_json(text.value);
+  return nullptr;
+}
+
+Json described(const course::Lab& lab, const fs::path& out) {
   Json looks = Json::array();
   for (const course::Look& look : lab.looks) {
     Json set = Json::object();
@@ -137,6 +144,7 @@ Json described(const course::Lab& lab) {
                      {"width", look.size.width},
                      {"height", look.size.height},
                      {"set", set},
+                     {"legend", legend_of(out / picture(lab, look))},
                      {"command", course::command(lab, look)}});
   }
   return {{"number", lab.number},
@@ -148,9 +156,9 @@ Json described(const course::Lab& lab) {
 
 /// The page as HTML. It names the pictures by their place below its own folder, and nothing else outside of
 /// itself.
-std::string page_of(const std::vector<course::Lab>& labs, const std::string& renderer) {
-  Json drawn = {{"renderer", renderer}, {"labs", Json::array()}};
-  for (const course::Lab& lab : labs) drawn["labs"].push_back(described(lab));
+std::string page_of(const std::vector<course::Lab>& labs, const fs::path& out) {
+  Json drawn = {{"renderer", renderer(labs, out)}, {"labs", Json::array()}};
+  for (const course::Lab& lab : labs) drawn["labs"].push_back(described(lab, out));
   const std::string json = std::regex_replace(to_text(drawn), std::regex("<"), "\\u003c");  // no </script>
   std::string page = kGalleryPage;
   constexpr std::string_view kPlace = "{{drawn}}";
@@ -165,7 +173,7 @@ Exit gallery(const GalleryOptions& options) {
   draw(labs, options.out);
   make_folder(options.out);
   const fs::path page = options.out / "index.html";
-  write_file(page, page_of(labs, renderer(labs, options.out)));
+  write_file(page, page_of(labs, options.out));
   std::size_t count = 0;
   for (const course::Lab& lab : labs) count += lab.looks.size();
   fmt::print("{} pictures of {} labs: {}\n", count, labs.size(), page.string());

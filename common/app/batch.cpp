@@ -52,13 +52,15 @@ std::function<void()> take_snapshot(const Canvas& canvas, AnyLab& lab, View view
                                     const std::filesystem::path& file) {
   if (file.extension() == ".pfm")
     return [file, values = canvas.read_float()] { image::save_pfm(file, values); };
+  std::vector<image::Text> texts{{"Lab", lab.info().folder()},
+                                 {"Parameters", lab.parameters().key()},
+                                 {"View", name_of(view)},
+                                 {"Size", fmt::format("{}x{}", size.x, size.y)},
+                                 {"Renderer", canvas.context().name()}};
+  if (const Legend legend = canvas.legend(view); !legend.title.empty())
+    texts.push_back({"Legend", to_json(legend)});
   // Alpha is no part of the picture.
-  return [file, colors = canvas.read8(),
-          texts = std::vector<image::Text>{{"Lab", lab.info().folder()},
-                                           {"Parameters", lab.parameters().key()},
-                                           {"View", name_of(view)},
-                                           {"Size", fmt::format("{}x{}", size.x, size.y)},
-                                           {"Renderer", canvas.context().name()}}] {
+  return [file, colors = canvas.read8(), texts = std::move(texts)] {
     image::save_png(file, image::without_alpha(colors), texts);
   };
 }

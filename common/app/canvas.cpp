@@ -47,7 +47,7 @@ void Canvas::draw_into(const gl::Target& target, View view, const std::optional<
   bind_and_clear(target);
 
   const glm::ivec2 size(target.width(), target.height());
-  const auto draw_once = [&] {
+  const auto draw_lab = [&](bool as_edges = false) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
@@ -57,9 +57,26 @@ void Canvas::draw_into(const gl::Target& target, View view, const std::optional<
     glEnable(GL_FRAMEBUFFER_SRGB);
     gl::unbind_textures();
     Frame frame(size, view, lab_.parameters(), assets_, programs_);
+    if (as_edges) {  // the inverse of what is below, whatever the lab's colours are
+      glDisable(GL_FRAMEBUFFER_SRGB);
+      glDepthFunc(GL_LEQUAL);
+    }
     lab_.draw(frame);
     frame.check();
     notes_ = frame.notes();
+  };
+  const auto draw_once = [&] {
+    draw_lab();
+    if (!edges_ || view != View::color) return;
+    glEnable(GL_COLOR_LOGIC_OP);
+    glLogicOp(GL_INVERT);
+    glEnable(GL_POLYGON_OFFSET_LINE);
+    glPolygonOffset(-1, -1);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    draw_lab(true);  // what the first time has done cannot fail
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glDisable(GL_POLYGON_OFFSET_LINE);
+    glDisable(GL_COLOR_LOGIC_OP);
   };
   if (!split) {
     draw_once();
@@ -164,6 +181,12 @@ image::ImageF Canvas::measured_picture(const Measure& measure, glm::ivec2 size) 
   return picture;
 }
 
+Legend Canvas::legend(View view) const {
+  if (view == View::error) return error_legend(full_scale_, lab_.measure()->unit);
+  const bool has_range = view == View::lod || view == View::depth;
+  return legend_of(view, lab_.parameters(), has_range ? read_float() : image::ImageF());
+}
+
 double Canvas::work_on_truth(glm::ivec2 size, double milliseconds) {
   if (!lab_.measure()) throw Error::usage("this lab has no view 'error'");
   return measuring_->work_on_truth(lab_, size, milliseconds);
@@ -174,7 +197,7 @@ void Canvas::draw_error(glm::ivec2 size) {
   const std::optional<Measure> measure = lab_.measure();
   Measured measured = measuring_->measured(measured_picture(*measure, size), *measure, error_scale_);
   error_ = std::move(measured.error);
-  figures_ = measured.figures;
+  figures_ = measured.figures, full_scale_ = measured.full_scale;
   fit(color_, gl::Target::Kind::color, size, 1).write8(measured.map);
   std::swap(picture_, color_);
 }

@@ -37,6 +37,14 @@ void zoom(params::Set& parameters, double steps) {
     p->set_value(std::clamp(p->value() * std::pow(kNearer, steps), p->least, p->most));
 }
 
+void fit_view(params::Set& parameters, double aspect, double made_for) {
+  params::Parameter* angle = parameters.find("field_of_view");
+  const double narrower = aspect / std::max(made_for, 1.0);
+  if (angle == nullptr || narrower >= 1) return;
+  const double wider = 2 * std::atan(std::tan(glm::radians(angle->value()) / 2) / narrower);
+  angle->set_value(std::min(glm::degrees(wider), angle->most));
+}
+
 void turn(params::Set& parameters, double degrees) {
   params::Parameter* p = parameters.find("turn");
   if (p == nullptr) return;

@@ -50,18 +50,26 @@ Size read_size(Reader& reader, Size otherwise) {
   return *size;
 }
 
-std::vector<Look> read_looks(Reader& head, const std::string& lab) {
+std::vector<Look> read_looks(Reader& head, const std::string& lab, const std::string& kind) {
+  const bool is_opening = kind == "opening";
   std::vector<Look> looks;
-  for (Reader& reader : head.tables("look")) {
+  for (Reader& reader : head.tables(kind)) {
     Look look;
     look.lab = lab;
-    look.name = read_name(reader, looks, "look");
+    look.name = is_opening ? kind : read_name(reader, looks, "look");
     look.file = look.name + ".png";
     look.caption = reader.text("caption");
     read_what_is_seen(reader, look, false);
     look.size = read_size(reader, look.size);
     look.source = reader.text("source", "");
-    look.hero = reader.toggle("hero");
+    if (!is_opening) look.hero = reader.toggle("hero");
+    if (is_opening) {
+      for (const auto& [parameter, value] : reader.entries("right", "value"))
+        look.right = {parameter, reader.setting(*value)};
+      look.sides = reader.texts("sides");
+      if (look.sides.size() != 2 || !look.right)
+        throw reader.error("sides", "an opening has a value 'right' of the line, and the names of two sides");
+    }
     reader.reject_unknown();
     looks.push_back(std::move(look));
   }
@@ -181,7 +189,8 @@ Lab read_lab(const fs::path& file) {
   lab.title = reader.text("title");
   lab.lesson = reader.text("lesson");
   lab.choice = reader.text("choice", "");
-  lab.looks = read_looks(reader, lab.folder);
+  lab.looks = read_looks(reader, lab.folder, "look");
+  lab.openings = read_looks(reader, lab.folder, "opening");
   lab.steps = read_steps(reader, lab.number);
   lab.cases = read_cases(reader, lab.folder, lab.steps);
   for (const char* of_the_benchmark : {"bench", "claim", "driver_methods"}) reader.find(of_the_benchmark);

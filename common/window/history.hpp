@@ -5,15 +5,16 @@
 #include <utility>
 #include <vector>
 
-#include "app/lab.hpp"
+#include "app/canvas.hpp"
 
 namespace texel::window {
 
-/// Every parameter, the view and the gallery's look they began with, to go back to. How far the model has
-/// turned is left out: it turns by itself.
+/// Every parameter, the view, what is compared and the gallery's look they began with, to go back to. How far
+/// the model has turned is left out: it turns by itself.
 struct SavedLook {
   std::vector<std::string> values;  ///< in declaration order
   app::View view = app::View::color;
+  std::optional<app::Canvas::Split> split;
   std::optional<std::size_t> look;  ///< its number in the gallery
   bool operator==(const SavedLook&) const = default;
 };

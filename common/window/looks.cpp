@@ -43,12 +43,16 @@ Looks::Looks(app::AnyLab& lab, const app::Assets& assets) {
       assets.shader_root().parent_path() / "labs" / lab.info().folder() / "lab.toml";
   if (!std::filesystem::exists(file)) return;
   try {
-    for (course::Look& look : course::read_lab(file).looks)
-      if (std::ranges::count(lab.views(), look.view) > 0) entries.push_back({std::move(look), {}, false, {}});
+    course::Lab read = course::read_lab(file);
+    for (std::vector<course::Look>* looks : {&read.openings, &read.looks})
+      for (course::Look& look : *looks)
+        if (std::ranges::count(lab.views(), look.view) > 0)
+          entries.push_back({std::move(look), {}, false, {}});
   } catch (const Error& error) {
     fault = error.what();
   }
-  std::stable_partition(entries.begin(), entries.end(), [](const Entry& entry) { return entry.look.hero; });
+  std::stable_partition(entries.begin(), entries.end(),
+                        [](const Entry& entry) { return entry.look.right || entry.look.hero; });
 }
 
 std::size_t Looks::drawn() const {
@@ -69,12 +73,25 @@ bool Looks::draw_next(gl::Context& context, const app::Assets& assets, app::AnyL
     app::View view{};
     choose(next->look, lab, view);
     app::Canvas canvas(context, assets, lab);  // the window's own keeps its picture
-    canvas.draw(view, kSize, 4);
+    canvas.draw(view, kSize, 4, split_of(next->look));
     next->picture = picture_texture(canvas.read8());
   } catch (const Error& error) {
     next->fault = error.what();
   }
   return true;
+}
+
+std::optional<app::Canvas::Split> split_of(const course::Look& look) {
+  if (!look.right) return {};
+  return app::Canvas::Split{look.right->parameter, look.right->value};
+}
+
+void choose_look(app::AnyLab& lab, WindowState& state, std::size_t index) {
+  const course::Look& look = state.looks->entries[index].look;
+  choose(look, lab, state.view);
+  state.look = index;
+  state.split = split_of(look);
+  state.message = look.caption;
 }
 
 void choose(const course::Case& look, app::AnyLab& lab, app::View& view) {
@@ -105,10 +122,7 @@ void draw_looks(app::AnyLab& lab, WindowState& state, glm::vec2 size, float scal
     if (i % static_cast<std::size_t>(columns) != 0) ImGui::SameLine();
     if (!look_button(entries[i], picture)) continue;
     try {
-      choose(entries[i].look, lab, state.view);
-      state.look = i;
-      state.split.reset();
-      state.message = entries[i].look.caption;
+      choose_look(lab, state, i);
     } catch (const Error& error) {
       state.message = error.what();
     }
@@ -119,20 +133,25 @@ void draw_looks(app::AnyLab& lab, WindowState& state, glm::vec2 size, float scal
 
 void draw_keys(WindowState& state, glm::vec2 size) {
   if (!state.keys_open) return;
-  ImGui::SetNextWindowPos({state.panel_width + size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({std::min(state.panel_width + size.x / 2, window.x / 2), window.y / 2},
+                          ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::SetNextWindowFocus();
   ImGui::Begin("Keys and mouse", &state.keys_open, kFlags | ImGuiWindowFlags_AlwaysAutoResize);
-  const auto row = [](const char* shown, const char* what) {
-    ImGui::TextColored(theme().next, "%s", shown);
-    ImGui::SameLine(ImGui::GetFontSize() * 6.5F);
-    ImGui::TextUnformatted(what);
-  };
-  for (const Key& key : kKeys) row(key.shown, key.what);
-  ImGui::Separator();
-  row("drag", "orbit");
-  row("right drag", "move the light");
-  row("wheel", "zoom");
-  row("click", "inspect a pixel");
-  row("drop a file", "an OBJ model or a picture");
+  if (ImGui::BeginTable("keys", 4, ImGuiTableFlags_SizingFixedFit)) {
+    const auto row = [](const char* shown, const char* what) {
+      ImGui::TableNextColumn();
+      ImGui::TextColored(theme().next, "%s", shown);
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(what);
+    };
+    for (const Key& key : kKeys) row(key.shown, key.what);
+    row("Tab, arrows", "from one control to the next"), row("Enter", "press or open it");
+    row("drag", "orbit"), row("right drag", "move the light");
+    row("wheel", "zoom"), row("click", "inspect a pixel");
+    row("drop a file", "an OBJ model or a picture");
+    ImGui::EndTable();
+  }
   ImGui::End();
 }
 

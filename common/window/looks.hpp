@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,8 @@ struct Looks {
   void forget();
 };
 
+/// The value right of the line of an opening; none of another look.
+std::optional<app::Canvas::Split> split_of(const course::Look& look);
 /// Sets the look's parameters and view. Throws Error (usage) when the lab does not have them.
 void choose(const course::Case& look, app::AnyLab& lab, app::View& view);
 

@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/camera.hpp"
-#include "app/settings.hpp"
 #include "panel.hpp"
 
 namespace texel::window {
@@ -20,7 +18,7 @@ constexpr ImGuiWindowFlags kPlate = kPlaced | ImGuiWindowFlags_NoDecoration |
 constexpr ImU32 kAxisColors[] = {IM_COL32(255, 80, 80, 255), IM_COL32(90, 230, 90, 255),
                                  IM_COL32(110, 150, 255, 255)};  // of T, B and N
 
-ImU32 color_of(FrameLine::Axis axis) {
+ImU32 color_of(app::FrameLine::Axis axis) {
   return kAxisColors[static_cast<std::size_t>(axis)];
 }
 
@@ -67,117 +65,54 @@ void error_plate(WindowState& state, glm::vec2 size, float scale) {
   ImGui::End();
 }
 
-/// The camera that the parameters describe.
-app::OrbitCamera camera_of(params::Set& parameters) {
-  const auto value = [&](const char* name) { return static_cast<float>(parameters.at(name).value()); };
-  app::OrbitCamera camera;
-  camera.yaw = value("yaw"), camera.pitch = value("pitch");
-  camera.distance = value("distance"), camera.field_of_view = value("field_of_view");
-  return camera;
+/// What stands at the line: what the opening calls its two sides as long as these are shown, else the values.
+std::pair<std::string, std::string> sides(const params::Parameter& p, const WindowState& state) {
+  if (state.look) {
+    const course::Look& look = state.looks->entries[*state.look].look;
+    const course::Setting left{std::string(p.name), p.text()}, right{left.parameter, state.split->value};
+    if (look.right == right && std::ranges::count(look.settings, left) > 0)
+      return {look.sides.front(), look.sides.back()};
+  }
+  const std::string of = p.type == params::Parameter::Type::toggle ? label_of(p.name) + " " : "";
+  return {of + p.text(), of + state.split->value};
 }
-
-/// What the data views have at a pixel.
-struct Views {
-  image::ImageF depth, texcoord, normal, tangent;  ///< empty where the lab has no such view
-  glm::ivec2 size;
-  glm::mat4 world_from_view, clip_from_world;
-  float tangent_of_half_angle, aspect;
-
-  [[nodiscard]] bool is_object(glm::ivec2 p) const { return depth.at(p.x, p.y, 3) > 0; }
-  static glm::vec3 vector(const image::ImageF& picture, glm::ivec2 p) {
-    return {picture.at(p.x, p.y, 0), picture.at(p.x, p.y, 1), picture.at(p.x, p.y, 2)};
-  }
-  [[nodiscard]] glm::vec3 position(glm::ivec2 p) const {
-    const glm::vec2 ndc = 2.0F * (glm::vec2(p) + 0.5F) / glm::vec2(size) - 1.0F;
-    const float z = depth.at(p.x, p.y, 0), reach = z * tangent_of_half_angle;
-    return glm::vec3(world_from_view * glm::vec4(ndc.x * reach * aspect, ndc.y * reach, -z, 1));
-  }
-  [[nodiscard]] glm::vec2 in_picture(const glm::vec3& world) const {
-    const glm::vec4 clip = clip_from_world * glm::vec4(world, 1);
-    return {0.5F + 0.5F * clip.x / clip.w, 0.5F - 0.5F * clip.y / clip.w};
-  }
-  /// Where t grows at a pixel, world space: from the differences to the pixels right of it and above.
-  [[nodiscard]] glm::vec3 growth_of_t(glm::ivec2 p) const {
-    const glm::ivec2 right = p + glm::ivec2(1, 0), up = p + glm::ivec2(0, 1);
-    const glm::vec3 here = position(p), dx = position(right) - here, dy = position(up) - here;
-    const glm::vec2 st(vector(texcoord, p)), sx = glm::vec2(vector(texcoord, right)) - st,
-                                             sy = glm::vec2(vector(texcoord, up)) - st;
-    const float determinant = sx.s * sy.t - sy.s * sx.t;
-    return (sx.s * dy - sy.s * dx) * (determinant < 0 ? -1.0F : 1.0F);
-  }
-};
 
 }  // namespace
-
-std::vector<FrameLine> frame_lines(app::Canvas& canvas, app::AnyLab& lab, glm::ivec2 size, int spacing) {
-  const auto has = [&](app::View view) { return std::ranges::count(lab.views(), view) > 0; };
-  if (!has(app::View::depth) || !has(app::View::normal)) return {};
-  const app::OrbitCamera camera = camera_of(lab.parameters());
-  const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
-  Views views;
-  views.size = size, views.aspect = aspect;
-  views.world_from_view = glm::inverse(camera.view_from_world());
-  views.clip_from_world = camera.clip_from_world(aspect);
-  views.tangent_of_half_angle = std::tan(glm::radians(camera.field_of_view) / 2);
-  views.depth = canvas.values_of(app::View::depth, size);
-  if (has(app::View::texcoord)) views.texcoord = canvas.values_of(app::View::texcoord, size);
-  if (has(app::View::tangent)) views.tangent = canvas.values_of(app::View::tangent, size);
-  {
-    const app::KeptValues before(lab.parameters());
-    if (params::Parameter* mapping = lab.parameters().find("normal_mapping")) mapping->set_value(0);
-    views.normal = canvas.values_of(app::View::normal, size);
-  }
-
-  std::vector<FrameLine> lines;
-  const float length = 0.06F * camera.distance;  // world units
-  for (int y = spacing / 2; y + 1 < size.y; y += spacing)
-    for (int x = spacing / 2; x + 1 < size.x; x += spacing) {
-      const glm::ivec2 p(x, y);
-      if (!views.is_object(p) || !views.is_object(p + glm::ivec2(1, 0)) ||
-          !views.is_object(p + glm::ivec2(0, 1)))
-        continue;
-      const glm::vec3 position = views.position(p), normal = Views::vector(views.normal, p);
-      const auto add = [&](FrameLine::Axis axis, const glm::vec3& direction) {
-        const glm::vec2 from = views.in_picture(position),
-                        to = views.in_picture(position + length * direction);
-        if (std::isfinite(to.x + to.y)) lines.push_back({axis, from, to});
-      };
-      add(FrameLine::Axis::normal, normal);
-      if (views.tangent.samples.empty()) continue;
-      const glm::vec3 tangent = Views::vector(views.tangent, p), side = glm::cross(normal, tangent);
-      add(FrameLine::Axis::tangent, tangent);
-      if (views.texcoord.samples.empty()) continue;
-      add(FrameLine::Axis::bitangent, glm::dot(side, views.growth_of_t(p)) < 0 ? -side : side);
-    }
-  return lines;
-}
 
 void draw_overlay(app::AnyLab& lab, WindowState& state, glm::vec2 size, float pixels_per_unit, float scale) {
   ImDrawList& canvas = *ImGui::GetBackgroundDrawList();
   const float origin = state.panel_width;
   if (state.split && state.view != app::View::error) {  // the error is drawn whole
-    const float x = std::round(origin + state.split->position * size.x);
+    const float x = std::round(origin + state.split->position * size.x), gap = 10 * scale;
     canvas.AddLine({x, 0}, {x, size.y}, IM_COL32(255, 255, 255, 220), 2 * scale);
-    const float y = size.y - 28 * scale, gap = 10 * scale;
-    // The value's name on its side of the line.
-    const auto name = [&](const std::string& value, float pivot) {
-      const float width = ImGui::CalcTextSize(value.c_str()).x, left = x - pivot * (width + 2 * gap);
+    // A handle says that the line can be dragged.
+    const float middle = size.y / 2;
+    canvas.AddCircleFilled({x, middle}, 1.3F * gap, IM_COL32(20, 21, 24, 220));
+    canvas.AddCircle({x, middle}, 1.3F * gap, IM_COL32_WHITE, 0, 1.5F * scale);
+    for (const float way : {-1.0F, 1.0F})
+      canvas.AddTriangleFilled({x + way * 0.95F * gap, middle}, {x + way * 0.3F * gap, middle - gap / 2},
+                               {x + way * 0.3F * gap, middle + gap / 2}, IM_COL32_WHITE);
+    const float y = size.y - 28 * scale;
+    // What a side shows, at the line.
+    const auto name = [&](const std::string& side, float pivot) {
+      const float width = ImGui::CalcTextSize(side.c_str()).x, left = x - pivot * (width + 2 * gap);
       canvas.AddRectFilled({left, y - gap / 2}, {left + width + 2 * gap, size.y - gap / 2},
                            IM_COL32(0, 0, 0, 170));
-      canvas.AddText({left + gap, y}, IM_COL32_WHITE, value.c_str());
+      canvas.AddText({left + gap, y}, IM_COL32_WHITE, side.c_str());
     };
-    name(lab.parameters().at(state.split->parameter).text(), 1);
-    name(state.split->value, 0);
+    const auto [left, right] = sides(lab.parameters().at(state.split->parameter), state);
+    name(left, 1);
+    name(right, 0);
   }
-  for (const FrameLine& line : state.frame_lines) {
+  for (const app::FrameLine& line : state.frame_lines) {
     const auto at = [&](glm::vec2 place) { return ImVec2(origin + place.x * size.x, place.y * size.y); };
     canvas.AddLine(at(line.from), at(line.to), IM_COL32(0, 0, 0, 160), 3.5F * scale);
     canvas.AddLine(at(line.from), at(line.to), color_of(line.axis), 2 * scale);
   }
-  for (const auto& [axis, name] : {std::pair(FrameLine::Axis::tangent, "T"),
-                                   {FrameLine::Axis::bitangent, "B"},
-                                   {FrameLine::Axis::normal, "N"}})
-    if (std::ranges::find(state.frame_lines, axis, &FrameLine::axis) != state.frame_lines.end())
+  for (const auto& [axis, name] : {std::pair(app::FrameLine::Axis::tangent, "T"),
+                                   {app::FrameLine::Axis::bitangent, "B"},
+                                   {app::FrameLine::Axis::normal, "N"}})
+    if (std::ranges::find(state.frame_lines, axis, &app::FrameLine::axis) != state.frame_lines.end())
       canvas.AddText({origin + (12 + 16 * static_cast<float>(axis)) * scale, 10 * scale}, color_of(axis),
                      name);
   if (state.inspected && state.error.first.empty()) {  // the last good picture may have another size
@@ -193,6 +128,13 @@ void draw_overlay(app::AnyLab& lab, WindowState& state, glm::vec2 size, float pi
     const ImVec2 middle(origin + size.x / 2, size.y / 2);
     plate("##warnings", lower_right, {1, 1}, theme().next,
           fmt::format("{}", fmt::join(state.record.warnings, "\n")), 0.8F * size.x);
+    if (!state.legend.title.empty() && size.x > 260 * scale) {
+      ImGui::SetNextWindowPos({origin + 12 * scale, size.y - 12 * scale}, ImGuiCond_Always, {0, 1});
+      ImGui::SetNextWindowBgAlpha(0.86F);
+      ImGui::Begin("##legend", nullptr, kPlate | ImGuiWindowFlags_NoInputs);
+      draw_legend(state.legend, state.legend_picture, scale);
+      ImGui::End();
+    }
     plate("##no truth", middle, {0.5F, 0.5F}, theme().text, state.no_truth, 0.8F * size.x);
   }
   if (state.quit_asked)

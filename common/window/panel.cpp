@@ -13,12 +13,7 @@ namespace {
 
 using Type = params::Parameter::Type;
 
-/// "bump_strength" → "bump strength"
-std::string label_of(std::string_view name) {
-  std::string label(name);
-  for (char& c : label) c = c == '_' ? ' ' : c;
-  return label;
-}
+constexpr float kLabel = 8.6F;  // letters before a widget
 
 /// The name of what the next widget changes, which fills the rest of the line but for `right`.
 void label(const ImVec4& color, const std::string& text, std::string_view help, std::string_view more = {},
@@ -26,76 +21,99 @@ void label(const ImVec4& color, const std::string& text, std::string_view help, 
   ImGui::AlignTextToFramePadding();
   ImGui::TextColored(color, "%s", text.c_str());
   tooltip(help, more);
-  ImGui::SameLine(ImGui::GetFontSize() * 8.6F);
+  ImGui::SameLine(ImGui::GetFontSize() * kLabel);
   ImGui::SetNextItemWidth(-right);
 }
 
-/// A list to choose from, and what is chosen.
+/// A list to choose from, each value by its sentence, with its name behind it; and what is chosen.
 std::string combo(const char* id, std::span<const params::Item> items, std::string current) {
-  if (!ImGui::BeginCombo(id, current.c_str(), ImGuiComboFlags_HeightLarge)) return current;
+  ImGui::PushStyleColor(ImGuiCol_Text, theme().dim);
+  const bool is_open = ImGui::BeginCombo(id, current.c_str(), ImGuiComboFlags_HeightLarge);
+  ImGui::PopStyleColor();
+  if (!is_open) return current;
+  const float room = 24 * ImGui::GetFontSize();
   std::string chosen = current;
   for (const params::Item& item : items) {
-    if (ImGui::Selectable(item.name, current == item.name)) chosen = item.name;
-    tooltip(item.help);
+    const float height = ImGui::CalcTextSize(item.help, nullptr, false, room).y, top = ImGui::GetCursorPosY();
+    ImGui::PushID(item.name);
+    if (ImGui::Selectable("##item", current == item.name, 0, {1.45F * room, height})) chosen = item.name;
+    ImGui::PopID();
+    const float bottom = ImGui::GetCursorPosY();
+    ImGui::SetCursorPosY(top);
+    ImGui::PushTextWrapPos(room);
+    ImGui::TextUnformatted(item.help);
+    ImGui::PopTextWrapPos();
+    ImGui::SameLine(room + ImGui::GetFontSize());
+    ImGui::TextColored(theme().dim, "%s", item.name);
+    ImGui::SetCursorPosY(bottom);
   }
   ImGui::EndCombo();
   return chosen;
 }
 
+/// A slider, and its number beside it.
 void number_widget(params::Parameter& p) {
   const auto least = static_cast<float>(p.least), most = static_cast<float>(p.most);
-  std::string format = p.unit == "degrees" ? "%.1f\xC2\xB0" : "%.4g";
-  if (p.unit != "degrees" && !p.unit.empty()) format.append(" ").append(p.unit);
   ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat;
   if (p.scale == params::Scale::logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
-  if (p.type == Type::integer) {
-    int value = static_cast<int>(p.value());
-    if (ImGui::SliderInt("##value", &value, static_cast<int>(least), static_cast<int>(most), "%d", flags))
+  if (auto value = static_cast<int>(p.value()); p.type == Type::integer) {
+    if (ImGui::SliderInt("##value", &value, static_cast<int>(least), static_cast<int>(most), "", flags))
       p.set_value(value);
-    return;
+  } else if (auto real = static_cast<float>(p.value());
+             ImGui::SliderFloat("##value", &real, least, most, "", flags)) {
+    p.set_value(static_cast<double>(real));
   }
-  auto value = static_cast<float>(p.value());
-  if (ImGui::SliderFloat("##value", &value, least, most, format.c_str(), flags))
-    p.set_value(static_cast<double>(value));
+  ImGui::SameLine();
+  ImGui::Text(p.unit == "degrees" ? "%.1f\xC2\xB0" : "%.4g", p.value());
 }
 
 /// One parameter: its name, its widget, and a button that takes it back when it is not the default.
 void parameter_widget(params::Parameter& p) {
   ImGui::PushID(p.name.data());
   const bool is_default = p.is_default();
+  const float letter = ImGui::GetFontSize(), reset = 1.9F * letter;
   const std::string range = p.is_ranged() ? fmt::format(", {} to {} {}", p.least, p.most, p.unit) : "";
   label(is_default ? theme().text : theme().next, label_of(p.name), p.help,
         fmt::format("--{}, default {}{}\nCtrl+click a slider to type a value", p.flag(), p.initial(), range),
-        is_default ? 1 : ImGui::GetFontSize() * 3.4F);
+        p.is_ranged() ? reset + 3.9F * letter : reset);
   if (p.type == Type::toggle) {
     bool on = p.value() != 0;
     if (ImGui::Checkbox("##value", &on)) p.set_value(on ? 1 : 0);
   } else if (p.is_ranged()) {
     number_widget(p);
-  } else {
-    if (const std::string chosen = combo("##value", p.items, p.text()); chosen != p.text()) p.set(chosen);
-    tooltip(p.help);
+  } else if (const std::string chosen = combo("##value", p.items, p.text()); chosen != p.text()) {
+    p.set(chosen);
   }
   if (!is_default) {
-    ImGui::SameLine();
-    if (ImGui::SmallButton("reset")) p.reset();
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - 1.5F * letter);
+    if (ImGui::SmallButton(ImGui::GetFont()->FindGlyphNoFallback(0x21BA) != nullptr ? "\u21BA" : "x"))
+      p.reset();
     tooltip(fmt::format("back to {}", p.initial()));
+  }
+  if (p.type == Type::choice && (p.name == "method" || !is_default)) {
+    ImGui::Indent(kLabel * letter);
+    wrapped_text(theme().text, p.items[static_cast<std::size_t>(p.value())].help);
+    ImGui::Unindent(kLabel * letter);
   }
   ImGui::PopID();
 }
 
-void parameters_section(params::Set& parameters) {
-  std::string_view section = "\n";
-  bool open = true;
-  for (params::Parameter& p : parameters) {
-    if (p.section != section) {
-      section = p.section;
-      // The mouse moves the camera: its numbers are seldom wanted.
-      const bool starts_open = section != "Camera";
-      open = section.empty() ||
-             ImGui::CollapsingHeader(section.data(), starts_open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
-    }
-    if (open) parameter_widget(p);
+/// By sections. Those of the method and of what the lab opens with stand open.
+void parameters_section(params::Set& parameters, const WindowState& state) {
+  const auto is_of_lesson = [&](const params::Parameter& p) {
+    return p.name == "method" || (state.split && state.split->parameter == p.name);
+  };
+  for (auto first = parameters.begin(), end = first; first != parameters.end(); first = end) {
+    end = std::find_if(first, parameters.end(),
+                       [&](const params::Parameter& p) { return p.section != first->section; });
+    const auto changed = std::count_if(first, end, [](const auto& p) { return !p.is_default(); });
+    const std::string count = changed > 0 ? fmt::format("  ({} changed)", changed) : "";
+    const bool starts_open = std::any_of(first, end, is_of_lesson);
+    if (!first->section.empty() &&
+        !ImGui::CollapsingHeader(fmt::format("{}{}###{}", first->section, count, first->section).c_str(),
+                                 starts_open ? ImGuiTreeNodeFlags_DefaultOpen : 0))
+      continue;
+    for (auto p = first; p != end; ++p) parameter_widget(*p);
   }
 }
 
@@ -149,8 +167,9 @@ std::string bytes_text(long long bytes) {
                             : fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
 }
 
-void statistics_section(const WindowState& state) {
-  if (!ImGui::CollapsingHeader("Statistics", ImGuiTreeNodeFlags_DefaultOpen)) return;
+void statistics_section(WindowState& state) {
+  state.statistics_open = ImGui::CollapsingHeader("Statistics");
+  if (!state.statistics_open) return;
   const gl::Record& record = state.record;
   long long attribute_bytes = 0, texture_bytes = 0;
   for (const auto& use : record.attributes) attribute_bytes += use.bytes;
@@ -169,62 +188,77 @@ void statistics_section(const WindowState& state) {
   for (const std::string& fact : state.notes.facts) wrapped_text(theme().dim, fact);
 }
 
+/// What a key or a menu does, by name.
+const char* shortcut_of(Action action) {
+  const auto* key = std::ranges::find(kKeys, action, &Key::action);
+  return key != std::end(kKeys) ? key->shown : nullptr;
+}
+
+/// Three buttons, and a menu for what is wanted now and then.
 void buttons(WindowState& state) {
-  const ImGuiStyle& style = ImGui::GetStyle();
-  const auto width_of = [&](const char* label) {
-    return ImGui::CalcTextSize(label).x + 2 * style.FramePadding.x;
+  const auto item = [&](const char* name, Action value) {
+    if (ImGui::MenuItem(name, shortcut_of(value))) state.wanted = value;
   };
-  const auto button = [&](const char* label, Action value, const char* help, bool is_first = false) {
-    // On the same line while there is room.
-    if (!is_first) ImGui::SameLine();
-    if (!is_first && ImGui::GetContentRegionAvail().x < width_of(label)) ImGui::NewLine();
-    if (ImGui::Button(label)) state.wanted = value;
-    tooltip(help);
+  const auto button = [&](const char* name, Action value, const char* help) {
+    if (ImGui::Button(name)) state.wanted = value;
+    tooltip(fmt::format("{} ({})", help, shortcut_of(value)));
+    ImGui::SameLine();
   };
-  const bool has_looks = !state.looks->entries.empty();
-  if (has_looks)
-    button("Looks", Action::show_looks, "Small pictures of the gallery's looks: click one to have it (G)",
-           true);
-  button("Default", Action::default_look, "Sets the look with which the lab opens (J)", !has_looks);
-  button("Undo", Action::undo, "Takes back the last change of a parameter (Ctrl+Z)");
-  button("Redo", Action::redo, "Makes it again (Ctrl+Y)");
-  button("Keys", Action::show_keys, "All keys (F1)");
-  button(state.light_theme ? "Dark" : "Light", Action::toggle_theme, "Changes the panel's colours");
-  button("Snapshot", Action::snapshot,
-         "Writes the picture into the folder where you started the program (F12)", true);
-  button("Copy", Action::copy_picture, "Copies the picture into the clipboard (Ctrl+C)");
-  button("Command", Action::copy_command_line, "Copies the command that draws this look");
-  button("Turntable", Action::turntable,
-         "Writes 36 pictures of one turn into the folder where you started the program");
-  ImGui::SetNextItemWidth(-width_of("Save") - width_of("Load") - 2 * style.ItemSpacing.x);
-  ImGui::InputText("##config", &state.config_file);
-  tooltip("The file for Save and Load: all parameters, in the format of --config");
-  button("Save", Action::save_config, "Writes all parameters to the file");
-  button("Load", Action::load_config, "Reads parameters from the file");
-}
-
-/// Two lines of text below a line.
-float status_bar_height() {
-  return 2 * ImGui::GetTextLineHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
-}
-
-/// What happens, and what the last action did: at the lower end, where it moves nothing.
-void status_bar(const WindowState& state) {
+  if (!state.looks->entries.empty())
+    button("Looks", Action::show_looks, "Small pictures: click one to have its look");
+  button("Undo", Action::undo, "Takes back the last change");
+  button("Redo", Action::redo, "Makes it again");
+  if (ImGui::Button("Menu")) ImGui::OpenPopup("menu");
+  if (!ImGui::BeginPopup("menu")) return;
+  item("First look", Action::default_look);
+  item("Keys and mouse", Action::show_keys);
+  item(state.light_theme ? "Dark colours" : "Light colours", Action::toggle_theme);
   ImGui::Separator();
-  std::string text;
+  item("Snapshot into this folder", Action::snapshot);
+  item("Copy the picture", Action::copy_picture);
+  item("Copy the command", Action::copy_command_line);
+  item("Turntable of 36 pictures", Action::turntable);
+  ImGui::Separator();
+  ImGui::InputText("##config", &state.config_file);
+  item("Save parameters", Action::save_config);
+  item("Load parameters", Action::load_config);
+  ImGui::EndPopup();
+}
+
+/// What happens, and what the last action did, at the lower end; or nothing.
+std::string status_of(const WindowState& state) {
+  std::string text = state.built_again ? "The lab was built again: F5 opens it anew" : "";
   for (const std::string& line : {state.message, state.progress, state.steps ? state.steps->progress() : ""})
     if (!line.empty()) text.append(text.empty() ? "" : "\n").append(line);
+  return text;
+}
+
+/// Three lines of the text at most, below a line; no room for none.
+float status_height(const std::string& text) {
+  if (text.empty()) return 0;
+  const float lines = ImGui::CalcTextSize(text.c_str(), nullptr, false, ImGui::GetContentRegionAvail().x).y;
+  return std::min(lines, 3 * ImGui::GetTextLineHeight()) + 2 * ImGui::GetStyle().ItemSpacing.y + 1;
+}
+
+void status_bar(const WindowState& state, const std::string& text) {
+  if (text.empty()) return;
+  ImGui::Separator();
   ImGui::BeginChild("status", {0, 0}, 0, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  if (state.built_again) wrapped_text(theme().next, "The lab was built again: F5 opens it anew");
-  wrapped_text(theme().dim, text);
-  if (!text.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
+  wrapped_text(state.built_again ? theme().next : theme().dim, text);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
   ImGui::EndChild();
 }
 
 }  // namespace
 
+std::string label_of(std::string_view name) {
+  std::string label(name);
+  std::ranges::replace(label, '_', ' ');
+  return label;
+}
+
 SavedLook save_look(const params::Set& parameters, const WindowState& state) {
-  SavedLook saved{{}, state.view, state.look};
+  SavedLook saved{{}, state.view, state.split, state.look};
   for (const params::Parameter& p : parameters) saved.values.push_back(p.name == "turn" ? "" : p.text());
   return saved;
 }
@@ -235,7 +269,7 @@ void go_to(const SavedLook& look, params::Set& parameters, WindowState& state) {
     if (p.name != "turn") p.set(*value);
     ++value;
   }
-  state.view = look.view, state.look = look.look;
+  state.view = look.view, state.split = look.split, state.look = look.look;
 }
 
 float default_panel_width(float window, float scale) {
@@ -254,16 +288,17 @@ void draw_panel(app::AnyLab& lab, WindowState& state, float scale) {
   ImGui::Begin(fmt::format("Lab {}: {}###panel", info.number, info.title).c_str(), nullptr,
                kPlaced | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   state.panel_width = ImGui::GetWindowWidth();
-  ImGui::BeginChild("sections", {0, -status_bar_height()});
+  const std::string status = status_of(state);
+  ImGui::BeginChild("sections", {0, -status_height(status)});
   wrapped_text(theme().dim, info.lesson);
   buttons(state);
   steps_section(lab, state);
   view_section(lab, state);
+  parameters_section(lab.parameters(), state);
   state.more_is_open = state.more && state.more->draw(scale);
-  parameters_section(lab.parameters());
   statistics_section(state);
   ImGui::EndChild();
-  status_bar(state);
+  status_bar(state, status);
   ImGui::End();
 }
 

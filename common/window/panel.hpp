@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/canvas.hpp"
+#include "app/frame_lines.hpp"
 #include "history.hpp"
 #include "looks.hpp"
 #include "shader_message.hpp"
@@ -78,18 +79,6 @@ inline constexpr Key kKeys[] = {
     {GLFW_KEY_ESCAPE, false, Action::quit, "Esc", "close what is open, else quit"},
 };
 
-/// One axis of a surface's tangent frame, as a line over the picture: places from (0, 0), the picture's upper
-/// left corner, to (1, 1).
-struct FrameLine {
-  enum class Axis { tangent, bitangent, normal } axis;
-  glm::vec2 from, to;
-};
-
-/// T, B and N on a grid over the visible surface, of those that the lab draws as views. They are the
-/// surface's own: without the normal map. B stands at right angles to N and T, on the side to which t grows.
-/// `spacing` in pixels. Throws Error as Canvas::draw.
-std::vector<FrameLine> frame_lines(app::Canvas& canvas, app::AnyLab& lab, glm::ivec2 size, int spacing);
-
 /// What the window shows beside the lab's parameters; the panel's widgets change it.
 struct WindowState {
   app::View view = app::View::color;
@@ -107,8 +96,10 @@ struct WindowState {
     return error.first.empty() ? compile_error : error;
   }
 
-  gl::Record record;  ///< of the last frame that was inspected
-  app::Notes notes;   ///< of the lab
+  gl::Record record;   ///< of the last frame that was inspected
+  app::Notes notes;    ///< of the lab
+  app::Legend legend;  ///< of the data view
+  gl::Texture legend_picture;
   double frame_milliseconds = 0;
   std::optional<app::ErrorFigures> figures;  ///< while the view `error` is shown
   ErrorMessage compile_error;                ///< of what was saved in C++, until it is mended
@@ -134,21 +125,28 @@ struct WindowState {
   std::optional<StepsCheck> steps;           ///< none where there is nothing to check
   std::map<std::string, std::size_t> hints;  ///< how many are shown, by step
   std::optional<CasePictures> case_pictures;
-  bool case_is_new = false;           ///< since the last frame
+  bool case_is_new = false;  ///< since the last frame
+  bool all_steps_done = false;
   std::string step_to_open;           ///< in the section "Steps", or ""
   std::optional<SavedLook> own_look;  ///< as it was before a case was picked
   std::optional<Looks> looks;         ///< always there while the window is open
   std::unique_ptr<MoreSection> more;  ///< or null
-  bool more_is_open = false;
+  bool more_is_open = false, statistics_open = false;
   bool looks_open = false, keys_open = false, light_theme = false, wireframe = false, axes = false;
-  std::vector<FrameLine> frame_lines;  ///< while `axes` is on
-  std::string progress;                ///< what goes on for longer than a frame, or ""
+  std::vector<app::FrameLine> frame_lines;  ///< while `axes` is on
+  std::string progress;                     ///< what goes on for longer than a frame, or ""
   std::string config_file;
 };
+
+/// "bump_strength" → "bump strength"
+std::string label_of(std::string_view name);
 
 /// The present look, and back to one: parameters (the model stays turned as it is), view and gallery's look.
 SavedLook save_look(const params::Set& parameters, const WindowState& state);
 void go_to(const SavedLook& look, params::Set& parameters, WindowState& state);
+
+/// Sets a look of the gallery, with its line. Throws as choose.
+void choose_look(app::AnyLab& lab, WindowState& state, std::size_t index);
 
 /// The section "Steps": each with its figure; its cases, which set the look when they are picked; its hints.
 void steps_section(app::AnyLab& lab, WindowState& state);

@@ -5,11 +5,9 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
-#include "image/color.hpp"
 #include "panel.hpp"
 
 namespace texel::window {
@@ -49,6 +47,7 @@ void text_part(WindowState& state) {
   wrapped_text(theme().text, text.task);
   if (text.lines.empty()) return;
   ImGui::Separator();
+  ImGui::PushFont(code_font());
   for (std::size_t i = 0; i < text.lines.size(); ++i) {
     const int number = text.first_line + static_cast<int>(i);
     const std::string& line = text.lines[i];
@@ -61,6 +60,7 @@ void text_part(WindowState& state) {
     const bool is_given = number <= text.line || line.find("//@") != std::string::npos;
     wrapped_text(is_given ? theme().dim : theme().text, line.substr(indent));
   }
+  ImGui::PopFont();
 }
 
 /// The figure that the step is judged by: a ring marks a pixel that has it.
@@ -71,24 +71,6 @@ std::string caption(const CasePictures& p) {
   if (p.figures.max == 0) return fmt::format("equal to the expected picture; limit {:g}", one.limit);
   return fmt::format("{}: off by {:.3g} {} (limit {:g}){}", one.passed() ? "right" : "wrong", one.error,
                      name_of(one.unit()), one.limit, one.passed() ? "" : ", as in the ring");
-}
-
-/// The bar below the heat map.
-void heat_scale(const CasePictures& p, float width) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = ImGui::GetTextLineHeight() * 0.6F;
-  constexpr int kParts = 64;
-  for (int i = 0; i < kParts; ++i) {
-    const std::array<float, 3> c = image::heat((static_cast<float>(i) + 0.5F) / kParts);
-    const float step = width / kParts, left = at.x + step * static_cast<float>(i);
-    ImGui::GetWindowDrawList()->AddRectFilled({left, at.y}, {left + step + 1, at.y + height},
-                                              ImGui::GetColorU32({c[0], c[1], c[2], 1}));
-  }
-  ImGui::Dummy({width, height});
-  ImGui::TextColored(theme().dim, "0");
-  const std::string most = fmt::format("{:.3g} {}", p.full_scale, name_of(p.result.unit()));
-  ImGui::SameLine(width - ImGui::CalcTextSize(most.c_str()).x);
-  ImGui::TextColored(theme().dim, "%s", most.c_str());
 }
 
 void picture_part(CasePictures& p, float side, float scale) {
@@ -123,7 +105,7 @@ void picture_part(CasePictures& p, float side, float scale) {
   ImGui::InvisibleButton("##picture", {side, height});
   if (ImGui::IsItemActive() && p.shown == Shown::split)
     p.position = std::clamp((ImGui::GetIO().MousePos.x - at.x) / side, 0.0F, 1.0F);
-  if (p.shown == Shown::heat_map) heat_scale(p, side);
+  if (p.shown == Shown::heat_map) draw_legend(p.legend, p.legend_picture, scale);
   wrapped_text(theme().dim, caption(p));
 }
 

@@ -144,7 +144,9 @@ CasePictures load_case(const fs::path& root, const std::string& lab, const judge
     pictures.own = picture_texture(all.own), pictures.expected = picture_texture(all.expected);
     pictures.difference = picture_texture(all.difference);
     pictures.heat_map = picture_texture(all.heat_map);
-    pictures.figures = all.figures, pictures.full_scale = all.full_scale;
+    pictures.figures = all.figures;
+    pictures.legend = app::error_legend(all.full_scale, one.unit());
+    pictures.legend_picture = picture_texture(pictures.legend.picture);
   } catch (const Error& error) {
     pictures.fault = error.what();
   }
@@ -211,8 +213,16 @@ void step_details(app::AnyLab& lab, WindowState& state, const judge::StepResult&
 }  // namespace
 
 void steps_section(app::AnyLab& lab, WindowState& state) {
-  if (!state.steps || !ImGui::CollapsingHeader("Steps", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  if (!state.steps) return;
   const std::vector<judge::StepResult>& steps = state.steps->steps();
+  const auto done = std::ranges::count(steps, Status::passed, &judge::StepResult::status);
+  const bool are_all = done > 0 && done == std::ssize(steps);
+  // They fold when the last one is done.
+  if (are_all && !std::exchange(state.all_steps_done, are_all)) ImGui::SetNextItemOpen(false);
+  state.all_steps_done = are_all;
+  const std::string count = steps.empty() ? "" : fmt::format(": {} of {} done", done, steps.size());
+  if (!ImGui::CollapsingHeader(fmt::format("Steps{}###steps", count).c_str(), ImGuiTreeNodeFlags_DefaultOpen))
+    return;
   const std::string& fault = state.steps->found().fault;
   if (!fault.empty())
     wrapped_plain(theme().next, "Not checked: " + fault);
@@ -235,7 +245,10 @@ void steps_section(app::AnyLab& lab, WindowState& state) {
     if (ImGui::IsItemToggledOpen() && shows) pick_step(lab, state, step);
     if (ImGui::IsItemHovered() && is_done) ImGui::SetTooltip("%s", figure(step).c_str());
     ImGui::SameLine();  // the title beside the triangle: a tree node's own text is not wrapped
-    wrapped_plain(color, fmt::format("{} {} {}", judge::word_of(step, is_next), step.id, title));
+    const std::string waits = step.spoilt_by.empty() || step.status != Status::skipped
+                                  ? ""
+                                  : " for " + judge::listed(step.spoilt_by);
+    wrapped_plain(color, fmt::format("{}{} {} {}", judge::word_of(step, is_next), waits, step.id, title));
     if (is_open && !shows && !step.is_untouched()) {
       ImGui::Indent();
       wrapped_plain(theme().dim, figure(step));

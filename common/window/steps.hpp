@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/lab.hpp"
+#include "app/legend.hpp"
 #include "course/step_text.hpp"
 #include "image/difference.hpp"
 #include "judge/results.hpp"
@@ -63,7 +64,8 @@ struct CasePictures {
   int width = 0, height = 0;
   gl::Texture own, expected, difference, heat_map;  ///< bottom row first
   image::Difference figures;
-  double full_scale = 0;  ///< the heat map's hottest colour
+  app::Legend legend;  ///< of the heat map
+  gl::Texture legend_picture;
 };
 
 /// Loads a case's pictures, and the step's text from the tree `root` and its folder `lab`. Files that are

@@ -54,7 +54,12 @@ Window::Window(app::AnyLab& lab, const app::Assets& assets, const WindowOptions&
   state_.looks.emplace(lab, assets);
   if (MoreSection::make != nullptr) state_.more = MoreSection::make(context_, assets, lab);
   state_.message = state_.looks->fault;
-  if (!options.look_given && !state_.looks->entries.empty()) perform(Action::default_look);
+  if (!options.look_given && !state_.looks->entries.empty()) {
+    const params::Parameter* turn = options.turn_given ? lab.parameters().find("turn") : nullptr;
+    const double given = turn != nullptr ? turn->value() : 0;
+    choose_look(lab, state_, 0);
+    if (turn != nullptr) lab.parameters().at("turn").set_value(given);
+  }
   const std::filesystem::path root = assets.shader_root().parent_path();
   if (std::filesystem::exists(root / "labs" / lab.info().folder() / "expected")) try {
       state_.steps.emplace(lab.info().folder(), root);
@@ -203,6 +208,7 @@ void Window::show() {
   {
     const Stage stage("panel");
     Gui::begin_frame();
+    if (drag_ == Drag::split_line || over_line()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     draw_panel(lab_, state_, scale_);
     draw_overlay(lab_, state_, picture_units(), pixels_per_unit(), scale_);
     draw_step(state_, units_, scale_);
@@ -268,15 +274,10 @@ void Window::reload(bool assets) {
 }
 
 void Window::fit_view() {
-  params::Parameter* angle = lab_.parameters().find("field_of_view");
-  if (angle == nullptr) return;
   const course::Look* look = chosen_look();
-  const double aspect = look != nullptr ? static_cast<double>(look->size.width) / look->size.height : 1;
+  const double made_for = look != nullptr ? static_cast<double>(look->size.width) / look->size.height : 1;
   const double own = static_cast<double>(picture_pixels().x) / std::max(picture_pixels().y, 1);
-  const double narrower = own / std::max(aspect, 1.0);
-  if (narrower >= 1) return;
-  const double wider = 2 * std::atan(std::tan(glm::radians(angle->value()) / 2) / narrower);
-  angle->set_value(std::min(glm::degrees(wider), angle->most));
+  app::fit_view(lab_.parameters(), own, made_for);
 }
 
 void Window::draw_picture() {
@@ -301,9 +302,9 @@ void Window::draw_picture() {
     std::string look;
     {
       const Stage stage("parameters");
-      look =
-          fmt::format("{} {} {}x{} {} {}", lab_.parameters().key(), name_of(is_unknown ? state_.view : view),
-                      size.x, size.y, state_.wireframe, state_.axes);
+      look = fmt::format("{} {} {}x{} {} {} {}", lab_.parameters().key(),
+                         name_of(is_unknown ? state_.view : view), size.x, size.y, state_.wireframe,
+                         state_.axes, state_.statistics_open);
       if (state_.split)
         look +=
             fmt::format(" {}={} {}", state_.split->parameter, state_.split->value, state_.split->position);
@@ -311,27 +312,27 @@ void Window::draw_picture() {
     if (look == drawn_) return;
     drawn_ = look;
     const Stopwatch stopwatch;
-    // The data views' second pass fills the picture with one triangle: it must not become three lines.
-    glPolygonMode(GL_FRONT_AND_BACK, state_.wireframe && view == app::View::color ? GL_LINE : GL_FILL);
     // While the model turns only the picture changes: what it is made of is not read again.
-    if ((turning() && inspected_once_) || state_.split)
-      canvas_.draw(view, size, options_.samples, state_.split);
-    else
-      state_.record = canvas_.record(view, size, options_.samples);
+    const bool is_plain = !state_.split && !state_.wireframe;
+    const bool reads = (is_plain || state_.statistics_open) && !(turning() && inspected_once_);
+    if (reads) state_.record = canvas_.record(view, size, options_.samples);
+    inspected_once_ = inspected_once_ || reads;
+    canvas_.show_edges(state_.wireframe);
+    if (!is_plain || !reads) canvas_.draw(view, size, options_.samples, state_.split);
+    canvas_.show_edges(false);
     if (is_unknown) canvas_.draw_nothing(size);
-    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glFinish();
-    inspected_once_ = true;
     state_.frame_milliseconds = stopwatch.milliseconds();
     state_.notes = canvas_.notes();
     state_.figures = canvas_.error_figures();
+    state_.legend = is_unknown ? app::Legend() : canvas_.legend(view);
+    if (!state_.legend.title.empty()) state_.legend_picture = picture_texture(state_.legend.picture);
     state_.error = {};
     if (!reloaded_.empty()) state_.message = std::exchange(reloaded_, {});
     inspect();
     state_.frame_lines =
-        state_.axes ? frame_lines(canvas_, lab_, size, kFrameSpacing) : std::vector<FrameLine>();
+        state_.axes ? app::frame_lines(canvas_, lab_, size, kFrameSpacing) : std::vector<app::FrameLine>();
   } catch (const Error& error) {
-    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     state_.error = read_message(error.what(), assets_.shader_root().parent_path());
     state_.frame_lines.clear();  // the last good picture may have another size
     if (!std::exchange(reloaded_, {}).empty()) state_.message = "the last good picture stays";

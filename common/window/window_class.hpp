@@ -97,6 +97,8 @@ class Window {
   /// By the mouse's place now: what ImGui says is hovered is of the last frame, and a slow frame would lose
   /// clicks.
   [[nodiscard]] bool over_picture() const;
+  /// Over the line between two values, or its handle.
+  [[nodiscard]] bool over_line() const;
   void on_button(int button, int action);
   void on_move(glm::vec2 mouse);
 

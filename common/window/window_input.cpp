@@ -156,10 +156,10 @@ void Window::perform(Action action) {
         return;
       }
       case Action::default_look:
-        lab_.parameters().reset();
-        state_.look.reset();
-        if (!options_.look_given && !state_.looks->entries.empty()) state_.look = 0;  // the hero
-        if (const course::Look* hero = chosen_look()) choose(*hero, lab_, state_.view);
+        if (state_.looks->entries.empty())
+          lab_.parameters().reset();
+        else
+          choose_look(lab_, state_, 0);
         return;
       case Action::show_looks:
         state_.looks_open = !state_.looks_open && !state_.looks->entries.empty();
@@ -183,7 +183,8 @@ void Window::perform(Action action) {
         if (const ErrorMessage& error = state_.shown_error(); !error.file.empty())
           open_in_editor(error.file, error.line, error.column);
         else if (state_.case_pictures)
-          open_in_editor(state_.case_pictures->text.file, state_.case_pictures->text.line);
+          open_in_editor(state_.case_pictures->text.file,
+                         state_.case_pictures->text.line + 1);  // the student's
         else
           state_.message = "pick a case of a step first";
         return;
@@ -300,6 +301,8 @@ void Window::go_on_with_turntable() {
 
 void Window::on_key(int key, int action, bool control) {
   if (action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
+  // While a control has the keyboard, Esc gives it back, and space presses it.
+  if (ImGui::GetIO().NavVisible && (key == GLFW_KEY_ESCAPE || key == GLFW_KEY_SPACE)) return;
   // Held down, Esc would close one thing after the other, and quit.
   if (action == GLFW_REPEAT && key == GLFW_KEY_ESCAPE) return;
   for (const Key& one : kKeys)
@@ -329,6 +332,12 @@ bool Window::over_picture() const {
          !is_covered(mouse_);
 }
 
+bool Window::over_line() const {
+  if (!state_.split || !over_picture()) return false;
+  const glm::vec2 at = in_picture(mouse_) - picture_units() * glm::vec2(state_.split->position, 0.5F);
+  return std::abs(at.x) < 8 * scale_ || glm::length(at) < 14 * scale_;
+}
+
 void Window::on_button(int button, int action) {
   state_.quit_asked = false;
   if (button == GLFW_MOUSE_BUTTON_RIGHT) {
@@ -338,9 +347,7 @@ void Window::on_button(int button, int action) {
   if (button != GLFW_MOUSE_BUTTON_LEFT) return;
   if (action == GLFW_PRESS && over_picture()) {
     drag_ = Drag::picture;
-    if (state_.split &&
-        std::abs(in_picture(mouse_).x - state_.split->position * picture_units().x) < 8 * scale_)
-      drag_ = Drag::split_line;
+    if (over_line()) drag_ = Drag::split_line;
     pressed_at_ = mouse_;
   } else if (action == GLFW_RELEASE) {
     if (drag_ == Drag::picture && glm::distance(pressed_at_, mouse_) <= kClickTolerance) {

@@ -11,11 +11,11 @@
 
 #include "answers/camera.hpp"
 #include "app/lab.hpp"
+#include "app/legend.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "core/stopwatch.hpp"
 #include "image/color.hpp"
-#include "procedural/shapes.hpp"
 
 namespace texel::answers {
 namespace {
@@ -30,7 +30,7 @@ glm::dvec3 value_at(const image::ImageF& picture, int x, int y) {
 }
 
 using Color = std::array<std::uint8_t, 3>;
-constexpr Color kOutside = {52, 56, 64}, kNotFinite = {255, 0, 255}, kWriting = {255, 255, 255};
+constexpr Color kOutside = {52, 56, 64}, kNotFinite = {255, 0, 255};
 
 Color heat_color(double t) {
   const std::array<float, 3> heat = image::heat(static_cast<float>(t));
@@ -42,16 +42,6 @@ Color heat_color(double t) {
 void put(image::Image8& picture, int x, int y, const Color& color) {
   for (int c = 0; c < 3; ++c) picture.at(x, y, c) = color[static_cast<std::size_t>(c)];
   picture.at(x, y, 3) = 255;
-}
-
-/// Writes a line of text, `height` pixels high, its lower left corner at (left, bottom).
-void write(image::Image8& picture, const std::string& text, double left, double bottom, double height) {
-  const double unit = height / 6;  // a capital is 6 units high and 4 wide
-  const double half_stroke = 0.5;
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x)
-      if (procedural::in_text(text, (x + 0.5 - left) / unit, (y + 0.5 - bottom) / unit, half_stroke))
-        put(picture, x, y, kWriting);
 }
 
 double error_of(const glm::dvec3& value, const glm::dvec3& truth, const Measure& measure) {
@@ -187,15 +177,7 @@ double truth_error(const image::ImageF& picture, const Truth& truth, const Measu
   return std::sqrt(squares / (2 * std::max(count, 1)));
 }
 
-double round_up(double value) {
-  if (!(value > 0)) return 1;
-  const double power = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power >= value) return factor * power;
-  return 10 * power;
-}
-
-image::Image8 error_map(const image::ImageF& error, double scale, Unit unit) {
+image::Image8 error_map(const image::ImageF& error, double scale) {
   image::Image8 map(error.width, error.height, 4);
   for (int y = 0; y < error.height; ++y)
     for (int x = 0; x < error.width; ++x) {
@@ -205,19 +187,6 @@ image::Image8 error_map(const image::ImageF& error, double scale, Unit unit) {
       else
         put(map, x, y, std::isfinite(value) ? heat_color(value / scale) : kNotFinite);
     }
-  // The bar lies at the lower edge; small pictures have no room for it.
-  const int margin = error.width / 32, bar_height = error.height / 40, text_height = error.height / 36;
-  if (margin < 6) return map;
-  const int left = margin, right = error.width - margin;
-  for (int x = left; x < right; ++x)
-    for (int y = margin; y < margin + bar_height; ++y)
-      put(map, x, y, heat_color((x + 0.5 - left) / (right - left)));
-  const double line = margin + bar_height + margin / 3.0;
-  std::string end = fmt::format("{:g} {}", scale, course::name_of(unit));  // the font has capitals
-  std::transform(end.begin(), end.end(), end.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  write(map, "0", left, line, text_height);
-  write(map, end, right - procedural::text_width(end) / 6 * text_height, line, text_height);
   return map;
 }
 
@@ -253,8 +222,9 @@ class TheMeasuring final : public app::Measuring {
     ErrorFigures figures = figures_of(error, truth_);
     figures.truth_error = truth_error_;
     tell_outlines_apart(figures, error, picture, truth_, measure);
-    image::Image8 map = error_map(error, scale > 0 ? scale : round_up(figures.p99), measure.unit);
-    return {std::move(error), figures, std::move(map)};
+    const double full_scale = scale > 0 ? scale : app::round_up(figures.p99);
+    image::Image8 map = error_map(error, full_scale);
+    return {std::move(error), figures, std::move(map), full_scale};
   }
   [[nodiscard]] double error_of(const glm::dvec3& value, const glm::dvec3& truth,
                                 const Measure& measure) const override {

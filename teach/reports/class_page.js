@@ -30,13 +30,14 @@ function tableHead() {
         column(step.id, `step ${step.first || ''}`, `Sort by step ${step.id}: ${step.title}, ${step.points} points`))}</tr></thead>`;
 }
 
-function cell(step, first) {
+function cell(step, first, page) {
   if (!step) return html`<td class="step ${first}" data-sort="-1"></td>`;
   let title = `${step.id} ${step.title}: ${step.word}, ${step.earned} of ${step.points}`;
   if (step.mistake) title += `. ${says(step.mistake)}`;
   if (step.overridden) title += `. Set by the teacher: ${step.overridden}`;
-  return html`<td class="step ${step.style} ${first}" data-sort="${step.score}" title="${title}"><span
-    aria-hidden="true">${step.symbol}${step.overridden && '*'}</span><span class="spoken">${step.word}</span></td>`;
+  return html`<td class="step ${step.style} ${first}" data-sort="${step.score}" title="${title}"><a
+    href="${page}#step-${step.id}"><span aria-hidden="true">${step.symbol}${step.overridden && '*'}</span><span
+    class="spoken">${step.id} ${step.word}</span></a></td>`;
 }
 
 function row(student) {
@@ -47,7 +48,7 @@ function row(student) {
     data-mistakes=" ${mistakes.join(' ')} "><th scope="row" class="name"><a
     href="${student.page}"><bdi>${student.name}</bdi></a><span class="quiet">${student.number}</span>${
     student.note && html`<span class="note ${student.noteStyle}">${student.note}</span>`}</th><td class="number"
-    data-sort="${student.sort}">${student.points}</td>${steps.map((step, i) => cell(step, columns[i].first))}</tr>`;
+    data-sort="${student.sort}">${student.points}</td>${steps.map((step, i) => cell(step, columns[i].first, student.page))}</tr>`;
 }
 
 function tableFoot() {
@@ -57,7 +58,7 @@ function tableFoot() {
 }
 
 function studentsSection() {
-  return html`<section id="students"><h2>Students</h2><div class="filter">
+  return html`<section id="students"><h2>Students</h2>${distribution()}<div class="filter">
     <label>Find <input type="search" id="find" placeholder="name or number" autocomplete="off"></label>
     <label>Show <select id="show"><option value="">all</option><option value="open">with work to do</option><option
       value="passed">all steps passed</option><option value="incident">not graded</option></select></label>
@@ -69,6 +70,20 @@ function studentsSection() {
     <p class="legend"><span class="passed">✓</span> passed <span class="partial">◐</span> in part
       <span class="failed">✗</span> not yet <span class="skipped">–</span> not begun <span>·</span> not judged
       <span>*</span> set by the teacher</p></section>`;
+}
+
+/** How many students have which share of all points, in ten parts. */
+function distribution() {
+  const most = columns.reduce((sum, {points}) => sum + Number(points), 0);
+  const marked = students.filter(({sort}) => sort >= 0);
+  if (marked.length < 2 || !(most > 0)) return '';
+  const counts = Array(10).fill(0);
+  for (const {sort} of marked) ++counts[Math.min(Math.floor(10 * sort / most), 9)];
+  const high = Math.max(...counts);
+  return html`<figure class="distribution"><ol>${counts.map((count, i) => html`<li title="${counted(count, 'student')} with ${10 * i} to ${
+      10 * (i + 1)} % of the points"><span>${count || ''}</span><svg viewBox="0 0 1 ${high}" preserveAspectRatio="none"
+    aria-hidden="true"><rect y="${high - count}" width="1" height="${count}"/></svg></li>`)}</ol>
+    <figcaption><span>0</span><span>students by points</span><span>${most}</span></figcaption></figure>`;
 }
 
 /** A line of a histogram: a number and its bar, at most `most` long. */
@@ -93,7 +108,7 @@ function triedSteps() {
 const tried = triedSteps();
 
 function stepsSection() {
-  const lines = tried.filter(({failed}) => failed > 0).map(({id, title, begun, failed}) => histogramLine(failed, tried[0].failed,
+  const lines = tried.filter(({failed}) => failed > 0).map(({id, title, begun, failed}) => histogramLine(failed, begun,
       html`${id} ${withCode(title)} <span class="quiet">${Math.round(100 * failed / begun)} % of ${counted(begun, 'student')}
         who began it</span>`));
   return html`<section id="steps"><h2>Steps that are not right yet</h2>
@@ -114,6 +129,9 @@ function mistakesMade() {
   return [...made.values()].sort((a, b) => b.students.size - a.students.size || (a.name < b.name ? -1 : 1));
 }
 
+/** Of those who began the step, or one of the steps. */
+const beganOneOf = (steps) => Math.max(...[...steps].map((id) => tried.find((one) => one.id === id)?.begun ?? 0));
+
 /** "3 of 40 students who began 5.2", or the steps in which a mistake was made. */
 function whoMade({steps, students: makers}) {
   if (steps.size > 1) return `steps ${[...steps].sort().join(', ')}`;
@@ -129,7 +147,7 @@ function mistakesSection() {
   const bySteps = columns.map(({id}) => [id, unnamed.filter((step) => step.id === id).length]).filter(([, count]) => count > 0);
   const sentence = (rest) => rest.replace(/^[.:; ]+/, '').replace(/^[a-z]/, (c) => c.toUpperCase());
   return html`<section id="mistakes"><h2>Mistakes</h2>
-    ${made.length > 0 && html`<ol class="histogram">${made.map((one) => histogramLine(one.students.size, made[0].students.size,
+    ${made.length > 0 && html`<ol class="histogram">${made.map((one) => histogramLine(one.students.size, Math.max(beganOneOf(one.steps), one.students.size),
         html`<button type="button" class="pick" data-mistake="${one.name}" title="Show these students">${withCode(one.title)}</button>
           <span class="quiet">${whoMade(one)}</span><p>${withCode(sentence(one.rest))}</p>`))}</ol>`}
     ${unnamed.length === 0 && made.length === 0 ? html`<p>None.</p>` :

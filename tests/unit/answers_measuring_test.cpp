@@ -7,6 +7,7 @@
 #include <set>
 
 #include "answers/measuring.hpp"
+#include "app/legend.hpp"
 #include "core/error.hpp"
 
 namespace texel::answers {
@@ -125,12 +126,26 @@ TEST(ErrorFigures, take_the_99th_percentile_by_nearest_rank) {
 
 TEST(ErrorScale, ends_at_1_2_or_5_times_a_power_of_ten) {
   for (const auto& [error, end] : {std::pair{0.0, 1.0}, {1, 1}, {1.2, 2}, {23, 50}, {51, 100}})
-    EXPECT_EQ(round_up(error), end);
+    EXPECT_EQ(app::round_up(error), end);
+}
+
+TEST(Legend, has_whole_levels_over_the_range_that_is_there) {
+  params::Set none;
+  image::ImageF levels(3, 1, 4);
+  levels.samples = {1.5F, 0, 0, 1, 3.2F, 0, 0, 1, 9, 0, 0, 0};  // the last one is background
+  const app::Legend legend = app::legend_of(app::View::lod, none, levels);
+  ASSERT_EQ(legend.ticks.size(), 4U);
+  for (int i = 0; i < 4; ++i)
+    EXPECT_EQ(legend.ticks[static_cast<std::size_t>(i)], std::pair(i / 3.0, std::to_string(1 + i)));
+  EXPECT_TRUE(app::legend_of(app::View::lod, none, image::ImageF(1, 1, 4)).title.empty());
+  const app::Legend error = app::error_legend(0.5, Unit::degrees);
+  EXPECT_EQ(error.title, "error in degrees");
+  EXPECT_EQ(error.ticks.back(), std::pair(1.0, std::string("0.5")));
 }
 
 TEST(ErrorMap, shows_what_is_not_finite_in_magenta) {
   const image::Image8 map =
-      error_map(row({{std::numeric_limits<float>::infinity(), 0, 0, 1}}), 1, Unit::steps);
+      error_map(row({{std::numeric_limits<float>::infinity(), 0, 0, 1}}), 1);
   EXPECT_EQ(map.samples, (std::vector<std::uint8_t>{255, 0, 255, 255}));
 }
 

@@ -65,7 +65,15 @@ view = "normal"
 size = "640x480"
 source = "Report, section 3.4"
 hero = true
+[[opening]]
+caption = "Wrong and right"
+set = { method = "raw" }
+right = { method = "mikktspace" }
+sides = ["raw", "in the frame"]
 )" + kLook);
+  ASSERT_EQ(lab.openings.size(), 1U);
+  EXPECT_EQ(lab.openings[0].right, (Setting{"method", "mikktspace"}));
+  EXPECT_EQ(lab.openings[0].sides, (Words{"raw", "in the frame"}));
   EXPECT_EQ(lab.number, 5);
   EXPECT_EQ(lab.program(), "lab05_normal_map");
   EXPECT_EQ(lab.title, "Normal map");
@@ -123,9 +131,11 @@ TEST(LabFile, is_refused_with_place_and_remedy) {
   std::vector<std::pair<std::string, std::string>> rows = {
       {kLook + "heros = true\n", "7:9: there is no key 'heros'; did you mean 'hero'?"},
       {"colour = 1\n",
-       "4:10: there is no key 'colour'; the keys are lab, title, lesson, choice, look, step, case, bench, "
-       "claim, driver_methods"},
+       "4:10: there is no key 'colour'; the keys are lab, title, lesson, choice, look, opening, step, case, "
+       "bench, claim, driver_methods"},
       {replaced(kLook, "\"A\"", "5"), "6:11: 'caption' is a text in quotes"},
+      {replaced(kLook, "look", "opening") + "sides = [\"one\"]\n",
+       "7:9: an opening has a value 'right' of the line, and the names of two sides"},
       {kLook + "hero = 1\n", "7:8: 'hero' is true or false"},
       {kLook + "set = { a = [1] }\n", "7:13: a parameter's value must be a text, number or boolean"},
       {"look = 1\n", "4:8: looks are written as [[look]] tables"},

@@ -131,9 +131,38 @@ test("the address is the state, there and back", async () => {
   assert.equal(await page.$eval(".message", (message) => message.hidden), true);
 });
 
-test("without a state in the address the lab opens with its best look", async () => {
+test("without a state in the address the lab opens on its lesson, with names at the line", async () => {
   await open("");
-  assert.equal(await page.$eval("#parameter-segments", (slider) => slider.getAttribute("aria-valuetext")), "96");
+  const names = () => page.$$eval(".divider span", (spans) => spans.map((span) => span.textContent));
+  assert.equal(await page.$eval("#parameter-segments", (slider) => slider.getAttribute("aria-valuetext")), "48");
+  assert.deepEqual(await names(), ["as it is", "in the frame"]);
+  await page.select("#compare-value", "averaged");
+  assert.deepEqual(await names(), ["raw", "averaged"]);
+});
+
+test("the picture follows the text, and goes back", async () => {
+  await open("?yaw=40&view=tangent");
+  assert.equal(await text(".view-legend figcaption"), "normal of a ball");
+  const back = () => page.$eval(".followed", (line) => !line.hidden);
+  assert.equal(await back(), false);
+  await page.evaluate(() => document.querySelector("[data-step='5.1']").scrollIntoView());
+  await until(() => location.search === "?method=raw&normal_map=bump&view=normal" || location.search === "?method=raw&view=normal");
+  assert.ok(await back());
+  await page.click("[data-tool=mine]");
+  await until(() => location.search === "?yaw=40&view=tangent");
+  assert.equal(await back(), false);
+});
+
+test("on a phone the handout comes first, and the parameters are a drawer", async () => {
+  await page.setViewport({ width: 375, height: 760 });
+  await open("?look=default");
+  const top = (selector) => page.$eval(selector, (node) => node.getBoundingClientRect().top);
+  assert.ok((await top(".handout")) < 760, "the handout begins on the first screen");
+  const isOpen = () => page.$eval(".panel", (panel) => getComputedStyle(panel).visibility === "visible");
+  assert.equal(await isOpen(), false);
+  await page.click("[data-tool=panel]");
+  await until(() => getComputedStyle(document.querySelector(".panel")).visibility === "visible");
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "nothing is wider than the screen");
 });
 
 test("a look by name, and a command of the handout, set the picture", async () => {
@@ -384,7 +413,7 @@ test("every control has a name and can be reached and worked by keys", async () 
   await until(() => !document.querySelector(".pixel").hidden);
   assert.deepEqual(await page.$$eval(".pixel td", (cells) => cells.map((cell) => cell.textContent)), ["0.0000  0.6000  -0.8000", "background"]);
   await page.keyboard.press("j");
-  await until(() => location.search === "?look=default");
+  await until(() => location.search === "?method=raw&segments=48&compare=method%3Amikktspace%3A0.5");
   await page.keyboard.press(" ");
   await until(() => document.querySelector("[data-tool=turn]").getAttribute("aria-pressed") === "true");
 });

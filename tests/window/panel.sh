@@ -30,97 +30,109 @@ opens() {
 check 'the window opens' open_lab lab01_texture_quad
 check 'the picture comes to rest' settle "$work/first"
 
-click_at 232 57
-check 'Keys shows the keys' changed_from "$work/first"
-click_at 232 57
-check 'and hides them' is_back "$work/first"
+in_menu() { click_at 174 57 && sleep 0.5 && xdotool mousemove --window "$window" 215 "$1" sleep 0.3 click 1; }
+in_menu 91
+check 'the menu shows the keys' changed_from "$work/first"
+press F1
+check 'and F1 hides them' is_back "$work/first"
 click_at 29 57
 check 'Looks shows the looks' changed_from "$work/first"
 click_at 936 21
 check 'and their cross closes them' is_back "$work/first"
 
-check 'a click opens the list of textures' opens 220 272
+press Escape
+check 'Esc ends the comparison with which the lab opens' changed_from "$work/first"
+in_menu 72
+check 'which the first look brings again' is_back "$work/first"
+press Escape
+check 'Esc ends it again' changed_from "$work/first"
+settle "$work/first"
+settle "$work/closed" $panel
+click_at 100 177
+check 'a heading opens its section' changed_from "$work/closed" $panel
+check 'a click opens the list of textures' opens 220 200
 press Escape
 check 'Esc closes the list alone' is_back "$work/closed" 300x300+8+210
-check 'a click opens it again' opens 220 272
-click_at 150 405
+check 'a click opens it again' opens 220 200
+click_at 150 230
 check 'another texture is shown' changed_from "$work/first"
-click_at 138 57
+click_at 79 57
 check 'Undo takes it back' is_back "$work/first"
-click_at 186 57
+click_at 126 57
 check 'Redo brings it again' changed_from "$work/first"
-click_at 85 57
-check 'Default sets the look of the start' is_back "$work/first"
+click_at 321 200
+check 'its arrow sets the default' eventually shows_other "$work/first"
+click_at 79 57
+click_at 79 57
+check 'Undo takes both back' is_back "$work/first"
 
-click_at 138 297
+click_at 138 224
 check 'the box flips the texture' changed_from "$work/first"
-click_at 138 297
+click_at 138 224
 check 'and back' is_back "$work/first"
-drag 214 345 40
+drag 219 272 20
 check 'the slider scales the texture' changed_from "$work/first"
-click_at 138 57
+click_at 79 57
 check 'in one change' is_back "$work/first"
-click_at 296 345
+click_at 320 272
 check 'reset sets the default scale' changed_from "$work/first"
-click_at 138 57
+click_at 79 57
 check 'Undo takes it back' is_back "$work/first"
 
-click_at 217 153
+click_at 217 105
 check 'the view depth is shown' changed_from "$work/first"
-click_at 18 153
+click_at 18 105
 check 'and the colours again' is_back "$work/first"
 
-check 'a click opens what can be compared' opens 220 200
-click_at 155 298
+check 'a click opens what can be compared' opens 220 153
+click_at 155 251
 has_line() { look "$work/now" 1x600+$1+20 && (($(pixels_of "$work/now" 235,235,235 8) > 500)); }
 check 'the picture is split in the middle' eventually has_line 650
 drag 650 400 100
 check 'the line can be dragged' eventually has_line 750
 look "$work/linear" 180x600+760+20
-check 'a click opens the values of the right side' opens 220 224
-click_at 150 286
+check 'a click opens the values of the right side' opens 220 177
+click_at 180 259
 check 'another value is shown there' changed_from "$work/linear" 180x600+760+20
-check 'the list again' opens 220 200
-click_at 155 226
+check 'the list again' opens 220 153
+click_at 155 179
 check 'nothing is compared' is_back "$work/first"
-check 'the list again' opens 220 200
-click_at 155 298
+check 'the list again' opens 220 153
+click_at 155 251
 check 'the picture is split again' eventually has_line 650
 press Escape
 check 'Esc ends that' is_back "$work/first"
 
-click_at 110 105
+click_at 174 57
+sleep 0.5
+click_at 250 209
+settle "$work/name" 200x18+185+200
 # Until the field has the caret it does not hear this.
-selects_all() { press ctrl+a && sleep 0.3 && look "$work/now" 226x20+8+95 && (($(pixels_of "$work/now" 42,83,135 2) > 1000)); }
+selects_all() { press ctrl+a && sleep 0.3 && shows_other "$work/name" 200x18+185+200; }
 check "Ctrl+A selects the file's name" eventually selects_all
 xdotool type --window "$window" --delay 60 mine.toml
-click_at 252 105
+press Return
+click_at 215 231
 check 'Save writes the file that was typed' eventually test -s "$work/mine.toml"
-drag 214 345 40
+drag 219 272 20
 check 'another scale' changed_from "$work/first"
-click_at 298 105
+in_menu 248
 check 'Load reads it' is_back "$work/first"
 
-click_at 40 81
+in_menu 130
 check 'Snapshot writes a picture' eventually test -s "$work/lab01_texture_quad-001.png"
-click_at 100 81
+in_menu 149
 check 'Copy copies one' eventually test -s "$work/clipboard.png"
 look "$work/status" $status
-click_at 162 81
+in_menu 166
 check 'Command shows the command line' changed_from "$work/status" $status
 
-look "$work/open" $panel
-click_at 100 249
-check 'a heading closes its section' changed_from "$work/open" $panel
-settle "$work/closed" $panel
-click_at 100 249
-check 'and opens it' changed_from "$work/closed" $panel
 settle "$work/open" $panel
-click_at 100 561
+click_at 100 496
 check 'the section Camera opens' changed_from "$work/open" $panel
 value_of() { sed -n "s/^$1 = //p" "$work/mine.toml"; }
-saves_another() { click_at 252 105 && sleep 0.2 && [[ $(value_of "$1") != "$2" ]]; }
-for slider in 'yaw 222 585' 'pitch 204 609' 'distance 173 633' 'field of view 183 657'; do
+saves_another() { in_menu 231 && sleep 0.3 && [[ $(value_of "$1") != "$2" ]]; }
+for slider in 'yaw 189 520' 'pitch 198 544' 'distance 162 568' 'field of view 176 592'; do
   x=${slider% *}
   name=${x% *}
   name=${name// /_}
@@ -128,16 +140,16 @@ for slider in 'yaw 222 585' 'pitch 204 609' 'distance 173 633' 'field of view 18
   drag "${x##* }" "${slider##* }" 20
   check "the slider ${x% *} moves the camera" changed_from "$work/first"
   check "and the file has another value of it" saves_another "$name" "$before"
-  click_at 138 57
+  click_at 79 57
   check 'Undo moves it back' is_back "$work/first"
 done
-click_at 296 609
+click_at 320 544
 check 'reset sets the default pitch' changed_from "$work/first"
-click_at 138 57
+click_at 79 57
 check 'Undo takes it back' is_back "$work/first"
-settle "$work/camera" 320x90+0+574
-click_at 100 561
-check 'the section closes' changed_from "$work/camera" 320x90+0+574
+settle "$work/camera" 320x90+0+510
+click_at 100 496
+check 'the section closes' changed_from "$work/camera" 320x90+0+510
 
 # Right of the edge, where the panel has no text.
 is_panel() { look "$work/now" 20x50+350+610 && (($(colours "$work/now") == 1)); }

@@ -107,6 +107,9 @@ settled() {
 }
 settle() { eventually settled "$@"; }
 
+# is_shown PICTURE FILE: both have the same picture left of the line that the window opens with.
+is_shown() { cmp -s <(convert "$1" -crop 230x640+0+0 +repage rgb:-) <(convert "$2" -crop 230x640+0+0 +repage rgb:-); }
+
 colours() { identify -format %k "$1"; }
 has_colours() { (($(colours "$1") > $2)); }
 # pixels_of FILE RGB FUZZ: how many have this colour, such as 255,115,102, each channel off by so many percent at most.

@@ -59,6 +59,9 @@ put('.filters', 'afterbegin',
     choice('view', 'View', sorted(looks.map((look) => look.view))) +
     choice('method', 'Method', sorted(looks.flatMap(methodsOf))));
 put('main', 'beforeend', labs.map(section).join(''));
+for (const lab of labs)
+  for (const look of lab.looks)
+    if (look.legend) document.querySelector(`#${anchor(lab, look)} .open`).after(texelLegend(look.legend));
 put('footer p', 'beforeend', `Drawn by ${escaped(renderer)}.`);
 
 // ---- A picture alone, or beside another one

@@ -62,6 +62,8 @@ export class Engine {
     if (this.#split) await this.#call("split", this.#split);
     if (this.#canvasSize) await this.resize(...this.#canvasSize);
   }
+  /// The aspect, width by height, for which the look that is shown was made: nothing of it is cut off.
+  aspect(aspect) { return this.#call("aspect", { aspect }); }
   /// Leaves out a step's text at the next restart, as when it never ends.
   forget(step) { this.#written.delete(step); }
 

@@ -34,7 +34,8 @@ function frame() {
   if (step.includes("for (;;)")) for (;;);
   ++frames;
   if (canvas) paint(canvas.getContext("2d"), canvas.width, canvas.height);
-  return { frame_ms: 1.5, warnings: [], facts: [["triangles", 12]], key: "", flags: "", command: "" };
+  const legend = { title: "normal of a ball", width: 2, height: 1, colors: "ff000000ff00", ball: true, ticks: [] };
+  return { ...(view === "color" ? {} : { legend }), frame_ms: 1.5, warnings: [], facts: [["triangles", 12]], key: "", flags: "", command: "" };
 }
 function fail(message, more = {}) {
   throw { message, kind: "usage", problems: [], ...more };
@@ -57,7 +58,8 @@ const calls = {
   },
   parameters: () => parameters.map((p) => ({ ...p, value: values[p.name] })),
   values: () => ({ values, key: "", flags: "", view }),
-  looks: () => [{ name: "fine", caption: "Fine", hero: true, view: "color", size: "512x512", set: { segments: "96" } }, { name: "raw", caption: "Raw", view: "normal", size: "512x512", set: { method: "raw" } }],
+  looks: () => [{ name: "opening", caption: "Wrong and right", hero: false, view: "color", size: "512x512", set: { method: "raw", segments: "48" },
+    right: { parameter: "method", value: "mikktspace" }, sides: ["as it is", "in the frame"] }, { name: "fine", caption: "Fine", hero: true, view: "color", size: "512x512", set: { segments: "96" } }, { name: "raw", caption: "Raw", view: "normal", size: "512x512", set: { method: "raw" } }],
   set([wanted]) {
     for (const [name, value] of Object.entries(wanted)) {
       const p = parameters.find((one) => one.name === name) ?? fail(`there is no parameter '${name}'`);
@@ -90,6 +92,7 @@ const calls = {
   zoom: () => frame(),
   turn: () => frame(),
   samples: () => frame(),
+  aspect: () => frame(),
   frame: () => frame(),
   draw([{ size }]) {
     const [width, height] = size.split("x").map(Number);

@@ -75,6 +75,7 @@ class Engine {
     if (name == "view") return current_->view = view_called(a.at("name")), frame();
     if (name == "split") return split(a);
     if (name == "resize") return size_ = {a.at("width"), a.at("height")}, frame();
+    if (name == "aspect") return made_for_ = a.at("aspect"), frame();
     if (name == "samples") return samples_ = a.at("count"), frame();
     if (name == "drag") return app::orbit(current_->lab.parameters(), {a.at("dx"), a.at("dy")}), frame();
     if (name == "zoom") return app::zoom(current_->lab.parameters(), a.at("steps")), frame();
@@ -176,14 +177,19 @@ class Engine {
 
   Json looks() {
     Json list = Json::array();
-    for (const course::Look& look : course_lab().looks)
-      list.push_back({{"name", look.name},
-                      {"caption", look.caption},
-                      {"source", look.source},
-                      {"hero", look.hero},
-                      {"view", name_of(look.view)},
-                      {"size", as_text(look.size)},
-                      {"set", set_of(look)}});
+    for (const std::vector<course::Look>* looks : {&course_lab().openings, &course_lab().looks})
+      for (const course::Look& look : *looks) {
+        list.push_back({{"name", look.name},
+                        {"caption", look.caption},
+                        {"source", look.source},
+                        {"hero", look.hero},
+                        {"view", name_of(look.view)},
+                        {"size", as_text(look.size)},
+                        {"sides", look.sides},
+                        {"set", set_of(look)}});
+        if (look.right)
+          list.back()["right"] = {{"parameter", look.right->parameter}, {"value", look.right->value}};
+      }
     return list;
   }
 
@@ -218,6 +224,8 @@ class Engine {
     Json report;
     const bool draws = size_.x > 0 && size_.y > 0;  // not before the page has said how large
     if (draws) {
+      const app::KeptValues before(now.lab.parameters());
+      fit_view();
       const gl::Preview glance(now.view == View::color);
       if (!display_) display_.emplace(assets_.shader_root());
       if (now.view == View::error && !now.lab.truth(size_)) {  // draw() will say so: over no colours
@@ -229,12 +237,19 @@ class Engine {
       wait(now.canvas.picture());
     }
     report["drawn"] = draws;
+    if (const app::Legend legend = draws ? now.canvas.legend(now.view) : app::Legend(); !legend.title.empty())
+      report["legend"] = parse_json(app::to_json(legend));
     report["frame_ms"] = stopwatch.milliseconds();
     report["warnings"] = now.canvas.notes().warnings;
     report["facts"] = now.canvas.notes().facts;
     if (const auto& figures = now.canvas.error_figures())
       report["error_figures"] = parse_json(app::to_json(now.lab, *figures));
     return report;
+  }
+
+  /// Nothing of the model is cut off on the canvas.
+  void fit_view() {
+    app::fit_view(current_->lab.parameters(), static_cast<double>(size_.x) / size_.y, made_for_);
   }
 
   /// Until all is drawn: glFinish only asks for it in a browser.
@@ -285,6 +300,8 @@ class Engine {
     Opened& now = *current_;
     if (at.x < 0 || at.y < 0 || at.x >= size_.x || at.y >= size_.y)
       throw Error::usage("no pixel of the canvas");
+    const app::KeptValues before(now.lab.parameters());
+    fit_view();
     Json views = Json::array();
     for (const View view : now.lab.views()) {
       if (view == View::color || view == View::error) continue;
@@ -403,7 +420,10 @@ class Engine {
     const judge::CaseResult* one = drawn_case(name);
     if (one == nullptr) return nullptr;
     image::Compared all = check::compared(*one);
+    const glm::ivec2 telling(all.figures.telling_x, all.figures.telling_y);
+    const bool differs = !one->passed() && all.figures.max > 0;
     Json size = give(std::move(all.own));
+    if (differs) size["mark"] = {telling.x, telling.y};  // from the lower left
     give(std::move(all.expected)), give(std::move(all.difference)), give(std::move(all.heat_map));
     return size;
   }
@@ -425,6 +445,7 @@ class Engine {
   std::optional<Display> display_;
   glm::ivec2 size_{0};
   int samples_ = 4;
+  double made_for_ = 1;  ///< the aspect of the look that is shown
   image::ImageF given_;
   std::list<image::Image8> given8_;
 };

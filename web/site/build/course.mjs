@@ -48,6 +48,7 @@ export function readLabs(tree, programs) {
       title: toml.title,
       lesson: toml.lesson,
       files: firstFiles(programs, folder),
+      opening: toml.opening && { set: texts(toml.opening[0].set), view: toml.opening[0].view ?? "color" },
       looks: toml.look.map((look) => ({
         name: look.name,
         caption: look.caption,

@@ -114,6 +114,11 @@ export function handout(markdown, lab, copies, sizeOf = () => ({})) {
       const to = site(href, copies);
       if (to === null) throw new Error(`the handout shows ${href}, which is no file below docs/pictures`);
       const { width, height } = sizeOf(to);
+      // Two pictures in one file, with a white gap of 6 pixels that a dark page must not show.
+      if (/pictures\/steps\//.test(to) && width === 2 * height + 6) {
+        const half = (side) => `<span style="aspect-ratio: 1; background-image: url('${to}'); background-size: ${(100 * width) / height}% 100%; background-position: ${side}"></span>`;
+        return `<span class="pair" aria-hidden="true">${half("left")}${half("right")}</span><span class="caption">${escaped(text)}</span>`;
+      }
       const size = width ? ` width="${width}" height="${height}"` : "";
       const drawn = to.endsWith(".svg") ? ' class="drawing"' : "";
       return `<img${drawn} src="${escaped(to)}" alt="${escaped(text)}"${size} loading="lazy" decoding="async">`;
@@ -127,27 +132,48 @@ export function handout(markdown, lab, copies, sizeOf = () => ({})) {
   };
   const marked = new Marked(formulas, { renderer });
   const tokens = marked.lexer(markdown);
-  let html = "", open = "", id = "";
+  let html = "", step = null;
   const close = () => {
-    html += open;
-    open = "";
+    if (step) html += `${step.pictures}${step.text}${stepPlace(step)}${step.after}${folded(step.details)}</section>\n`;
+    step = null;
+  };
+  /** A step's picture comes first, then the text, the question and what is to be written; the editor; what one learned; the rest is folded. */
+  const sort = (token) => {
+    const isPicture = token.type === "paragraph" && token.tokens.length === 1 && token.tokens[0].type === "image" && step.text === "";
+    if (token.type === "html" && token.text.includes("After it passes")) step.part = "after";
+    if (token.type === "list" && token.items.some(({ text }) => text.startsWith("**Where:**"))) {
+      const list = (items) => (items.length > 0 ? marked.parser([{ ...token, items }]) : "");
+      const isTask = ({ text }) => text.startsWith("**Write:**");
+      step.text += list(token.items.filter(isTask));
+      step.details += list(token.items.filter((item) => !isTask(item)));
+    } else step[step.part ?? (isPicture ? "pictures" : "text")] += marked.parser([token]);
+    if (token.type === "html" && token.text.includes("</details>")) step.part = null;
   };
   while (tokens.length > 0) {
     const token = tokens.shift();
     if (token.type === "paragraph" && token.text.startsWith("**Predict:**")) {
-      html += marked.parser([token]) + predict(id, tokens.splice(0, 6).filter(({ type }) => type === "list"), marked);
+      step.text += marked.parser([token]) + predict(step.id, tokens.splice(0, 6).filter(({ type }) => type === "list"), marked);
       continue;
     }
     if (token.type === "heading" && token.depth <= 3) {
       close();
       if (token.depth === 1) continue;  // the page's own
-      const step = token.depth === 3 && steps.get(token.text.split(" ")[0]);
-      id = step?.id ?? "";
-      if (step) {
-        html += stepHead(step);
-        open = `${stepPlace(step)}</section>\n`;
+      const begun = token.depth === 3 && steps.get(token.text.split(" ")[0]);
+      if (begun) {
+        html += stepHead(begun);
+        step = { ...begun, pictures: "", text: "", details: "", after: "", part: null };
         continue;
       }
+    }
+    if (step) {
+      sort(token);
+      continue;
+    }
+    // What one types in a shell, and the marks in the sources, mean nothing on a page.
+    if (lab && token.type === "code" && token.text.includes("./run watch")) continue;
+    if (lab && token.type === "paragraph" && token.text.startsWith("Write between the lines `//@step`")) {
+      html += marked.parse(token.text.replace(/^[^;]*; /, "").replace(/^\[the/, "[The"));
+      continue;
     }
     // The lab's own picture is the page's.
     if (lab && token.type === "paragraph" && token.tokens.length === 1 && token.tokens[0].href?.endsWith(`/pictures/${lab.folder}.png`)) continue;
@@ -164,6 +190,8 @@ function predict(id, [choices, answers], marked) {
     `<details name="predict-${id}"><summary>${inline(choice)}</summary><p>${inline(answers.items[i])}</p></details>\n`);
   return `<div class="predict">\n${all.join("")}</div>\n`;
 }
+
+const folded = (details) => (details === "" ? "" : `<details class="more"><summary>Details</summary>\n${details}</details>\n`);
 
 const points = (n) => `${n} point${n === 1 ? "" : "s"}`;
 

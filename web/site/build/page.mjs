@@ -9,7 +9,7 @@ function document({ title, description, root, body, first = "", script = "", cla
 <html lang="en">
 <head>
 <meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="viewport" content="width=device-width, initial-scale=1, interactive-widget=resizes-content">
 <meta name="color-scheme" content="light dark">
 <meta name="description" content="${escaped(description)}">
 <link rel="icon" href="data:,">
@@ -36,9 +36,10 @@ function bar(labs, root, here) {
 
 /** Buttons over the picture; their work is in src/tools.js. */
 const tools = [
+  ["panel", "Parameters", "Looks, view and parameters"],
   ["turn", "Turntable", "Turn the model slowly (space)"],
   ["view", "Reset view", "The camera as it was at first (R)"],
-  ["look", "Default look", "All parameters as they were at first (J)"],
+  ["look", "First look", "As the lab opens (J)"],
   ["link", "Copy link", "The address of just this picture"],
   ["snapshot", "Snapshot", "Save the picture as a PNG (S)"],
 ];
@@ -56,13 +57,13 @@ function looksList(looks, thumbnails) {
  * Starts the engine with the lab before the page's own script is there, which takes it over (engine/client.mjs). Names the files of
  * the first picture: of the address, or of the best look (src/lab.js).
  */
-const early = ({ number, files, looks }) => `if (location.protocol !== "file:" && "OffscreenCanvas" in window) {
+const early = ({ number, files, opening, looks }) => `if (location.protocol !== "file:" && "OffscreenCanvas" in window) {
   const worker = new Worker("../engine/worker.mjs", { type: "module" }), canvas = document.createElement("canvas");
   const started = new Promise((done) => {
     worker.addEventListener("message", ({ data }) => done(data), { once: true });
     worker.addEventListener("error", ({ message }) => done({ error: { message: message || "the engine cannot be loaded" } }));
   });
-  const asked = new URLSearchParams(location.search || "${query(looks.find((look) => look.hero) ?? {})}");
+  const asked = new URLSearchParams(location.search || "${query(opening ?? looks.find((look) => look.hero) ?? {})}");
   const files = Object.fromEntries(Object.entries(${JSON.stringify(files)}).map(([name, value]) => [name, asked.get(name) ?? value]));
   const surface = canvas.transferControlToOffscreen();
   worker.postMessage({ id: 0, call: "start", args: { canvas: surface, timeOrigin: performance.timeOrigin, lab: ${number}, files } }, [surface]);
@@ -81,16 +82,19 @@ ${bar(labs, "../", lab.number)}<main class="lab" data-lab="${lab.number}">
 <p class="spoken" id="picture-keys">Arrow keys turn the camera, plus and minus zoom, Enter reads the pixel in the middle.</p>
 <div class="divider" role="slider" tabindex="0" aria-label="Where the compared picture begins" aria-valuemin="0" aria-valuemax="100" hidden><span class="left"></span><span class="right"></span></div>
 <div class="message" role="alert" hidden></div>
+<div class="legend-place" aria-live="polite"></div>
+<div class="compared" hidden></div>
 <aside class="pixel" aria-label="Pixel" aria-live="polite" hidden></aside>
 <p class="waiting">The picture is on its way.</p>
 <noscript><p class="waiting">The picture needs JavaScript. The handout does not.</p></noscript>
 </div>
 <div class="tools" role="toolbar" aria-label="Picture">
-${tools.map(([id, text, help]) => `<button type="button" data-tool="${id}" title="${help}"${id === "turn" ? ' aria-pressed="false"' : ""}>${text}</button>`).join("\n")}
+${tools.map(([id, text, help]) => `<button type="button" data-tool="${id}" title="${help}"${id === "turn" || id === "panel" ? ' aria-pressed="false"' : ""}>${text}</button>`).join("\n")}
+<span class="followed" hidden><span></span> <button type="button" data-tool="mine">Back to mine</button></span>
 <output class="said" aria-live="polite"></output>
 </div>
 </section>
-<section class="panel" aria-label="Panel">
+<section class="panel" id="panel" aria-label="Panel">
 <details class="part looks-part" data-part="looks" open><summary>Looks</summary>
 ${looksList(lab.looks, thumbnails)}
 </details>

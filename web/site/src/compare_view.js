@@ -8,11 +8,13 @@ const modes = { split: "yours | expected", difference: "difference", heat_map: "
 let count = 0;
 
 /** The viewer of one comparison, as the engine's `compare` gives it. */
-export function compareView({ width, height, own, expected, difference, heat_map }) {
+export function compareView({ width, height, own, expected, difference, heat_map, mark }) {
   const pictures = { own, expected, difference, heat_map };
   const images = Object.fromEntries(Object.entries(pictures).map(([name, bytes]) => [name, bytes && imageOf(bytes, width, height)]));
   const canvas = element("canvas", { width, height, role: "img" });
   const context = canvas.getContext("2d");
+  const ring = element("span", { className: "mark", title: "A pixel that has the error", hidden: !mark });
+  if (mark) Object.assign(ring.style, { left: `${(100 * (mark[0] + 0.5)) / width}%`, bottom: `${(100 * (mark[1] + 0.5)) / height}%` });
   const slider = element("input", { type: "range", min: 0, max: 100, value: 50, "aria-label": "How much is yours, and how much the expected picture" });
   let mode = "split";
   const draw = () => {
@@ -52,5 +54,5 @@ export function compareView({ width, height, own, expected, difference, heat_map
     return element("label", {}, input, element("span", {}, text));
   });
   draw();
-  return element("div", { className: "viewer" }, element("div", { className: "views", role: "radiogroup", "aria-label": "What is shown" }, ...choices), canvas, slider);
+  return element("div", { className: "viewer" }, element("div", { className: "views", role: "radiogroup", "aria-label": "What is shown" }, ...choices), element("div", { className: "pictures", style: `aspect-ratio: ${width} / ${height}` }, canvas, ring), slider);
 }

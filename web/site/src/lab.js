@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The page of a lab: engine, picture, panel, steps and address are put together here.
+import "../../../common/core/legend.js";
 import { contract } from "./contract.js";
 import { afterPause, download, element, figure } from "./dom.js";
 import { imageOf } from "./image.js";
@@ -15,20 +16,22 @@ import { Work } from "./storage.js";
 
 const find = (selector) => document.querySelector(selector);
 const main = find("main");
+const opening = () => now.looks.find((look) => look.right) ?? now.looks.find((look) => look.hero);
 const ui = {
   host: find(".picture"), divider: find(".divider"), message: find(".message"), pixel: find(".pixel"), waiting: find(".waiting"),
-  said: find(".said"), panel: find(".controls-of-lab"), help: find(".help"), article: find(".handout"), progress: find(".progress"),
+  legend: find(".legend-place"), compared: find(".compared"), followed: find(".followed"),
+  said: find(".said"), panel: find(".controls-of-lab"), drawer: find(".panel"), help: find(".help"), article: find(".handout"), progress: find(".progress"),
 };
 
 const wanted = readState(location.search);
-const now = { parameters: [], values: {}, view: "color", split: null, report: null, lab: null };
+const now = { looks: [], look: null, parameters: [], values: {}, view: "color", split: null, report: null, lab: null };
 let show = { parameters() {}, views() {}, compare() {} };
 let benches = new Map(), progress = null;
 
 const work = new Work(new URL("..", location.href).pathname);
 const picture = makePicture(ui.host, {
-  drag: (dx, dy) => drawn(session.call("drag", dx, dy), true),
-  zoom: (steps) => drawn(session.call("zoom", steps), true),
+  drag: (dx, dy) => drawn(byHand(session.call("drag", dx, dy)), true),
+  zoom: (steps) => drawn(byHand(session.call("zoom", steps)), true),
   resize: (width, height) => drawn(session.call("resize", width, height)),
   pick: (x, y) => pick(x, y).catch(complain),
   key,
@@ -49,6 +52,7 @@ async function drawn(promise, moved = false) {
     now.report = await promise;
     say(null);
     showStatistics();
+    showLegend();
     if (moved) {
       readBack();
       keepMoving();
@@ -58,6 +62,11 @@ async function drawn(promise, moved = false) {
     complain(error);
     return false;
   }
+}
+
+function showLegend() {
+  const legend = now.report?.legend;
+  ui.legend.replaceChildren(...(legend ? [texelLegend(legend)] : []));
 }
 
 const kSlow = 100;  // milliseconds of a frame: from here on a picture that follows the hand jerks
@@ -142,18 +151,21 @@ function take(values) {
 }
 
 function set(values) {
+  byHand();
   Object.assign(now.values, values);
   show.parameters(values);
   return drawn(session.call("set", values));
 }
 
 async function setView(view) {
+  byHand();
   now.view = view;
   show.views(view);
   return drawn(session.call("view", view));
 }
 
 function setSplit(split) {
+  byHand();
   now.split = split;
   show.compare(split, now.values);
   showDivider();
@@ -162,18 +174,22 @@ function setSplit(split) {
 
 /** All parameters of a look or a case: those that it does not name are the defaults. */
 async function setLook(look) {
+  now.look = look;
+  const [width, height] = (look.size ?? "1x1").split("x").map(Number);
+  session.call("aspect", width / height).catch(() => {});
   const set = Object.fromEntries(Object.entries(look.set ?? {}).map(([name, value]) => [name, textOf(value)]));
   const all = { ...Object.fromEntries(now.parameters.map((p) => [p.name, textOf(p.default)])), ...set };
   turn(false);
-  const { split } = now;
-  now.split = null;
-  showDivider();
+  const before = now.split;
+  now.split = look.split ?? (look.right ? { ...look.right, position: 0.5 } : null);
   Object.assign(now.values, all);
+  showDivider();
   show.parameters(all);
-  show.compare(null, now.values);
+  show.compare(now.split, now.values);
   const view = look.view && look.view !== "mesh" ? look.view : "color";
   const asked = [];
-  if (split) asked.push(session.call("split"));
+  if (now.split) asked.push(session.call("split", now.split.parameter, now.split.value, now.split.position));
+  else if (before) asked.push(session.call("split"));
   if (view !== now.view) asked.push(session.call("view", view));
   asked.forEach((promise) => promise.catch(() => {}));  // the old look with the new view; the next frame counts
   now.view = view;
@@ -200,8 +216,12 @@ function showDivider() {
   const percent = Math.round(100 * now.split.position);
   ui.divider.style.left = `${100 * now.split.position}%`;
   ui.divider.setAttribute("aria-valuenow", percent);
-  ui.divider.querySelector(".left").textContent = now.values[now.split.parameter];
-  ui.divider.querySelector(".right").textContent = now.split.value;
+  const { parameter, value } = now.split, { right, sides, set } = now.look ?? {}, left = now.values[parameter];
+  const isOpening = right?.parameter === parameter && right.value === value && set[parameter] === left;
+  const isToggle = now.parameters.find((p) => p.name === parameter)?.type === "toggle";
+  const [leftName, rightName] = isOpening ? sides : [left, value].map((text) => (isToggle ? `${parameter.replaceAll("_", " ")} ${text}` : text));
+  ui.divider.querySelector(".left").textContent = leftName;
+  ui.divider.querySelector(".right").textContent = rightName;
 }
 
 function moveDivider(position) {
@@ -259,7 +279,12 @@ function key(name) {
 const tools = {
   turn: () => turn(!turning),
   view: () => set(Object.fromEntries(now.parameters.filter((p) => p.section === "Camera").map((p) => [p.name, textOf(p.default)]))),
-  look: () => setLook({ set: {} }),
+  look: () => setLook(opening() ?? { set: {} }),
+  mine,
+  panel(open = !ui.drawer.classList.contains("is-open")) {
+    ui.drawer.classList.toggle("is-open", open);
+    find("[data-tool=panel]").setAttribute("aria-pressed", String(open));
+  },
   async link() {
     const text = new URL(address(), location.href).href;
     try {
@@ -319,7 +344,8 @@ document.addEventListener("click", (event) => {
   if (!link || event.ctrlKey || event.metaKey || event.shiftKey || event.button !== 0 || now.parameters.length === 0) return;
   event.preventDefault();
   const { set: values, view } = readState(new URL(link.href).search);
-  setLook({ set: values, view });
+  byHand();
+  setLook({ set: values, view, size: now.looks.find(({ name }) => name === link.dataset.look)?.size });
 });
 
 // ---- Start ----
@@ -334,16 +360,22 @@ async function start() {
   now.parameters = await session.call("parameters");
   now.values = Object.fromEntries(now.parameters.map((p) => [p.name, textOf(p.value ?? p.default)]));
   // As the window does: without a state in the address the lab opens with its best look.
-  const looks = await session.call("looks");
-  const named = looks.find((look) => (location.search === "" ? look.hero : look.name === wanted.look));
+  now.looks = await session.call("looks");
+  const named = location.search === "" ? opening() : now.looks.find((look) => look.name === wanted.look);
   const state = known(named ? { ...wanted, view: named.view, set: { ...named.set, ...wanted.set } } : wanted);
   now.view = now.lab.views.includes(state.view) ? state.view : "color";
-  now.split = state.split;
+  now.split = state.split ?? (named?.right ? { ...named.right, position: 0.5 } : null);
+  now.look = named ?? null;
+  if (named) {
+    const [width, height] = named.size.split("x").map(Number);
+    await session.call("aspect", width / height);
+  }
   Object.assign(now.values, Object.fromEntries(Object.entries(state.set).map(([name, value]) => [name, textOf(value)])));
-  await session.resume().catch((error) => {
+  now.report = await session.resume().catch((error) => {
     if (error instanceof Stopped) throw error;
     complain(error);
   });
+  showLegend();
   ui.waiting?.remove();
   take((await session.call("values")).values);
   buildPanel();
@@ -351,9 +383,61 @@ async function start() {
 }
 
 async function startSteps() {
-  benches = await buildSteps({ article: ui.article, session, work, showCase: setLook, changed: () => progress?.show() });
+  benches = await buildSteps({ article: ui.article, session, work, showCase: setLook, showCompared, next, changed: () => progress?.show() });
   progress = buildProgress({ host: ui.progress, labNumbers: [...document.querySelectorAll(".bar li")].map((_, i) => i + 1), benches, session, work, checkAll: () => check() });
   for (const [id, bench] of benches) if (work.text(id) !== undefined) await bench.check().catch(complain);
+}
+
+/** The step to do after this one: its heading as a link, or null. */
+function next(id) {
+  const after = [...benches.values()].find((bench) => bench.step.id !== id && bench.result?.status !== "passed" && (bench.result || bench.step.untouched));
+  return after && element("a", { href: `#step-${after.step.id}` }, after.step.id);
+}
+
+/** A case's pictures in place of the large one; null takes them away. */
+function showCompared(view, close) {
+  ui.compared.hidden = !view;
+  if (!view) return ui.compared.replaceChildren();
+  const button = element("button", { type: "button", "aria-label": "Close" }, "×");
+  button.addEventListener("click", close);
+  ui.compared.replaceChildren(view, button);
+}
+
+// ---- The picture follows the text ----
+
+let own = null, follows = true;
+/** The user has another look now: that is the one to which one goes back. */
+function byHand(promise) {
+  own = null;
+  ui.followed.hidden = true;
+  return promise;
+}
+function mine() {
+  const back = own;
+  follows = false;
+  byHand();
+  return back && setLook(back);
+}
+/** A step that comes into view while one reads sets its look. */
+function followText() {
+  let last = null, scrolled = false;
+  const steps = [...ui.article.querySelectorAll(".step")];
+  const settle = afterPause(350, () => {
+    if (!follows || !scrolled) return;
+    const line = innerHeight * (matchMedia("(max-width: 62rem)").matches ? 0.7 : 0.45);
+    const step = steps.find((one) => one.getBoundingClientRect().bottom > line);
+    if (!step || step.getBoundingClientRect().top > line || step === last) return;
+    last = step;
+    own ??= { set: changed(now.parameters, now.values), view: now.view, split: now.split, right: now.look?.right, sides: now.look?.sides, size: now.look?.size };
+    setLook(readState(step.dataset.look));
+    ui.followed.hidden = false;
+    ui.followed.firstChild.textContent = `The look of step ${step.dataset.step}.`;
+  });
+  for (const place of [ui.article, document])
+    place.addEventListener("scroll", () => {
+      scrolled = true;
+      settle();
+    }, { passive: true });
 }
 
 /** Takes up what another tab wrote. */
@@ -390,5 +474,5 @@ ready.then(() => void keepOffline("../sw.js", main.dataset.lab.padStart(2, "0"))
   ui.waiting?.remove();
   complain(error);
 });
-withSteps.catch(complain);
+withSteps.then(followText, complain);
 window.texel = contract({ ready: withSteps, session, now, check, write: (step, text) => benches.get(step).write(text) });

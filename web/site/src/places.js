@@ -38,5 +38,7 @@ export function surroundingsOf(file, step) {
   let from = first, to = past;
   while (from > 0 && lines[from - 1].trim() !== "" && first - from < 12) --from;
   while (to < lines.length && lines[to].trim() !== "" && to - past < 6) ++to;
-  return { before: lines.slice(from, first).join("\n"), after: places.length > 1 ? "" : lines.slice(past, to).join("\n") };
+  // Not what means nothing here: the license, and the marks of the step, which the editor's frame shows.
+  const shown = (from, to) => lines.slice(from, to).filter((line) => !/^\s*\/\/(@|\s*SPDX)/.test(line)).join("\n");
+  return { before: shown(from, first), after: places.length > 1 ? "" : shown(past, to) };
 }

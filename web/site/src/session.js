@@ -54,7 +54,7 @@ export class Session {
 
   /**
    * Writes what the student has, and shows the state. The engine draws nothing before `resize`: one picture is drawn, at the
-   * end. The first error is thrown then.
+   * end, and its report given. The first error is thrown then.
    */
   async resume() {
     let first = null;
@@ -72,8 +72,9 @@ export class Session {
       this.#lastWritten = { step, text };
       await tried(this.#put(this.#engine, step, text));
     }
-    await tried(this.call("resize", size.width, size.height));
+    const report = await tried(this.call("resize", size.width, size.height));
     if (first) throw first;
+    return report;
   }
 
   /** A call of the picture's engine. */

@@ -15,8 +15,8 @@ const asWritten = (text) => (text === "" || text.endsWith("\n") ? text : `${text
 
 /** One step's workbench. */
 class Workbench {
-  constructor({ place, step, look, session, work, showCase, changed }) {
-    Object.assign(this, { place, step, look, session, work, showCase, changed });
+  constructor(its) {
+    Object.assign(this, its);  // place, step, look, session, work, showCase, showCompared, next, changed
     this.round = 0;
     this.editor = null;
     this.marked = [];  // problems at their lines, also of a text that came before the editor
@@ -36,7 +36,6 @@ class Workbench {
     this.verdict = element("p", { className: "verdict", role: "status" });
     this.cause = element("p", { className: "cause", hidden: true });
     this.cases = element("ul", { className: "cases" });
-    this.viewer = element("div", { className: "case-viewer", hidden: true });
     this.back = button("Start over", "Put the step's first text back; Ctrl+Z in the editor takes it back again", () => this.reset());
     this.hintList = element("ol", { className: "hints" });
     this.hintButton = button("", "", () => this.nextHint());
@@ -44,7 +43,7 @@ class Workbench {
     this.place.replaceChildren(
       element("div", { className: "head" }, this.badge,
         button("See the step's look", "Draw the step's picture with your text", () => this.showCase(this.look)), this.back),
-      this.code, this.problem, this.verdict, this.cause, this.cases, this.viewer,
+      this.code, this.problem, this.verdict, this.cause, this.cases,
       element("div", { className: "hinting" }, this.hintList, this.hintButton));
     this.showHints();
     this.show({ ...this.step, status: this.step.untouched ? "untouched" : "unchecked" }, false);
@@ -146,7 +145,8 @@ class Workbench {
     const status = result.status === "failed" && result.cases.some((one) => one.status === "untouched") ? "untouched" : result.status;
     this.badge.className = `badge ${status}`;
     this.badge.textContent = kWords[status] ?? status;
-    this.verdict.textContent = judged ? result.message || (good ? "Right." : "") : "";
+    const next = judged && good ? this.next(this.step.id) : null;
+    this.verdict.replaceChildren(...(next ? ["Right. Next: ", next] : [judged ? result.message || (good ? "Right." : "") : ""]));
     this.cause.hidden = !judged || !result.looks_like_says;
     this.cause.textContent = this.cause.hidden ? "" : `This looks like: ${result.looks_like_says}`;
     this.back.disabled = [undefined, this.read?.first].includes(this.work.text(this.step.id));
@@ -171,8 +171,7 @@ class Workbench {
 
   async pick(one) {
     if (this.open === one.name) {
-      this.open = null;
-      this.viewer.hidden = true;
+      this.close();
     } else {
       this.open = one.name;
       await this.showCase(one);
@@ -184,8 +183,12 @@ class Workbench {
 
   async compare(name) {
     const pictures = await this.session.judge("compare", name);
-    this.viewer.hidden = !pictures;
-    if (pictures) this.viewer.replaceChildren(compareView(pictures));
+    this.showCompared(pictures && compareView(pictures), () => this.close());
+  }
+  close() {
+    this.open = null;
+    this.showCompared(null);
+    for (const button of this.cases.querySelectorAll("button")) button.setAttribute("aria-expanded", "false");
   }
 
   /** A text from elsewhere: a .zip, the test's hand, an undone change. */
@@ -235,7 +238,7 @@ class Workbench {
 }
 
 /** The workbenches of a handout's shader steps. Editors are loaded when they come near the window. */
-export async function buildSteps({ article, session, work, showCase, changed }) {
+export async function buildSteps({ article, session, work, ...callbacks }) {
   const benches = new Map();
   const near = new IntersectionObserver((entries) => {
     for (const { isIntersecting, target } of entries)
@@ -250,7 +253,7 @@ export async function buildSteps({ article, session, work, showCase, changed }) 
     const section = article.querySelector(`[data-step="${step.id}"]`);
     const place = section?.querySelector(".workbench");
     if (!place || step.kind !== "shader") continue;
-    const bench = new Workbench({ place, step, look: readState(section.dataset.look), session, work, showCase, changed });
+    const bench = new Workbench({ place, step, look: readState(section.dataset.look), session, work, ...callbacks });
     await bench.load();
     benches.set(step.id, bench);
     place.dataset.step = step.id;

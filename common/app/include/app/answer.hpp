@@ -55,7 +55,8 @@ struct ErrorFigures {
 struct Measured {
   image::ImageF error;  ///< in red, alpha 1 where it is known; NaN where the picture is not finite
   ErrorFigures figures;
-  image::Image8 map;  ///< the error in colours, with a bar that shows the scale
+  image::Image8 map;  ///< the error in colours
+  double full_scale;  ///< with whose colour they end
 };
 
 class AnyLab;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/lab.hpp"
+#include "app/legend.hpp"
 #include "gl/context.hpp"
 #include "gl/recorder.hpp"
 #include "gl/target.hpp"
@@ -26,7 +27,11 @@ class Canvas {
   struct Split {
     std::string parameter, value;
     float position = 0.5F;
+    bool operator==(const Split&) const = default;
   };
+
+  /// Draws the triangles' edges over the colours from now on, or no longer. Not in a browser.
+  void show_edges(bool on) { edges_ = on; }
 
   /// Draws the lab with its present parameters. Afterwards one of the read functions, or texture(), has the
   /// picture. Throws Error for shaders that do not compile, files that do not load and whatever OpenGL calls
@@ -48,6 +53,8 @@ class Canvas {
   [[nodiscard]] image::ImageF read_float() const { return error_ ? *error_ : data_->read_float(); }
   /// Of the last picture, when it was the view `error`.
   [[nodiscard]] const std::optional<ErrorFigures>& error_figures() const { return figures_; }
+  /// How the colours of the last picture, of the data view `view`, are read.
+  [[nodiscard]] Legend legend(View view) const;
   /// What the lab said of the last picture.
   [[nodiscard]] const Notes& notes() const { return notes_; }
   /// The error at which the heat map ends; 0 takes the 99th percentile, rounded up to 1, 2 or 5 times a power
@@ -102,8 +109,9 @@ class Canvas {
   gl::VertexArray no_attributes_;
 
   Notes notes_;
-  double error_scale_ = 0;
-  std::optional<image::ImageF> error_;  ///< when the last picture was the view `error`
+  bool edges_ = false;
+  double error_scale_ = 0, full_scale_ = 1;  ///< as asked for, and of the last picture
+  std::optional<image::ImageF> error_;       ///< when the last picture was the view `error`
   std::optional<ErrorFigures> figures_;
   std::unique_ptr<Measuring> measuring_ = Measuring::make != nullptr ? Measuring::make() : nullptr;
 };

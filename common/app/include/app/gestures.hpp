@@ -14,6 +14,9 @@ void orbit(params::Set& parameters, glm::vec2 moved);
 void move_light(params::Set& parameters, glm::vec2 moved);
 /// Brings the camera nearer by so many steps of the wheel.
 void zoom(params::Set& parameters, double steps);
+/// Widens the camera's angle where a picture of that aspect is narrower than the one it was made for, or than
+/// a square: nothing of the model is cut off.
+void fit_view(params::Set& parameters, double aspect, double made_for);
 /// Turns the model about its vertical axis, in degrees, round and round.
 void turn(params::Set& parameters, double degrees);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,12 @@
 ///     why = "0.05 between OSMesa and EGL"           # where the limit comes from
 ///     hidden = { turn = [-180, 180], normal_map = ["brick", "wood"] }   # optional
 ///
+///     [[opening]]                                   # optional: the look with which window and page open
+///     caption = "The map's normals as they are, and in the model's frame"
+///     set = { method = "raw" }
+///     right = { method = "mikktspace" }             # right of a line that can be dragged
+///     sides = ["raw", "in the frame"]               # what stands at the line
+///
 /// and at the top, after the lesson, `choice`: which method the lab takes by default, and why. A hidden
 /// parameter has a value that students cannot know, drawn from the course's secret seed: a number between
 /// two, or one of several words. The tables [[bench]] and [[claim]] and the list driver_methods are the
@@ -50,6 +57,10 @@ struct Look : Case {
   std::string caption;  ///< one line of plain text
   std::string source;   ///< which picture of the sources it is, or ""
   bool hero = false;    ///< shown at the top of the gallery and in the README
+
+  // Of the opening:
+  std::optional<Setting> right = {};    ///< what differs right of a line
+  std::vector<std::string> sides = {};  ///< the names of what is left and right of it
 };
 
 /// What a student writes.
@@ -85,6 +96,7 @@ struct Lab {
   std::string title, lesson;
   std::string choice;  ///< which method is the default, and why; or ""
   std::vector<Look> looks;
+  std::vector<Look> openings;  ///< none, or the look with which window and page open; the gallery has it not
   std::vector<Step> steps;
   std::vector<GradedCase> cases;  ///< at least one for each step
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/legend.hpp"
 #include "gl/upload.hpp"
 
 namespace texel::window {
@@ -16,10 +17,15 @@ namespace texel::window {
 struct Theme {
   ImVec4 good, next, wrong, dim, text;
   ImVec4 background;  ///< of the panel
+  ImVec4 field;       ///< of headings, buttons and what a value stands on
+  ImVec4 accent;      ///< of what is chosen
 };
 
 /// Of the present theme.
 const Theme& theme();
+
+/// For lines of code: all letters are as wide.
+ImFont* code_font();
 
 /// Dark or light, for all of ImGui. `scale` is the display's: 2 at twice the density.
 void set_theme(bool light, float scale);
@@ -55,5 +61,8 @@ gl::Texture picture_texture(const image::Image8& picture, GLenum wrap_s = GL_CLA
 /// Draws a picture whose bottom row is the first, or a part of it.
 void draw_texture(const gl::Texture& texture, ImVec2 from, ImVec2 to, ImVec2 upper_left = {0, 1},
                   ImVec2 lower_right = {1, 0});
+
+/// How colours are read, with its picture; where the next widget would stand.
+void draw_legend(const app::Legend& legend, const gl::Texture& picture, float scale);
 
 }  // namespace texel::window

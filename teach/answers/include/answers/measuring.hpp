@@ -26,11 +26,7 @@ void tell_outlines_apart(app::ErrorFigures& figures, const image::ImageF& error,
 /// Below a float32's rounding where the truth has no samples. `picture` has the truth.
 double truth_error(const image::ImageF& picture, const app::Truth& truth, const app::Measure& measure);
 
-/// The smallest of 1, 2 and 5 times a power of ten that is not below `value`: the end of a scale. 1 for 0.
-double round_up(double value);
-
-/// The error picture in colours (image::heat; magenta where it is not finite), with a bar that goes from 0 to
-/// `scale`.
-image::Image8 error_map(const image::ImageF& error, double scale, app::Unit unit);
+/// The error picture in colours, from 0 to `scale` (image::heat; magenta where it is not finite).
+image::Image8 error_map(const image::ImageF& error, double scale);
 
 }  // namespace texel::answers

@@ -14,6 +14,14 @@
 #define GL_FRAMEBUFFER_SRGB 0x8DB9
 #define GL_TEXTURE_CUBE_MAP_SEAMLESS 0x884F
 
+// What only a window asks for: edges over the colours.
+#define GL_COLOR_LOGIC_OP 0x0BF2
+#define GL_POLYGON_OFFSET_LINE 0x2A02
+#define GL_LINE 0x1B01
+#define GL_FILL 0x1B02
+inline void glLogicOp(GLenum) {}
+inline void glPolygonMode(GLenum, GLenum) {}
+
 namespace texel::gl {
 /// glEnable and glDisable, with these two.
 void switch_capability(GLenum capability, bool on);
