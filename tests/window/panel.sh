@@ -54,7 +54,7 @@ check 'a click opens the list of textures' opens 220 200
 press Escape
 check 'Esc closes the list alone' is_back "$work/closed" 300x300+8+210
 check 'a click opens it again' opens 220 200
-click_at 150 230
+click_at 150 300
 check 'another texture is shown' changed_from "$work/first"
 click_at 79 57
 check 'Undo takes it back' is_back "$work/first"

@@ -405,10 +405,11 @@ function showCompared(view, close) {
 
 // ---- The picture follows the text ----
 
-let own = null, follows = true;
+let own = null, follows = true, isScrolled = false;
 /** The user has another look now: that is the one to which one goes back. */
 function byHand(promise) {
   own = null;
+  isScrolled = false;  // a step that just came into view does not take it away
   ui.followed.hidden = true;
   return promise;
 }
@@ -420,10 +421,10 @@ function mine() {
 }
 /** A step that comes into view while one reads sets its look. */
 function followText() {
-  let last = null, scrolled = false;
+  let last = null;
   const steps = [...ui.article.querySelectorAll(".step")];
   const settle = afterPause(350, () => {
-    if (!follows || !scrolled) return;
+    if (!follows || !isScrolled) return;
     const line = innerHeight * (matchMedia("(max-width: 62rem)").matches ? 0.7 : 0.45);
     const step = steps.find((one) => one.getBoundingClientRect().bottom > line);
     if (!step || step.getBoundingClientRect().top > line || step === last) return;
@@ -435,7 +436,7 @@ function followText() {
   });
   for (const place of [ui.article, document])
     place.addEventListener("scroll", () => {
-      scrolled = true;
+      isScrolled = true;
       settle();
     }, { passive: true });
 }
