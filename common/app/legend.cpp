@@ -37,7 +37,7 @@ Legend bar(const std::string& title, double least, double most, double step, Vie
   if (view != View::error) legend.picture = image::shown(values, name_of(view));
   const auto count = static_cast<int>(std::lround((last - first) / step));
   for (int i = 0; i <= count; ++i)
-    legend.ticks.emplace_back(static_cast<double>(i) / count, fmt::format("{:g}", first + i * step));
+    legend.ticks.emplace_back(static_cast<double>(i) / count, fmt::format("{:.4g}", first + i * step));
   return legend;
 }
 

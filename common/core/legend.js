@@ -2,7 +2,7 @@
 // How the colours of a data view are read, as the labs describe it (common/app/include/app/legend.hpp).
 globalThis.texelLegend = ({ title, width, height, colors, ball, ticks }) => {
   const make = (tag, className, text = "") => Object.assign(document.createElement(tag), { className, textContent: text });
-  const legend = make("figure", "view-legend"), canvas = Object.assign(make("canvas", ball ? "ball" : ""), { width, height });
+  const legend = make("div", "view-legend"), canvas = Object.assign(make("canvas", ball ? "ball" : ""), { width, height });
   const picture = new ImageData(width, height);
   for (let i = 0; i < width * height; ++i) {
     const at = ((height - 1 - Math.floor(i / width)) * width + (i % width)) * 4;  // the bottom row comes first
@@ -10,7 +10,7 @@ globalThis.texelLegend = ({ title, width, height, colors, ball, ticks }) => {
     picture.data[at + 3] = 255;
   }
   canvas.getContext("2d").putImageData(picture, 0, 0);
-  legend.append(make("figcaption", "", title), canvas);
+  legend.append(make("div", "title", title), canvas);
   if (ticks.length === 0) return legend;
   canvas.className = "bar-of-legend";
   const scale = make("div", "ticks");

@@ -217,12 +217,14 @@ void steps_section(app::AnyLab& lab, WindowState& state) {
   const std::vector<judge::StepResult>& steps = state.steps->steps();
   const auto done = std::ranges::count(steps, Status::passed, &judge::StepResult::status);
   const bool are_all = done > 0 && done == std::ssize(steps);
-  // They fold when the last one is done.
-  if (are_all && !std::exchange(state.all_steps_done, are_all)) ImGui::SetNextItemOpen(false);
-  state.all_steps_done = are_all;
+  // They fold when the last one is done, and open when one no longer is.
+  if (std::exchange(state.all_steps_done, are_all) != are_all) ImGui::SetNextItemOpen(!are_all);
   const std::string count = steps.empty() ? "" : fmt::format(": {} of {} done", done, steps.size());
-  if (!ImGui::CollapsingHeader(fmt::format("Steps{}###steps", count).c_str(), ImGuiTreeNodeFlags_DefaultOpen))
-    return;
+  ImGui::PushStyleColor(ImGuiCol_Text, are_all ? theme().good : theme().text);
+  const bool is_open =
+      ImGui::CollapsingHeader(fmt::format("Steps{}###steps", count).c_str(), ImGuiTreeNodeFlags_DefaultOpen);
+  ImGui::PopStyleColor();
+  if (!is_open) return;
   const std::string& fault = state.steps->found().fault;
   if (!fault.empty())
     wrapped_plain(theme().next, "Not checked: " + fault);
@@ -230,8 +232,8 @@ void steps_section(app::AnyLab& lab, WindowState& state) {
     ImGui::TextColored(theme().dim, "checking");
   bool has_next = false;
   for (const judge::StepResult& step : steps) {
-    const bool is_done = step.status == Status::passed, is_open = step.status == Status::failed;
-    const bool is_next = is_open && !has_next;
+    const bool is_done = step.status == Status::passed, is_wrong = step.status == Status::failed;
+    const bool is_next = is_wrong && !has_next;
     has_next = has_next || is_next;
     const std::string title = course::without_markdown(step.title);
     const ImVec4& color = is_done ? theme().good : is_next ? theme().next : theme().dim;
@@ -245,11 +247,11 @@ void steps_section(app::AnyLab& lab, WindowState& state) {
     if (ImGui::IsItemToggledOpen() && shows) pick_step(lab, state, step);
     if (ImGui::IsItemHovered() && is_done) ImGui::SetTooltip("%s", figure(step).c_str());
     ImGui::SameLine();  // the title beside the triangle: a tree node's own text is not wrapped
-    const std::string waits = step.spoilt_by.empty() || step.status != Status::skipped
-                                  ? ""
-                                  : " for " + judge::listed(step.spoilt_by);
-    wrapped_plain(color, fmt::format("{}{} {} {}", judge::word_of(step, is_next), waits, step.id, title));
-    if (is_open && !shows && !step.is_untouched()) {
+    const std::string waits = step.status == Status::skipped && !step.spoilt_by.empty()
+                                  ? " (for " + judge::listed(step.spoilt_by) + ")"
+                                  : "";
+    wrapped_plain(color, fmt::format("{} {} {}{}", judge::word_of(step, is_next), step.id, title, waits));
+    if (is_wrong && !shows && !step.is_untouched()) {
       ImGui::Indent();
       wrapped_plain(theme().dim, figure(step));
       ImGui::Unindent();

@@ -144,8 +144,7 @@ TEST(Legend, has_whole_levels_over_the_range_that_is_there) {
 }
 
 TEST(ErrorMap, shows_what_is_not_finite_in_magenta) {
-  const image::Image8 map =
-      error_map(row({{std::numeric_limits<float>::infinity(), 0, 0, 1}}), 1);
+  const image::Image8 map = error_map(row({{std::numeric_limits<float>::infinity(), 0, 0, 1}}), 1);
   EXPECT_EQ(map.samples, (std::vector<std::uint8_t>{255, 0, 255, 255}));
 }
 

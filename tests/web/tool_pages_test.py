@@ -57,6 +57,8 @@ class ToolPages(unittest.TestCase):
 
     def test_the_gallery_shows_what_fits_the_choices(self):
         self.open("gallery")
+        self.assertEqual(self.ask("document.querySelectorAll('.view-legend').length"),
+                         self.ask("document.querySelectorAll('figure[data-view]:not([data-view=color])').length"))
 
         def count(that=""):
             return self.ask(f"document.querySelectorAll('figure:not([hidden]){that}').length")

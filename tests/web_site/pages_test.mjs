@@ -142,7 +142,7 @@ test("without a state in the address the lab opens on its lesson, with names at 
 
 test("the picture follows the text, and goes back", async () => {
   await open("?yaw=40&view=tangent");
-  assert.equal(await text(".view-legend figcaption"), "normal of a ball");
+  assert.equal(await text(".view-legend .title"), "normal of a ball");
   const back = () => page.$eval(".followed", (line) => !line.hidden);
   assert.equal(await back(), false);
   await page.evaluate(() => document.querySelector("[data-step='5.1']").scrollIntoView());

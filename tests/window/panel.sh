@@ -63,6 +63,7 @@ check 'Redo brings it again' changed_from "$work/first"
 click_at 321 200
 check 'its arrow sets the default' eventually shows_other "$work/first"
 click_at 79 57
+sleep 1
 click_at 79 57
 check 'Undo takes both back' is_back "$work/first"
 

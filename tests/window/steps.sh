@@ -14,7 +14,7 @@ click() { xdotool mousemove --window "$window" "$1" "$2" click 1; }
 
 # has_text RGB: whether so coloured text stands in the panel's upper part.
 has_text() {
-  look "$work/now" 330x300+0+100 || return
+  look "$work/now" 330x170+0+70 || return
   (($(pixels_of "$work/now" "$1" 4) > 20))
 }
 green=115,217,128 amber=255,199,89
@@ -24,18 +24,18 @@ check 'the window opens' open_lab lab05_normal_map --turn 0
 check 'all steps are done, in green' eventually shows_done
 settle "$work/first"
 # The titles of 5.4 and 5.5 need two lines. Cut off, their letters reach the panel's edge.
-are_whole() { look "$work/now" 6x300+312+130 && (($(pixels_of "$work/now" $green 20) == 0)); }
-check 'no title is cut off' are_whole
 
 sed -i 's/return color \* 2.0 - 1.0/return (color * 2.0 - 1.0) * vec3(1.0, -1.0, 1.0)/' "$shader"
 check 'a step that a save has spoilt is in amber' eventually has_text $amber
 check 'and the picture shows the mistake' changed_from "$work/first"
+are_whole() { look "$work/now" 6x240+312+95 && (($(pixels_of "$work/now" $green 20) == 0)); }
+check 'no title is cut off' are_whole
 settle "$work/wrong"
 
 # The first step's triangle, then its first case: below two lines each of error and mistake, and the button for a hint.
-click 19 151
+click 19 103
 sleep 1
-pick_case() { click 70 282; }
+pick_case() { click 70 234; }
 pick_case
 check 'a case that is picked sets its look' changed_from "$work/wrong"
 settle "$work/case"
@@ -89,9 +89,9 @@ check 'See it sets the look of the handout' changed_from "$work/case" 620x370+34
 pick_case
 check 'and the case its own again' returned_to "$work/case" 620x370+340+0
 
-settle "$work/button" 310x20+22+254
-click 63 264
-check 'a hint takes the place of its button' changed_from "$work/button" 310x20+22+254
+settle "$work/button" 310x20+22+206
+click 63 216
+check 'a hint takes the place of its button' changed_from "$work/button" 310x20+22+206
 
 press j  # the case's parameters stand in amber too
 cp "$source_root/shaders/05_normal_map/decode_normal.glsl" "$shader"

@@ -108,7 +108,7 @@ settled() {
 settle() { eventually settled "$@"; }
 
 # is_shown PICTURE FILE: both have the same picture left of the line that the window opens with.
-is_shown() { cmp -s <(convert "$1" -crop 230x640+0+0 +repage rgb:-) <(convert "$2" -crop 230x640+0+0 +repage rgb:-); }
+is_shown() { cmp -s <(convert "$1" -crop 230x640+0+0 +repage -depth 8 rgb:-) <(convert "$2" -crop 230x640+0+0 +repage -depth 8 rgb:-); }
 
 colours() { identify -format %k "$1"; }
 has_colours() { (($(colours "$1") > $2)); }

@@ -61,7 +61,7 @@ put('.filters', 'afterbegin',
 put('main', 'beforeend', labs.map(section).join(''));
 for (const lab of labs)
   for (const look of lab.looks)
-    if (look.legend) document.querySelector(`#${anchor(lab, look)} .open`).after(texelLegend(look.legend));
+    if (look.legend) document.getElementById(anchor(lab, look)).querySelector('.open').after(texelLegend(look.legend));
 put('footer p', 'beforeend', `Drawn by ${escaped(renderer)}.`);
 
 // ---- A picture alone, or beside another one

@@ -175,8 +175,6 @@ export function handout(markdown, lab, copies, sizeOf = () => ({})) {
       html += marked.parse(token.text.replace(/^[^;]*; /, "").replace(/^\[the/, "[The"));
       continue;
     }
-    // The lab's own picture is the page's.
-    if (lab && token.type === "paragraph" && token.tokens.length === 1 && token.tokens[0].href?.endsWith(`/pictures/${lab.folder}.png`)) continue;
     html += marked.parser([token]);
   }
   close();
