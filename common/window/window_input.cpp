@@ -301,7 +301,8 @@ void Window::go_on_with_turntable() {
 
 void Window::on_key(int key, int action, bool control) {
   if (action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
-  if (ImGui::GetIO().NavVisible && key == GLFW_KEY_SPACE) return;  // it presses the control that has the focus
+  if (ImGui::GetIO().NavVisible && key == GLFW_KEY_SPACE)
+    return;  // it presses the control that has the focus
   // Held down, Esc would close one thing after the other, and quit.
   if (action == GLFW_REPEAT && key == GLFW_KEY_ESCAPE) return;
   for (const Key& one : kKeys)

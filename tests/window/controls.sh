@@ -83,14 +83,18 @@ press j # a window that stands over the picture keeps no key away
 press Escape
 check 'Esc closes it' returned_to "$work/first"
 press Escape
-check 'with nothing open Esc asks' changed_from "$work/first"
-press j
-check 'another key is no answer' returned_to "$work/first"
+check 'Esc ends the comparison' changed_from "$work/first"
+settle "$work/whole"
 press Escape
-check 'Esc asks again' changed_from "$work/first"
+check 'with nothing open Esc asks' changed_from "$work/whole"
+press r
+check 'another key is no answer' returned_to "$work/whole"
+press Escape
+check 'Esc asks again' changed_from "$work/whole"
 press g
 press Escape
-check 'and forgets it when it closes the looks' returned_to "$work/first"
+check 'and forgets it when it closes the looks' returned_to "$work/whole"
+press j
 
 look "$work/dark" $panel
 in_menu() { xdotool mousemove --window "$window" 174 57 click 1 sleep 0.5 mousemove --window "$window" "$1" "$2" sleep 0.3 click 1; }
