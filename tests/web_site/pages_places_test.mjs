@@ -31,10 +31,11 @@ test("a step's lines have the file's numbers, in both of its places, also when i
   assert.deepEqual(numbers("a\nb\nc\n//@next\nd\ne"), [6, 7, 8, null, 14, 15]);
 });
 
-test("what stands around a step reaches to the blank lines", () => {
-  assert.deepEqual(surroundingsOf(file, "9.3"), { before: "// Two places.\nvec3 tangent() {\n  //@step 9.3 begin", after: "" });
+test("what stands around a step reaches to the blank lines, without marks and license", () => {
+  assert.deepEqual(surroundingsOf(file, "9.3"), { before: "// Two places.\nvec3 tangent() {", after: "" });
   const single = file.slice(0, file.indexOf("vec3 other"));
-  assert.equal(surroundingsOf(single, "9.3").after, "  //@end\n}");
+  assert.equal(surroundingsOf(single, "9.3").after, "}");
+  assert.equal(surroundingsOf(`// SPDX-License-Identifier: MIT\n${single}`, "9.3").before.includes("SPDX"), false);
 });
 
 test("a state is the same after its way through the address", () => {

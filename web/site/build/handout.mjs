@@ -114,14 +114,10 @@ export function handout(markdown, lab, copies, sizeOf = () => ({})) {
       const to = site(href, copies);
       if (to === null) throw new Error(`the handout shows ${href}, which is no file below docs/pictures`);
       const { width, height } = sizeOf(to);
-      // Two pictures in one file, with a white gap of 6 pixels that a dark page must not show.
-      if (/pictures\/steps\//.test(to) && width === 2 * height + 6) {
-        const half = (side) => `<span style="aspect-ratio: 1; background-image: url('${to}'); background-size: ${(100 * width) / height}% 100%; background-position: ${side}"></span>`;
-        return `<span class="pair" aria-hidden="true">${half("left")}${half("right")}</span><span class="caption">${escaped(text)}</span>`;
-      }
       const size = width ? ` width="${width}" height="${height}"` : "";
       const drawn = to.endsWith(".svg") ? ' class="drawing"' : "";
-      return `<img${drawn} src="${escaped(to)}" alt="${escaped(text)}"${size} loading="lazy" decoding="async">`;
+      const image = `<img${drawn} src="${escaped(to)}" alt="${escaped(text)}"${size} loading="lazy" decoding="async">`;
+      return to.includes("/steps/") ? `${image}<span class="caption" aria-hidden="true">${escaped(text)}</span>` : image;
     },
     table(token) {
       const inline = (cell) => this.parser.parseInline(cell.tokens);
