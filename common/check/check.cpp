@@ -81,16 +81,19 @@ class LabCheck {
     std::map<std::string, std::map<std::string, judge::Failed>> failed;  // by step and case
     for (const Case& one : plan_.cases) {
       results.push_back(judged(one));
-      judge::Failed drawn{picture_bytes(own_ / one.file), text_at(drawn_.refused, one.file)};
+      judge::Failed drawn{picture_bytes(own_ / one.file), text_at(drawn_.refused, one.file),
+                          read_file(expected_ / one.file), one.is_mesh() ? "" : read_file(mask_of(one))};
       if (!results.back().passed() && !untouched_.contains(one.step) &&
           !(drawn.picture.empty() && drawn.refused.empty()))
         failed[one.step][one.name] = std::move(drawn);
     }
     const std::vector<judge::Mistake> mistakes = known_mistakes(expected_);
-    for (const auto& [step, of_step] : failed)
-      if (const judge::Mistake* known = judge::recognize(mistakes, plan_, step, of_step))
-        for (judge::CaseResult& result : results)
-          if (of_step.contains(result.name)) result.mistake = known->name, result.mistake_says = known->says;
+    for (const auto& [step, of_step] : failed) {
+      const std::map<std::string, judge::Seen> seen = judge::explain(mistakes, plan_, step, of_step);
+      for (judge::CaseResult& result : results)
+        if (const auto one = seen.find(result.name); one != seen.end())
+          result.mistake = one->second.mistake, result.mistake_says = one->second.says;
+    }
     return results;
   }
 
@@ -137,12 +140,16 @@ class LabCheck {
     result.command = judge::command(plan_.lab, one);
     result.reference = (expected_ / one.file).string();
     if (fs::exists(own_ / one.file)) result.picture = (own_ / one.file).string();
-    const fs::path mask = one.is_mesh() ? fs::path() : expected_ / (one.name + ".mask.png");
+    const fs::path mask = one.is_mesh() ? fs::path() : mask_of(one);
     judge::resolve(result, judge(one, ExpectedFiles{result.reference, mask}, own_ / one.file),
                    text_at(drawn_.faults, one.file), untouched_.contains(one.step));
     result.score = result.passed() ? 1 : 0;
     result.died = drawn_.faults.contains(one.file) && !drawn_.refused.contains(one.file);
     return result;
+  }
+
+  [[nodiscard]] fs::path mask_of(const Case& one) const {
+    return expected_ / (one.name + ".mask.png");
   }
 
   const judge::LabPlan& plan_;

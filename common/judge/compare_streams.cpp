@@ -25,13 +25,9 @@ constexpr double kCell = 1e-3;
 /// Without any weld there are up to six vertices for one.
 constexpr std::size_t kMostTooMany = 16;
 
-/// What can be wrong with a vertex. The first two have no angle.
-enum Part : std::size_t { place, side, triangles, normals, tangents };
-constexpr std::array kPartNames = {"places or texture coordinates", "the tangents' signs w (1 or -1)",
-                                   "triangles", "normals", "tangents"};
-
 /// How far two vertices are apart, part by part, in degrees; 180 for another place or side.
-using Apart = std::array<double, kPartNames.size()>;
+enum Part : std::size_t { place, side, triangles, normals, tangents };
+using Apart = std::array<double, 5>;
 
 double most_of(const Apart& apart) {
   return std::min(180.0, *std::max_element(apart.begin(), apart.end()));
@@ -121,50 +117,81 @@ struct Lookup {
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells;
 };
 
+bool has_same_attributes(const mesh::Mesh& a, const mesh::Mesh& b) {
+  return a.normals.empty() == b.normals.empty() && a.texcoords.empty() == b.texcoords.empty() &&
+         a.tangents.empty() == b.tangents.empty();
+}
+
 /// How many of the reference's vertices have one like them, and the error of the worst but one of a thousand.
 struct Match {
   double share = 0, error = 180;
-  std::vector<Part> wrong;  ///< what is off at a tenth or more of the wrong vertices
 };
 
 Match match(const Lookup& reference, const Lookup& other, double limit) {
-  const auto same = [](const auto& a, const auto& b) { return a.empty() == b.empty(); };
   // A stream of very many vertices at one place would take very long.
   if (reference.mesh.vertex_count() == 0 ||
       other.mesh.vertex_count() > kMostTooMany * reference.mesh.vertex_count() ||
-      !same(reference.mesh.normals, other.mesh.normals) ||
-      !same(reference.mesh.texcoords, other.mesh.texcoords) ||
-      !same(reference.mesh.tangents, other.mesh.tangents))
+      !has_same_attributes(reference.mesh, other.mesh))
     return {};
   std::vector<double> errors;
-  std::array<std::size_t, kPartNames.size()> counts{};
-  for (std::uint32_t i = 0; i < reference.mesh.vertex_count(); ++i) {
-    const Apart error = other.error_of(reference, i);
-    errors.push_back(most_of(error));
-    for (std::size_t part = 0; part < error.size(); ++part) counts[part] += error[part] > limit ? 1U : 0U;
-  }
+  for (std::uint32_t i = 0; i < reference.mesh.vertex_count(); ++i)
+    errors.push_back(most_of(other.error_of(reference, i)));
   std::sort(errors.begin(), errors.end());
   const auto right = std::upper_bound(errors.begin(), errors.end(), limit) - errors.begin();
   // More vertices than needed are as wrong as fewer.
   const double count =
       static_cast<double>(std::max(reference.mesh.vertex_count(), other.mesh.vertex_count()));
-  Match found{static_cast<double>(right) / count, errors[(999 * errors.size() + 999) / 1000 - 1], {}};
-  const std::size_t wrong = errors.size() - static_cast<std::size_t>(right);
-  for (std::size_t part = 0; part < counts.size(); ++part)
-    if (counts[part] > 0 && 10 * counts[part] >= wrong) found.wrong.push_back(static_cast<Part>(part));
-  return found;
+  return {static_cast<double>(right) / count, errors[(999 * errors.size() + 999) / 1000 - 1]};
 }
 
-/// What is wrong with a stream of the right number of vertices.
-std::string what_is_wrong(const Match& found, double limit) {
-  if (found.wrong.empty()) return "The vertex stream has other attributes than the expected one.";
-  std::vector<std::string> names;
-  for (const Part part : found.wrong) names.emplace_back(kPartNames[part]);
-  std::string text = fmt::format("{:.0f} % of the vertices are right; of the others, {} are wrong",
-                                 100 * found.share, listed(names));
-  if (found.wrong.front() >= triangles)
-    text += fmt::format(", by up to {:.3g} degrees; the limit is {:.3g}", found.error, limit);
-  return text + ".";
+/// Of the first vertex that is wrong in an attribute: where it is, what it has there, and whose value that
+/// is.
+template <class Vector>
+std::string first_wrong(const char* name, const VertexPairs& both,
+                        std::vector<Vector> mesh::Mesh::*attribute) {
+  const std::vector<Vector>&expected = both.reference.*attribute, &own = both.own.*attribute;
+  const auto is_same = [](const Vector& a, const Vector& b) { return glm::distance(a, b) <= 10 * kSame; };
+  const auto text_of = [](const auto& value) {
+    std::string text;
+    for (int c = 0; c < value.length(); ++c)
+      text += fmt::format("{}{:.3g}", c > 0 ? ", " : "(", std::round(1e6F * value[c]) / 1e6F + 0.0F);
+    return text + ")";
+  };
+  std::vector<std::uint32_t> wrong;
+  for (std::uint32_t i = 0; i < expected.size(); ++i)
+    if (!is_same(expected[i], own[i])) wrong.push_back(i);
+  if (wrong.empty()) return "";
+  const std::uint32_t i = wrong.front();
+  const auto& corners = both.reference.indices;
+  const auto owner = std::find_if(expected.begin(), expected.end(),
+                                  [&](const Vector& other) { return is_same(other, own[i]); });
+  return fmt::format(
+      "The {} of the vertex at {}, a corner of triangle {}, is {} and not {}{}; so are {} of {} vertices "
+      "wrong.",
+      name, text_of(both.reference.positions[i]),
+      (std::find(corners.begin(), corners.end(), i) - corners.begin()) / 3 + 1, text_of(own[i]),
+      text_of(expected[i]),
+      owner == expected.end()
+          ? ""
+          : ", but that of the one at " +
+                text_of(both.reference.positions[static_cast<std::size_t>(owner - expected.begin())]),
+      wrong.size(), expected.size());
+}
+
+/// Vertex by vertex, if they come in the same order: at least half have the same place or texture coordinate.
+VertexPairs paired(const Lookup& expected, const Lookup& found) {
+  VertexPairs both{expected.mesh, found.mesh, expected.sums, found.sums};
+  const auto in_order = [](const auto& a, const auto& b) {
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < a.size() && a.size() == b.size(); ++i)
+      same += glm::distance(a[i], b[i]) <= kSame ? 1U : 0U;
+    return same > 0 && 2 * same >= a.size();
+  };
+  both.are_pairs = has_same_attributes(expected.mesh, found.mesh) &&
+                   expected.mesh.vertex_count() == found.mesh.vertex_count() &&
+                   (in_order(expected.mesh.positions, found.mesh.positions) ||
+                    in_order(expected.mesh.texcoords, found.mesh.texcoords));
+  return both;
 }
 
 }  // namespace
@@ -175,11 +202,25 @@ Verdict compare_streams(double limit, mesh::Mesh reference_mesh, mesh::Mesh own_
   const std::size_t count = own.mesh.vertex_count(), expected = reference.mesh.vertex_count();
   if (found.error <= limit && count == expected) return {true, 1, found.error, {}};
   // A vertex too many or too few is as wrong as one at another place.
-  return {false, 0, count != expected ? 180 : found.error,
-          count != expected
-              ? fmt::format("{} vertices instead of {}; {:.0f} % of the expected ones are there and right.",
-                            count, expected, 100 * found.share)
-              : what_is_wrong(found, limit)};
+  if (count != expected)
+    return {false, 0, 180,
+            fmt::format("{} vertices instead of {}; {:.0f} % of the expected ones are there and right.",
+                        count, expected, 100 * found.share)};
+  if (!has_same_attributes(reference.mesh, own.mesh))
+    return {false, 0, found.error, "The vertex stream has other attributes than the expected one."};
+  const VertexPairs both = paired(reference, own);
+  for (const std::string& text : {first_wrong("place", both, &mesh::Mesh::positions),
+                                  first_wrong("texture coordinate", both, &mesh::Mesh::texcoords),
+                                  first_wrong("normal", both, &mesh::Mesh::normals),
+                                  first_wrong("tangent", both, &mesh::Mesh::tangents)})
+    if (both.are_pairs && !text.empty()) return {false, 0, found.error, text};
+  return {false, 0, found.error,
+          fmt::format("{}{:.0f} % of the expected vertices are there and right.",
+                      both.are_pairs ? "Triangles are wrong; " : "", 100 * found.share)};
+}
+
+VertexPairs paired(mesh::Mesh reference, mesh::Mesh own) {
+  return paired(Lookup(std::move(reference)), Lookup(std::move(own)));
 }
 
 }  // namespace texel::judge

@@ -74,15 +74,6 @@ bool is_inside(const Image8& mask, int x, int y) {
   return true;
 }
 
-/// The pixels of the object, or of the background, as a mask.
-Image8 part_of(const Image8& mask, bool is_object) {
-  Image8 part(mask.width, mask.height, 1);
-  for (int y = 0; y < mask.height; ++y)
-    for (int x = 0; x < mask.width; ++x)
-      if ((mask.at(x, y) > 127) == is_object && is_inside(mask, x, y)) part.at(x, y) = 255;
-  return part;
-}
-
 Verdict nothing_to_compare(std::string message) {
   return {false, 0, std::numeric_limits<double>::quiet_NaN(), std::move(message)};
 }
@@ -162,6 +153,14 @@ Verdict judge_stream(const Case& of, const Expected& expected, std::string_view 
 }
 
 }  // namespace
+
+Image8 part_of(const Image8& mask, bool is_object) {
+  Image8 part(mask.width, mask.height, 1);
+  for (int y = 0; y < mask.height; ++y)
+    for (int x = 0; x < mask.width; ++x)
+      if ((mask.at(x, y) > 127) == is_object && is_inside(mask, x, y)) part.at(x, y) = 255;
+  return part;
+}
 
 Verdict judge(const Case& of, const Expected& expected, std::optional<std::string_view> picture) {
   if (!picture) return nothing_to_compare("There is no picture.");

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "core/error.hpp"
+#include "difference.hpp"
 #include "image/load.hpp"
 #include "mesh/ply.hpp"
 
@@ -88,31 +90,86 @@ bool are_same(std::span<const double> a, std::span<const double> b, double most)
   return true;
 }
 
-const Mistake* recognize(const std::vector<Mistake>& mistakes, const LabPlan& plan, const std::string& step,
-                         const std::map<std::string, Failed>& failed) {
+namespace {
+
+/// The mistake of the step that has most of what its cases show, all of them failed ones; of those that show
+/// in `all` failed cases, or in some. `shows` gets the names of these.
+const Mistake* best_of(const std::vector<Mistake>& mistakes, const std::string& step,
+                       const std::vector<Read>& read, bool all, std::set<std::string>& shows) {
+  const Mistake* best = nullptr;
+  double most = 0;
+  for (const Mistake& mistake : mistakes) {
+    if (mistake.step != step || mistake.cases.empty()) continue;
+    double sum = 0;
+    std::set<std::string> own;
+    for (const Read& one : read) {
+      const auto samples = mistake.cases.find(one.of->name);
+      const double part = samples == mistake.cases.end() ? 0 : share_of_samples(samples->second, one);
+      sum += part;
+      if (part >= kPart) own.insert(one.of->name);
+    }
+    // A mistake that would have spoilt other cases too is another one.
+    const double fit = sum / static_cast<double>(mistake.cases.size());
+    if (fit < kPart || own.empty() || (all && own.size() < read.size())) continue;
+    if (own.size() > shows.size() || (own.size() == shows.size() && fit > most))
+      best = &mistake, most = fit, shows = own;
+  }
+  return best;
+}
+
+/// The sentence of the simplest of these differences; of two that are as simple both, of more none.
+Seen said(const std::vector<Difference>& from, bool has_numbers, int below) {
+  if (from.empty() || from.front().cost >= below) return {};
+  const auto alike = std::count_if(from.begin(), from.end(),
+                                   [&](const Difference& one) { return one.cost == from.front().cost; });
+  if (alike > 2) return {};
+  std::string text = words(from[0], has_numbers);
+  if (alike == 2) text += " Or: " + words(from[1], has_numbers);
+  return {{}, text};
+}
+
+}  // namespace
+
+std::map<std::string, Seen> explain(const std::vector<Mistake>& mistakes, const LabPlan& plan,
+                                    const std::string& step, const std::map<std::string, Failed>& failed) {
   std::vector<Read> read;
   for (const Case& of : plan.cases)
     if (const auto one = failed.find(of.name); one != failed.end())
       read.push_back({&of, one->second.refused, parse_values(of, one->second.picture)});
-  const Mistake* best = nullptr;
-  double most = 0;
-  for (const Mistake& mistake : mistakes) {
-    if (mistake.step != step) continue;
-    double least = 1, sum = 0;
-    for (const Read& one : read) {
-      const auto samples = mistake.cases.find(one.of->name);
-      const double part = samples == mistake.cases.end() ? 0 : share_of_samples(samples->second, one);
-      least = std::min(least, part);
-      sum += part;
-    }
-    // A mistake that would have spoilt other cases too is another one.
-    const double fit = mistake.cases.empty() ? 0 : sum / static_cast<double>(mistake.cases.size());
-    if (least >= kPart && fit >= kPart && fit > most) {
-      best = &mistake;
-      most = fit;
-    }
+  std::map<std::string, Seen> seen;
+  std::set<std::string> shows;
+  if (const Mistake* known = best_of(mistakes, step, read, true, shows)) {
+    for (const std::string& name : shows) seen[name] = {known->name, known->says};
+    return seen;
   }
-  return best;
+  std::map<std::string, std::vector<Difference>> own, shared;
+  for (const Read& one : read) own[one.of->name] = differences(*one.of, failed.at(one.of->name));
+  shared = own;
+  for (auto& [name, list] : shared)
+    std::erase_if(list, [&](const Difference& one) {
+      return std::any_of(own.begin(), own.end(), [&](const auto& other) {
+        return std::none_of(other.second.begin(), other.second.end(),
+                            [&](const Difference& two) { return two.changes == one.changes; });
+      });
+    });
+  const auto say = [&](const std::map<std::string, std::vector<Difference>>& lists, int below) {
+    for (const auto& [name, list] : lists)
+      if (!seen.contains(name))
+        if (Seen one = said(list, !failed.at(name).is_secret, below); !one.says.empty())
+          seen[name] = std::move(one);
+  };
+  say(shared, kPlain);
+  if (!seen.empty()) return seen;
+  // Two mistakes in one step: each case by itself.
+  for (std::vector<Read> left = read; !left.empty();) {
+    shows.clear();
+    const Mistake* known = best_of(mistakes, step, left, false, shows);
+    if (known == nullptr) break;
+    for (const std::string& name : shows) seen[name] = {known->name, known->says};
+    std::erase_if(left, [&](const Read& one) { return shows.contains(one.of->name); });
+  }
+  for (const int below : {kPlain, kVague, kAnyCost}) say(shared, below), say(own, below);
+  return seen;
 }
 
 }  // namespace texel::judge

@@ -147,8 +147,9 @@ StepResult step_result(const course::Step& step, std::vector<CaseResult> cases) 
     return result;
   }
   result.message = result.cases.empty() ? "No case of this step was judged." : first->message;
-  const auto known = std::find_if(first, result.cases.end(),
-                                  [&](const CaseResult& one) { return failed(one) && !one.mistake.empty(); });
+  const auto known = std::find_if(first, result.cases.end(), [&](const CaseResult& one) {
+    return failed(one) && !one.mistake_says.empty();
+  });
   if (known != result.cases.end()) {
     result.mistake = known->mistake;
     result.mistake_says = known->mistake_says;

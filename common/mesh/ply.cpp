@@ -126,7 +126,8 @@ Mesh parse_ply(std::string_view bytes, const std::string& name) {
     for (int k = 0; k < 3; ++k) {
       const auto index = take<std::int32_t>(bytes);
       if (index < 0 || static_cast<std::size_t>(index) >= vertices)
-        throw fail(fmt::format("face {} has index {}, but there are only {} vertices", f, index, vertices));
+        throw fail(fmt::format("corner {} of triangle {} names vertex {}, but they run from 0 to {}", k + 1,
+                               f + 1, index, static_cast<std::int64_t>(vertices) - 1));
       mesh.indices.push_back(static_cast<std::uint32_t>(index));
     }
   }

@@ -172,6 +172,7 @@ CLI::App* add_expected(CLI::App& app, std::vector<int>& labs, std::filesystem::p
 struct CasesCommand {
   std::string what;                  ///< renderer, draw, batch, mutants, spreads or marks
   std::filesystem::path out, drawn;  ///< a folder or a file for JSON; the renderers' folders
+  std::filesystem::path catalogue;   ///< of other mutants than the course's, for marks
   std::string context = "auto", reference, seed;
   std::vector<int> labs;  ///< numbers; none for all
   int seeds = 3;          ///< of the hidden cases, for marks
@@ -192,6 +193,7 @@ CLI::App* add_cases(CLI::App& app, CasesCommand& command) {
   cases->add_option("--labs", command.labs, "Numbers of labs, as 1,5 [all]")->delimiter(',');
   cases->add_option("--seeds", command.seeds, "For marks: with so many seeds of the hidden cases [3]");
   cases->add_flag("--places", command.places, "For marks: only what the starter has in each place");
+  cases->add_option("--catalogue", command.catalogue, "For marks: only the mutants in this folder");
   add_cache(cases, command.cache);
   tools::add_context(cases, command.context);
   return cases;
@@ -215,7 +217,8 @@ Exit cases(const CasesCommand& command) {
     write_file(command.out,
                to_text(grade::spreads(tree, std::filesystem::absolute(command.drawn), command.reference)));
   } else {
-    write_file(command.out, to_text(grade::judged_solutions(tree, command.seeds, command.places, print_now)));
+    write_file(command.out, to_text(grade::judged_solutions(tree, command.seeds, command.catalogue,
+                                                            command.places, print_now)));
   }
   return Exit::holds;
 }

@@ -109,15 +109,18 @@ Json to_json(const judge::StepResult& step) {
 
 }  // namespace
 
-Json judged_solutions(const CourseTree& tree, int seeds, bool only_places,
+Json judged_solutions(const CourseTree& tree, int seeds, const fs::path& catalogue, bool only_places,
                       const std::function<void(const std::string&)>& say) {
   References course(tree.course, tree.build, tree.cache, "auto");
   std::vector<Solution> all;
-  if (!only_places) {
+  if (!catalogue.empty()) {
+    add_catalogue(tree.course, material::read_catalogue(catalogue), all);
+    for (Solution& one : all) one.is_called.clear();
+  } else if (!only_places) {
     add_catalogue(tree.course, course.mutants(), all);
     add_catalogue(tree.course, material::read_catalogue(tree.course / "tests/equivalents"), all);
   }
-  add_places(tree.course, all);
+  if (catalogue.empty()) add_places(tree.course, all);
 
   Json judged = Json::array();
   for (const course::Lab& lab : tree.labs) {
@@ -131,6 +134,7 @@ Json judged_solutions(const CourseTree& tree, int seeds, bool only_places,
                         {"is_right", one->is_right},
                         {"called", ""},
                         {"is_called", one->is_called},
+                        {"says", Json::object()},
                         {"seeds", Json::array()}});
     std::vector<std::vector<judge::CaseResult>> shown(own.size());
     for (int seed = 0; seed < seeds; ++seed) {
@@ -147,12 +151,15 @@ Json judged_solutions(const CourseTree& tree, int seeds, bool only_places,
           if (one.step != of.step) continue;
           judge::CaseResult result{one};
           judge::resolve(result, check::judge(one, course.expected(plan, one), drawn / one.file), "", false);
-          if (!result.passed() && seed == 0) failed[one.name] = course.drawn_in(drawn, one);
+          if (!result.passed() && seed == 0) failed[one.name] = course.drawn_in(plan, drawn, one);
           (one.hidden ? hidden : shown[i]).push_back(std::move(result));
         }
-        if (seed == 0 && !of.is_called.empty() && !failed.empty())
-          if (const judge::Mistake* known = course.recognize(plan, of.step, failed))
-            of_lab[i]["called"] = known->name;
+        if (seed == 0 && !of.is_right && !failed.empty())
+          for (const auto& [name, seen] : course.explain(plan, of.step, failed)) {
+            of_lab[i]["says"][name] = seen.says;
+            if (of_lab[i]["called"] == "" && (!of.is_called.empty() || !catalogue.empty()))
+              of_lab[i]["called"] = seen.mistake;
+          }
         const auto step = std::ranges::find(lab.steps, of.step, &course::Step::id);
         hidden.insert(hidden.begin(), shown[i].begin(), shown[i].end());
         of_lab[i]["seeds"].push_back(to_json(judge::step_result(*step, std::move(hidden))));

@@ -99,10 +99,11 @@ void StudentRun::judge_alone(const judge::LabPlan& plan, StepCases& cases) const
     const judge::Verdict verdict =
         check::judge(result, setup_.course->expected(plan, result), out / "pictures" / result.file);
     const double score = coarse_score(verdict.score);
-    if (verdict.passed)
-      cases.failed.erase(result.name);
-    else
-      cases.failed[result.name] = failed_by(*refused, result, out / "pictures");
+    judge::Failed& failed = cases.failed[result.name];
+    judge::Failed alone = failed_by(plan, *refused, result, out / "pictures");
+    alone.is_secret = alone.picture != failed.picture;
+    failed = std::move(alone);
+    if (verdict.passed) cases.failed.erase(result.name);
     if (score <= result.score) continue;
     result.judged = judge::Judged::alone, result.score = score;
     result.status = verdict.passed ? judge::CaseStatus::passed : judge::CaseStatus::failed;

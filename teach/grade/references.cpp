@@ -158,8 +158,10 @@ fs::path References::draw_changed(const judge::LabPlan& plan, const std::string&
   return folder;
 }
 
-judge::Failed References::drawn_in(const fs::path& folder, const Case& of) {
-  return {check::picture_bytes(folder / of.file), refused_instead_of(folder / of.file)};
+judge::Failed References::drawn_in(const judge::LabPlan& plan, const fs::path& folder, const Case& of) const {
+  const check::ExpectedFiles files = expected(plan, of);
+  return {check::picture_bytes(folder / of.file), refused_instead_of(folder / of.file),
+          read_file(files.reference), files.mask.empty() ? "" : read_file(files.mask)};
 }
 
 fs::path References::drawn_by(const judge::LabPlan& plan, const material::Mutant& mutant) {
@@ -204,13 +206,13 @@ const std::vector<judge::Mistake>& References::unseen_mistakes(const judge::LabP
   return unseen_mistakes_.emplace(step, std::move(unseen)).first->second;  // of the thread that was first
 }
 
-const judge::Mistake* References::recognize(const judge::LabPlan& plan, const std::string& step,
-                                            const std::map<std::string, judge::Failed>& failed) {
+std::map<std::string, judge::Seen> References::explain(const judge::LabPlan& plan, const std::string& step,
+                                                       const std::map<std::string, judge::Failed>& failed) {
   std::map<std::string, judge::Failed> seen = failed;  // by the student, as by `check`
   for (const Case& one : plan.cases)
     if (one.hidden) seen.erase(one.name);
-  return seen.empty() ? judge::recognize(unseen_mistakes(plan, step), plan, step, failed)
-                      : judge::recognize(known_mistakes(plan), plan, step, seen);
+  return seen.empty() ? judge::explain(unseen_mistakes(plan, step), plan, step, failed)
+                      : judge::explain(known_mistakes(plan), plan, step, seen);
 }
 
 }  // namespace texel::grade

@@ -48,7 +48,8 @@ class References {
                                      const std::string& step, const std::string& file,
                                      const std::string& text);
   /// One of the pictures in such a folder.
-  static judge::Failed drawn_in(const std::filesystem::path& folder, const course::Case& of);
+  [[nodiscard]] judge::Failed drawn_in(const judge::LabPlan& plan, const std::filesystem::path& folder,
+                                       const course::Case& of) const;
   /// Those of the course's steps.
   [[nodiscard]] const std::vector<material::Mutant>& mutants() const { return mutants_; }
   [[nodiscard]] std::vector<const material::Mutant*> mutants_of(const course::Lab& lab) const;
@@ -59,11 +60,11 @@ class References {
   /// check::known_mistakes, read once. Throws Error (exit 3).
   const std::vector<judge::Mistake>& known_mistakes(const judge::LabPlan& plan);
 
-  /// judge::recognize for a student's failed cases of a step, or null. The public ones are compared with
-  /// known_mistakes, as `check` does: nothing is drawn. Where no public case failed, the hidden ones are
-  /// compared with what the other mutants draw. Throws Error (exit 3).
-  const judge::Mistake* recognize(const judge::LabPlan& plan, const std::string& step,
-                                  const std::map<std::string, judge::Failed>& failed);
+  /// judge::explain for a student's failed cases of a step. The public ones are compared with known_mistakes,
+  /// as `check` does: nothing is drawn. Where no public case failed, the hidden ones are compared with what
+  /// the other mutants draw. Throws Error (exit 3).
+  std::map<std::string, judge::Seen> explain(const judge::LabPlan& plan, const std::string& step,
+                                             const std::map<std::string, judge::Failed>& failed);
 
   [[nodiscard]] const BuiltTree& starter() const { return starter_; }
   /// "llvmpipe …": what draws.

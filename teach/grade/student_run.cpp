@@ -59,9 +59,12 @@ StudentRun::StudentRun(const ClassSetup& setup, const GradeOptions& options, con
   make_root(setup.starter.source, submission_.files, folder_ / "root");
 }
 
-judge::Failed StudentRun::failed_by(const Files& refused, const Case& of, const fs::path& out) {
+judge::Failed StudentRun::failed_by(const judge::LabPlan& plan, const Files& refused, const Case& of,
+                                    const fs::path& out) const {
   const auto found = refused.find(of.file);
-  return {check::picture_bytes(out / of.file), found == refused.end() ? "" : found->second};
+  const check::ExpectedFiles files = setup_.course->expected(plan, of);
+  return {check::picture_bytes(out / of.file), found == refused.end() ? "" : found->second,
+          read_file(files.reference), files.mask.empty() ? "" : read_file(files.mask)};
 }
 
 check::Studio StudentRun::studio(const Program& program, const fs::path& root) const {
@@ -129,17 +132,17 @@ JudgedLab StudentRun::judge(const judge::LabPlan& plan, const std::vector<Case>&
       const judge::CaseResult& result = of_step.results.emplace_back(judged(plan, one, program, drawn, out));
       if (result.passed()) continue;
       of_step.wrong[one.name] = result.score;
-      of_step.failed[one.name] = failed_by(drawn.refused, one, out);
+      of_step.failed[one.name] = failed_by(plan, drawn.refused, one, out);
     }
     if (!submission_.fault.empty() || !begun_.contains(step.id) || of_step.failed.empty()) continue;
     if (options_.judge_alone) judge_alone(plan, of_step);
     std::erase_if(of_step.failed,
                   [](const auto& one) { return one.second.picture.empty() && one.second.refused.empty(); });
     if (of_step.failed.empty()) continue;
-    if (const judge::Mistake* mistake = setup_.course->recognize(plan, step.id, of_step.failed))
-      for (judge::CaseResult& result : of_step.results)
-        if (of_step.failed.contains(result.name))
-          result.mistake = mistake->name, result.mistake_says = mistake->says;
+    const std::map<std::string, judge::Seen> seen = setup_.course->explain(plan, step.id, of_step.failed);
+    for (judge::CaseResult& result : of_step.results)
+      if (const auto one = seen.find(result.name); one != seen.end())
+        result.mistake = one->second.mistake, result.mistake_says = one->second.says;
   }
   if (submission_.fault.empty() && options_.judge_alone) blame(plan, steps);
   for (const StepCases& of_step : steps)

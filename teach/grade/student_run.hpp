@@ -61,8 +61,8 @@ class StudentRun {
   [[nodiscard]] bool is_of_course(const std::string& path) const;
   [[nodiscard]] check::Studio studio(const Program& program, const std::filesystem::path& root) const;
   /// What was drawn of a case in the folder `out`; `refused` is Drawn::refused.
-  static judge::Failed failed_by(const Files& refused, const course::Case& of,
-                                 const std::filesystem::path& out);
+  [[nodiscard]] judge::Failed failed_by(const judge::LabPlan& plan, const Files& refused,
+                                        const course::Case& of, const std::filesystem::path& out) const;
   /// What became of the cases of one step, each judged as the student's tree draws it.
   struct StepCases {
     std::string step;
@@ -88,7 +88,7 @@ class StudentRun {
   /// The student's text is compiled and drawn beside the solution's, in the sandbox, and could carry it out.
   /// So nothing but the pictures comes back, for the judge alone: not what programs, compiler and driver say,
   /// and not why a picture is missing. Of cases that were refused (Drawn::refused) their file and place come
-  /// back, for judge::recognize alone. Nothing comes back where markers in the step's files are gone. Throws
+  /// back, for judge::explain alone. Nothing comes back where markers in the step's files are gone. Throws
   /// Error (exit 3), which says nothing of the files either, for faults of the machine. All of it counts to
   /// the student's time.
   [[nodiscard]] std::optional<Files> draw_alone(const judge::LabPlan& plan, const std::string& step,

@@ -49,9 +49,8 @@ std::string test_case(const judge::CaseResult& result, const judge::StepResult& 
   ++counts.failures;
   const std::string typed = command(result);
   std::string said;
-  for (const std::string& line :
-       {cause(result.mistake, result.mistake_says), judging(step), distance(result), place(step),
-        step.hints.empty() ? "" : "Hint: " + step.hints.front(), typed})
+  for (const std::string& line : {cause(result.mistake_says), judging(step), distance(result), place(step),
+                                  step.hints.empty() ? "" : "Hint: " + step.hints.front(), typed})
     if (!line.empty()) said += "\n" + quoted(line);
   const std::string files = attachments(result, folder);
   return fmt::format("{}>\n   <failure message=\"{}\" type=\"{}\">{}</failure>\n{}  </testcase>\n", opening,

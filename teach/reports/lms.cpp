@@ -54,7 +54,7 @@ std::string advice(const judge::StepResult& step) {
   std::string text;
   add_line(text, judging(step));
   if (!step.overridden.empty()) add_line(text, "The teacher set these points: " + step.overridden);
-  add_line(text, cause(step.mistake, step.mistake_says));
+  add_line(text, cause(step.mistake_says));
   if (!step.hints.empty()) add_line(text, "Hint: " + step.hints.front());
   if (!step.file.empty()) add_line(text, "Written in " + place(step));
   return text;
@@ -72,7 +72,7 @@ std::string case_lines(const judge::StepResult& step, bool hidden) {
     if (result.passed()) continue;
     add_line(text, result.message);
     add_line(text, distance(result));
-    if (result.mistake != step.mistake) add_line(text, cause(result.mistake, result.mistake_says));
+    if (result.mistake_says != step.mistake_says) add_line(text, cause(result.mistake_says));
     add_line(text, command(result));
   }
   return text;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <sodium.h>
 
+#include "core/plain_text.hpp"
 #include "material/mutant_file.hpp"
 #include "wording.hpp"
 
@@ -87,9 +88,15 @@ Json step_data(const judge::StepResult& step) {
 }
 
 Json mistake_data(const std::string& name, const std::string& says) {
-  if (name.empty()) return nullptr;
+  if (says.empty()) return nullptr;
   const std::string title = material::title_of(says);
-  return {{"name", name}, {"title", title}, {"rest", says.substr(title.size())}};
+  std::string own = name;  // what is not in the catalogue is called as it is said, without its numbers
+  for (const char c : name.empty() ? lower_case(title) : std::string())
+    if (c >= 'a' && c <= 'z')
+      own += c;
+    else if (c == ' ')
+      own += '-';
+  return {{"name", own}, {"title", title}, {"rest", says.substr(title.size())}};
 }
 
 }  // namespace texel::reports

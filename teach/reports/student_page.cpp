@@ -110,7 +110,7 @@ class StudentPage {
       // A file that does not compile fails all its cases with one sentence: once is enough.
       const bool has_nothing = !result.passed() && std::isnan(result.error) && !result.message.empty();
       const bool is_same = has_nothing && nothing != nullptr && result.message == nothing->message &&
-                           result.mistake == nothing->mistake;
+                           result.mistake_says == nothing->mistake_says;
       if (has_nothing && nothing == nullptr) nothing = &result;
       const Json name = {{"name", result.name}, {"hidden", result.hidden}};
       if (result.passed())
@@ -142,7 +142,8 @@ class StudentPage {
                  {"command", command(result)},
                  {"isCompared", shown == Shown::with_numbers},
                  {"panes", Json::array()}};
-    if (result.mistake != step.mistake) data["mistake"] = mistake_data(result.mistake, result.mistake_says);
+    if (result.mistake_says != step.mistake_says)
+      data["mistake"] = mistake_data(result.mistake, result.mistake_says);
     if (result.is_mesh() || shown == Shown::not_at_all) return data;
     if (!result.picture.empty())
       data["panes"].push_back(

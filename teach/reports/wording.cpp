@@ -68,8 +68,8 @@ std::string counted(std::size_t count, const std::string& what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-std::string cause(const std::string& mistake, const std::string& says) {
-  return mistake.empty() ? "" : fmt::format("This looks like: {}", says);
+std::string cause(const std::string& says) {
+  return says.empty() ? "" : fmt::format("This looks like: {}", says);
 }
 
 std::string distance(const judge::CaseResult& result) {

@@ -28,7 +28,7 @@ std::string number(double value, int decimals = 2);
 std::string counted(std::size_t count, const std::string& what);
 
 /// "This looks like: Green is inverted: …", or "" where no mistake is known.
-std::string cause(const std::string& mistake, const std::string& says);
+std::string cause(const std::string& says);
 
 /// How far off a case is, in its unit: "12.3 degrees off; full marks up to 0.2", or "judged alone, 12.3
 /// degrees off; …". "" where nothing could be compared.

@@ -3,11 +3,14 @@
 """`texel marks`: each mistake loses marks, each right answer has them all.
 
 marks_test.py TEXEL [CLASS ..]"""
+import json
 import os
 import pathlib
 import re
 import subprocess
 import sys
+import tempfile
+import tomllib
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -103,6 +106,27 @@ def of_lab(number):
         ran = marks(str(number), "--seeds", "2")
         self.assertEqual(ran.returncode, 0, ran.stdout + ran.stderr)
     return test
+
+
+class Unforeseen(unittest.TestCase):
+    """tests/unforeseen: wrong solutions that were written before the catalogue was read for them, and that it does not hold."""
+
+    @unittest.skipUnless("TEXEL_TEST_ALL" in os.environ, "./run test --all")
+    def test_lose_marks_and_have_the_sentences_that_were_read_and_found_true(self):
+        folder = ROOT / "tests/unforeseen"
+        wrong = [one for file in sorted(folder.glob("*.toml")) for one in tomllib.loads(file.read_text(encoding="utf-8"))["mutant"]]
+        with tempfile.TemporaryDirectory() as scratch:
+            file = pathlib.Path(scratch) / "marks.json"
+            subprocess.run([BIN / "texel", "cases", "marks", "--catalogue", folder, "--seeds", "1", "--out", file,
+                            "--cache", BIN.parent / "grade"], check=True)
+            judged = {one["name"]: one for one in json.loads(file.read_text(encoding="utf-8"))}
+        self.assertGreaterEqual(len(wrong), 120)
+        lost = [one for one in wrong if not judged[one["name"]]["seeds"][0]["passed"]]
+        self.assertGreaterEqual(len(lost), 0.95 * len(wrong))
+        self.assertGreaterEqual(sum(one["says"] != "Nothing." for one in lost), 0.8 * len(wrong))
+        for one in wrong:
+            says = list(judged[one["name"]]["says"].values())
+            self.assertEqual(says[0].split(": so it is at")[0] if says else "Nothing.", one["says"], one["name"])
 
 
 for lab in read_labs():

@@ -46,8 +46,8 @@ class Mistakes : public testing::Test {
 
   [[nodiscard]] std::string known(const std::vector<Mistake>& mistakes,
                                   const std::map<std::string, Failed>& failed) const {
-    const Mistake* mistake = recognize(mistakes, plan_, "1.1", failed);
-    return mistake == nullptr ? "" : mistake->name;
+    const std::map<std::string, Seen> seen = explain(mistakes, plan_, "1.1", failed);
+    return seen.empty() ? "" : seen.begin()->second.mistake;
   }
 
   ScratchFolder folder_;
@@ -83,6 +83,17 @@ TEST_F(Mistakes, that_would_have_spoilt_more_than_what_failed_are_not_meant) {
   EXPECT_EQ(known(mistakes, {{"a", failed}, {"b", failed}}), "in two");
   EXPECT_EQ(known(mistakes, {{"a", failed}, {"b", failed}, {"c", failed}}), "everywhere");
   EXPECT_EQ(known(mistakes, {{"a", failed}}), "") << "a wrong name is worse than none";
+}
+
+TEST_F(Mistakes, that_are_two_in_one_step_have_a_sentence_each) {
+  const std::vector<Mistake> mistakes = {{"in a", "1.1", "a", {{"a", samples(8, 0.5F)}}},
+                                         {"in b", "1.1", "b", {{"b", samples(8, 0.25F)}}}};
+  const std::map<std::string, Seen> seen = explain(
+      mistakes, plan_, "1.1",
+      {{"a", {picture("s", 8, 0.5F), ""}}, {"b", {picture("t", 8, 0.25F), ""}}, {"c", {"", "cube.obj:1"}}});
+  ASSERT_EQ(seen.size(), 2U);
+  EXPECT_EQ(seen.at("a").mistake, "in a");
+  EXPECT_EQ(seen.at("b").says, "b");
 }
 
 TEST_F(Mistakes, that_draw_nothing_are_known_by_what_the_program_says) {

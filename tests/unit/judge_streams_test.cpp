@@ -77,21 +77,21 @@ TEST_F(JudgeMesh, sees_what_is_wrong_and_says_it) {
       for (std::size_t i = 0; i < 10; ++i) mesh.tangents[i].w = w;
     };
   };
-  const char* const signs =
-      "97 % of the vertices are right; of the others, the tangents' signs w (1 or -1) are wrong.";
-  const Row rows[] = {{[](Mesh& mesh) { std::swap(mesh.indices[0], mesh.indices[1]); },
-                       "of the others, triangles are wrong, by up to "},
-                      {[](Mesh& mesh) {
-                         for (glm::vec3& normal : mesh.normals) normal.y = -normal.y;
-                       },
-                       "of the others, normals are wrong, by up to "},
-                      {[](Mesh& mesh) {
-                         for (glm::vec3& position : mesh.positions) position.x += 2;
-                       },
-                       "of the others, places or texture coordinates are wrong."},
-                      {sign(-1), signs},
-                      {sign(0.9F), signs},  // w multiplies the bitangent: it is a sign alone
-                      {[](Mesh& mesh) { mesh.tangents.clear(); }, "other attributes"}};
+  const char* const signs = "; so are 10 of 325 vertices wrong.";
+  const Row rows[] = {
+      {[](Mesh& mesh) { std::swap(mesh.indices[0], mesh.indices[1]); },
+       "Triangles are wrong; 99 % of the expected vertices are there and right."},
+      {[](Mesh& mesh) {
+         for (glm::vec3& normal : mesh.normals) normal.y = -normal.y;
+       },
+       ", a corner of triangle 2, is (0, -0.5, 0.866) and not (0, 0.5, 0.866), but that of the one at (0, "},
+      {[](Mesh& mesh) {
+         for (glm::vec3& position : mesh.positions) position.x += 2;
+       },
+       "The place of the vertex at "},
+      {sign(-1), signs},
+      {sign(0.9F), signs},  // w multiplies the bitangent: it is a sign alone
+      {[](Mesh& mesh) { mesh.tangents.clear(); }, "other attributes"}};
   for (const Row& row : rows) {
     Mesh own = reference;
     row.spoil(own);

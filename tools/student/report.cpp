@@ -75,8 +75,8 @@ std::string details(const StepResult& step, const Paint& paint) {
   const bool concerns_all = !is_drawn && names_by_message.size() == 1;  // a shader that does not compile
   for (const auto& [names, message] : names_by_message)
     text += wrapped(concerns_all ? message : fmt::format("{}: {}", names, message), indent);
-  if (!telling.mistake.empty())
-    text += paint(kYellow, wrapped("This looks like: " + telling.mistake_says, indent));
+  if (!step.mistake_says.empty())
+    text += paint(kYellow, wrapped("This looks like: " + step.mistake_says, indent));
   return is_drawn ? text + see : text;
 }
 

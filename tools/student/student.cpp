@@ -161,7 +161,7 @@ Exit see(const std::string& wanted, fs::path out, const std::string& context) {
     fmt::print("{}", wrapped(fmt::format("{} {}, {}: {}", step.id, step.title, one.name,
                                          one.passed() ? "right" : one.message),
                              0));
-    if (!one.mistake.empty()) fmt::print("{}", wrapped("This looks like: " + one.mistake_says, 0));
+    if (!one.mistake_says.empty()) fmt::print("{}", wrapped("This looks like: " + one.mistake_says, 0));
     if (one.picture.empty()) return Exit::failed;  // the message says why
     if (one.is_mesh()) {
       std::string flags;

@@ -51,13 +51,25 @@ bool are_same(std::span<const double> a, std::span<const double> b, double most)
 
 /// What was drawn in a case and is wrong, or why nothing was.
 struct Failed {
-  std::string picture;  ///< the file's bytes, or ""
-  std::string refused;  ///< Drawn::refused
+  std::string picture;         ///< the file's bytes, or ""
+  std::string refused;         ///< Drawn::refused
+  std::string reference = {};  ///< the expected file's bytes
+  std::string mask = {};       ///< and its mask's; none for meshes
+  bool is_secret = false;  ///< no numbers of the picture may be told: it was drawn beside the solution's text
 };
 
-/// The mistake of the step that has most of what all its failed cases show, and fails no others; or none.
-const Mistake* recognize(const std::vector<Mistake>& mistakes, const LabPlan& plan, const std::string& step,
-                         const std::map<std::string, Failed>& failed);
+/// What a failed case shows.
+struct Seen {
+  std::string mistake;  ///< the catalogue's name, or "" where it has none
+  std::string says;     ///< the sentence, or ""
+};
+
+/// What the failed cases of a step show, by case. First the mistake of the catalogue that shows in all of
+/// them; then what makes all of their pictures of the expected ones (docs/instructor.md); then for each case
+/// what it shows itself, by the catalogue or by its values. Of two explanations that fit alike both are said,
+/// of more none. A case of which nothing is known is left out.
+std::map<std::string, Seen> explain(const std::vector<Mistake>& mistakes, const LabPlan& plan,
+                                    const std::string& step, const std::map<std::string, Failed>& failed);
 
 /// A lab's mistakes from a file that material::to_json wrote. Throws Error (exit 3) with its name when it is
 /// broken.

@@ -55,7 +55,7 @@ struct CaseResult : course::Case {
   double error = std::numeric_limits<double>::quiet_NaN();  ///< as `limit`; NaN: nothing can be compared
   std::string message;  ///< what is wrong in the student's tree, one or two sentences; "" when nothing is
   std::string mistake;  ///< the name of the mutant that the picture looks like, or ""
-  std::string mistake_says;  ///< and its sentence
+  std::string mistake_says;  ///< and its sentence, or what the values say (Seen), or ""
   std::string command;       ///< draws this picture, typed in the student's tree: "./run lab 5 --turn 50 …"
   std::string picture;  ///< the student's file, relative to the results' folder; "" when there is none or it
                         ///< is as good as the reference
@@ -79,13 +79,14 @@ struct StepResult : course::Step {
 
   double score = 0;  ///< 0 to 1; the teacher's where there is an override
   Status status = Status::failed;
-  std::string message;                ///< of the first failed case; of a skipped step, why; "" when passed
-  std::string mistake, mistake_says;  ///< of the first failed case that has one; "" when passed or skipped
-  std::string file;                   ///< where the step is written, in the tree
-  int line = 0;                       ///< of its first marker in the starter
-  std::int64_t saved = 0;             ///< when a file with its text was last written; only in check
-  bool was_right = false;             ///< its text passed before another step was changed; only in check
-  std::string overridden;             ///< the teacher's reason for another score, or ""
+  std::string message;  ///< of the first failed case; of a skipped step, why; "" when passed
+  std::string mistake,
+      mistake_says;        ///< of the first failed case that has a sentence; "" when passed or skipped
+  std::string file;        ///< where the step is written, in the tree
+  int line = 0;            ///< of its first marker in the starter
+  std::int64_t saved = 0;  ///< when a file with its text was last written; only in check
+  bool was_right = false;  ///< its text passed before another step was changed; only in check
+  std::string overridden;  ///< the teacher's reason for another score, or ""
   /// Other steps that did not pass and spoil pictures of this one, as far as is known: where a case was
   /// judged alone, those that it needs and those of its lab that were begun; where check skips it, the step
   /// that comes first.

@@ -29,13 +29,14 @@ void draw_step_pictures(const CourseTree& tree, const std::filesystem::path& fol
 // --- Whether marks are earned: what right and wrong solutions of each step get -----------------------------
 
 /// Judges the solution with each place of a step as the starter has it, and, unless `only_places`, each
-/// mutant and each equivalent of the catalogues, with so many seeds. Returns a list of {"step", "name",
-/// "is_right", "called", "is_called", "seeds": [{"passed", "score", "cases": [{"case", "passed", "error",
-/// "limit", "unit"}]}]}: `name` is the entry of the catalogue, or the place; `called` the mistake that the
-/// grader takes it for, by the first seed, and `is_called` what it is to be, or both "". `say` gets progress.
-/// Throws Error (exit 3) when something does not draw.
-Json judged_solutions(const CourseTree& tree, int seeds, bool only_places,
-                      const std::function<void(const std::string&)>& say);
+/// mutant and each equivalent of the catalogues, with so many seeds; or, where a `catalogue` is named, its
+/// mutants alone, which have no name. Returns a list of {"step", "name", "is_right", "called", "is_called",
+/// "says": {case: sentence}, "seeds": [{"passed", "score", "cases": [{"case", "passed", "error", "limit",
+/// "unit"}]}]}: `name` is the entry of the catalogue, or the place; `called` the mistake that the grader
+/// takes it for, by the first seed, and `is_called` what it is to be, or both "". `say` gets progress. Throws
+/// Error (exit 3) when something does not draw.
+Json judged_solutions(const CourseTree& tree, int seeds, const std::filesystem::path& catalogue,
+                      bool only_places, const std::function<void(const std::string&)>& say);
 
 // --- How far renderers are from each other, in the judge's own measure -------------------------------------
 // A case's limit has to leave room for that. Which renderer draws is said by the environment, which
