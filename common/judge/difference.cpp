@@ -435,7 +435,8 @@ void add_pictures(Options& found, const Field& of) {
   const auto is_covering = [&](const Pair& p) {
     return of.is_plain && !p.is_object && !of.is_near(p.own, of.background);
   };
-  if (of.is_plain || of.quantity != color) add(found, of, {of.quantity, nothing}, 3, is_nothing);
+  if (of.is_plain || of.quantity != color)
+    add(found, of, {of.quantity, nothing}, of.quantity == texcoord ? 4 : 3, is_nothing);
   add(found, of, {of.quantity, covering}, 3, is_covering);
   const auto end = of.pairs.begin() + static_cast<std::ptrdiff_t>(of.wrong);
   const auto outside =

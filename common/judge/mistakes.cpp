@@ -160,14 +160,24 @@ std::map<std::string, Seen> explain(const std::vector<Mistake>& mistakes, const 
   };
   say(shared, kPlain);
   if (!seen.empty()) return seen;
-  // Two mistakes in one step: each case by itself.
-  for (std::vector<Read> left = read; !left.empty();) {
+  // Two mistakes in one step: each case by itself. The catalogue names causes: only where each picture has
+  // one or is explained by its values, and not where nothing is drawn, as by many mistakes.
+  std::map<std::string, Seen> causes;
+  std::vector<Read> left = read;
+  while (!left.empty()) {
     shows.clear();
     const Mistake* known = best_of(mistakes, step, left, false, shows);
     if (known == nullptr) break;
-    for (const std::string& name : shows) seen[name] = {known->name, known->says};
+    for (const std::string& name : shows) causes[name] = {known->name, known->says};
     std::erase_if(left, [&](const Read& one) { return shows.contains(one.of->name); });
   }
+  const bool are_causes = left.empty() && std::none_of(causes.begin(), causes.end(), [&](const auto& one) {
+                            const std::vector<Difference>& list = own[one.first];
+                            return std::any_of(list.begin(), list.end(), [](const Difference& each) {
+                              return each.changes.front().way == Way::nothing;
+                            });
+                          });
+  if (are_causes) seen = std::move(causes);
   for (const int below : {kPlain, kVague, kAnyCost}) say(shared, below), say(own, below);
   return seen;
 }

@@ -89,8 +89,7 @@ TEST_F(Mistakes, that_are_two_in_one_step_have_a_sentence_each) {
   const std::vector<Mistake> mistakes = {{"in a", "1.1", "a", {{"a", samples(8, 0.5F)}}},
                                          {"in b", "1.1", "b", {{"b", samples(8, 0.25F)}}}};
   const std::map<std::string, Seen> seen = explain(
-      mistakes, plan_, "1.1",
-      {{"a", {picture("s", 8, 0.5F), ""}}, {"b", {picture("t", 8, 0.25F), ""}}, {"c", {"", "cube.obj:1"}}});
+      mistakes, plan_, "1.1", {{"a", {picture("s", 8, 0.5F), ""}}, {"b", {picture("t", 8, 0.25F), ""}}});
   ASSERT_EQ(seen.size(), 2U);
   EXPECT_EQ(seen.at("a").mistake, "in a");
   EXPECT_EQ(seen.at("b").says, "b");
