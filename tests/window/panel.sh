@@ -51,6 +51,7 @@ settle "$work/first"
 settle "$work/closed" $panel
 click_at 100 177
 check 'a heading opens its section' changed_from "$work/closed" $panel
+settle "$work/first"
 check 'a click opens the list of textures' opens 220 200
 press Escape
 check 'Esc closes the list alone' is_back "$work/closed" 300x300+8+210
