@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "app/settings.hpp"
 #include "core/error.hpp"
@@ -103,7 +102,6 @@ void Canvas::draw_into(const gl::Target& target, View view, const std::optional<
 void Canvas::draw(View view, glm::ivec2 size, int samples, const std::optional<Split>& split,
                   gl::Target::Kind colors) {
   ++present_frame;
-  error_.reset();
   figures_.reset();
   if (view == View::error) {
     draw_error(size);
@@ -164,38 +162,15 @@ void Canvas::present(View view) {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-image::ImageF Canvas::measured_picture(const Measure& measure, glm::ivec2 size) {
-  const gl::Target& data = fit(data_, gl::Target::Kind::data, size, 1);
-  if (measure.unit != Unit::steps) {
-    draw_into(data, measure.view, {});
-    return data.read_float();
-  }
-  // Colours are compared as they are seen: in levels of the encoded picture, inside the object's mask.
-  draw_into(data, View::mask, {});
-  image::ImageF picture = data.read_float();
-  const gl::Target& color = fit(color_, gl::Target::Kind::color, size, 1);
-  draw_into(color, measure.view, {});
-  const image::Image8 shown = color.read8();
-  for (std::size_t i = 0; i < shown.samples.size(); ++i)
-    if (i % 4 != 3) picture.samples[i] = shown.samples[i];
-  return picture;
-}
-
 Legend Canvas::legend(View view) const {
-  if (view == View::error) return error_legend(full_scale_, lab_.measure()->unit);
+  if (view == View::error) return error_legend(full_scale_, lab_.answer()->measure().unit);
   const bool has_range = view == View::lod || view == View::depth;
   return legend_of(view, lab_.parameters(), has_range ? read_float() : image::ImageF());
 }
 
-double Canvas::work_on_truth(glm::ivec2 size, double milliseconds) {
-  if (!lab_.measure()) throw Error::usage("this lab has no view 'error'");
-  return measuring_->work_on_truth(lab_, size, milliseconds);
-}
-
 void Canvas::draw_error(glm::ivec2 size) {
-  work_on_truth(size, std::numeric_limits<double>::infinity());
-  const std::optional<Measure> measure = lab_.measure();
-  Measured measured = measuring_->measured(measured_picture(*measure, size), *measure, error_scale_);
+  if (lab_.answer() == nullptr) throw Error::usage("this lab has no view 'error'");
+  Measured measured = lab_.answer()->measured(*this, size);
   error_ = std::move(measured.error);
   figures_ = measured.figures, full_scale_ = measured.full_scale;
   fit(color_, gl::Target::Kind::color, size, 1).write8(measured.map);
@@ -230,8 +205,16 @@ void Canvas::copy_to_window(glm::ivec2 origin, glm::ivec2 size) const {
 
 image::ImageF Canvas::values_of(View view, glm::ivec2 size) {
   const gl::Target& data = fit(data_, gl::Target::Kind::data, size, 1);
-  draw_into(data, view, {});
-  return data.read_float();
+  draw_into(data, view == View::color ? View::mask : view, {});
+  image::ImageF values = data.read_float();
+  if (view != View::color) return values;
+  // Colours are compared as they are seen: in levels of the encoded picture, inside the object's mask.
+  const gl::Target& color = fit(color_, gl::Target::Kind::color, size, 1);
+  draw_into(color, view, {});
+  const image::Image8 shown = color.read8();
+  for (std::size_t i = 0; i < shown.samples.size(); ++i)
+    if (i % 4 != 3) values.samples[i] = shown.samples[i];
+  return values;
 }
 
 glm::vec4 Canvas::value_at(View view, glm::ivec2 size, glm::ivec2 pixel) {
@@ -244,18 +227,6 @@ std::vector<gl::Record::TextureUse> Canvas::textures(glm::ivec2 size) {
   gl::Recorder recorder;
   draw_into(fit(data_, gl::Target::Kind::data, size, 1), View::color, {});
   return recorder.take().textures;
-}
-
-std::optional<Canvas::Comparison> Canvas::compare_at(glm::ivec2 size, glm::ivec2 pixel) {
-  const std::optional<Measure> measure = lab_.measure();
-  const Truth truth = measure ? lab_.truth(size) : Truth();
-  const std::optional<glm::dvec3> right = truth ? truth(glm::dvec2(pixel) + 0.5) : std::nullopt;
-  if (!right) return {};
-  const image::ImageF picture = measured_picture(*measure, size);
-  if (picture.at(pixel.x, pixel.y, 3) == 0) return {};
-  glm::dvec3 value;
-  for (int c = 0; c < 3; ++c) value[c] = picture.at(pixel.x, pixel.y, c);
-  return Comparison{*measure, value, *right, measuring_->error_of(value, *right, *measure)};
 }
 
 }  // namespace texel::app

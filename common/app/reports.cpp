@@ -28,28 +28,6 @@ std::string frame_times_as_text(std::vector<double> milliseconds, glm::ivec2 siz
                      milliseconds.back());
 }
 
-std::string to_json(AnyLab& lab, const ErrorFigures& figures) {
-  const Measure measure = *lab.measure();
-  Json json = {{"lab", lab.info().folder()},
-               {"parameters", lab.parameters().key()},
-               {"view", name_of(measure.view)},
-               {"truth", measure.truth},
-               {"truth_error", figures.truth_error},
-               {"unit", name_of(measure.unit)},
-               {"mean", figures.mean},
-               {"rms", figures.rms},
-               {"median", figures.median},
-               {"p99", figures.p99},
-               {"max", figures.max},
-               {"max_aside", figures.max_aside},
-               {"outline_pixels", figures.outline_pixels},
-               {"pixels", figures.pixels},
-               {"truth_pixels", figures.truth_pixels},
-               {"non_finite", figures.non_finite}};
-  if (figures.reason != nullptr) json["reason"] = figures.reason;
-  return to_text(json, 2) + "\n";
-}
-
 std::string shaders_as_text(const gl::ProgramCache& programs, const params::Set& parameters, View view) {
   const auto origin = [&](const std::string& uniform) {
     const params::Parameter* p = parameters.find(uniform);

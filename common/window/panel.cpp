@@ -127,7 +127,7 @@ void view_section(app::AnyLab& lab, WindowState& state) {
 
   if (state.figures) {
     const app::ErrorFigures& f = *state.figures;
-    const app::Measure measure = *lab.measure();
+    const app::Measure measure = lab.answer()->measure();
     wrapped_text(
         theme().text,
         f.reason != nullptr

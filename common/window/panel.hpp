@@ -114,7 +114,7 @@ struct WindowState {
   struct Inspected {
     glm::ivec2 pixel;
     std::vector<std::pair<app::View, glm::vec4>> values;
-    std::optional<app::Canvas::Comparison> comparison;  ///< of the method with the truth
+    std::optional<app::Comparison> comparison;  ///< of the method with the truth
     std::vector<TextureView> textures;
     gl::Texture around;  ///< the pixels around it, kAround in a row; bottom row first
     static constexpr int kAround = 15;

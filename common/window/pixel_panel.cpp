@@ -250,7 +250,7 @@ void draw_pixel(WindowState& state, glm::vec2 size, float pixels_per_unit, float
       pixel_row(name, view, glm::dvec3(value));
   }
   if (inspected.comparison) {
-    const app::Canvas::Comparison& c = *inspected.comparison;
+    const app::Comparison& c = *inspected.comparison;
     ImGui::TextColored(theme().dim, "%s against the truth", name_of(c.measure.view));
     pixel_row("method", c.measure.view, c.value);
     pixel_row("truth", c.measure.view, c.truth);

@@ -289,7 +289,7 @@ void Window::draw_picture() {
     state_.progress.clear();
     state_.no_truth.clear();
     if (state_.view == app::View::error) try {
-        truth_share_ = canvas_.work_on_truth(size, kTruthMilliseconds);
+        truth_share_ = lab_.answer()->work(size, kTruthMilliseconds);
       } catch (const Error& error) {
         state_.no_truth = error.what();
       }
@@ -357,7 +357,8 @@ void Window::inspect() {
     if (view != app::View::color && view != app::View::mask && view != app::View::error)
       state_.inspected->values.emplace_back(view, canvas_.value_at(view, picture_pixels(), pixel));
   state_.inspected->textures = textures_at(canvas_, lab_, picture_pixels(), pixel);
-  state_.inspected->comparison = canvas_.compare_at(picture_pixels(), pixel);
+  if (app::Answer* const answer = lab_.answer())
+    state_.inspected->comparison = answer->compare_at(canvas_, picture_pixels(), pixel);
   state_.inspected->around = picture_texture(image::without_alpha(
       image::square_around(canvas_.read8(), pixel.x, pixel.y, WindowState::Inspected::kAround)));
 }

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "01_texture_quad/parameters.hpp"
+#include "answers/answer.hpp"
 #include "answers/camera.hpp"
 #include "answers/color.hpp"
-#include "app/answer.hpp"
 #include "truth/texture.hpp"
 
 namespace texel::texture_quad {
@@ -20,7 +20,7 @@ double wrapped(double s, Wrap wrap) {
   return wrap == Wrap::mirrored && std::fmod(tile, 2) != 0 ? 1 - within : within;
 }
 
-struct Answer final : app::Answer<TextureQuadParameters> {
+struct Answer final : answers::Answer<TextureQuadParameters> {
   [[nodiscard]] std::vector<std::string_view> methods() const override {
     return {"method", "minify", "magnify", "linear_light"};
   }
@@ -29,7 +29,7 @@ struct Answer final : app::Answer<TextureQuadParameters> {
   }
   /// Colours in 8-bit levels, as in the view `color` with one sample in each pixel. Empty for other
   /// pictures.
-  [[nodiscard]] app::Truth truth(const TextureQuadParameters& p, glm::ivec2 size) const override {
+  [[nodiscard]] answers::Truth truth(const TextureQuadParameters& p, glm::ivec2 size) const override {
     const auto texture = answers::texture_of(p.texture);
     if (!texture) return {};
     const auto look_up = [texture, wrap = p.wrap, flip_v = p.flip_v](glm::dvec2 texcoord) {
@@ -47,7 +47,7 @@ struct Answer final : app::Answer<TextureQuadParameters> {
   }
 };
 
-const bool known = app::know<TextureQuadParameters, Answer>();
+const bool known = answers::know<TextureQuadParameters, Answer>();
 
 }  // namespace
 }  // namespace texel::texture_quad

@@ -5,9 +5,9 @@
 // filters the two pictures apart and combines the means, and the mean of a product is not the product of the
 // means.
 #include "02_multi_texture/parameters.hpp"
+#include "answers/answer.hpp"
 #include "answers/camera.hpp"
 #include "answers/color.hpp"
-#include "app/answer.hpp"
 #include "truth/texture.hpp"
 
 namespace texel::multi_texture {
@@ -39,7 +39,7 @@ glm::dvec3 combined(const MultiTextureParameters& p, glm::dvec3 first, glm::dvec
   return (1.0 - second.a) * first + second.a * light;
 }
 
-struct Answer final : app::Answer<MultiTextureParameters> {
+struct Answer final : answers::Answer<MultiTextureParameters> {
   [[nodiscard]] std::vector<std::string_view> methods() const override {
     return {"method", "minify", "magnify", "mipmaps", "second_unit"};
   }
@@ -48,7 +48,7 @@ struct Answer final : app::Answer<MultiTextureParameters> {
   }
   /// Colours in 8-bit levels, as in the view `color` with one sample in each pixel. `method`, filters and
   /// mipmaps do not matter.
-  [[nodiscard]] app::Truth truth(const MultiTextureParameters& p, glm::ivec2 size) const override {
+  [[nodiscard]] answers::Truth truth(const MultiTextureParameters& p, glm::ivec2 size) const override {
     const truth::TextureFunction white = [](glm::dvec2) { return glm::dvec4(1); };
     const auto first = p.unit0_on ? picture_function(p.texture0) : white;
     const auto second = p.unit1_on ? picture_function(p.texture1) : white;
@@ -65,7 +65,7 @@ struct Answer final : app::Answer<MultiTextureParameters> {
   }
 };
 
-const bool known = app::know<MultiTextureParameters, Answer>();
+const bool known = answers::know<MultiTextureParameters, Answer>();
 
 }  // namespace
 }  // namespace texel::multi_texture

@@ -9,9 +9,9 @@
 
 #include "03_obj_texcoords/import.hpp"
 #include "03_obj_texcoords/parameters.hpp"
+#include "answers/answer.hpp"
 #include "answers/color.hpp"
 #include "answers/shape.hpp"
-#include "app/answer.hpp"
 
 namespace texel::obj_texcoords {
 namespace {
@@ -129,7 +129,7 @@ glm::dvec3 exact_light(const app::Light& light, glm::dvec3 albedo, glm::dvec3 no
   return everywhere + (1.0 - light.ambient) * cosine * albedo + light.specular * std::pow(facing, 48);
 }
 
-struct Answer final : app::Answer<ObjTexcoordsParameters> {
+struct Answer final : answers::Answer<ObjTexcoordsParameters> {
   void declare(params::Set& set) override {
     set.section("Error");
     set.add(quantity_,
@@ -154,7 +154,7 @@ struct Answer final : app::Answer<ObjTexcoordsParameters> {
   }
   /// What the measure's view should show. Empty for models and pictures that have no formula, and for the
   /// texture coordinate of triplanar, of which there are three, and for the vertices' colours.
-  [[nodiscard]] app::Truth truth(const ObjTexcoordsParameters& p, glm::ivec2 size) const override {
+  [[nodiscard]] answers::Truth truth(const ObjTexcoordsParameters& p, glm::ivec2 size) const override {
     const Quantity quantity = quantity_;
     const auto model = exact_model(p.model);
     const auto texture = answers::texture_of(p.texture == "material" ? "label_grid" : p.texture);
@@ -189,7 +189,7 @@ struct Answer final : app::Answer<ObjTexcoordsParameters> {
   Quantity quantity_{};
 };
 
-const bool known = app::know<ObjTexcoordsParameters, Answer>();
+const bool known = answers::know<ObjTexcoordsParameters, Answer>();
 
 }  // namespace
 }  // namespace texel::obj_texcoords

@@ -3,9 +3,9 @@
 // of the picture of its own, upright seen from outside, and the light falls on the face and not on a ball;
 // sphere, torus and quad have the coordinates and normals of their formulas.
 #include "04_cube_wrap/parameters.hpp"
+#include "answers/answer.hpp"
 #include "answers/camera.hpp"
 #include "answers/shape.hpp"
-#include "app/answer.hpp"
 
 namespace texel::cube_wrap {
 namespace {
@@ -15,7 +15,7 @@ constexpr params::Item kQuantities[] = {
     {"texcoord", "The texture coordinate, in texels; right means a copy of the picture on each face"},
     {"normal", "The normal, in degrees from the face's normal"}};
 
-struct Answer final : app::Answer<CubeWrapParameters> {
+struct Answer final : answers::Answer<CubeWrapParameters> {
   void declare(params::Set& set) override {
     set.section("Error");
     set.add(quantity_,
@@ -31,7 +31,7 @@ struct Answer final : app::Answer<CubeWrapParameters> {
     return {app::View::normal, app::Unit::degrees, "the normal of the exact surface"};
   }
   /// What the measure's view should show. Empty for models from files: their formulas are not known.
-  [[nodiscard]] app::Truth truth(const CubeWrapParameters& p, glm::ivec2 size) const override {
+  [[nodiscard]] answers::Truth truth(const CubeWrapParameters& p, glm::ivec2 size) const override {
     const Quantity quantity = quantity_;
     const auto shape = answers::model_shape(p.model);
     if (!shape) return {};
@@ -49,7 +49,7 @@ struct Answer final : app::Answer<CubeWrapParameters> {
   Quantity quantity_{};
 };
 
-const bool known = app::know<CubeWrapParameters, Answer>();
+const bool known = answers::know<CubeWrapParameters, Answer>();
 
 }  // namespace
 }  // namespace texel::cube_wrap

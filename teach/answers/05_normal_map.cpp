@@ -6,10 +6,10 @@
 // was baked by the common rules. On cube and quad they are the same, until these are stretched.
 #include "05_normal_map/model.hpp"
 #include "05_normal_map/parameters.hpp"
+#include "answers/answer.hpp"
 #include "answers/camera.hpp"
 #include "answers/relief.hpp"
 #include "answers/shape.hpp"
-#include "app/answer.hpp"
 
 namespace texel::normal_map {
 namespace {
@@ -22,7 +22,7 @@ truth::TexcoordMap texcoord_map(const NormalMapParameters& p) {
           .offset = repeats * glm::dvec2(p.layout.mirror ? 1 : 0, 0)};
 }
 
-struct Answer final : app::Answer<NormalMapParameters> {
+struct Answer final : answers::Answer<NormalMapParameters> {
   void declare(params::Set& set) override {
     set.section("Error");
     set.add(relief_, {"truth", answers::ReliefTruth::baked_map, answers::kReliefTruths,
@@ -36,7 +36,7 @@ struct Answer final : app::Answer<NormalMapParameters> {
   }
   /// Unit vectors in the world, as the view `normal` has them. Empty for models and normal maps from files:
   /// their formulas are not known.
-  [[nodiscard]] app::Truth truth(const NormalMapParameters& p, glm::ivec2 size) const override {
+  [[nodiscard]] answers::Truth truth(const NormalMapParameters& p, glm::ivec2 size) const override {
     const auto shape = answers::model_shape(p.model);
     const auto gradient = answers::height_gradient(p.normal_mapping ? normal_map_name(p) : "flat");
     if (!shape || !gradient) return {};
@@ -64,7 +64,7 @@ struct Answer final : app::Answer<NormalMapParameters> {
   answers::ReliefTruth relief_{};
 };
 
-const bool known = app::know<NormalMapParameters, Answer>();
+const bool known = answers::know<NormalMapParameters, Answer>();
 
 }  // namespace
 }  // namespace texel::normal_map

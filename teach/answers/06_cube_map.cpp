@@ -5,9 +5,9 @@
 // sphere, in double precision and linear light. And the level of detail should be that of the formula's
 // derivative. See teach/truth/include/truth/cube_map.hpp.
 #include "06_cube_map/parameters.hpp"
+#include "answers/answer.hpp"
 #include "answers/camera.hpp"
 #include "answers/color.hpp"
-#include "app/answer.hpp"
 #include "truth/cube_map.hpp"
 #include "truth/surface.hpp"
 #include "truth/texture.hpp"
@@ -47,7 +47,7 @@ std::optional<double> texels_across(const CubeMapParameters& p) {
 
 /// Levels of detail, as the view `lod` has them. Nothing at the sphere's rim, the outermost hundredth of its
 /// pixels: there the footprint is infinite, and the triangles decide.
-app::Truth level_truth(const CubeMapParameters& p, glm::ivec2 size) {
+answers::Truth level_truth(const CubeMapParameters& p, glm::ivec2 size) {
   constexpr double kRim = 0.1;  // cosine between ray and normal
   const auto texels = texels_across(p);
   if (!texels) return {};
@@ -71,7 +71,7 @@ app::Truth level_truth(const CubeMapParameters& p, glm::ivec2 size) {
 }
 
 /// Colours in 8-bit levels, as in the view `color` with one sample in each pixel.
-app::Truth color_truth(const CubeMapParameters& p, glm::ivec2 size) {
+answers::Truth color_truth(const CubeMapParameters& p, glm::ivec2 size) {
   const auto wears = sphere_color(p);
   if (!wears) return {};
   const truth::Camera camera = answers::camera_of(p.camera, size);
@@ -83,7 +83,7 @@ app::Truth color_truth(const CubeMapParameters& p, glm::ivec2 size) {
   });
 }
 
-struct Answer final : app::Answer<CubeMapParameters> {
+struct Answer final : answers::Answer<CubeMapParameters> {
   void declare(params::Set& set) override {
     set.section("Error");
     set.add(truth_of_, {"truth", TruthOf::color, kTruths, "What the view error compares with"});
@@ -96,7 +96,7 @@ struct Answer final : app::Answer<CubeMapParameters> {
       return {app::View::lod, app::Unit::levels, "the formula's own derivative"};
     return {app::View::color, app::Unit::steps, "the mean of the pictures' function over the pixel"};
   }
-  [[nodiscard]] app::Truth truth(const CubeMapParameters& p, glm::ivec2 size) const override {
+  [[nodiscard]] answers::Truth truth(const CubeMapParameters& p, glm::ivec2 size) const override {
     return truth_of_ == TruthOf::level ? level_truth(p, size) : color_truth(p, size);
   }
 
@@ -104,7 +104,7 @@ struct Answer final : app::Answer<CubeMapParameters> {
   TruthOf truth_of_{};
 };
 
-const bool known = app::know<CubeMapParameters, Answer>();
+const bool known = answers::know<CubeMapParameters, Answer>();
 
 }  // namespace
 }  // namespace texel::cube_map

@@ -4,14 +4,14 @@
 // far do not matter. See teach/truth/include/truth/ray.hpp.
 #include "07_environment/parameters.hpp"
 #include "07_environment/scene.hpp"
+#include "answers/answer.hpp"
 #include "answers/camera.hpp"
-#include "app/answer.hpp"
 #include "truth/ray.hpp"
 
 namespace texel::environment {
 namespace {
 
-struct Answer final : app::Answer<EnvironmentParameters> {
+struct Answer final : answers::Answer<EnvironmentParameters> {
   [[nodiscard]] std::vector<std::string_view> methods() const override {
     return {"method", "plane", "precision", "depth_method", "near", "far"};
   }
@@ -20,7 +20,7 @@ struct Answer final : app::Answer<EnvironmentParameters> {
   }
   /// Unit vectors in the world, as the view `direction` has them. Where a sphere stands there is no answer:
   /// one sees its triangles' normals, which are tested in labs 6 and 8.
-  [[nodiscard]] app::Truth truth(const EnvironmentParameters& p, glm::ivec2 size) const override {
+  [[nodiscard]] answers::Truth truth(const EnvironmentParameters& p, glm::ivec2 size) const override {
     const truth::Camera camera = answers::camera_of(p.camera, size);
     return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
       const truth::Ray ray = truth::pixel_ray(camera, window).ray;
@@ -33,7 +33,7 @@ struct Answer final : app::Answer<EnvironmentParameters> {
   }
 };
 
-const bool known = app::know<EnvironmentParameters, Answer>();
+const bool known = answers::know<EnvironmentParameters, Answer>();
 
 }  // namespace
 }  // namespace texel::environment

@@ -5,9 +5,9 @@
 // the function that the cube map was made from, mean over the pixel. See
 // teach/truth/include/truth/optics.hpp.
 #include "08_reflection/parameters.hpp"
+#include "answers/answer.hpp"
 #include "answers/camera.hpp"
 #include "answers/color.hpp"
-#include "app/answer.hpp"
 #include "truth/optics.hpp"
 #include "truth/surface.hpp"
 
@@ -38,7 +38,7 @@ std::optional<Seen> see(const truth::PixelRay& pixel, const truth::Placement& ba
               truth::reflectance(incident, normal, here, beyond)};
 }
 
-struct Answer final : app::Answer<ReflectionParameters> {
+struct Answer final : answers::Answer<ReflectionParameters> {
   void declare(params::Set& set) override {
     set.section("Error");
     set.add(truth_of_, {"truth", TruthOf::direction, kTruths, "What the view error compares with"});
@@ -54,7 +54,7 @@ struct Answer final : app::Answer<ReflectionParameters> {
   /// Unit vectors in the world, as the view `direction` has them: the refracted rays of surface "refraction",
   /// where there is one, and else the reflected ones. Or colours in 8-bit levels, for cube maps with a
   /// formula.
-  [[nodiscard]] app::Truth truth(const ReflectionParameters& p, glm::ivec2 size) const override {
+  [[nodiscard]] answers::Truth truth(const ReflectionParameters& p, glm::ivec2 size) const override {
     const truth::Camera camera = answers::camera_of(p.camera, size);
     const truth::Placement ball{.linear = answers::about_y(p.turn) * answers::about_x(p.tilt) *
                                           glm::dmat3(1, 0, 0, 0, p.stretch, 0, 0, 0, 1)};
@@ -83,7 +83,7 @@ struct Answer final : app::Answer<ReflectionParameters> {
   TruthOf truth_of_{};
 };
 
-const bool known = app::know<ReflectionParameters, Answer>();
+const bool known = answers::know<ReflectionParameters, Answer>();
 
 }  // namespace
 }  // namespace texel::reflection

@@ -7,11 +7,11 @@
 #include <glm/gtc/constants.hpp>
 
 #include "09_bump/parameters.hpp"
+#include "answers/answer.hpp"
 #include "answers/basis.hpp"
 #include "answers/camera.hpp"
 #include "answers/color.hpp"
 #include "answers/relief.hpp"
-#include "app/answer.hpp"
 #include "truth/optics.hpp"
 
 namespace texel::bump {
@@ -48,7 +48,7 @@ app::Preparation bases_around(Method method) {
           }};
 }
 
-struct Answer final : app::Answer<BumpParameters> {
+struct Answer final : answers::Answer<BumpParameters> {
   void declare(params::Set& set) override {
     set.section("Error");
     set.add(truth_of_, {"truth", TruthOf::baked_map, kTruths, "What the view error compares with"});
@@ -63,7 +63,7 @@ struct Answer final : app::Answer<BumpParameters> {
   }
   /// Unit vectors in the world, as the view `direction` has them; or colours in 8-bit levels. Empty for a
   /// normal map or, for colours, a cube map whose formula is not known.
-  [[nodiscard]] app::Truth truth(const BumpParameters& p, glm::ivec2 size) const override {
+  [[nodiscard]] answers::Truth truth(const BumpParameters& p, glm::ivec2 size) const override {
     const auto gradient = answers::height_gradient(p.normal_mapping ? p.normal_map : "flat");
     if (!gradient) return {};
     const truth::Camera camera = answers::camera_of(p.camera, size);
@@ -106,7 +106,7 @@ struct Answer final : app::Answer<BumpParameters> {
   TruthOf truth_of_{};
 };
 
-const bool known = app::know<BumpParameters, Answer>();
+const bool known = answers::know<BumpParameters, Answer>();
 
 }  // namespace
 }  // namespace texel::bump

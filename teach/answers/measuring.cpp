@@ -10,9 +10,10 @@
 #include <limits>
 
 #include "answers/camera.hpp"
-#include "app/lab.hpp"
+#include "app/canvas.hpp"
 #include "app/legend.hpp"
 #include "core/error.hpp"
+#include "core/json.hpp"
 #include "core/parallel.hpp"
 #include "core/stopwatch.hpp"
 #include "image/color.hpp"
@@ -22,7 +23,6 @@ namespace {
 
 using app::ErrorFigures;
 using app::Measure;
-using app::Truth;
 using app::Unit;
 
 glm::dvec3 value_at(const image::ImageF& picture, int x, int y) {
@@ -190,58 +190,69 @@ image::Image8 error_map(const image::ImageF& error, double scale) {
   return map;
 }
 
-namespace {
-
-class TheMeasuring final : public app::Measuring {
- public:
-  double work_on_truth(app::AnyLab& lab, glm::ivec2 size, double milliseconds) override {
-    const Stopwatch stopwatch;
-    const std::string key = fmt::format("{} {}x{}", lab.truth_key(), size.x, size.y);
-    if (key == key_ && rows_ == size.y) return 1;
-    const Truth truth = lab.truth(size);
-    if (!truth)
-      throw Error::failed("there is no exact answer for these parameters", {},
-                          "choose a built-in model, picture or cube map that has a formula");
-    if (key != key_) {
-      truth_ = image::ImageF(size.x, size.y, 4);
-      rows_ = 0;
-      key_ = key;
-    }
-    constexpr int kRows = 8;  // in one go
-    while (rows_ < size.y && stopwatch.milliseconds() < milliseconds) {
-      const int end = std::min(rows_ + kRows, size.y);
-      add_truth_rows(truth_, truth, rows_, end);
-      rows_ = end;
-      if (rows_ == size.y) truth_error_ = truth_error(truth_, truth, *lab.measure());
-    }
-    return static_cast<double>(rows_) / size.y;
+double Measuring::work(glm::ivec2 size, double milliseconds) {
+  const Stopwatch stopwatch;
+  const auto [function, parameters] = truth(size);
+  const std::string key = fmt::format("{} {}x{}", parameters, size.x, size.y);
+  if (key == key_ && rows_ == size.y) return 1;
+  if (!function)
+    throw Error::failed("there is no exact answer for these parameters", {},
+                        "choose a built-in model, picture or cube map that has a formula");
+  if (key != key_) {
+    truth_ = image::ImageF(size.x, size.y, 4);
+    rows_ = 0;
+    key_ = key;
   }
-  [[nodiscard]] app::Measured measured(const image::ImageF& picture, const Measure& measure,
-                                       double scale) const override {
-    image::ImageF error = error_picture(picture, truth_, measure);
-    ErrorFigures figures = figures_of(error, truth_);
-    figures.truth_error = truth_error_;
-    tell_outlines_apart(figures, error, picture, truth_, measure);
-    const double full_scale = scale > 0 ? scale : app::round_up(figures.p99);
-    image::Image8 map = error_map(error, full_scale);
-    return {std::move(error), figures, std::move(map), full_scale};
+  constexpr int kRows = 8;  // in one go
+  while (rows_ < size.y && stopwatch.milliseconds() < milliseconds) {
+    const int end = std::min(rows_ + kRows, size.y);
+    add_truth_rows(truth_, function, rows_, end);
+    rows_ = end;
+    if (rows_ == size.y) truth_error_ = truth_error(truth_, function, measure());
   }
-  [[nodiscard]] double error_of(const glm::dvec3& value, const glm::dvec3& truth,
-                                const Measure& measure) const override {
-    return answers::error_of(value, truth, measure);
-  }
+  return static_cast<double>(rows_) / size.y;
+}
 
- private:
-  std::string key_;  ///< of which look truth_ is
-  image::ImageF truth_;
-  int rows_ = 0;  ///< so many of its rows are there
-  double truth_error_ = 0;
-};
+app::Measured Measuring::measured(app::Canvas& canvas, glm::ivec2 size) {
+  work(size, std::numeric_limits<double>::infinity());
+  const image::ImageF picture = canvas.values_of(measure().view, size);
+  image::ImageF error = error_picture(picture, truth_, measure());
+  ErrorFigures figures = figures_of(error, truth_);
+  figures.truth_error = truth_error_;
+  tell_outlines_apart(figures, error, picture, truth_, measure());
+  const double full_scale = scale > 0 ? scale : app::round_up(figures.p99);
+  image::Image8 map = error_map(error, full_scale);
+  return {std::move(error), figures, std::move(map), full_scale};
+}
 
-const bool known = [] {
-  app::Measuring::make = []() -> std::unique_ptr<app::Measuring> { return std::make_unique<TheMeasuring>(); };
-  return true;
-}();
+std::optional<app::Comparison> Measuring::compare_at(app::Canvas& canvas, glm::ivec2 size, glm::ivec2 pixel) {
+  const Truth function = truth(size).truth;
+  const std::optional<glm::dvec3> right = function ? function(glm::dvec2(pixel) + 0.5) : std::nullopt;
+  if (!right) return {};
+  const glm::dvec4 value = canvas.value_at(measure().view, size, pixel);
+  if (value.a == 0) return {};
+  return app::Comparison{measure(), value, *right, error_of(value, *right, measure())};
+}
 
-}  // namespace
+std::string Measuring::report(app::AnyLab& lab, const ErrorFigures& figures) const {
+  Json json = {{"lab", lab.info().folder()},
+               {"parameters", lab.parameters().key()},
+               {"view", name_of(measure().view)},
+               {"truth", measure().truth},
+                {"truth_error", figures.truth_error},
+               {"unit", name_of(measure().unit)},
+               {"mean", figures.mean},
+               {"rms", figures.rms},
+                {"median", figures.median},
+               {"p99", figures.p99},
+               {"max", figures.max},
+                {"max_aside", figures.max_aside},
+                {"outline_pixels", figures.outline_pixels},
+               {"pixels", figures.pixels},
+               {"truth_pixels", figures.truth_pixels},
+               {"non_finite", figures.non_finite}};
+  if (figures.reason != nullptr) json["reason"] = figures.reason;
+  return to_text(json, 2) + "\n";
+}
+
 }  // namespace texel::answers

@@ -135,7 +135,7 @@ class Bench {
     long long bytes = record.index_bytes;
     for (const auto& use : record.attributes) bytes += use.bytes;
     for (const auto& use : record.textures) bytes += use.bytes;
-    Json result = parse_json(app::to_json(lab_, figures));
+    Json result = parse_json(lab_.answer()->report(lab_, figures));
     result["bytes"] = bytes;
     return result;
   }

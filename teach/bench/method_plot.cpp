@@ -69,9 +69,9 @@ void MethodPlot::measure_next(glm::ivec2 picture_size) {
 }
 
 void MethodPlot::measure_error(Point& point) {
-  if (canvas_.work_on_truth(size_, kTruthMilliseconds) < 1) return;
+  if (lab_.answer()->work(size_, kTruthMilliseconds) < 1) return;
   canvas_.draw(app::View::error, size_, 1);
-  const app::Measure measure = *lab_.measure();
+  const app::Measure measure = lab_.answer()->measure();
   if (measure_ && measure_->unit != measure.unit)  // what is known of the last look has another unit
     for (Point& other : points_) other.milliseconds = 0;
   measure_ = measure;

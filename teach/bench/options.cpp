@@ -28,10 +28,10 @@ class Options final : public start::MoreOptions {
     return !list_.cases.empty() && (list_.seconds > 0 || list_.counts);
   }
   void run(app::Canvas& canvas, app::AnyLab& lab, glm::ivec2 size) override {
-    canvas.set_error_scale(error_scale_);
+    if (lab.answer() != nullptr) lab.answer()->scale = error_scale_;
     if (!measure_.empty()) {
       canvas.draw(app::View::error, size, 1);
-      start::write_report(measure_, app::to_json(lab, *canvas.error_figures()));
+      start::write_report(measure_, lab.answer()->report(lab, *canvas.error_figures()));
     }
     if (!bench_.empty()) start::write_report(report_, run_bench(canvas, lab, list_));
   }

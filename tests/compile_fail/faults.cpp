@@ -22,6 +22,7 @@
 // answer_with_misspelt_truth | TRUTH=~,truths | override
 //
 // clang-format on
+#include "answers/answer.hpp"
 #include "app/lab.hpp"
 #include "params/set.hpp"
 
@@ -65,13 +66,13 @@ struct SmallLab : app::Lab<SmallParameters> {
 };
 template class app::LabOf<SmallLab>;
 
-struct SmallAnswer final : app::Answer<SmallParameters> {
+struct SmallAnswer final : answers::Answer<SmallParameters> {
   void USUALLY(DECLARE, declare)(params::Set&) override {}
   app::Measure USUALLY(MEASURE, measure)(const SmallParameters&) const override {
     return {app::View::color, app::Unit::steps, "a truth"};
   }
-  app::Truth USUALLY(TRUTH, truth)(const SmallParameters&, glm::ivec2) const override { return {}; }
+  answers::Truth USUALLY(TRUTH, truth)(const SmallParameters&, glm::ivec2) const override { return {}; }
 };
-const bool known = app::know<SmallParameters, SmallAnswer>();
+const bool known = answers::know<SmallParameters, SmallAnswer>();
 
 }  // namespace texel

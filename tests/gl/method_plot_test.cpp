@@ -2,6 +2,7 @@
 // Error and cost of a lab's methods, as the window measures them: the right figures for each, anew for
 // another look.
 #include "bench/method_plot.hpp"
+#include "answers/answer.hpp"
 #include "bench/bench.hpp"
 
 #include <gtest/gtest.h>
@@ -38,16 +39,16 @@ struct Level : app::Lab<LevelParameters> {
   }
   static inline int draws = 0;
 };
-struct LevelAnswer final : app::Answer<LevelParameters> {
+struct LevelAnswer final : answers::Answer<LevelParameters> {
   [[nodiscard]] app::Measure measure(const LevelParameters& /*parameters*/) const override {
     return {app::View::lod, app::Unit::levels, "the level"};
   }
-  [[nodiscard]] app::Truth truth(const LevelParameters& p, glm::ivec2 /*size*/) const override {
+  [[nodiscard]] answers::Truth truth(const LevelParameters& p, glm::ivec2 /*size*/) const override {
     if (p.level > 9) return {};
     return [level = p.level](glm::dvec2) { return glm::dvec3(level, 0, 0); };
   }
 };
-const bool known = app::know<LevelParameters, LevelAnswer>();
+const bool known = answers::know<LevelParameters, LevelAnswer>();
 
 class MethodPlots : public testing::Test {
  protected:

@@ -228,10 +228,13 @@ class Engine {
       fit_view();
       const gl::Preview glance(now.view == View::color);
       if (!display_) display_.emplace(assets_.shader_root());
-      if (now.view == View::error && !now.lab.truth(size_)) {  // draw() will say so: over no colours
-        now.canvas.draw_nothing(size_);
-        display_->show(now.canvas.picture());
-      }
+      if (now.view == View::error) try {
+          now.lab.answer()->work(size_, 0);
+        } catch (const Error&) {  // there is none: over no colours
+          now.canvas.draw_nothing(size_);
+          display_->show(now.canvas.picture());
+          throw;
+        }
       now.canvas.draw(now.view, size_, samples_, now.split, gl::Preview::kind());
       display_->show(now.canvas.picture());
       wait(now.canvas.picture());
@@ -243,7 +246,7 @@ class Engine {
     report["warnings"] = now.canvas.notes().warnings;
     report["facts"] = now.canvas.notes().facts;
     if (const auto& figures = now.canvas.error_figures())
-      report["error_figures"] = parse_json(app::to_json(now.lab, *figures));
+      report["error_figures"] = parse_json(now.lab.answer()->report(now.lab, *figures));
     return report;
   }
 
@@ -309,7 +312,9 @@ class Engine {
       views.push_back({{"view", name_of(view)}, {"values", {value.x, value.y, value.z, value.w}}});
     }
     Json result{{"x", at.x}, {"y", at.y}, {"views", views}};
-    if (const auto comparison = now.canvas.compare_at(size_, at)) {
+    const auto comparison =
+        now.lab.answer() != nullptr ? now.lab.answer()->compare_at(now.canvas, size_, at) : std::nullopt;
+    if (comparison) {
       const auto& [measure, value, truth, error] = *comparison;
       result["comparison"] = {{"view", name_of(measure.view)},
                               {"unit", name_of(measure.unit)},

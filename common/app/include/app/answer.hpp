@@ -5,8 +5,7 @@
 #include <glm/glm.hpp>
 #include <memory>
 #include <optional>
-#include <string_view>
-#include <vector>
+#include <string>
 
 #include "course/case.hpp"
 #include "image/image.hpp"
@@ -27,12 +26,6 @@ struct Measure {
   /// may lie a pixel off on the other side of the seam. The difference is then taken the short way round.
   bool repeats = false;
 };
-
-/// What the view should show at a place of the picture, in pixels from its lower left corner, from the
-/// analytic answer in double precision: a unit vector for degrees, (s, t) for texels, 8-bit values (not
-/// rounded) for colours, a level in x. Nothing beside the object. May be called by several threads at a time.
-/// An empty function if there is no analytic answer (an OBJ file).
-using Truth = std::function<std::optional<glm::dvec3>(glm::dvec2 window)>;
 
 /// Of an error picture; percentiles by nearest rank. NaN where no pixel has a finite error.
 struct ErrorFigures {
@@ -59,24 +52,12 @@ struct Measured {
   double full_scale;  ///< with whose colour they end
 };
 
-class AnyLab;
-
-/// What compares a lab's pictures with its right answer. It is linked in with the answers (teach/answers), so
-/// a student's tree has none. It keeps the answer of the last look.
-class Measuring {
- public:
-  virtual ~Measuring() = default;
-  /// As Canvas::work_on_truth, for a lab with an answer.
-  virtual double work_on_truth(AnyLab& lab, glm::ivec2 size, double milliseconds) = 0;
-  /// Compares the values of the measure's view with the answer that is worked out. The colours of the map end
-  /// at `scale`; 0 as for Canvas::set_error_scale.
-  [[nodiscard]] virtual Measured measured(const image::ImageF& picture, const Measure& measure,
-                                          double scale) const = 0;
-  /// How far two values of the measure's view are apart, in its unit.
-  [[nodiscard]] virtual double error_of(const glm::dvec3& value, const glm::dvec3& truth,
-                                        const Measure& measure) const = 0;
-
-  static inline std::unique_ptr<Measuring> (*make)() = nullptr;
+/// What a lab measures at one pixel, as method and truth have it: directions, coordinates, or 8-bit steps of
+/// the picture with one sample a pixel.
+struct Comparison {
+  Measure measure;
+  glm::dvec3 value, truth;
+  double error;
 };
 
 /// What the current look needs once, before its first frame, for this many elements. The benchmark times it.
@@ -86,36 +67,39 @@ struct Preparation {
   std::function<void()> work;  ///< does it all again
 };
 
-/// The right answer of a lab. A lab that has one has the view `error`; a student's tree has none.
-template <class Parameters>
+class AnyLab;
+class Canvas;
+
+/// The right answer of a lab for its present parameters, and what compares pictures with it. A lab that has
+/// one has the view `error`. It is linked in with teach/answers: a student's tree has none.
 class Answer {
  public:
   virtual ~Answer() = default;
-  /// Parameters of its own, after those of the lab.
-  virtual void declare(params::Set& /*set*/) {}
-  /// The parameters that choose how the lab finds its picture. What is right is asked for with these at their
-  /// defaults: so it cannot depend on them, and one truth serves all methods.
-  [[nodiscard]] virtual std::vector<std::string_view> methods() const { return {"method"}; }
   /// What the view `error` compares.
-  [[nodiscard]] virtual Measure measure(const Parameters& parameters) const = 0;
-  /// The right answer in a picture of `size` pixels; empty where there is none.
-  [[nodiscard]] virtual Truth truth(const Parameters& parameters, glm::ivec2 size) const = 0;
+  [[nodiscard]] virtual Measure measure() const = 0;
+  /// Works for about so many milliseconds on the answer for a picture of this size, and returns how much of
+  /// it is there, 0 to 1. Throws Error where there is none: for an OBJ file.
+  virtual double work(glm::ivec2 size, double milliseconds) = 0;
+  /// Draws the lab and compares it with the whole answer.
+  [[nodiscard]] virtual Measured measured(Canvas& canvas, glm::ivec2 size) = 0;
+  /// Nothing where there is no truth: beside the object, or for a model from a file.
+  [[nodiscard]] virtual std::optional<Comparison> compare_at(Canvas& canvas, glm::ivec2 size,
+                                                             glm::ivec2 pixel) = 0;
+  /// As JSON: {"lab", "parameters", "view", "truth", "truth_error", "unit", "mean", "rms", "median", "p99",
+  /// "max", "max_aside", "outline_pixels", "pixels", "truth_pixels", "non_finite"}, and "reason" where there
+  /// are no means.
+  [[nodiscard]] virtual std::string report(AnyLab& lab, const ErrorFigures& figures) const = 0;
   /// For a lab that has no preparation of its own.
-  [[nodiscard]] virtual std::optional<Preparation> preparation(const Parameters& /*parameters*/) const {
-    return {};
-  }
+  [[nodiscard]] virtual std::optional<Preparation> preparation() const { return {}; }
 
-  /// Makes the answer of the lab with these parameters; null where the tree has none.
-  static inline std::unique_ptr<Answer> (*make)() = nullptr;
+  /// The error at which the colours of the map end; 0 takes the 99th percentile, rounded up to 1, 2 or 5
+  /// times a power of ten.
+  double scale = 0;
 };
 
-/// Gives the lab with these parameters its answer, before main begins: `const bool known = know<…>();`
-template <class Parameters, class TheAnswer>
-bool know() {
-  Answer<Parameters>::make = []() -> std::unique_ptr<Answer<Parameters>> {
-    return std::make_unique<TheAnswer>();
-  };
-  return true;
-}
+/// Makes the answer of the lab with these parameters, and adds its own to the set; null where the tree has
+/// none.
+template <class Parameters>
+inline std::unique_ptr<Answer> (*make_answer)(Parameters&, params::Set&) = nullptr;
 
 }  // namespace texel::app

@@ -50,36 +50,20 @@ class Canvas {
   /// The picture itself, which must have been drawn.
   [[nodiscard]] const gl::Target& picture() const { return *picture_; }
   /// The values of a data view: RGBA, alpha 1 where the scene is and 0 where the background is.
-  [[nodiscard]] image::ImageF read_float() const { return error_ ? *error_ : data_->read_float(); }
+  [[nodiscard]] image::ImageF read_float() const { return figures_ ? error_ : data_->read_float(); }
   /// Of the last picture, when it was the view `error`.
   [[nodiscard]] const std::optional<ErrorFigures>& error_figures() const { return figures_; }
   /// How the colours of the last picture, of the data view `view`, are read.
   [[nodiscard]] Legend legend(View view) const;
   /// What the lab said of the last picture.
   [[nodiscard]] const Notes& notes() const { return notes_; }
-  /// The error at which the heat map ends; 0 takes the 99th percentile, rounded up to 1, 2 or 5 times a power
-  /// of ten.
-  void set_error_scale(double scale) { error_scale_ = scale; }
-  /// Works for about so many milliseconds on the exact answer that the view `error` needs for the present
-  /// parameters and size, and returns how much of it is there, 0 to 1. draw() does what is left. Throws Error
-  /// where there is no exact answer.
-  double work_on_truth(glm::ivec2 size, double milliseconds);
-  /// A data view's values, as read_float() after draw() has them; the picture stays as it is.
+  /// A data view's values, as read_float() after draw() has them; of `color` the levels of the picture with
+  /// one sample a pixel, alpha 1 on the object. The picture stays as it is.
   [[nodiscard]] image::ImageF values_of(View view, glm::ivec2 size);
   /// The value of a data view at one pixel of the picture, counted from the bottom left.
   [[nodiscard]] glm::vec4 value_at(View view, glm::ivec2 size, glm::ivec2 pixel);
   /// The textures that the lab reads for its colours; the picture stays as it is.
   [[nodiscard]] std::vector<gl::Record::TextureUse> textures(glm::ivec2 size);
-
-  /// What the lab measures at one pixel, as method and truth have it: directions, coordinates, or 8-bit steps
-  /// of the picture with one sample a pixel.
-  struct Comparison {
-    Measure measure;
-    glm::dvec3 value, truth;
-    double error;
-  };
-  /// Nothing where there is no truth: beside the object, or for a model from a file.
-  [[nodiscard]] std::optional<Comparison> compare_at(glm::ivec2 size, glm::ivec2 pixel);
 
   /// Copies the 8-bit picture into the window's framebuffer, as large as it fits into `size` pixels, in the
   /// middle. Does nothing before the first picture.
@@ -96,7 +80,6 @@ class Canvas {
   void finish(View view, glm::ivec2 size);
   void present(View view);
   void draw_error(glm::ivec2 size);
-  [[nodiscard]] image::ImageF measured_picture(const Measure& measure, glm::ivec2 size);
   gl::Target& fit(std::unique_ptr<gl::Target>& target, gl::Target::Kind kind, glm::ivec2 size, int samples);
 
   gl::Context& context_;
@@ -109,11 +92,8 @@ class Canvas {
   gl::VertexArray no_attributes_;
 
   Notes notes_;
-  bool edges_ = false;
-  double error_scale_ = 0, full_scale_ = 1;  ///< as asked for, and of the last picture
-  std::optional<image::ImageF> error_;       ///< when the last picture was the view `error`
-  std::optional<ErrorFigures> figures_;
-  std::unique_ptr<Measuring> measuring_ = Measuring::make != nullptr ? Measuring::make() : nullptr;
+  std::optional<ErrorFigures> figures_;  ///< when the last picture was the view `error`
+  image::ImageF error_;                  ///< as long as there are figures
 };
 
 }  // namespace texel::app

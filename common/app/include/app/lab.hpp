@@ -118,12 +118,8 @@ class AnyLab {
   virtual void draw(Frame& frame) = 0;
   /// The vertex stream as drawn, for --mesh; null when the lab has none.
   virtual const mesh::Mesh* mesh(const Assets& assets) = 0;
-  /// What its error view measures with the present parameters; nothing when it knows no truth.
-  [[nodiscard]] virtual std::optional<Measure> measure() const = 0;
-  /// The right answer for the present parameters in a picture of `size` pixels; empty where there is none.
-  [[nodiscard]] virtual Truth truth(glm::ivec2 size) = 0;
-  /// The parameters that a truth depends on. With equal keys, pictures of one size have the same truth.
-  [[nodiscard]] virtual std::string truth_key() = 0;
+  /// Null where the tree does not have its right answer.
+  [[nodiscard]] virtual Answer* answer() const = 0;
   /// Nothing when the lab's methods differ only in the frame.
   virtual std::optional<Preparation> preparation(const Assets& assets) = 0;
 };
@@ -137,9 +133,8 @@ class LabOf final : public AnyLab {
  public:
   LabOf() {
     parameters_.declare(set_);
-    if (Answer<Parameters>::make == nullptr) return;
-    answer_ = Answer<Parameters>::make();
-    answer_->declare(set_);
+    if (make_answer<Parameters> == nullptr) return;
+    answer_ = make_answer<Parameters>(parameters_, set_);
     views_.push_back(View::error);
   }
   [[nodiscard]] const Info& info() const override { return TheLab::info; }
@@ -148,20 +143,10 @@ class LabOf final : public AnyLab {
   void forget() override { lab_.reset(); }
   void draw(Frame& frame) override { lab(frame.assets()).draw(parameters_, frame); }
   const mesh::Mesh* mesh(const Assets& assets) override { return lab(assets).mesh(parameters_); }
-  [[nodiscard]] std::optional<Measure> measure() const override {
-    if (answer_) return answer_->measure(parameters_);
-    return {};
-  }
-  [[nodiscard]] Truth truth(glm::ivec2 size) override {
-    if (!answer_) return {};
-    return whatever_the_method([&] { return answer_->truth(parameters_, size); });
-  }
-  [[nodiscard]] std::string truth_key() override {
-    return whatever_the_method([&] { return set_.key(); });
-  }
+  [[nodiscard]] Answer* answer() const override { return answer_.get(); }
   std::optional<Preparation> preparation(const Assets& assets) override {
     std::optional<Preparation> own = lab(assets).preparation(parameters_);
-    return own || !answer_ ? own : answer_->preparation(parameters_);
+    return own || !answer_ ? own : answer_->preparation();
   }
 
  private:
@@ -169,24 +154,10 @@ class LabOf final : public AnyLab {
     if (!lab_) lab_.emplace(assets);
     return *lab_;
   }
-  /// What `ask` returns while the answer's methods() have their defaults.
-  template <class Ask>
-  auto whatever_the_method(const Ask& ask) {
-    std::vector<std::string> chosen;
-    const std::vector<std::string_view> methods =
-        answer_ ? answer_->methods() : std::vector<std::string_view>{};
-    for (const std::string_view name : methods) {
-      chosen.push_back(set_.at(name).text());
-      set_.at(name).reset();
-    }
-    auto result = ask();
-    for (std::size_t i = 0; i < methods.size(); ++i) set_.at(methods[i]).set(chosen[i]);
-    return result;
-  }
   Parameters parameters_;
   params::Set set_;
   std::vector<View> views_{TheLab::info.views.begin(), TheLab::info.views.end()};
-  std::unique_ptr<Answer<Parameters>> answer_;
+  std::unique_ptr<Answer> answer_;
   std::optional<TheLab> lab_;
 };
 

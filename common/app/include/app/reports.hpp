@@ -10,10 +10,6 @@ namespace texel::app {
 /// What --frames prints of frames that took so many milliseconds each, at least one.
 std::string frame_times_as_text(std::vector<double> milliseconds, glm::ivec2 size);
 
-/// What --measure prints: {"lab", "parameters", "view", "truth", "unit", "mean", "rms", "median",
-/// "p99", "max", "max_aside", "outline_pixels", "pixels", "truth_pixels", "non_finite"}.
-std::string to_json(AnyLab& lab, const ErrorFigures& figures);
-
 /// The lab's programs that were compiled, each with where its constants and uniforms come from.
 std::string shaders_as_text(const gl::ProgramCache& programs, const params::Set& parameters, View view);
 

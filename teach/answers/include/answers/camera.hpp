@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "app/answer.hpp"
+#include "answers/answer.hpp"
 #include "app/camera.hpp"
 #include "truth/ray.hpp"
 

@@ -81,8 +81,8 @@ inline std::optional<glm::dvec3> mean_in_steps(const ColorAt& color, glm::dvec2 
 }
 
 /// The truth of a square with a texture: `repeated` is the same texture, null if it does not repeat.
-inline app::Truth mean_in_steps(truth::QuadPicture picture,
-                                std::shared_ptr<const truth::RepeatedTexture> repeated) {
+inline Truth mean_in_steps(truth::QuadPicture picture,
+                           std::shared_ptr<const truth::RepeatedTexture> repeated) {
   return [picture = std::move(picture), repeated = std::move(repeated)](glm::dvec2 middle) {
     if (repeated)
       if (const auto mean = picture.mean(*repeated, middle)) return std::optional(steps(glm::dvec3(*mean)));
@@ -91,7 +91,7 @@ inline app::Truth mean_in_steps(truth::QuadPicture picture,
 }
 
 /// The truth of a picture of such colours.
-inline app::Truth mean_in_steps(ColorAt color) {
+inline Truth mean_in_steps(ColorAt color) {
   return [color = std::move(color)](glm::dvec2 middle) { return mean_in_steps(color, middle); };
 }
 
