@@ -133,8 +133,6 @@ Json legend_of(const fs::path& file) {
 Json described(const course::Lab& lab, const fs::path& out) {
   Json looks = Json::array();
   for (const course::Look& look : lab.looks) {
-    Json set = Json::object();
-    for (const course::Setting& setting : look.settings) set[setting.parameter] = setting.value;
     looks.push_back({{"name", look.name},
                      {"file", look.file},
                      {"caption", look.caption},
@@ -143,7 +141,7 @@ Json described(const course::Lab& lab, const fs::path& out) {
                      {"view", name_of(look.view)},
                      {"width", look.size.width},
                      {"height", look.size.height},
-                     {"set", set},
+                     {"set", course::to_json(look.settings)},
                      {"legend", legend_of(out / picture(lab, look))},
                      {"command", course::command(lab, look)}});
   }

@@ -5,8 +5,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
+#include <functional>
 #include <regex>
+#include <stdexcept>
 
 #include "command_line.hpp"
 #include "commands.hpp"
@@ -15,15 +16,9 @@
 namespace texel::tools {
 namespace {
 
-void add_gallery(CLI::App& app, GalleryOptions& options) {
-  CLI::App* command = app.add_subcommand("gallery", "Draw every lab's looks, and a page that shows them");
-  command->add_option("--out", options.out, "Folder for the page and the pictures [out/gallery]");
-  command->add_option("--lab", options.labs, "Draw only this lab; repeat the option for several labs")
-      ->check(CLI::Range(1, 99));
-}
-
-/// What the student's commands take: one of them runs.
-struct StudentOptions {
+/// What the commands take: one of them runs.
+struct Options {
+  GalleryOptions gallery;
   CheckOptions check;
   int lab = 0;
   std::size_t choice = 0;
@@ -31,36 +26,54 @@ struct StudentOptions {
   std::filesystem::path out;
 };
 
-void add_student(CLI::App& app, StudentOptions& options) {
-  const auto add = [&](const char* name, const char* what) {
+/// With what each does.
+std::vector<std::pair<const CLI::App*, std::function<Exit()>>> add_commands(CLI::App& app, Options& o) {
+  std::vector<std::pair<const CLI::App*, std::function<Exit()>>> commands;
+  const auto add = [&](const char* name, const char* what, std::function<Exit()> run, bool draws = true) {
     CLI::App* command = app.add_subcommand(name, what);
-    add_context(command, options.context);
+    if (draws) add_context(command, o.context);
+    commands.emplace_back(command, std::move(run));
     return command;
   };
-  CLI::App* check = add("check", "Show which steps are right, and how far the next one is off");
-  check->footer("Exit codes: 0 all steps passed, 1 not all, 2 wrong usage, 3 could not draw or compare.");
-  static const std::regex place("[1-9][0-9]?(\\.[0-9]+)?");
-  check->add_option("LAB", options.check.places, "Labs as 9, and steps as 9.4 [all labs]")
-      ->check([](const std::string& text) {
-        return std::regex_match(text, place) ? "" : fmt::format("'{}' is neither a lab nor a step", text);
-      });
-  check->add_flag("--json", options.check.json, "Print JSON: an object for one lab, a list for several");
-  check->add_flag("--unless-begun", options.check.unless_begun,
-                  "Exit code 0 also if no step of these labs is begun");
-  CLI::App* see = add("see", "Write one picture of a step: yours, the expected one, and where they differ");
-  see->add_option("STEP", options.step, "A step as 5.1")->required();
-  see->add_option("--out", options.out, "The .png to write [out/see/STEP.png]");
-  CLI::App* watch = add("watch", "Check a lab after every save; h shows a hint, q quits");
-  watch->add_option("LAB", options.lab, "The lab's number")->required()->check(CLI::Range(1, 99));
-  CLI::App* hint = add("hint", "Show one more hint for a step");
-  hint->add_option("STEP", options.step, "A step as 5.1, or a lab's number [the next step of the course]");
-  CLI::App* predict = app.add_subcommand("predict", "Ask a step's question, or answer your choice");
-  predict->add_option("STEP", options.step, "A step as 5.1")->required();
-  predict->add_option("CHOICE", options.choice, "Your answer: 1, 2 or 3")->check(CLI::Range(1, 3));
-  CLI::App* reset =
-      app.add_subcommand("reset", "Restore a step's starting code; your code is saved in another file");
-  reset->add_option("STEP", options.step, "A step as 5.1")->required();
-  add("progress", "Show all labs with their steps and points");
+  static const std::regex lab_or_step("[1-9][0-9]?(\\.[0-9]+)?");
+  const auto is_place = [](const std::string& text) {
+    return std::regex_match(text, lab_or_step) ? "" : fmt::format("'{}' is neither a lab nor a step", text);
+  };
+  add("list", "List the labs", list, false);
+  CLI::App* command = add(
+      "gallery", "Draw every lab's looks, and a page that shows them", [&] { return gallery(o.gallery); },
+      false);
+  command->add_option("--out", o.gallery.out, "Folder for the page and the pictures [out/gallery]");
+  command->add_option("--lab", o.gallery.labs, "Draw only this lab; repeat the option for several labs")
+      ->check(CLI::Range(1, 99));
+  command = add("check", "Show which steps are right, and how far the next one is off",
+                [&] { return check(o.check, o.context); });
+  command->footer("Exit codes: 0 all steps passed, 1 not all, 2 wrong usage, 3 could not draw or compare.");
+  command->add_option("LAB", o.check.places, "Labs as 9, and steps as 9.4 [all labs]")->check(is_place);
+  command->add_flag("--json", o.check.json, "Print JSON: an object for one lab, a list for several");
+  command->add_flag("--unless-begun", o.check.unless_begun,
+                    "Exit code 0 also if no step of these labs is begun");
+  command = add("see", "Write one picture of a step: yours, the expected one, and where they differ",
+                [&] { return see(o.step, o.out, o.context); });
+  command->add_option("STEP", o.step, "A step as 5.1")->required();
+  command->add_option("--out", o.out, "The .png to write [out/see/STEP.png]");
+  command = add("watch", "Check a lab after every save; h shows a hint, q quits",
+                [&] { return watch(o.lab, o.context); });
+  command->add_option("LAB", o.lab, "The lab's number")->required()->check(CLI::Range(1, 99));
+  command = add("hint", "Show one more hint for a step", [&] { return hint(o.step, o.context); });
+  command->add_option("STEP", o.step, "A step as 5.1, or a lab's number [the next step of the course]")
+      ->check(is_place);
+  command = add(
+      "predict", "Ask a step's question, or answer your choice", [&] { return predict(o.step, o.choice); },
+      false);
+  command->add_option("STEP", o.step, "A step as 5.1")->required();
+  command->add_option("CHOICE", o.choice, "Your answer: 1, 2 or 3")->check(CLI::Range(1, 3));
+  command = add(
+      "reset", "Restore a step's starting code; your code is saved in another file",
+      [&] { return reset(o.step); }, false);
+  command->add_option("STEP", o.step, "A step as 5.1")->required();
+  add("progress", "Show all labs with their steps and points", [&] { return progress(o.context); });
+  return commands;
 }
 
 /// CLI11 says only that a command is needed; this names the nearest.
@@ -78,11 +91,8 @@ Exit run(int argc, char** argv) {
   CLI::App app("The course's command line", "texel");
   app.set_version_flag("--version", TEXEL_VERSION, "Print the version and exit");
   app.require_subcommand(1);
-  GalleryOptions gallery_options;
-  StudentOptions student;
-  app.add_subcommand("list", "List the labs");
-  add_gallery(app, gallery_options);
-  add_student(app, student);
+  Options options;
+  const auto commands = add_commands(app, options);
   const std::unique_ptr<MoreCommands> more =
       MoreCommands::make != nullptr ? MoreCommands::make(app) : nullptr;
   reject_unknown_command(app, argc, argv);
@@ -94,17 +104,11 @@ Exit run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw Error::usage(error.what(), "see --help");
   }
-  if (app.got_subcommand("list")) return list();
-  if (app.got_subcommand("check")) return check(student.check, student.context);
-  if (app.got_subcommand("see")) return see(student.step, student.out, student.context);
-  if (app.got_subcommand("watch")) return watch(student.lab, student.context);
-  if (app.got_subcommand("hint")) return hint(student.step, student.context);
-  if (app.got_subcommand("predict")) return predict(student.step, student.choice);
-  if (app.got_subcommand("reset")) return reset(student.step);
-  if (app.got_subcommand("progress")) return progress(student.context);
   if (more)
     if (const std::optional<Exit> done = more->run()) return *done;
-  return gallery(gallery_options);
+  for (const auto& [command, run] : commands)
+    if (command->parsed()) return run();
+  throw std::logic_error("a command that nobody runs");
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ void write_mesh(AnyLab& lab, const Assets& assets, const std::filesystem::path& 
   ++present_frame;
   const mesh::Mesh* mesh = lab.mesh(assets);
   if (mesh == nullptr) throw Error::usage("this lab has no mesh to write", "labs 3, 4 and 5 do");
-  mesh::write_ply(file, *mesh);
+  write_file(file, mesh::to_ply(*mesh));
 }
 
 void draw_batch(Canvas& canvas, AnyLab& lab, const Assets& assets, const Batch& batch,
@@ -107,7 +107,7 @@ void draw_batch(Canvas& canvas, AnyLab& lab, const Assets& assets, const Batch& 
   make_folder(folder);
   // A picture is compressed while the next is drawn, or at once.
   const bool in_turn = processors() == 1;
-  const StartValues start(lab.parameters());
+  const KeptValues start(lab.parameters());
   const auto draw = [&](const course::Case& one) {
     const std::filesystem::path file = folder / one.file;
     const Stopwatch stopwatch;

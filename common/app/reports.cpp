@@ -44,15 +44,20 @@ std::string shaders_as_text(const gl::ProgramCache& programs, const params::Set&
   return text;
 }
 
+std::string describe(const params::Parameter& p) {
+  std::string text(p.help);
+  if (p.is_ranged())
+    text += fmt::format("; {} to {}{}{}", p.least, p.most, p.unit.empty() ? "" : " ", p.unit);
+  else if (!p.items.empty())
+    text += p.type == params::Parameter::Type::file ? "; a path, or one of:" : "; one of:";
+  for (const params::Item& item : p.items) text += fmt::format("\n  {}: {}", item.name, item.help);
+  return text + fmt::format(" [{}]", p.initial());
+}
+
 std::string parameters_as_text(const params::Set& parameters) {
   std::string text;
-  for (const params::Parameter& p : parameters) {
-    text += fmt::format("--{} ({}, default {}", p.flag(), p.type_name(), p.initial());
-    if (p.is_ranged())
-      text += fmt::format(", {} to {}{}{}", p.least, p.most, p.unit.empty() ? "" : " ", p.unit);
-    text += fmt::format(")\n    {}\n", p.help);
-    for (const params::Item& item : p.items) text += fmt::format("      {:<20} {}\n", item.name, item.help);
-  }
+  for (const params::Parameter& p : parameters)
+    text += fmt::format("--{} ({}): {}\n", p.flag(), p.type_name(), describe(p));
   return text;
 }
 

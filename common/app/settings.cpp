@@ -3,63 +3,47 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <sstream>
-
-#include <toml++/toml.h>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "course/reader.hpp"
 
 namespace texel::app {
-namespace {
 
-/// The value as the command line would write it.
-std::string as_text(const toml::node& node) {
-  if (const auto value = node.value_exact<bool>()) return *value ? "on" : "off";
-  if (const auto value = node.value_exact<std::int64_t>()) return fmt::format("{}", *value);
-  if (const auto value = node.value_exact<double>()) return fmt::format("{}", static_cast<float>(*value));
-  return node.value_or(std::string());
-}
-
-}  // namespace
-
-void check_settings(params::Set& parameters, const Settings& settings) {
-  const KeptValues before(parameters);
-  for (const auto& [parameter, value] : settings) parameters.at(parameter).set(value);
-}
-
-StartValues::StartValues(params::Set& parameters) : parameters_(parameters) {
+KeptValues::KeptValues(params::Set& parameters) : parameters_(parameters) {
   for (const params::Parameter& p : parameters) values_.push_back(p.text());
 }
 
-void StartValues::set(const Settings& settings) const {
+void KeptValues::set(const Settings& settings) const {
   auto value = values_.begin();
   for (params::Parameter& p : parameters_) p.set(*value++);
   for (const auto& [parameter, text] : settings) parameters_.at(parameter).set(text);
 }
 
+void check_settings(params::Set& parameters, const Settings& settings) {
+  const KeptValues before(parameters);
+  before.set(settings);
+}
+
+void apply_settings(params::Set& parameters, const Settings& settings) {
+  check_settings(parameters, settings);
+  for (const auto& [parameter, value] : settings) parameters.at(parameter).set(value);
+}
+
 void load_config(const std::filesystem::path& file, const Info& info, params::Set& parameters) {
-  toml::table table;
+  const toml::table table = course::read_toml(file, "write lines 'name = value', as --save-config does");
+  const course::Reader reader(table, file.string());
+  Settings settings;
+  for (const auto& [key, node] : table) settings.push_back({std::string(key.str()), reader.setting(node)});
   try {
-    table = toml::parse(read_file(file), file.string());
-  } catch (const toml::parse_error& error) {
-    throw Error::failed(std::string(error.description()),
-                        {file.string(), static_cast<int>(error.source().begin.line),
-                         static_cast<int>(error.source().begin.column)},
-                        "write lines 'name = value', as --save-config does");
-  }
-  const StartValues before(parameters);
-  try {
-    for (const auto& [key, node] : table) {
-      const std::string value = as_text(node);
-      if (key.str() != "lab")
-        parameters.at(key.str()).set(value);
-      else if (value != info.folder())
-        throw Error::usage(fmt::format("the file is for the lab '{}'", value));
-    }
+    std::erase_if(settings, [&](const course::Setting& one) {
+      if (one.parameter == "lab" && one.value != info.folder())
+        throw Error::usage(fmt::format("the file is for the lab '{}'", one.value));
+      return one.parameter == "lab";
+    });
+    apply_settings(parameters, settings);
   } catch (const Error& error) {
-    before.set({});
     throw Error::usage(fmt::format("{}: {}", file.string(), error.what()));
   }
 }

@@ -32,7 +32,7 @@ void set_shader_cache(const Studio& studio, Confines& confines) {
 }
 
 double seconds_left(const Studio& studio) {
-  return studio.budget == nullptr ? kWallSeconds : studio.budget->left();
+  return studio.budget == nullptr ? kWallSeconds : studio.budget->load();
 }
 
 /// Where a program that works in this folder leaves its pictures.
@@ -126,7 +126,7 @@ Drawn draw(const Studio& studio, const std::vector<Case>& cases, const fs::path&
   for (int start = 0; start < kMostStarts && timeouts < studio.timeouts && !left.empty(); ++start) {
     if (seconds_left(studio) <= 0) break;
     const Outcome outcome = run(studio, left, work);
-    if (studio.budget != nullptr) studio.budget->spend(outcome.wall_seconds);
+    if (studio.budget != nullptr) *studio.budget -= outcome.wall_seconds;
     const std::map<std::string, course::Drawing> drawings = drawings_in(output_of(work));
     std::erase_if(left, [&](const Case& one) {
       const auto said = drawings.find(one.file);

@@ -19,30 +19,10 @@
 namespace texel {
 namespace {
 
-/// A file descriptor that is closed at the end of its scope.
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  [[nodiscard]] int get() const { return fd_; }
-  [[nodiscard]] int close() {
-    const int result = ::close(fd_);
-    fd_ = -1;
-    return result;
-  }
-
- private:
-  int fd_;
-};
-
 /// The size of a file that was opened. Throws Error (exit 3) when it could not be, or is none.
 std::size_t size_of_regular(const std::filesystem::path& path, const Descriptor& file) {
   const Place place{path.string()};
-  if (file.get() < 0)
+  if (!file.is_open())
     throw Error::failed(fmt::format("cannot open: {}", std::strerror(errno)), place,
                         "check the path's spelling");
   struct stat status {};
@@ -53,6 +33,11 @@ std::size_t size_of_regular(const std::filesystem::path& path, const Descriptor&
 }
 
 }  // namespace
+
+int Descriptor::close() {
+  const int fd = std::exchange(fd_, -1);
+  return fd < 0 ? 0 : ::close(fd);
+}
 
 std::string read_file(const std::filesystem::path& path) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
@@ -84,7 +69,7 @@ void write_file(const std::filesystem::path& path, std::string_view bytes) {
                          "check that the folder exists, is writable and has free space");
   };
   Descriptor file(::open(beside.c_str(), O_WRONLY | O_CLOEXEC | (in_place ? 0 : O_CREAT | O_TRUNC), 0666));
-  if (file.get() < 0) throw fail("write", errno);
+  if (!file.is_open()) throw fail("write", errno);
   while (!bytes.empty()) {
     const ssize_t put = ::write(file.get(), bytes.data(), bytes.size());
     if (put < 0 && errno == EINTR) continue;
@@ -120,17 +105,11 @@ MappedFile::~MappedFile() {
 
 FileLock::FileLock(const std::filesystem::path& file, bool at_once)
     : file_(::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644)) {
-  if (file_ < 0)
+  if (!file_.is_open())
     throw Error::failed(fmt::format("cannot be opened: {}", std::strerror(errno)), {file.string()},
                         "name a writable folder");
-  if (::flock(file_, LOCK_EX | (at_once ? LOCK_NB : 0)) != 0) {
-    ::close(file_);
+  if (::flock(file_.get(), LOCK_EX | (at_once ? LOCK_NB : 0)) != 0)
     throw Error::failed("another process works here", {file.string()}, "wait for its end");
-  }
-}
-
-FileLock::~FileLock() {
-  ::close(file_);
 }
 
 ScratchFolder::ScratchFolder() {

@@ -16,6 +16,7 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "core/files.hpp"
 #include "core/stopwatch.hpp"
 
 namespace texel {
@@ -25,24 +26,20 @@ namespace {
 class Stream {
  public:
   explicit Stream(const std::string& program) : file_(::memfd_create("stream", MFD_CLOEXEC)) {
-    if (file_ < 0) throw Error::failed("cannot be started: no memory for what it prints", {program});
+    if (!file_.is_open()) throw Error::failed("cannot be started: no memory for what it prints", {program});
   }
-  ~Stream() { ::close(file_); }
-  Stream(const Stream&) = delete;
-  Stream& operator=(const Stream&) = delete;
-
-  [[nodiscard]] int get() const { return file_; }
+  [[nodiscard]] int get() const { return file_.get(); }
   [[nodiscard]] std::uint64_t bytes() const {
-    return static_cast<std::uint64_t>(::lseek(file_, 0, SEEK_END));
+    return static_cast<std::uint64_t>(::lseek(get(), 0, SEEK_END));
   }
   [[nodiscard]] std::string first(std::size_t most) const {
     std::string text(std::min<std::size_t>(most, bytes()), '\0');
-    text.resize(static_cast<std::size_t>(std::max<ssize_t>(0, ::pread(file_, text.data(), text.size(), 0))));
+    text.resize(static_cast<std::size_t>(std::max<ssize_t>(0, ::pread(get(), text.data(), text.size(), 0))));
     return text;
   }
 
  private:
-  int file_;
+  Descriptor file_;
 };
 
 }  // namespace
@@ -64,10 +61,6 @@ int run_into(const std::vector<std::string>& command, int output, int errors) {
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
-}
-
-void TimeBudget::spend(double seconds) {
-  left_.fetch_sub(seconds);
 }
 
 Ran run_program(const std::vector<std::string>& command, bool with_errors) {

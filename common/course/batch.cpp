@@ -10,7 +10,6 @@
 #include <set>
 
 #include "core/error.hpp"
-#include "core/json.hpp"
 
 namespace texel::course {
 namespace {
@@ -48,27 +47,32 @@ Case parse_entry(const Json& json) {
   if (!found || (*found == View::mesh) != is_mesh)
     throw Error::usage(fmt::format("there is no view '{}'", view));
   one.view = *found;
-  const std::string text = json.value("size", course::as_text(one.size));
-  const std::optional<Size> size = find_size(text);
-  if (!size)
-    throw Error::usage(fmt::format("'{}' is not a size", text),
-                       fmt::format("write WIDTHxHEIGHT in pixels, each from 1 to {}", Size::kMostPixels));
-  one.size = *size;
-  const Json set = json.value("set", Json::object());
-  if (!set.is_object()) throw Error::usage("'set' must be an object {parameter: value}");
-  for (const auto& [parameter, value] : set.items()) one.settings.push_back({parameter, as_text(value)});
+  one.size = parse_size(json.value("size", course::as_text(one.size)));
+  one.settings = settings_from(json.value("set", Json::object()));
   return one;
 }
 
 }  // namespace
+
+Json to_json(const std::vector<Setting>& settings) {
+  Json set = Json::object();
+  for (const auto& [parameter, value] : settings) set[parameter] = value;
+  return set;
+}
+
+std::vector<Setting> settings_from(const Json& set) {
+  if (!set.is_object()) throw Error::usage("'set' must be an object {parameter: value}");
+  std::vector<Setting> settings;
+  for (const auto& [parameter, value] : set.items()) settings.push_back({parameter, as_text(value)});
+  return settings;
+}
 
 std::string to_batch(const std::vector<Case>& cases) {
   Json list = Json::array();
   for (const Case& one : cases) {
     Json entry{{"name", one.file}};
     if (!one.is_mesh()) entry["view"] = name_of(one.view), entry["size"] = course::as_text(one.size);
-    entry["set"] = Json::object();
-    for (const Setting& setting : one.settings) entry["set"][setting.parameter] = setting.value;
+    entry["set"] = to_json(one.settings);
     list.push_back(std::move(entry));
   }
   return to_text(list, 1) + "\n";

@@ -5,6 +5,8 @@
 #include <array>
 #include <regex>
 
+#include "core/error.hpp"
+
 namespace texel::course {
 namespace {
 
@@ -52,6 +54,11 @@ std::optional<Size> find_size(const std::string& text) {
   const auto is_side = [](int pixels) { return pixels >= 1 && pixels <= Size::kMostPixels; };
   const Size size{std::stoi(sides[1]), std::stoi(sides[2])};
   return is_side(size.width) && is_side(size.height) ? std::optional(size) : std::nullopt;
+}
+
+Size parse_size(const std::string& text) {
+  if (const auto size = find_size(text)) return *size;
+  throw Error::usage("'" + text + "' is not a size", "write WIDTHxHEIGHT in pixels, each from 1 to 16384");
 }
 
 std::string as_text(Size size) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/files.hpp"
+#include "core/plain_text.hpp"
 #include "course/lab_file.hpp"
 
 namespace texel::course {
@@ -22,12 +23,6 @@ struct Line {
 
 std::string remedy() {
   return fmt::format("a step stands between the lines '{}' and '//@end'", begin_marker("5.1"));
-}
-
-std::string_view trimmed(std::string_view line) {
-  constexpr const char* kBlank = " \t\r\n";
-  const std::size_t first = std::min(line.find_first_not_of(kBlank), line.size());
-  return line.substr(first, line.find_last_not_of(kBlank) + 1 - first);
 }
 
 /// What a line says as a marker, if it is one: the markers' own words and nothing else.
@@ -88,6 +83,16 @@ std::string uncommented(std::string_view line) {
   if (rest.starts_with("//")) rest.remove_prefix(rest.starts_with("// ") ? 3 : 2);
   const bool is_blank = rest.find_first_not_of("\r\n") == rest.npos;
   return is_blank ? std::string(rest) : std::string(line.substr(0, first)) + std::string(rest);
+}
+
+/// Where each step begins in `text_of(tree, file)`.
+template <class TextOf>
+std::map<std::string, Place> places_in(const std::filesystem::path& tree, TextOf text_of) {
+  std::map<std::string, Place> places;
+  for (const std::string& file : step_files(tree))
+    for (const StepPart& part : parts_of(text_of(tree, file)))
+      places.emplace(part.step, Place{file, part.line});
+  return places;
 }
 
 }  // namespace
@@ -195,18 +200,12 @@ std::string first_text(const std::filesystem::path& tree, const std::string& fil
 }
 
 std::map<std::string, Place> first_places(const std::filesystem::path& tree) {
-  std::map<std::string, Place> places;
-  for (const std::string& file : step_files(tree))
-    for (const StepPart& part : parts_of(first_text(tree, file)))
-      places.emplace(part.step, Place{file, part.line});
-  return places;
+  return places_in(tree, first_text);
 }
 
 std::map<std::string, Place> step_places(const std::filesystem::path& tree) {
-  std::map<std::string, Place> places;
-  for (const std::string& file : step_files(tree))
-    for (const StepPart& part : parts_of(read_file(tree / file)))
-      places.emplace(part.step, Place{file, part.line});
+  std::map<std::string, Place> places =
+      places_in(tree, [](const auto& root, const std::string& file) { return read_file(root / file); });
   places.merge(first_places(tree));
   return places;
 }

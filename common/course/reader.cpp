@@ -17,11 +17,11 @@ Place place_at(const toml::source_region& source, const std::string& file) {
 
 }  // namespace
 
-toml::table read_toml(const std::filesystem::path& file) {
+toml::table read_toml(const std::filesystem::path& file, const std::string& remedy) {
   try {
     return toml::parse(read_file(file), file.string());
   } catch (const toml::parse_error& error) {
-    throw Error::failed(std::string(error.description()), place_at(error.source(), file.string()));
+    throw Error::failed(std::string(error.description()), place_at(error.source(), file.string()), remedy);
   }
 }
 

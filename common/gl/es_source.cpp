@@ -162,8 +162,6 @@ std::optional<std::pair<std::size_t, std::size_t>> condition(const std::string& 
 
 /// Counts the rounds of all loops. Changes no line's number. Gives whether there was a loop.
 bool guard_loops(std::string& text) {
-  std::string result;
-  std::size_t copied = 0;
   std::vector<std::pair<std::size_t, std::string>> inserted;
   for (std::size_t at = 0; at < text.size();) {
     if (const std::size_t next = after_comment(text, at); next > at) {
@@ -184,14 +182,8 @@ bool guard_loops(std::string& text) {
     inserted.emplace_back(found->first, is_empty ? "texel_goes_on()" : "texel_goes_on() && (");
     if (!is_empty) inserted.emplace_back(found->second, ")");
   }
-  std::stable_sort(inserted.begin(), inserted.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (const auto& [place, what] : inserted) {
-    result.append(text, copied, place - copied).append(what);
-    copied = place;
-  }
-  result.append(text, copied, std::string::npos);
-  text = std::move(result);
+  std::sort(inserted.rbegin(), inserted.rend());  // from the end on, so that the places stay
+  for (const auto& [place, what] : inserted) text.insert(place, what);
   return !inserted.empty();
 }
 

@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <glm/gtc/type_ptr.hpp>
 #include <iterator>
 
-#include "core/error.hpp"
 #include "core/stages.hpp"
 #include "gl/es_source.hpp"
 #include "gl/upload.hpp"
@@ -46,8 +44,7 @@ class Shader {
   ~Shader() {
     glDeleteShader(id_);
   }
-  Shader(const Shader&) = delete;
-  Shader& operator=(const Shader&) = delete;
+  Shader& operator=(Shader&&) = delete;
   [[nodiscard]] GLuint id() const {
     return id_;
   }
@@ -178,25 +175,15 @@ void Program::set(std::string_view name, GLuint value) {
   if (u != nullptr && is_sampler(u->type)) throw no_unit(name, fmt::format("an unsigned {}", value));
   if (u != nullptr) glUniform1i(u->location, static_cast<GLint>(value));
 }
-void Program::set(std::string_view name, float value) {
-  if (const Uniform* u = to_set(name, {GL_FLOAT})) glUniform1f(u->location, value);
-}
-void Program::set(std::string_view name, const glm::vec2& value) {
-  if (const Uniform* u = to_set(name, {GL_FLOAT_VEC2})) glUniform2fv(u->location, 1, glm::value_ptr(value));
-}
-void Program::set(std::string_view name, const glm::vec3& value) {
-  if (const Uniform* u = to_set(name, {GL_FLOAT_VEC3})) glUniform3fv(u->location, 1, glm::value_ptr(value));
-}
-void Program::set(std::string_view name, const glm::vec4& value) {
-  if (const Uniform* u = to_set(name, {GL_FLOAT_VEC4})) glUniform4fv(u->location, 1, glm::value_ptr(value));
-}
-void Program::set(std::string_view name, const glm::mat3& value) {
-  if (const Uniform* u = to_set(name, {GL_FLOAT_MAT3}))
-    glUniformMatrix3fv(u->location, 1, GL_FALSE, glm::value_ptr(value));
-}
-void Program::set(std::string_view name, const glm::mat4& value) {
-  if (const Uniform* u = to_set(name, {GL_FLOAT_MAT4}))
-    glUniformMatrix4fv(u->location, 1, GL_FALSE, glm::value_ptr(value));
+void Program::set_floats(std::string_view name, GLenum type, const float* values) {
+  const Uniform* u = to_set(name, {type});
+  if (u == nullptr) return;
+  if (type == GL_FLOAT) glUniform1fv(u->location, 1, values);
+  if (type == GL_FLOAT_VEC2) glUniform2fv(u->location, 1, values);
+  if (type == GL_FLOAT_VEC3) glUniform3fv(u->location, 1, values);
+  if (type == GL_FLOAT_VEC4) glUniform4fv(u->location, 1, values);
+  if (type == GL_FLOAT_MAT3) glUniformMatrix3fv(u->location, 1, GL_FALSE, values);
+  if (type == GL_FLOAT_MAT4) glUniformMatrix4fv(u->location, 1, GL_FALSE, values);
 }
 
 Error Program::no_unit(std::string_view name, const std::string& value) const {

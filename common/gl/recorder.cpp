@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/stages.hpp"
 
@@ -34,12 +35,6 @@ FormatUse use_of(GLint format) {
   for (const FormatUse& known : kFormats)
     if (known.format == format) return known;
   return {format, "other", 4};
-}
-
-GLint integer(GLenum name) {
-  GLint value = 0;
-  glGetIntegerv(name, &value);
-  return value;
 }
 
 GLint integer_of_level(GLenum face, GLint level, GLenum name) {
@@ -103,8 +98,7 @@ void Recorder::inspect_indices() {
 }
 
 void Recorder::inspect_attributes(GLuint program) {
-  const GLint most = integer(GL_MAX_VERTEX_ATTRIBS);
-  std::vector<std::string> names(static_cast<std::size_t>(most));
+  std::map<GLuint, std::string> names;  // by location
   GLint count = 0;
   glGetProgramiv(program, GL_ACTIVE_ATTRIBUTES, &count);
   for (GLint i = 0; i < count; ++i) {
@@ -112,19 +106,15 @@ void Recorder::inspect_attributes(GLuint program) {
     GLint size = 0;
     GLenum type = 0;
     glGetActiveAttrib(program, static_cast<GLuint>(i), sizeof name, nullptr, &size, &type, name);
-    const GLint location = glGetAttribLocation(program, name);
-    if (location >= 0 && location < most) names[static_cast<std::size_t>(location)] = name;
+    if (const GLint location = glGetAttribLocation(program, name); location >= 0)
+      names[static_cast<GLuint>(location)] = name;
   }
   const auto restore = static_cast<GLuint>(integer(GL_ARRAY_BUFFER_BINDING));
-  for (GLint i = 0; i < most; ++i) {
-    const auto location = static_cast<GLuint>(i);
-    const std::string& name = names[location];
+  for (const auto& [location, name] : names) {
     if (integer_of_attribute(location, GL_VERTEX_ATTRIB_ARRAY_ENABLED) == 0) {
-      if (!name.empty())
-        warn(fmt::format("the shader reads the attribute '{}', but no array is enabled for it", name));
+      warn(fmt::format("the shader reads the attribute '{}', but no array is enabled for it", name));
       continue;
     }
-    if (name.empty()) continue;  // the array costs nothing
     const GLint buffer = integer_of_attribute(location, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING),
                 components = integer_of_attribute(location, GL_VERTEX_ATTRIB_ARRAY_SIZE),
                 stride = integer_of_attribute(location, GL_VERTEX_ATTRIB_ARRAY_STRIDE);

@@ -4,12 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <iterator>
 #include <sstream>
 
-#include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
 
@@ -17,12 +15,6 @@ namespace texel::gl {
 namespace {
 
 constexpr int kLinesPerFile = 100000;
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front())) != 0) text.remove_prefix(1);
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) text.remove_suffix(1);
-  return text;
-}
 
 enum class Comment { none, line, block };
 

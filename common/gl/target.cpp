@@ -16,24 +16,18 @@ namespace texel::gl {
 
 Target::Target(Kind kind, int width, int height, int samples, const Target* other)
     : kind_(kind), width_(width), height_(height) {
-  GLint most = 1;
-  glGetIntegerv(GL_MAX_SAMPLES, &most);
-  GLint largest = 0;
-  glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
+  const GLint largest = integer(GL_MAX_RENDERBUFFER_SIZE);
   if (width > largest || height > largest)
     throw Error::failed(fmt::format("a picture of {}x{} is larger than this renderer's maximum, {}x{}", width,
                                     height, largest, largest),
                         {}, "choose a smaller --size");
-  samples_ = std::clamp(samples, 1, most);
+  samples_ = std::clamp(samples, 1, std::max(integer(GL_MAX_SAMPLES), 1));
   const GLenum format = kind == Kind::data ? GL_RGBA32F : kind == Kind::encoded ? GL_RGBA8 : GL_SRGB8_ALPHA8;
 
   const ScopedBinding binding(GL_TEXTURE_2D, texture_);
   glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0, GL_RGBA,
                kind == Kind::data ? GL_FLOAT : GL_UNSIGNED_BYTE, nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  set_sampling(GL_TEXTURE_2D, {GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE});
   glBindFramebuffer(GL_FRAMEBUFFER, resolved_.id());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.id(), 0);
   if (other != nullptr && other->kind_ == kind && other->width_ == width && other->height_ == height &&

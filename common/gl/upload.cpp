@@ -29,9 +29,7 @@ image::Image8 expand_grey(const image::Image8& image) {
 }
 
 GLint texture_units() {
-  GLint count = 0;
-  glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &count);
-  return count;
+  return integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
 }
 
 void unbind_textures() {
@@ -55,8 +53,9 @@ void set_sampling(GLenum target, const Sampling& sampling) {
   }
 }
 
-ScopedBinding::ScopedBinding(GLenum target, GLuint texture) : target_(target) {
-  glGetIntegerv(target == GL_TEXTURE_2D ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_CUBE_MAP, &before_);
+ScopedBinding::ScopedBinding(GLenum target, GLuint texture)
+    : target_(target),
+      before_(integer(target == GL_TEXTURE_2D ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_CUBE_MAP)) {
   glBindTexture(target, texture);
 }
 
@@ -74,20 +73,12 @@ void upload_level(GLenum target, int level, const image::Image8& image, image::E
 
 namespace {
 
-/// A colour picture in a format that the GPU decodes from sRGB.
-image::Image8 uploadable(const image::Image8& image, image::Encoding encoding) {
-  return encoding == image::Encoding::srgb ? expand_grey(image) : image;
-}
-
-bool needs_mipmaps(const Sampling& sampling) {
-  return sampling.minify != GL_NEAREST && sampling.minify != GL_LINEAR;
-}
-
-/// The levels that the sampling reads, the whole picture first.
+/// The levels that the sampling reads, the whole picture first; colours in a format that the GPU decodes.
 std::vector<image::Image8> levels_for(const image::Image8& image, image::Encoding encoding,
                                       const Sampling& sampling) {
-  if (!needs_mipmaps(sampling)) return {uploadable(image, encoding)};
-  return image::mip_chain(uploadable(image, encoding), encoding);
+  const image::Image8 whole = encoding == image::Encoding::srgb ? expand_grey(image) : image;
+  if (sampling.minify == GL_NEAREST || sampling.minify == GL_LINEAR) return {whole};
+  return image::mip_chain(whole, encoding);
 }
 
 void upload_levels(GLenum target, const std::vector<image::Image8>& levels, image::Encoding encoding) {

@@ -38,11 +38,10 @@ std::string renderer_name() {
   return name != nullptr ? name : reinterpret_cast<const char*>(glGetString(GL_RENDERER));
 }
 
-/// Whether a renderer that draws with the processor reads such textures better as floats. No page can tell
-/// it how to read them (gl::Shaders). Mesa's llvmpipe filters bytes that are no colours in 8 bits, up to 10
-/// of their steps off. SwiftShader decodes each texel that it filters by a power function, roughly: with
-/// floats lab 9's ball takes two thirds of the time, and its colours differ by one level in 0.1 % of the
-/// pixels.
+/// Whether a renderer that draws with the processor reads such textures better as floats. No page can tell it
+/// how to read them (gl::Shaders). Mesa's llvmpipe filters bytes that are no colours in 8 bits, up to 10 of
+/// their steps off. SwiftShader decodes each texel that it filters by a power function, roughly: with floats
+/// lab 9's ball takes two thirds of the time, and its colours differ by one level in 0.1 % of the pixels.
 bool reads_floats_better(GLint internal) {
   static const std::string name = renderer_name();
   const char* renderer = internal == GL_RGB8 ? "llvmpipe" : internal == GL_SRGB8 ? "SwiftShader" : nullptr;
@@ -63,9 +62,7 @@ void switch_capability(GLenum capability, bool on) {
     return;
   }
   encodes = on;
-  GLint program = 0;
-  glGetIntegerv(GL_CURRENT_PROGRAM, &program);
-  tell(static_cast<GLuint>(program));
+  tell(static_cast<GLuint>(integer(GL_CURRENT_PROGRAM)));
 }
 
 void use_program(GLuint program) {
@@ -74,9 +71,7 @@ void use_program(GLuint program) {
 }
 
 int subpixel_bits() {
-  GLint bits = 0;
-  glGetIntegerv(GL_SUBPIXEL_BITS, &bits);
-  return bits;
+  return integer(GL_SUBPIXEL_BITS);
 }
 
 Preview::Preview(bool wanted) {
@@ -113,10 +108,9 @@ void upload_image(GLenum target, GLint level, GLint internal, GLsizei columns, G
     (glTexImage2D)(target, level, internal, columns, rows, border, format, type, data);
     return;
   }
-  GLint alignment = 4;
-  glGetIntegerv(GL_UNPACK_ALIGNMENT, &alignment);
   const auto width = static_cast<std::size_t>(columns), height = static_cast<std::size_t>(rows),
-             unit = static_cast<std::size_t>(alignment), stride = (3 * width + unit - 1) / unit * unit;
+             unit = static_cast<std::size_t>(integer(GL_UNPACK_ALIGNMENT)),
+             stride = (3 * width + unit - 1) / unit * unit;
   const auto* bytes = static_cast<const unsigned char*>(data);
   /// With an alpha: of three samples OpenGL ES makes no mipmaps.
   const auto with_alpha = [&]<class Sample>(const std::array<Sample, 256>& stored, Sample alpha) {

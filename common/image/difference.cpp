@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
-#include <limits>
 #include <numbers>
-#include <vector>
 
 #include "image/color.hpp"
 #include "image/comparison.hpp"

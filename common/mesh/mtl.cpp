@@ -23,7 +23,7 @@ std::vector<float> neutral_arguments(std::string_view option) {
 /// The file's name after the options of a map_ line, to the line's end. `unfollowed` gets an option that asks
 /// for something that is not done.
 std::string map_file(std::string_view line, std::string& unfollowed) {
-  std::string_view rest = rest_of_line(line);
+  std::string_view rest = trimmed(line);
   while (rest.size() > 1 && rest[0] == '-') {
     std::string_view after = rest;
     const std::string_view option = take_word(after);
@@ -37,7 +37,7 @@ std::string map_file(std::string_view line, std::string& unfollowed) {
         unfollowed = option;
       after = peek;
     }
-    rest = rest_of_line(after);
+    rest = trimmed(after);
   }
   std::string file(rest);
   std::replace(file.begin(), file.end(), '\\', '/');
@@ -77,7 +77,7 @@ std::vector<Material> parse_mtl(std::string_view text, const std::string& name,
   while (lines.next(line)) {
     const std::string keyword = lower_case(take_word(line));
     if (keyword == "newmtl") {
-      materials.push_back({.name = std::string(rest_of_line(line))});
+      materials.push_back({.name = std::string(trimmed(line))});
       continue;
     }
     if (keyword != "kd" && keyword != "map_kd") continue;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <set>
-#include <span>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
@@ -98,7 +97,7 @@ class Parser {
     if (keyword == "usemtl") return start_run(data_.material_runs, line);
     if (keyword == "g" || keyword == "o") return start_run(data_.group_runs, line);
     if (keyword == "s") return smoothing_line(line);
-    if (keyword == "mtllib") return static_cast<void>(data_.libraries.emplace_back(rest_of_line(line)));
+    if (keyword == "mtllib") return static_cast<void>(data_.libraries.emplace_back(trimmed(line)));
     if (keyword == "p" || keyword == "l") return note("points and lines ignored");
     if (whole.find('\0') != std::string_view::npos)
       fail("this is binary data, not text", "export the model as Wavefront OBJ in ASCII or UTF-8");
@@ -272,7 +271,7 @@ class Parser {
   }
 
   void start_run(std::vector<NamedRun>& runs, std::string_view line) const {
-    const std::string_view name = rest_of_line(line);
+    const std::string_view name = trimmed(line);
     if (!runs.empty() && runs.back().first_triangle == triangles_so_far())
       runs.back().name = name;  // the one before had no triangles
     else if (runs.empty() || runs.back().name != name)

@@ -10,7 +10,6 @@
 #include <type_traits>
 
 #include "core/error.hpp"
-#include "core/files.hpp"
 
 namespace texel::mesh {
 namespace {
@@ -76,10 +75,6 @@ std::string to_ply(const Mesh& mesh) {
     append(bytes, static_cast<std::int32_t>(mesh.indices[i]));
   }
   return bytes;
-}
-
-void write_ply(const std::filesystem::path& path, const Mesh& mesh) {
-  write_file(path, to_ply(mesh));
 }
 
 Mesh parse_ply(std::string_view bytes, const std::string& name) {

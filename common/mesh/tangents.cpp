@@ -2,7 +2,6 @@
 #include "mesh/tangents.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/error.hpp"
 #include "mesh/vectors.hpp"
@@ -98,13 +97,6 @@ void store_orthonormal(Mesh& mesh, const std::vector<TriangleFrame>& sums) {
 }
 
 }  // namespace
-
-std::size_t without_texture_area(const Mesh& mesh) {
-  std::size_t count = 0;
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
-    if (texture_area(of_triangle(mesh, mesh.texcoords, t)) == 0.0) ++count;
-  return count;
-}
 
 void compute_tangents(Mesh& mesh, TangentMethod method, unsigned threads) {
   if (mesh.texcoords.size() != mesh.vertex_count())

@@ -46,17 +46,11 @@ bool LineReader::next(std::string_view& line) {
   return true;
 }
 
-std::string_view rest_of_line(std::string_view line) {
-  while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
-  while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
-  return line;
-}
-
 std::string_view longest_known(std::string_view name, const std::function<bool(std::string_view)>& known) {
   if (known(name)) return name;
   for (std::size_t i = name.size(); i-- > 0;)
     if (name[i] == '#' && (i == 0 || is_blank(name[i - 1])))
-      if (const std::string_view cut = rest_of_line(name.substr(0, i)); known(cut)) return cut;
+      if (const std::string_view cut = trimmed(name.substr(0, i)); known(cut)) return cut;
   return name;
 }
 

@@ -58,9 +58,6 @@ inline std::string_view take_word(std::string_view& line) {
   return word;
 }
 
-/// The rest of a line without blanks around it: a name, which may have a '#' in it.
-std::string_view rest_of_line(std::string_view line);
-
 /// What a name means that runs to its line's end: the longest that is `known` of the name and of what is left
 /// of it without words from a '#' on, which may be a comment; the name itself if none is.
 std::string_view longest_known(std::string_view name, const std::function<bool(std::string_view)>& known);

@@ -33,18 +33,6 @@ struct CommandLine : window::WindowOptions {
   bool list_parameters = false, list_views = false, print_shader = false, json = false;
 };
 
-/// "number from 0 to 4 units, default 1" — what stands behind a flag in --help.
-std::string describe(const params::Parameter& p) {
-  std::string text(p.help);
-  if (p.type == params::Parameter::Type::choice || p.type == params::Parameter::Type::file) {
-    text += p.type == params::Parameter::Type::file ? "; a path, or one of:" : "; one of:";
-    for (const params::Item& item : p.items) text += fmt::format("\n  {}: {}", item.name, item.help);
-  } else if (p.type != params::Parameter::Type::toggle) {
-    text += fmt::format("; {} to {}{}{}", p.least, p.most, p.unit.empty() ? "" : " ", p.unit);
-  }
-  return text + fmt::format(" [{}]", p.initial());
-}
-
 /// CLI11 collects what it does not know; this names the nearest flag that it does.
 void reject_unknown(const CLI::App& app) {
   const std::vector<std::string> unknown = app.remaining();
@@ -107,7 +95,7 @@ std::optional<CommandLine> read_command_line(app::AnyLab& lab, int argc, char** 
       "Print the shaders as they are compiled; comments say where each constant and uniform comes from");
   app.add_flag("--json", line.json, "Print --list-parameters as JSON");
   for (const params::Parameter& p : lab.parameters())
-    app.add_option("--" + p.flag(), values[std::string(p.name)], describe(p))->group("Parameters");
+    app.add_option("--" + p.flag(), values[std::string(p.name)], app::describe(p))->group("Parameters");
   app.footer(
       "In the window: drag orbit, wheel zoom, G looks, J default look, space pause; F1 lists all keys, Esc "
       "closes what is open, else quits");

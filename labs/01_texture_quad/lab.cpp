@@ -4,7 +4,6 @@
 // which colour a pixel gets between texels, and from many texels.
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <algorithm>
 #include <tuple>
 
 #include "app/lab.hpp"

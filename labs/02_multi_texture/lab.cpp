@@ -4,7 +4,6 @@
 // the file's encoded values, or the linear light that they stand for.
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <algorithm>
 #include <tuple>
 
 #include "app/lab.hpp"

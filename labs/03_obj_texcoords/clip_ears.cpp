@@ -19,6 +19,7 @@ bool clip_ears(const std::vector<glm::dvec2>& flat, std::vector<Triangle>& trian
     const Triangle ear{rest[before], rest[tip], rest[(tip + 1) % rest.size()]};
     const glm::dvec2 &a = flat[ear[0]], &b = flat[ear[1]], &c = flat[ear[2]];
     const bool stuck = refused >= rest.size();  // went all the way round and found none
+    // No ear where the corner turns right, or another corner lies in the triangle.
     if (!stuck && (area(a, b, c) <= 0.0 || holds_a_corner(flat, rest, a, b, c))) {
       ++tip, ++refused;
       continue;

@@ -107,8 +107,7 @@ inline std::string picture_of(const std::string& texture, const Imported& import
   return material != nullptr ? material->color_map : "";
 }
 
-/// The sRGB colour of part `i`: hues a golden section apart, so neighbours in the list
-/// look different.
+/// The sRGB colour of part `i`: hues a golden section apart, so neighbours in the list look different.
 inline glm::vec3 part_color(std::size_t i) {
   const auto hue = static_cast<float>(std::fmod(0.618034 * static_cast<double>(i), 1.0));
   const glm::vec3 phase = 2 * std::numbers::pi_v<float> * (hue + glm::vec3(0, 1, 2) / 3.0F);

@@ -2,7 +2,6 @@
 // Lab 3: a file says which point of a picture belongs to each corner. The importer (import.hpp) turns an
 // OBJ's separate lists of positions, texture coordinates and normals into one stream of vertices; each pixel
 // then reads the picture at its interpolated coordinate.
-#include <algorithm>
 #include <map>
 #include <tuple>
 
@@ -46,7 +45,6 @@ struct ObjTexcoords : app::Lab<ObjTexcoordsParameters> {
     }
   }
 
-  /// The vertex stream as drawn.
   const mesh::Mesh* mesh(const Parameters& p) override {
     Model& model = model_for(p);
     return p.method == Method::per_vertex ? &colored(p, model).mesh() : &model.buffers.mesh();
@@ -82,6 +80,7 @@ struct ObjTexcoords : app::Lab<ObjTexcoordsParameters> {
       mesh::Mesh mesh = model.buffers.mesh();
       mesh.colors.clear();  // those of the file
       const std::vector<mesh::Group>& parts = model.imported.parts;
+      // Two parts may read different pictures, so they share no vertex.
       std::vector<std::uint32_t> part_of_corner(mesh.indices.size());
       for (std::uint32_t i = 0; i < parts.size(); ++i)
         std::fill_n(part_of_corner.begin() + parts[i].first_index, parts[i].index_count, i);

@@ -88,7 +88,6 @@ struct CubeWrap : app::Lab<CubeWrapParameters> {
     buffers.draw(program);
   }
 
-  /// The vertex stream as drawn.
   const mesh::Mesh* mesh(const Parameters& p) override { return &drawn(p).buffers.mesh(); }
   std::optional<app::Preparation> preparation(const Parameters& p) override {
     return app::Preparation{"triangle", mesh(p)->triangle_count(), [this, p] { static_cast<void>(wrap(p)); }};
@@ -110,10 +109,11 @@ struct CubeWrap : app::Lab<CubeWrapParameters> {
     });
   }
 
+  /// The report's two ways share the vertices; the others give each face its own, and may merge equal ones.
   app::Model wrap(const Parameters& p) {
     if (p.model == "cube" && p.method != Method::weld) return {wrapped_cube(p.method), {}, false};
     app::Model model = app::load_model(assets_, p.model);
-    if (p.method <= Method::stretched) {
+    if (p.method == Method::before || p.method == Method::stretched) {
       model.mesh = shared_vertices(model.mesh, p.method);
     } else {
       model.mesh = mesh::split(model.mesh);

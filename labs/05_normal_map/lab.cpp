@@ -4,7 +4,6 @@
 // methods differ in how they make it.
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <algorithm>
 #include <tuple>
 
 #include "app/lab.hpp"
@@ -57,18 +56,7 @@ struct NormalMap : app::Lab<NormalMapParameters> {
     buffers.draw(program);
   }
 
-  /// The vertex stream as drawn.
   const mesh::Mesh* mesh(const Parameters& p) override { return &drawn(p).buffers.mesh(); }
-  /// The tangents that are computed for the vertices.
-  std::optional<app::Preparation> preparation(const Parameters& p) override {
-    const auto method = kept_tangents(p.method);
-    const mesh::Mesh plain = textured_model(assets_, p).mesh;
-    if (!method || !plain.tangents.empty()) return {};
-    return app::Preparation{"triangle", plain.triangle_count(), [plain, method] {
-                              mesh::Mesh mesh = plain;
-                              mesh::compute_tangents(mesh, *method);
-                            }};
-  }
 
  private:
   struct Drawn {

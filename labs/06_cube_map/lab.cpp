@@ -44,6 +44,7 @@ struct CubeMap : app::Lab<CubeMapParameters> {
   }
 
  private:
+  /// The pictures on their faces. The worksheet exchanges the sides, and turns each picture upside down.
   const gl::Texture& cube_map(const Parameters& p) {
     const bool mipmapped = p.method == Method::mipmapped;
     const bool worksheet = p.method == Method::worksheet && p.faces == Faces::by_method;
@@ -90,7 +91,7 @@ struct CubeMap : app::Lab<CubeMapParameters> {
     gl::set_sampling(
         GL_TEXTURE_CUBE_MAP,
         {.minify = minify, .magnify = magnify, .wrap_s = GL_CLAMP_TO_EDGE, .wrap_t = GL_CLAMP_TO_EDGE});
-    // WebGL 1, which the worksheet uses, cannot filter across the edges.
+    // The worksheet's WebGL 1 cannot filter across the edges.
     if (method == Method::linear_seamless || method == Method::mipmapped)
       glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lab 9: a bumpy mirror ball. A normal map bends the normals, and with them what the mirror shows. A sphere
-// has no given tangents: each pixel builds its frame from the normal alone, in one of seven ways.
+// has no given tangents: each pixel builds its frame from the normal alone, in one of seven ways. That is
+// done in shaders/09_bump/frame.glsl; here is what the shaders get.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "app/environment.hpp"

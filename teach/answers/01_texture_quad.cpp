@@ -27,8 +27,7 @@ struct Answer final : answers::Answer<TextureQuadParameters> {
   [[nodiscard]] app::Measure measure(const TextureQuadParameters& /*parameters*/) const override {
     return {app::View::color, app::Unit::steps, "the mean of the picture's function over the pixel"};
   }
-  /// Colours in 8-bit levels, as in the view `color` with one sample in each pixel. Empty for other
-  /// pictures.
+  /// Colours in 8-bit levels, as in the view `color` with one sample in each pixel. Empty for other pictures.
   [[nodiscard]] answers::Truth truth(const TextureQuadParameters& p, glm::ivec2 size) const override {
     const auto texture = answers::texture_of(p.texture);
     if (!texture) return {};

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The right answer of lab 2: a pixel should show the mean, over the pixel's area, of the two
-// pictures' light combined. The pictures are taken as the functions that the files were made from, without
-// texels, and many rays through each pixel look them up, in double precision. No method does that: each
-// filters the two pictures apart and combines the means, and the mean of a product is not the product of the
-// means.
+// The right answer of lab 2: a pixel should show the mean, over the pixel's area, of the two pictures' light
+// combined. The pictures are taken as the functions that the files were made from, without texels, and many
+// rays through each pixel look them up, in double precision. No method does that: each filters the two
+// pictures apart and combines the means, and the mean of a product is not the product of the means.
 #include "02_multi_texture/parameters.hpp"
 #include "answers/answer.hpp"
 #include "answers/camera.hpp"

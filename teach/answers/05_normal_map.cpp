@@ -59,6 +59,17 @@ struct Answer final : answers::Answer<NormalMapParameters> {
       return relief.mean_normal(pixel, surface(texcoord), texcoord);
     };
   }
+  /// The tangents that are computed for the vertices.
+  [[nodiscard]] std::optional<app::Preparation> preparation(const NormalMapParameters& p,
+                                                            const app::Assets& assets) const override {
+    const auto method = kept_tangents(p.method);
+    const mesh::Mesh plain = textured_model(assets, p).mesh;
+    if (!method || !plain.tangents.empty()) return {};
+    return app::Preparation{"triangle", plain.triangle_count(), [plain, method] {
+                              mesh::Mesh mesh = plain;
+                              mesh::compute_tangents(mesh, *method);
+                            }};
+  }
 
  private:
   answers::ReliefTruth relief_{};

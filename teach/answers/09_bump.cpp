@@ -94,7 +94,8 @@ struct Answer final : answers::Answer<BumpParameters> {
       return seen ? glm::dvec4(environment(*seen), 1) : glm::dvec4(0);
     });
   }
-  [[nodiscard]] std::optional<app::Preparation> preparation(const BumpParameters& p) const override {
+  [[nodiscard]] std::optional<app::Preparation> preparation(const BumpParameters& p,
+                                                            const app::Assets& /*assets*/) const override {
     return bases_around(p.method);
   }
 

@@ -153,7 +153,7 @@ class Bench {
 
   app::Canvas& canvas_;
   app::AnyLab& lab_;
-  app::StartValues start_;
+  app::KeptValues start_;
 };
 
 bool is_software(const std::string& renderer) {

@@ -13,7 +13,6 @@
 #include <set>
 
 #include "command_line.hpp"
-#include "commands.hpp"
 #include "core/files.hpp"
 #include "core/terminal.hpp"
 #include "course/batch.hpp"

@@ -110,7 +110,7 @@ Entry read_entry(const fs::path& path) {
 }  // namespace
 
 std::vector<Entry> read_class(const fs::path& folder) {
-  const sandbox::Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!opened.is_open())
     throw Error::failed("is not a readable folder", {folder.string()},
                         "name the folder that contains the students' folders and archives");

@@ -41,8 +41,7 @@ class StudentRun {
   StudentRun(const ClassSetup& setup, const GradeOptions& options, const Entry& entry,
              std::filesystem::path folder);
   ~StudentRun();
-  StudentRun(const StudentRun&) = delete;
-  StudentRun& operator=(const StudentRun&) = delete;
+  StudentRun& operator=(StudentRun&&) = delete;
 
   [[nodiscard]] const Submission& submission() const { return submission_; }
   /// A text that changes when the submission does.

@@ -67,8 +67,8 @@ std::string refuse_or_clean(std::string& path) {
 
 // --- Folders -----------------------------------------------------------------------------------------------
 
-sandbox::Descriptor open_folder(const Entry& entry) {
-  sandbox::Descriptor folder(::open(entry.path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+Descriptor open_folder(const Entry& entry) {
+  Descriptor folder(::open(entry.path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   if (!folder.is_open())
     throw Error::failed(fmt::format("cannot open: {}", std::strerror(errno)), {entry.path.string()},
                         "check its read permission");
@@ -81,8 +81,7 @@ class FolderList {
   explicit FolderList(const UnpackLimits& limits) : limits_(limits) {}
 
   /// `prefix` is the folder's path as text, `place` as the disk has it; both are "" or end in '/'.
-  void walk(const sandbox::Descriptor& folder, const std::string& prefix, const std::string& place,
-            int depth) {
+  void walk(const Descriptor& folder, const std::string& prefix, const std::string& place, int depth) {
     for (const std::string& name : sandbox::names_in(folder, limits_.entries + 1)) {
       if (count_++ == limits_.entries) listing.fault = too_many(limits_);
       if (!listing.fault.empty()) return;
@@ -93,7 +92,7 @@ class FolderList {
   Listing listing;
 
  private:
-  void add(const sandbox::Descriptor& folder, const std::string& name, Item item, int depth) {
+  void add(const Descriptor& folder, const std::string& name, Item item, int depth) {
     struct stat status {};
     const bool is_known = ::fstatat(folder.get(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
     item.refused = refuse_or_clean(item.path);
@@ -127,7 +126,7 @@ Listing list_folder(const Entry& entry, const UnpackLimits& limits) {
 void read_folder(const Entry& entry, const std::set<const Item*>& wanted, std::size_t most,
                  Submission& submission, const Take& take) {
   for (const Item* item : wanted) {
-    sandbox::Descriptor file = open_folder(entry);
+    Descriptor file = open_folder(entry);
     // Part by part, so that no link on the way is followed.
     for (const fs::path& part : fs::path(item->place)) file = sandbox::open_in(file, part.string());
     struct stat status {};
@@ -152,8 +151,7 @@ class Utf8 {
     ::uselocale(before_);
     ::freelocale(locale_);
   }
-  Utf8(const Utf8&) = delete;
-  Utf8& operator=(const Utf8&) = delete;
+  Utf8& operator=(Utf8&&) = delete;
 
  private:
   locale_t locale_, before_ = nullptr;

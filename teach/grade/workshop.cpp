@@ -168,7 +168,7 @@ Workshop::Object Workshop::compile(const Recipe& recipe, const std::string& path
     return {{}, key, read_file(kept / "log")};
   }
   if (!own.stopped.empty()) return {{}, key, own.stopped};
-  const double seconds = budget == nullptr ? kWallSeconds : std::min(kWallSeconds, budget->left());
+  const double seconds = budget == nullptr ? kWallSeconds : std::min(kWallSeconds, budget->load());
   if (seconds <= 0) return {{}, key, "not compiled: the submission used up its time\n"};
   const fs::path work = new_folder("compile"), sources = work / "source", out = work / "out";
   fs::create_directories((sources / path).parent_path());
@@ -181,7 +181,7 @@ Workshop::Object Workshop::compile(const Recipe& recipe, const std::string& path
   command.push_back((tree_.source / path).parent_path().string());
   command.push_back("-fdiagnostics-color=never");
   const Outcome outcome = run(command, {sources}, out, seconds);
-  if (budget != nullptr) budget->spend(outcome.wall_seconds);
+  if (budget != nullptr) *budget -= outcome.wall_seconds;
   const bool done = outcome.succeeded() && fs::is_regular_file(out / name);
   std::string log;
   if (!done) {

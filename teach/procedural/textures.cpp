@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <numbers>
-#include <string>
 
 #include "procedural/noise.hpp"
 #include "procedural/patterns.hpp"

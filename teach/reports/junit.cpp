@@ -58,13 +58,6 @@ std::string test_case(const judge::CaseResult& result, const judge::StepResult& 
                      said, files.empty() ? "" : fmt::format("   <system-out>{}\n</system-out>\n", files));
 }
 
-/// A test that stands for the whole: what kept the submission or the lab from being judged.
-std::string fault(const std::string& classname, const std::string& name, const char* kind,
-                  const std::string& message) {
-  return fmt::format("  <testcase classname=\"{}\" name=\"{}\">\n   <{} message=\"{}\"/>\n  </testcase>\n",
-                     quoted(classname), name, kind, quoted(message));
-}
-
 std::string suite(const std::string& name, const Counts& counts, const std::string& cases,
                   const std::string& errors = {}) {
   return fmt::format(" <testsuite name=\"{}\" {}>\n{}{} </testsuite>\n", quoted(name), counts.attributes(),
@@ -79,21 +72,19 @@ std::string junit(const store::StudentResult& student, const std::filesystem::pa
   std::string suites;
   std::string logs;
   for (const store::CompilerLog& log : student.logs) logs += log.file + ":\n" + log.text + "\n";
-  if (!student.unmarked().empty() || !student.fault.empty() || !logs.empty()) {
-    Counts counts;
-    std::string cases;
-    if (!student.unmarked().empty()) {
-      cases += fault("submission", "graded", "error", student.unmarked());
-      ++counts.errors;
-    }
-    if (!student.fault.empty()) cases += fault("submission", "readable", "failure", student.fault);
-    if (!logs.empty()) cases += fault("submission", "compiles", "failure", "A file does not compile.");
-    counts.failures =
-        static_cast<std::size_t>(!student.fault.empty()) + static_cast<std::size_t>(!logs.empty());
-    counts.tests = counts.errors + counts.failures;
-    suites += suite("submission", counts, cases, logs);
-    all += counts;
-  }
+  std::string faults;  // that kept the whole from being judged: a test each
+  const auto add_fault = [&](const char* name, const char* kind, std::size_t& count, const std::string& why) {
+    if (why.empty()) return;
+    ++count, ++all.tests;
+    faults += fmt::format(
+        "  <testcase classname=\"submission\" name=\"{}\">\n   <{} message=\"{}\"/>\n"
+        "  </testcase>\n",
+        name, kind, quoted(why));
+  };
+  add_fault("graded", "error", all.errors, student.unmarked());
+  add_fault("readable", "failure", all.failures, student.fault);
+  add_fault("compiles", "failure", all.failures, logs.empty() ? "" : "A file does not compile.");
+  if (all.tests > 0) suites += suite("submission", all, faults, logs);
   for (const judge::LabResult& lab : student.labs) {
     Counts counts;
     std::string cases, notes;

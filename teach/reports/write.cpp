@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <system_error>
 
 #include "core/error.hpp"
 #include "core/files.hpp"

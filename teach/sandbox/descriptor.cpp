@@ -9,11 +9,6 @@
 
 namespace texel::sandbox {
 
-void Descriptor::close() {
-  if (fd_ >= 0) ::close(fd_);
-  fd_ = -1;
-}
-
 Descriptor open_in(const Descriptor& folder, const std::string& name) {
   return Descriptor(::openat(folder.get(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
 }

@@ -16,8 +16,7 @@ class MemoryGroup {
   /// `most`: bytes. One more ends all processes of the group.
   explicit MemoryGroup(std::uint64_t most);
   ~MemoryGroup();
-  MemoryGroup(const MemoryGroup&) = delete;
-  MemoryGroup& operator=(const MemoryGroup&) = delete;
+  MemoryGroup& operator=(MemoryGroup&&) = delete;
 
   /// Moves a process into the group. What it starts from now on is in it too.
   void take(pid_t process) const;

@@ -57,8 +57,7 @@ class Process {
   /// it does not come so far.
   Process(const Confines& confines, const Launch& launch);
   ~Process();
-  Process(const Process&) = delete;
-  Process& operator=(const Process&) = delete;
+  Process& operator=(Process&&) = delete;
 
   /// Waits until the program and all that it started is gone, of itself or because of a limit. Then copies
   /// what the program wrote into the folders of `results`, one for each writable one.

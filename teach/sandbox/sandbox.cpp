@@ -151,8 +151,7 @@ class Instead {
     fs::remove_all(folder_, ignored);
     fs::rename(aside_, folder_, ignored);
   }
-  Instead(const Instead&) = delete;
-  Instead& operator=(const Instead&) = delete;
+  Instead& operator=(Instead&&) = delete;
   [[nodiscard]] const fs::path& aside() const { return aside_; }
 
  private:

@@ -7,13 +7,11 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 #include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "connection.hpp"
 #include "core/error.hpp"

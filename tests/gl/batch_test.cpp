@@ -171,8 +171,7 @@ struct Pictures : Lab<PicturesParameters> {
   struct Alive {
     Alive() { ++alive, ++made; }
     ~Alive() { --alive; }
-    Alive(const Alive&) = delete;
-    Alive& operator=(const Alive&) = delete;
+    Alive& operator=(Alive&&) = delete;
   };
   static inline int made = 0, alive = 0;
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the grader gives for pictures of which everybody knows how wrong they are. docs/instructor.md has the
 // same table.
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>

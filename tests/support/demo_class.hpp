@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -63,12 +62,7 @@ inline void write_pictures(const std::filesystem::path& folder) {
 
 inline course::Lab lab(int number, const std::string& folder, const std::string& title,
                        const std::vector<course::Step>& steps) {
-  course::Lab lab;
-  lab.number = number;
-  lab.folder = folder;
-  lab.title = title;
-  lab.steps = steps;
-  return lab;
+  return {.number = number, .folder = folder, .title = title, .steps = steps};
 }
 
 inline std::vector<course::Lab> demo_labs() {
@@ -88,18 +82,15 @@ inline std::vector<course::Lab> demo_labs() {
 inline judge::CaseResult demo_case(const std::string& lab, const std::string& step, const std::string& name,
                                    const std::string& view, bool hidden, bool passed) {
   judge::CaseResult result;
-  result.lab = lab;
-  result.step = step;
-  result.name = name;
+  result.lab = lab, result.step = step, result.name = name, result.hidden = hidden;
   result.view = course::find_view(view).value();
-  result.hidden = hidden;
   result.status = passed ? judge::CaseStatus::passed : judge::CaseStatus::failed;
   result.score = passed ? 1 : 0;
   result.limit = view == "color" ? 2 : view == "mesh" ? 0 : 0.2;
   result.error = passed ? 0 : view == "color" ? 83 : view == "mesh" ? 12 : 106.26;
-  result.command = "./run lab 5 --turn 50 --normal-map bump --view " + view + " --size 128x128 --snapshot " +
-                   name + (view == "color" ? ".png" : ".pfm");
   const char* ending = view == "color" ? ".png" : ".pfm";
+  result.command = "./run lab 5 --turn 50 --normal-map bump --view " + view + " --size 128x128 --snapshot " +
+                   name + ending;
   if (view != "mesh" && !hidden) result.reference = std::string("pictures/right") + ending;
   if (passed) return result;
   result.message = view == "mesh"
@@ -126,11 +117,8 @@ inline std::vector<judge::LabResult> demo_results(int solved, const std::string&
           demo_case(lab.folder, step.id, "unseen_" + view, view, true, solved > 0)};
       if (solved == 0) cases[0] = demo_case(lab.folder, step.id, "flat_" + view, view, false, true);
       for (judge::CaseResult& each : cases)
-        if (!each.passed()) {
-          each.mistake = mistake;
-          each.mistake_says = says;
-          each.score = mistake.empty() ? 0 : 0.25;
-        }
+        if (!each.passed())
+          each.mistake = mistake, each.mistake_says = says, each.score = mistake.empty() ? 0 : 0.25;
       result.steps.push_back(judge::step_result(step, cases));
       result.steps.back().file =
           step.id == "5.2" ? "shaders/05_normal_map/tangent_frame.glsl" : "labs/" + lab.folder + "/lab.cpp";
@@ -152,12 +140,9 @@ inline store::ClassResult demo_class(const std::filesystem::path& folder) {
                    {"version", "0.1.0"},
                    {"command", "texel grade class --out out/grade --labs 3,5,9"}};
   const auto add = [&](const std::string& id, const std::string& name, const std::string& number) -> auto& {
-    store::StudentResult student;
-    student.id = id;
-    student.name = name;
-    student.number = number;
-    results.students.push_back(student);
-    return results.students.back();
+    store::StudentResult& student = results.students.emplace_back();
+    student.id = id, student.name = name, student.number = number;
+    return student;
   };
   add("index", "Index Page", "10231").labs = demo_results(5);
   add("ada-half", "Ada Half", "10232").labs =
@@ -180,12 +165,9 @@ inline store::ClassResult demo_class(const std::filesystem::path& folder) {
   hostile.labs = demo_results(0, "normal-green-flipped", kHostile);
   for (judge::LabResult& lab : hostile.labs)
     for (judge::StepResult& step : lab.steps) {
-      step.message = step.title = kHostile, step.hints = {kHostile};
-      step.file = kHostile;
-      for (judge::CaseResult& each : step.cases) {
-        each.message = each.command = kHostile;
-        each.name += kHostile;
-      }
+      step.message = step.title = step.file = kHostile, step.hints = {kHostile};
+      for (judge::CaseResult& each : step.cases)
+        each.message = each.command = kHostile, each.name += kHostile;
     }
   hostile.labs.front().notes = {kHostile};
   hostile.logs = {

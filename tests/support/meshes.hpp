@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Meshes that only tests need.
 #pragma once
-#include <array>
 #include <glm/geometric.hpp>
 #include <map>
 #include <numbers>

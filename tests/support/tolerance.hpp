@@ -8,9 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <map>
 #include <string>
@@ -26,37 +26,24 @@
 
 namespace texel::test {
 
-/// The largest share of each limit that the tests of this program used.
-class Tolerances {
- public:
-  static void use(const std::string& assertion, double share) {
-    static Tolerances all;
-    const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
-    double& most = all.used_[std::string(test.test_suite_name()) + "." + test.name() + "\t" + assertion];
-    // NaN is beyond any limit.
-    most = share >= 0 ? std::max(most, share) : std::numeric_limits<double>::infinity();
-  }
-  Tolerances(const Tolerances&) = delete;
-  Tolerances& operator=(const Tolerances&) = delete;
-
- private:
-  Tolerances() = default;
+/// The largest share of each limit that the tests of this program used, by test and assertion.
+struct Tolerances {
+  std::map<std::string, double> used;
   ~Tolerances() {
     const char* folder = std::getenv("TEXEL_TOLERANCES");
     if (folder == nullptr) return;
-    const std::string file = std::filesystem::path(folder) / (std::to_string(::getpid()) + ".tsv");
-    std::FILE* out = std::fopen(file.c_str(), "w");
-    if (out == nullptr) return;
-    for (const auto& [assertion, share] : used_) std::fprintf(out, "%s\t%.9g\n", assertion.c_str(), share);
-    std::fclose(out);
+    std::ofstream out(std::filesystem::path(folder) / (std::to_string(::getpid()) + ".tsv"));
+    for (const auto& [assertion, share] : used) out << assertion << '\t' << share << '\n';
   }
-  std::map<std::string, double> used_;
 };
 
 /// Keeps the share, and says what is wrong where it does not hold.
 inline testing::AssertionResult used(const std::string& assertion, double share, bool holds, double value,
                                      double limit) {
-  Tolerances::use(assertion, share);
+  static Tolerances all;
+  const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
+  double& most = all.used[std::string(test.test_suite_name()) + "." + test.name() + "\t" + assertion];
+  most = share >= 0 ? std::max(most, share) : std::numeric_limits<double>::infinity();  // NaN is beyond any
   if (holds) return testing::AssertionSuccess();
   return testing::AssertionFailure() << assertion << ", but it is " << value << " beside " << limit;
 }

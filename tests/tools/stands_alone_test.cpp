@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Each lab stands alone: what a student has of other labs does not show in its pictures. Programs and shaders
 // of the starter, with the steps of all other labs solved, and with each of them replaced by a crash.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>

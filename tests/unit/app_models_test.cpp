@@ -45,11 +45,11 @@ TEST(Models, from_a_ply_file_need_normals_and_texture_coordinates) {
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.indices = {0, 1, 2};
   const std::string file = (folder / "bare.ply").string();
-  mesh::write_ply(file, mesh);
+  write_file(file, mesh::to_ply(mesh));
   EXPECT_THROW(load_model(Assets(), file), Error);
   mesh.normals.assign(3, {0, 0, 1});
   mesh.texcoords.assign(3, {0, 0});
-  mesh::write_ply(file, mesh);
+  write_file(file, mesh::to_ply(mesh));
   EXPECT_TRUE(is_same(load_model(Assets(), file).mesh.positions, mesh.positions)) << "as it is";
 }
 

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "../support/picture_files.hpp"
 #include "../support/said.hpp"
 #include "core/error.hpp"

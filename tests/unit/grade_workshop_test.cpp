@@ -108,7 +108,7 @@ TEST_F(WorkshopTest, compiles_nothing_more_when_the_time_is_used_up) {
   TimeBudget budget(60);
   EXPECT_EQ(refused(workshop_->make("one", {{"labs/03_obj/a.cpp", "// SLOW\n"}}, &budget)),
             "labs/03_obj/a.cpp ");
-  EXPECT_EQ(budget.left(), 0);
+  EXPECT_EQ(budget.load(), 0);
   const Program late = workshop_->make("one", {{"labs/03_obj/a.cpp", "int a() { return 8; }\n"}}, &budget);
   ASSERT_EQ(refused(late), "labs/03_obj/a.cpp ");
   EXPECT_TRUE(has(late.refused[0].text, "used up its time"));

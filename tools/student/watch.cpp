@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <csignal>
-#include <cstdio>
 #include <optional>
 #include <set>
 
@@ -38,8 +37,7 @@ class Keys {
   ~Keys() {
     if (is_terminal_) ::tcsetattr(STDIN_FILENO, TCSANOW, &before_);
   }
-  Keys(const Keys&) = delete;
-  Keys& operator=(const Keys&) = delete;
+  Keys& operator=(Keys&&) = delete;
 
   /// The next key, or 0 after the time.
   [[nodiscard]] char wait(int milliseconds) const {

@@ -3,8 +3,6 @@
 
 #include <tiny_obj_loader.h>
 
-#include <functional>
-
 #include "core/files.hpp"
 #include "kernels.hpp"
 #include "mesh/weld.hpp"

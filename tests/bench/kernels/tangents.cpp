@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "../../support/plain_tangents.hpp"
 #include "kernels.hpp"
 #include "mesh/normals.hpp"

@@ -74,7 +74,7 @@ check::Drawn draw_cases(Opened& one, const std::vector<course::Case>& cases, con
   for (const course::Case& it : cases) try {
       one.start.set(it.settings);
       if (it.is_mesh()) {
-        mesh::write_ply(out / it.file, *one.lab.mesh(one.canvas.assets()));
+        write_file(out / it.file, mesh::to_ply(*one.lab.mesh(one.canvas.assets())));
         continue;
       }
       const std::string reference = read_file(expected / it.file);

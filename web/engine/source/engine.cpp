@@ -9,6 +9,7 @@
 #include <list>
 #include <map>
 #include <memory>
+#include <regex>
 
 #include "all_labs.inc"
 #include "app/gestures.hpp"
@@ -18,6 +19,7 @@
 #include "core/json.hpp"
 #include "core/plain_text.hpp"
 #include "core/stopwatch.hpp"
+#include "course/batch.hpp"
 #include "course/lab_file.hpp"
 #include "display.hpp"
 #include "gl/context.hpp"
@@ -72,7 +74,7 @@ class Engine {
     if (name == "looks") return looks();
     if (name == "set") return set(a);
     if (name == "reset") return current_->lab.parameters().reset(), frame();
-    if (name == "view") return current_->view = view_called(a.at("name")), frame();
+    if (name == "view") return current_->view = find_view(current_->lab, a.at("name")), frame();
     if (name == "split") return split(a);
     if (name == "resize") return size_ = {a.at("width"), a.at("height")}, frame();
     if (name == "aspect") return made_for_ = a.at("aspect"), frame();
@@ -144,12 +146,6 @@ class Engine {
             {"lesson", lab.lesson}, {"views", views},       {"report", report}};
   }
 
-  View view_called(const std::string& name) const {
-    for (const View view : current_->lab.views())
-      if (name == name_of(view)) return view;
-    throw Error::usage(fmt::format("this lab has no view '{}'", name));
-  }
-
   Json parameters() {
     Json list = parse_json(app::parameters_as_json(current_->lab.parameters()));
     std::size_t i = 0;
@@ -169,12 +165,6 @@ class Engine {
     return {{"values", all}, {"view", name_of(current_->view)}};
   }
 
-  static Json set_of(const course::Case& one) {
-    Json set = Json::object();
-    for (const course::Setting& setting : one.settings) set[setting.parameter] = setting.value;
-    return set;
-  }
-
   Json looks() {
     Json list = Json::array();
     for (const std::vector<course::Look>* looks : {&course_lab().openings, &course_lab().looks})
@@ -186,27 +176,15 @@ class Engine {
                         {"view", name_of(look.view)},
                         {"size", as_text(look.size)},
                         {"sides", look.sides},
-                        {"set", set_of(look)}});
+                        {"set", course::to_json(look.settings)}});
         if (look.right)
           list.back()["right"] = {{"parameter", look.right->parameter}, {"value", look.right->value}};
       }
     return list;
   }
 
-  static app::Settings settings_of(const Json& set) {
-    app::Settings settings;
-    for (const auto& [name, value] : set.items())
-      settings.push_back({name, value.is_string()    ? value.get<std::string>()
-                                : value.is_boolean() ? (value.get<bool>() ? "on" : "off")
-                                                     : to_text(value)});
-    return settings;
-  }
-
   Json set(const Json& set) {
-    const app::Settings settings = settings_of(set);
-    params::Set& parameters = current_->lab.parameters();
-    app::check_settings(parameters, settings);
-    for (const auto& [name, value] : settings) parameters.at(name).set(value);
+    app::apply_settings(current_->lab.parameters(), course::settings_from(set));
     return frame();
   }
 
@@ -264,12 +242,6 @@ class Engine {
 
   // ---- pictures beside the canvas ----
 
-  static glm::ivec2 size_of(const std::string& text) {
-    const auto size = course::find_size(text);
-    if (!size) throw Error::usage(fmt::format("'{}' is no size", text), "write it as 512x512");
-    return {size->width, size->height};
-  }
-
   Json give(image::Image8 picture) {
     given8_.push_back(std::move(picture));
     const image::Image8& it = given8_.back();
@@ -280,11 +252,11 @@ class Engine {
   Json draw(const Json& a) {
     Opened& now = *current_;
     const app::KeptValues before(now.lab.parameters());
-    const View view = view_called(a.value("view", std::string("color")));
-    const app::Settings settings = settings_of(a.value("set", Json::object()));
+    const View view = find_view(now.lab, a.value("view", std::string("color")));
+    const app::Settings settings = course::settings_from(a.value("set", Json::object()));
     app::check_settings(now.lab.parameters(), settings);
     now.start.set(settings);
-    const glm::ivec2 size = size_of(a.value("size", std::string("512x512")));
+    const glm::ivec2 size = app::pixels(course::parse_size(a.value("size", std::string("512x512"))));
     const int samples = a.value("samples", view == View::color ? 4 : 1);
     now.canvas.draw(view, size, samples);
     if (view == View::color || a.value("colours", false))
@@ -355,7 +327,7 @@ class Engine {
             one["cases"].push_back({{"name", it.name},
                                     {"view", name_of(it.view)},
                                     {"size", it.is_mesh() ? "" : as_text(it.size)},
-                                    {"set", set_of(it)},
+                                    {"set", course::to_json(it.settings)},
                                     {"limit", it.limit},
                                     {"unit", name_of(course::unit_of(it.view))},
                                     {"command", judge::command(lab, it)}});
@@ -457,23 +429,15 @@ class Engine {
 
 /// A compiler's lines "file:line:column: what" in an error's text.
 Json problems_of(const std::string& text) {
+  static const std::regex kProblem(R"(([^:.]*\.[^:]*):([1-9][0-9]*):(?:([1-9][0-9]*):)? *(.*))");
   Json list = Json::array();
-  for (const std::string& line : lines_of(text)) {
-    const std::size_t colon = line.find(':');
-    if (colon == std::string::npos || line.find('.') > colon) continue;
-    char* rest = nullptr;
-    const long number = std::strtol(line.c_str() + colon + 1, &rest, 10);
-    if (number <= 0 || *rest != ':') continue;
-    char* after = rest;
-    const long column = std::strtol(rest + 1, &after, 10);
-    const bool has_column = column > 0 && *after == ':';
-    const char* what = has_column ? after + 1 : rest + 1;
-    while (*what == ' ') ++what;
-    list.push_back({{"file", line.substr(0, colon)},
-                    {"line", number},
-                    {"column", has_column ? column : 0},
-                    {"message", what}});
-  }
+  std::smatch found;
+  for (const std::string& line : lines_of(text))
+    if (std::regex_match(line, found, kProblem))
+      list.push_back({{"file", found.str(1)},
+                      {"line", std::stoi(found[2])},
+                      {"column", found[3].matched ? std::stoi(found[3]) : 0},
+                      {"message", found.str(4)}});
   return list;
 }
 

@@ -15,7 +15,7 @@ struct Opened {
   Opened(app::AnyLab& lab_, gl::Context& context, const app::Assets& assets)
       : lab(lab_), start(lab_.parameters()), canvas(context, assets, lab_) {}
   app::AnyLab& lab;
-  app::StartValues start;  ///< the defaults
+  app::KeptValues start;  ///< the defaults
   app::Canvas canvas;
   app::View view = app::View::color;
   std::optional<app::Canvas::Split> split;

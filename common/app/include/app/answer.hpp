@@ -68,6 +68,7 @@ struct Preparation {
 };
 
 class AnyLab;
+class Assets;
 class Canvas;
 
 /// The right answer of a lab for its present parameters, and what compares pictures with it. A lab that has
@@ -90,7 +91,7 @@ class Answer {
   /// are no means.
   [[nodiscard]] virtual std::string report(AnyLab& lab, const ErrorFigures& figures) const = 0;
   /// For a lab that has no preparation of its own.
-  [[nodiscard]] virtual std::optional<Preparation> preparation() const { return {}; }
+  [[nodiscard]] virtual std::optional<Preparation> preparation(const Assets& /*assets*/) const { return {}; }
 
   /// The error at which the colours of the map end; 0 takes the 99th percentile, rounded up to 1, 2 or 5
   /// times a power of ten.

@@ -20,8 +20,7 @@ class Canvas {
       : context_(context), assets_(assets), lab_(lab), programs_(assets.shader_root()) {}
   /// The lab's OpenGL objects go while their context is still there.
   ~Canvas() { lab_.forget(); }
-  Canvas(const Canvas&) = delete;
-  Canvas& operator=(const Canvas&) = delete;
+  Canvas& operator=(Canvas&&) = delete;
 
   /// Another value of one parameter right of a vertical line: `position` from 0 (left edge) to 1.
   struct Split {
@@ -92,8 +91,10 @@ class Canvas {
   gl::VertexArray no_attributes_;
 
   Notes notes_;
+  bool edges_ = false;
   std::optional<ErrorFigures> figures_;  ///< when the last picture was the view `error`
   image::ImageF error_;                  ///< as long as there are figures
+  double full_scale_ = 1;                ///< of the last error picture
 };
 
 }  // namespace texel::app

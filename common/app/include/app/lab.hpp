@@ -93,9 +93,7 @@ class Lab {
  public:
   using Parameters = AllParameters;
 
-  Lab() = default;
-  Lab(const Lab&) = delete;
-  Lab& operator=(const Lab&) = delete;
+  Lab& operator=(Lab&&) = delete;
   virtual ~Lab() = default;
 
   virtual void draw(const Parameters& parameters, Frame& frame) = 0;
@@ -146,7 +144,7 @@ class LabOf final : public AnyLab {
   [[nodiscard]] Answer* answer() const override { return answer_.get(); }
   std::optional<Preparation> preparation(const Assets& assets) override {
     std::optional<Preparation> own = lab(assets).preparation(parameters_);
-    return own || !answer_ ? own : answer_->preparation();
+    return own || !answer_ ? own : answer_->preparation(assets);
   }
 
  private:

@@ -12,15 +12,13 @@ namespace texel::app {
 
 using Settings = std::vector<course::Setting>;
 
-/// Throws Error (usage) for an unknown parameter and for a value that is not one of its own; all stay as they
-/// are.
-void check_settings(params::Set& parameters, const Settings& settings);
-
-/// The defaults of a run: all values as they were when it was made.
-class StartValues {
+/// All values as they were when it was made; at the end of its scope the parameters have them again.
+class KeptValues {
  public:
-  explicit StartValues(params::Set& parameters);
-  /// Those values, without the settings.
+  explicit KeptValues(params::Set& parameters);
+  ~KeptValues() { set({}); }
+  KeptValues& operator=(KeptValues&&) = delete;
+  /// Those values, but for the settings.
   void set(const Settings& settings) const;
 
  private:
@@ -28,24 +26,18 @@ class StartValues {
   std::vector<std::string> values_;
 };
 
+/// Throws Error (usage) for an unknown parameter and for a value that is not one of its own; all stay as they
+/// are.
+void check_settings(params::Set& parameters, const Settings& settings);
+/// Sets them, or throws as check_settings.
+void apply_settings(params::Set& parameters, const Settings& settings);
+
 /// Reads parameters from a TOML file: `name = value` each, as save_config writes them. Those that it does not
 /// name keep their values. Throws Error with file, line and column; then nothing has changed.
 void load_config(const std::filesystem::path& file, const Info& info, params::Set& parameters);
 
 /// Writes all parameters with their help as comments.
 void save_config(const std::filesystem::path& file, const Info& info, const params::Set& parameters);
-
-/// While it lives, the parameters may have other values; then the present ones are back.
-class KeptValues {
- public:
-  explicit KeptValues(params::Set& parameters) : values_(parameters) {}
-  ~KeptValues() { values_.set({}); }
-  KeptValues(const KeptValues&) = delete;
-  KeptValues& operator=(const KeptValues&) = delete;
-
- private:
-  StartValues values_;
-};
 
 inline glm::ivec2 pixels(course::Size size) {
   return {size.width, size.height};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace texel {
@@ -21,13 +21,31 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 void make_folder(const std::filesystem::path& folder,
                  const std::string& remedy = "check that it is writable and the disk has free space");
 
+/// A file descriptor that is closed at the end of its scope; -1 for none.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd = -1) : fd_(fd) {}
+  ~Descriptor() { close(); }
+  Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(fd_, other.fd_);
+    return *this;
+  }
+  [[nodiscard]] int get() const { return fd_; }
+  [[nodiscard]] bool is_open() const { return fd_ >= 0; }
+  /// 0 if it went well.
+  int close();
+
+ private:
+  int fd_;
+};
+
 /// A file's bytes, mapped read-only into memory.
 class MappedFile {
  public:
   explicit MappedFile(const std::filesystem::path& path);
   ~MappedFile();
-  MappedFile(const MappedFile&) = delete;
-  MappedFile& operator=(const MappedFile&) = delete;
+  MappedFile& operator=(MappedFile&&) = delete;
   [[nodiscard]] std::string_view bytes() const { return bytes_; }
 
  private:
@@ -39,12 +57,9 @@ class FileLock {
  public:
   /// Waits for its turn; with `at_once` throws Error (exit 3) when another has it.
   explicit FileLock(const std::filesystem::path& file, bool at_once = false);
-  ~FileLock();
-  FileLock(const FileLock&) = delete;
-  FileLock& operator=(const FileLock&) = delete;
 
  private:
-  int file_;
+  Descriptor file_;
 };
 
 /// A new empty folder among the system's temporary files. The destructor removes it with its content.
@@ -53,8 +68,7 @@ class ScratchFolder {
  public:
   ScratchFolder();
   ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(ScratchFolder&&) = delete;
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:

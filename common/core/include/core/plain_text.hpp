@@ -16,6 +16,9 @@ std::string plain_lines(std::string_view bytes);
 /// A text's lines, without the LF or CR LF that ends each. Behind the last one begins no line.
 std::vector<std::string> lines_of(std::string_view text);
 
+/// Without white space at its beginning and end.
+std::string_view trimmed(std::string_view text);
+
 /// Whether this is of a name in C++ or GLSL: an ASCII letter, a digit, '_'.
 bool is_word(char c);
 

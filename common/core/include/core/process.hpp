@@ -24,17 +24,8 @@ Ran run_program(const std::vector<std::string>& command, bool with_errors = fals
 /// Runs a program as above with its streams into open files, and gives its exit code.
 int run_into(const std::vector<std::string>& command, int output, int errors);
 
-/// The seconds that several programs may take together. Members may be called by several threads.
-class TimeBudget {
- public:
-  explicit TimeBudget(double seconds) : left_(seconds) {}
-
-  [[nodiscard]] double left() const { return left_; }
-  void spend(double seconds);
-
- private:
-  std::atomic<double> left_;
-};
+/// The seconds that several programs may still take together.
+using TimeBudget = std::atomic<double>;
 
 /// What a program may use up. Sizes are in bytes. Measured on two processors: a lab's 1024x1024 snapshot on
 /// llvmpipe needs 600 MB of address space (500 fail), of which 155 MB are resident; compiling lab 5's lab.cpp

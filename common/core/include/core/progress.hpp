@@ -16,8 +16,7 @@ class Progress {
   ~Progress() {
     if (!said_.empty()) std::fputc('\n', stderr);
   }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+  Progress& operator=(Progress&&) = delete;
   void say(const std::string& what) {
     const std::lock_guard lock(speaking_);
     if (what == said_ || stopwatch_.milliseconds() < 500) return;

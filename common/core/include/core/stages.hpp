@@ -17,8 +17,7 @@ class Stage {
   /// `name` must live as long as this: a literal.
   explicit Stage(const char* name);
   ~Stage();
-  Stage(const Stage&) = delete;
-  Stage& operator=(const Stage&) = delete;
+  Stage& operator=(Stage&&) = delete;
 
  private:
   const char* name_;  ///< none on other threads

@@ -46,6 +46,8 @@ struct Size {
 };
 /// The size that is written as "512x512"; nothing for any other text.
 std::optional<Size> find_size(const std::string& text);
+/// The same; throws Error (usage) for any other text.
+Size parse_size(const std::string& text);
 /// "512x512"
 std::string as_text(Size size);
 

@@ -8,48 +8,8 @@
 #include "course/case.hpp"
 
 /// What `labs/NN_name/lab.toml` says of a lab: its title and lesson, the looks that are worth seeing, and
-/// what a student writes, with the pictures that judge it.
-///
-///     lab = "05_normal_map"
-///     title = "Normal map"
-///     lesson = "One line, as in the program's --help"
-///     [[look]]
-///     name = "bricks"                                     # the picture's file name, unique in the lab
-///     caption = "Bricks by MikkTSpace tangents"
-///     set = { model = "torus", method = "mikktspace" }    # parameters that differ from the default
-///     view = "color"                                      # optional
-///     size = "512x512"                                    # optional
-///     source = "Report, section 3.2, 'Cube before …'"     # optional: the sources' picture that this is
-///     hero = true                                         # optional: at the top of the gallery
-///     [[step]]
-///     id = "5.3"                                    # as the markers in the sources have it
-///     title = "Average at the vertices"
-///     points = 2
-///     needs = ["5.2"]                               # optional: earlier steps, without which one cannot see
-///     it hints = ["A vague one", "A plain one"]        # one to three set = { normal_map = "bump" } #
-///     optional: the look in which one sees the step, for the view = "normal"                               #
-///     handout's line "See it" and its picture seen_with = ["5.5"]                           # optional:
-///     later steps that are solved in the picture
-///     [[case]]
-///     name = "average_bump"                         # unique in the lab
-///     step = "5.3"
-///     set = { normal_map = "bump" }                 # optional
-///     view = "normal"                               # a view, or "mesh" for the vertex stream of --mesh
-///     size = "128x128"                              # optional; not for meshes
-///     limit = 0.2                                   # full marks up to this difference, in the view's unit
-///     why = "0.05 between OSMesa and EGL"           # where the limit comes from
-///     hidden = { turn = [-180, 180], normal_map = ["brick", "wood"] }   # optional
-///
-///     [[opening]]                                   # optional: the look with which window and page open
-///     caption = "The map's normals as they are, and in the model's frame"
-///     set = { method = "raw" }
-///     right = { method = "mikktspace" }             # right of a line that can be dragged
-///     sides = ["raw", "in the frame"]               # what stands at the line
-///
-/// and at the top, after the lesson, `choice`: which method the lab takes by default, and why. A hidden
-/// parameter has a value that students cannot know, drawn from the course's secret seed: a number between
-/// two, or one of several words. The tables [[bench]] and [[claim]] and the list driver_methods are the
-/// benchmark's: nobody reads them here.
+/// what a student writes, with the pictures that judge it. docs/adding_a_lab.md shows one. The tables
+/// [[bench]] and [[claim]] and the list driver_methods are the benchmark's: nobody reads them here.
 namespace texel::course {
 
 /// A picture that is worth seeing. Its name has lower-case letters, digits, '_' and '-'.

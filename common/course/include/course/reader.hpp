@@ -11,8 +11,8 @@
 
 namespace texel::course {
 
-/// A TOML file as a table. Throws Error (exit 3) with file, line and column for broken TOML.
-toml::table read_toml(const std::filesystem::path& file);
+/// A TOML file as a table. Throws Error (exit 3) with file, line, column and remedy for broken TOML.
+toml::table read_toml(const std::filesystem::path& file, const std::string& remedy = {});
 
 /// A table of a file that is read key by key; what nobody asked for is an error. All members throw Error
 /// (exit 3) with file, line and column for what is not as it must be.

@@ -20,8 +20,7 @@ struct StepText {
   std::string after;                          ///< what is said once the step is right
 };
 
-/// Reads the step's file around `line`, and the section "### ID …" of the lab's README.md, both below
-/// `root`.
+/// Reads the step's file around `line`, and the section "### ID …" of the lab's README.md, both below `root`.
 StepText read_step_text(const std::filesystem::path& root, const std::string& lab_folder,
                         const std::string& step, const std::string& file, int line);
 

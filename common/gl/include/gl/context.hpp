@@ -19,8 +19,7 @@ enum class Shaders {
 class Context {
  public:
   virtual ~Context() = default;
-  Context(const Context&) = delete;
-  Context& operator=(const Context&) = delete;
+  Context& operator=(Context&&) = delete;
 
   /// GL_RENDERER and GL_VERSION.
   [[nodiscard]] std::string renderer() const;

@@ -6,6 +6,13 @@
 
 namespace texel::gl {
 
+/// What the context has by this name, as GL_MAX_SAMPLES.
+inline GLint integer(GLenum name) {
+  GLint value = 0;
+  glGetIntegerv(name, &value);
+  return value;
+}
+
 /// Owns one OpenGL object: made by the constructor, deleted by the destructor, moved but not copied. The
 /// context in which it was made must be current.
 template <class Kind>

@@ -36,8 +36,7 @@ class Program {
   Program(std::shared_ptr<const ShaderSource> vertex, std::shared_ptr<const ShaderSource> fragment,
           const std::vector<Define>& defines);
   ~Program();
-  Program(const Program&) = delete;
-  Program& operator=(const Program&) = delete;
+  Program& operator=(Program&&) = delete;
 
   [[nodiscard]] GLuint id() const { return id_; }
   void use() const { glUseProgram(id_); }
@@ -47,12 +46,12 @@ class Program {
   /// unit: an unsigned number, such as GL_TEXTURE0 or a texture's name, throws Error.
   void set(std::string_view name, int value);
   void set(std::string_view name, GLuint value);
-  void set(std::string_view name, float value);
-  void set(std::string_view name, const glm::vec2& value);
-  void set(std::string_view name, const glm::vec3& value);
-  void set(std::string_view name, const glm::vec4& value);
-  void set(std::string_view name, const glm::mat3& value);
-  void set(std::string_view name, const glm::mat4& value);
+  void set(std::string_view name, float value) { set_floats(name, GL_FLOAT, &value); }
+  void set(std::string_view name, const glm::vec2& value) { set_floats(name, GL_FLOAT_VEC2, &value[0]); }
+  void set(std::string_view name, const glm::vec3& value) { set_floats(name, GL_FLOAT_VEC3, &value[0]); }
+  void set(std::string_view name, const glm::vec4& value) { set_floats(name, GL_FLOAT_VEC4, &value[0]); }
+  void set(std::string_view name, const glm::mat3& value) { set_floats(name, GL_FLOAT_MAT3, &value[0][0]); }
+  void set(std::string_view name, const glm::mat4& value) { set_floats(name, GL_FLOAT_MAT4, &value[0][0]); }
 
   [[nodiscard]] const Uniform* find(std::string_view name) const;
   /// Which attributes this variant reads.
@@ -67,6 +66,7 @@ class Program {
   [[nodiscard]] const ShaderSource& fragment() const { return *fragment_; }
 
  private:
+  void set_floats(std::string_view name, GLenum type, const float* values);
   Uniform* to_set(std::string_view name, std::initializer_list<GLenum> types);
   [[nodiscard]] Error no_unit(std::string_view name, const std::string& value) const;
   std::shared_ptr<const ShaderSource> vertex_, fragment_;

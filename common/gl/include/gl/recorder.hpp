@@ -42,8 +42,7 @@ class Recorder {
  public:
   Recorder();
   ~Recorder();
-  Recorder(const Recorder&) = delete;
-  Recorder& operator=(const Recorder&) = delete;
+  Recorder& operator=(Recorder&&) = delete;
   /// What was drawn so far.
   [[nodiscard]] Record take();
 

@@ -14,12 +14,11 @@ class ScopedBinding {
   ScopedBinding(GLenum target, GLuint texture);
   ScopedBinding(GLenum target, const Texture& texture) : ScopedBinding(target, texture.id()) {}
   ~ScopedBinding();
-  ScopedBinding(const ScopedBinding&) = delete;
-  ScopedBinding& operator=(const ScopedBinding&) = delete;
+  ScopedBinding& operator=(ScopedBinding&&) = delete;
 
  private:
   GLenum target_;
-  GLint before_ = 0;
+  GLint before_;
 };
 
 /// How many units there are, over all stages.

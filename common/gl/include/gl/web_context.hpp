@@ -18,8 +18,7 @@ class Preview {
   /// If it is not wanted, nothing changes.
   explicit Preview(bool wanted);
   ~Preview();
-  Preview(const Preview&) = delete;
-  Preview& operator=(const Preview&) = delete;
+  Preview& operator=(Preview&&) = delete;
   [[nodiscard]] static Target::Kind kind();
 };
 /// Whether one lives that changes something.

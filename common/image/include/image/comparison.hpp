@@ -3,9 +3,7 @@
 #pragma once
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <vector>
 
 #include "core/error.hpp"
 #include "image/image.hpp"

@@ -18,10 +18,9 @@ struct Bounds {
 
 Bounds bounds(const Mesh& mesh);
 
-/// Says why a model is nearly invisible or has lost its shape in float32's 7 digits; "" if all is
-/// well. Reasons: all vertices lie at one point; the triangles have no area compared with the model's
-/// size; or it is so far from the origin that fewer than 1024 floats lie along it, which is coarser than
-/// pixels.
+/// Says why a model is nearly invisible or has lost its shape in float32's 7 digits; "" if all is well.
+/// Reasons: all vertices lie at one point; the triangles have no area compared with the model's size; or it
+/// is so far from the origin that fewer than 1024 floats lie along it, which is coarser than pixels.
 std::string lost_shape(const Mesh& mesh);
 
 /// Moves the box's centre to the origin and scales evenly so that the farthest vertex lies at distance 1; a

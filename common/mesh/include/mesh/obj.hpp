@@ -83,10 +83,9 @@ ObjData parse_obj(std::string_view text, const std::string& name, const PartDone
 /// is missing or wrong is a warning. Throws Error (exit 3) as parse_obj and when the file cannot be read.
 ObjData load_obj(const std::filesystem::path& path, const PartDone& progress = {});
 
-/// Parses an MTL text: newmtl, Kd and map_Kd (any case); the rest is ignored. Adds a
-/// warning, with `name`, for lines that are lost (a Kd that is no number, a property before the first
-/// newmtl), and one for options of map_Kd (-s, -o, -t, -mm, -clamp) that ask for more than the picture as it
-/// is.
+/// Parses an MTL text: newmtl, Kd and map_Kd (any case); the rest is ignored. Adds a warning, with `name`,
+/// for lines that are lost (a Kd that is no number, a property before the first newmtl), and one for options
+/// of map_Kd (-s, -o, -t, -mm, -clamp) that ask for more than the picture as it is.
 std::vector<Material> parse_mtl(std::string_view text, const std::string& name,
                                 std::vector<std::string>& warnings);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -12,7 +11,6 @@ namespace texel::mesh {
 /// tx ty tz tw those that the mesh has (tw is the bitangent's sign); faces as uchar count and int32 indices.
 /// Colours, own bitangents and groups are not kept.
 std::string to_ply(const Mesh& mesh);
-void write_ply(const std::filesystem::path& path, const Mesh& mesh);
 
 /// Reads such a file, and only such: these properties in this order, triangles. Throws Error (exit 3) with
 /// `name` for anything else, for indices out of range, for a file that is cut off or too long, and for

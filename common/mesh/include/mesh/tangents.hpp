@@ -23,15 +23,13 @@ enum class TangentMethod {
   angle_weighted,
   /// The rules of M. S. Mikkelsen, "Simulation of Wrinkled Surfaces Revisited" (2008), and of the MikkTSpace
   /// reference code, to the last bit: corners of equal position, normal and texcoord are one; triangles
-  /// around
-  /// it that are joined by edges and turn the texture the same way form a group; a group's tangent is the sum
-  /// of its triangles' unit T, each projected into the normal's plane, by the corner's angle in that plane;
+  /// around it that are joined by edges and turn the texture the same way form a group; a group's tangent is
+  /// the sum of its triangles' unit T, each projected into the normal's plane, by the corner's angle there;
   /// triangles whose T or B are exactly opposite there do not count in each other's sum (angular threshold
   /// 180 degrees; up to 4096 triangles around a vertex); each tangent has a vertex of its own; triangles
   /// without a texture area join any group and add nothing; what no group reaches is (1, 0, 0) with sign -1.
   /// Unlike there, that is turned into the normal's plane where there is no texture area, and a tangent along
-  /// the
-  /// normal, which makes no frame, is replaced by one in the plane.
+  /// the normal, which makes no frame, is replaced by one in the plane.
   mikktspace,
 };
 
@@ -65,9 +63,6 @@ inline double texture_area(const std::array<glm::vec2, 3>& texcoords) {
   const double area = a.x * b.y - a.y * b.x;
   return std::abs(area) > 1e-7 * glm::length(a) * glm::length(b) ? area : 0.0;
 }
-
-/// How many of the mesh's triangles have none. It needs texture coordinates.
-std::size_t without_texture_area(const Mesh& mesh);
 
 /// Fills tangents (and bitangents for `averaged`, else empties them) from positions, normals and texcoords.
 /// Where mirrored and other triangles share a vertex, all methods except `averaged` append a vertex for the

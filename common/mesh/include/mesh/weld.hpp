@@ -26,10 +26,9 @@ Mesh split(const Mesh& mesh);
 /// Appends a copy of one vertex with all its attributes and returns its index.
 std::uint32_t duplicate_vertex(Mesh& mesh, std::uint32_t vertex);
 
-/// Duplicates vertices until all corners of a vertex have the same label. The first label keeps the
-/// vertex, each further one gets a copy of it, appended. `labels` has one for each index, no_index for
-/// corners without one. Returns the label of each vertex (no_index for those without one). Expected
-/// linear time.
+/// Duplicates vertices until all corners of a vertex have the same label. The first label keeps the vertex,
+/// each further one gets a copy of it, appended. `labels` has one for each index, no_index for corners
+/// without one. Returns the label of each vertex (no_index for those without one). Expected linear time.
 std::vector<std::uint32_t> split_by_label(Mesh& mesh, std::span<const std::uint32_t> labels);
 
 }  // namespace texel::mesh

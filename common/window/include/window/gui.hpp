@@ -39,8 +39,7 @@ class Gui {
  public:
   Gui(GLFWwindow* window, float scale);
   ~Gui();
-  Gui(const Gui&) = delete;
-  Gui& operator=(const Gui&) = delete;
+  Gui& operator=(Gui&&) = delete;
 
   /// Panels are drawn between these two, into a framebuffer of so many pixels.
   static void begin_frame();

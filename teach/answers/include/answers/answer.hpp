@@ -56,7 +56,8 @@ class Answer : public Measuring {
   [[nodiscard]] virtual app::Measure measure(const Parameters& parameters) const = 0;
   /// The right answer in a picture of `size` pixels; empty where there is none.
   [[nodiscard]] virtual Truth truth(const Parameters& parameters, glm::ivec2 size) const = 0;
-  [[nodiscard]] virtual std::optional<app::Preparation> preparation(const Parameters& /*parameters*/) const {
+  [[nodiscard]] virtual std::optional<app::Preparation> preparation(const Parameters& /*parameters*/,
+                                                                    const app::Assets& /*assets*/) const {
     return {};
   }
 
@@ -66,8 +67,8 @@ class Answer : public Measuring {
     declare(set);
   }
   [[nodiscard]] app::Measure measure() const final { return measure(*parameters_); }
-  [[nodiscard]] std::optional<app::Preparation> preparation() const final {
-    return preparation(*parameters_);
+  [[nodiscard]] std::optional<app::Preparation> preparation(const app::Assets& assets) const final {
+    return preparation(*parameters_, assets);
   }
 
  protected:
