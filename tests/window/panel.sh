@@ -37,7 +37,7 @@ press F1
 check 'and F1 hides them' is_back "$work/first"
 click_at 29 57
 check 'Looks shows the looks' changed_from "$work/first"
-sleep 1
+settle "$work/open"
 click_at 936 21
 check 'and their cross closes them' is_back "$work/first"
 

@@ -102,7 +102,7 @@ returned_to() { eventually shows "$@"; }
 
 # settle FILE [GEOMETRY]: keeps what the window shows once it is a picture and has not changed for a while.
 settled() {
-  look "$work/earlier" "${2:-$picture}" && has_colours "$work/earlier" 100 && sleep 0.4 &&
+  look "$work/earlier" "${2:-$picture}" && has_colours "$work/earlier" 4 && sleep 0.4 &&
     look "$1" "${2:-$picture}" && cmp -s "$work/earlier" "$1"
 }
 settle() { eventually settled "$@"; }
