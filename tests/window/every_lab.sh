@@ -5,7 +5,7 @@ export TEXEL_ROOT=$source_root
 
 labs=("$source_root"/labs/*/lab.cpp)
 check 'there are the nine labs, or more' test ${#labs[@]} -ge 9
-shows_colours() { look "$work/now" $picture && has_colours "$work/now" 3000; }
+shows_colours() { look "$work/now" $picture && has_colours "$work/now" 200; }
 draws_the_same() {
   "$bin/$1" --size 256x256 --snapshot "$work/alone.png" && "$bin/$1" --size 256x256 --context window --snapshot "$work/window.png" &&
     cmp "$work/alone.png" "$work/window.png"
@@ -25,7 +25,7 @@ check '--frames in a window times it and its panel' times_frames
 # On a screen of twice the density the window has twice the pixels, and so has its text.
 twice_as_large() {
   [[ $(xdotool getwindowgeometry --shell "$window") == *WIDTH=960$'\n'HEIGHT=720* ]] && look "$work/now" 1x60+400+0 &&
-    (($(pixels_of "$work/now" 41,74,122 2) >= 36))  # the title: 20 pixels high at the usual density
+    (($(pixels_of "$work/now" 41,46,51 2) >= 36))  # the title: 20 pixels high at the usual density
 }
 check 'a screen says its density' xprop -root -f RESOURCE_MANAGER 8s -set RESOURCE_MANAGER 'Xft.dpi: 192'
 check 'the window opens there' open_lab lab05_normal_map --size 480x360

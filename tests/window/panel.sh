@@ -184,14 +184,17 @@ check 'nothing stands on standard error' test ! -s "$work/errors"
 export TEXEL_ROOT=$source_root
 check 'lab 5 opens' open_lab lab05_normal_map --turn 0
 check 'the picture comes to rest' settle "$work/first"
-click_at 650 390
+press Escape
+check 'Esc ends the comparison' changed_from "$work/first"
+settle "$work/first"
+click_at 650 520
 check 'a click shows the pixel' changed_from "$work/first"
 settle "$work/pixel"
-click_at 721 19
+click_at 721 127
 check 'the cross closes the panel' is_back "$work/first"
-click_at 650 390
+click_at 650 520
 check 'the pixel again' is_back "$work/pixel"
-click_at 465 171
+click_at 468 300
 check 'a tab shows the other texture' changed_from "$work/pixel"
 check 'Esc quits with exit code 0' quits_with 0
 check 'nothing stands on standard error' test ! -s "$work/errors"
