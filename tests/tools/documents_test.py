@@ -100,9 +100,9 @@ class Runner:
         elif found := re.fullmatch(r"\./run (watch \d+)", command):
             code, said = self.as_student(f"timeout --signal=INT 1 {TEXEL} {found[1]} </dev/null")
             return "Save a file" in said or code == 124, said
-        elif found := re.fullmatch(r"\./run bench( \d+)?", command):
+        elif re.fullmatch(r"\./run bench( [1-9])?", command):
             # The measuring itself is tested by accuracy.*; this has the same page made of what was measured, of one lab.
-            self.benched = self.benched or self.shell(f"TEXEL_ROOT={ROOT} {TEXEL} bench{found[1] or ''} --from docs/accuracy.json --out bench")
+            self.benched = self.benched or self.shell(f"TEXEL_ROOT={ROOT} {TEXEL} bench 7 --from docs/accuracy.json --out bench")
             code, said = self.benched
         elif found := re.fullmatch(r"(?:\./run|texel) (course .*)", command):
             code, said = self.course(found[1])
