@@ -339,10 +339,10 @@ void add_directions(Options& found, const Field& of) {
   const glm::dmat3 rotation = side * map;
   const glm::dmat3 gram = glm::transpose(rotation) * rotation - glm::dmat3(1);  // 0 of a turn
   const bool is_turn = glm::length(gram[0]) + glm::length(gram[1]) + glm::length(gram[2]) < 0.01;
-  const double angle =
-      std::acos(std::clamp((rotation[0][0] + rotation[1][1] + rotation[2][2] - 1) / 2, -1.0, 1.0));
+  // Along the axis, twice the sine of the angle long; the trace is 1 and twice the cosine.
   const dvec3 across = {rotation[1][2] - rotation[2][1], rotation[2][0] - rotation[0][2],
                         rotation[0][1] - rotation[1][0]};
+  const double angle = std::atan2(glm::length(across), rotation[0][0] + rotation[1][1] + rotation[2][2] - 1);
   if (is_turn && glm::length(across) > 0.01)  // of half a turn it says no axis
     add(found, of, {of.quantity, turned, side < 0 ? 1 : 0, 0, unit(across) * glm::degrees(angle)}, 7,
         [&](const Pair& p) { return near(map * p.expected, unit(p.own)); });
@@ -355,9 +355,9 @@ void add_directions(Options& found, const Field& of) {
   const dvec3 offset = fitted_without_strays<Offset>(
                            of,
                            [](Offset& sums, const dvec3& e, const dvec3& o) {
-                             const glm::dmat3 across =
-                                 glm::dmat3(1) - glm::outerProduct(o, o);  // what of a vector is across o
-                             sums.crosses += across, sums.right -= across * e;
+                             const glm::dmat3 flat =
+                                 glm::dmat3(1) - glm::outerProduct(o, o);  // into o's plane
+                             sums.crosses += flat, sums.right -= flat * e;
                            },
                            [](const Offset& sums, const dvec3& e, const dvec3& o) {
                              return glm::length(glm::cross(o, unit(e + sums.vector())));

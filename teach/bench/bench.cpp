@@ -85,7 +85,9 @@ class Bench {
     for (const app::Settings& values : combinations(c, lab_.parameters())) {
       select(c, values);
       for (int frame = 0; frame < 3; ++frame) {  // after the first two, all is loaded
-        if (frame == 2) CALLGRIND_START_INSTRUMENTATION;
+        if (frame == 2) {
+          CALLGRIND_START_INSTRUMENTATION;
+        }
         canvas_.draw(app::View::color, app::pixels(c.size), 1);
         glFinish();
       }
