@@ -359,7 +359,7 @@ async function start() {
   now.lab = await session.start();
   now.parameters = await session.call("parameters");
   now.values = Object.fromEntries(now.parameters.map((p) => [p.name, textOf(p.value ?? p.default)]));
-  // As the window does: without a state in the address the lab opens with its best look.
+  // As the window does: without a state in the address the lab opens on its lesson.
   now.looks = await session.call("looks");
   const named = location.search === "" ? opening() : now.looks.find((look) => look.name === wanted.look);
   const state = known(named ? { ...wanted, view: named.view, set: { ...named.set, ...wanted.set } } : wanted);

@@ -17,7 +17,7 @@ export function readState(search) {
   return state;
 }
 
-/** The query of a state. That of the default look is not empty: an empty one opens the lab's best look. */
+/** The query of a state. That of the default look is not empty: an empty one opens the lab on its lesson. */
 export function writeState({ set, view, split }) {
   const search = new URLSearchParams(set);
   if (view && view !== "color") search.set("view", view);
