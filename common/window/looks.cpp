@@ -89,6 +89,8 @@ std::optional<app::Canvas::Split> split_of(const course::Look& look) {
 void choose_look(app::AnyLab& lab, WindowState& state, std::size_t index) {
   const course::Look& look = state.looks->entries[index].look;
   choose(look, lab, state.view);
+  // One that says how far the model is turned would turn away from what it shows.
+  for (const auto& [parameter, value] : look.settings) state.paused |= parameter == "turn";
   state.look = index;
   state.split = split_of(look);
   state.message = look.caption;
