@@ -62,7 +62,9 @@ inline void write_pictures(const std::filesystem::path& folder) {
 
 inline course::Lab lab(int number, const std::string& folder, const std::string& title,
                        const std::vector<course::Step>& steps) {
-  return {.number = number, .folder = folder, .title = title, .steps = steps};
+  course::Lab made;
+  made.number = number, made.folder = folder, made.title = title, made.steps = steps;
+  return made;
 }
 
 inline std::vector<course::Lab> demo_labs() {
