@@ -109,9 +109,10 @@ check 'Esc ends that' is_back "$work/first"
 click_at 174 57
 sleep 0.5
 click_at 250 209
-settle "$work/name" 200x18+185+200
-# Until the field has the caret it does not hear this.
-selects_all() { press ctrl+a && sleep 0.3 && shows_other "$work/name" 200x18+185+200; }
+# Until the field has the caret it does not hear this; a caret that blinks is no selection.
+selects_all() {
+  press ctrl+a && sleep 0.3 && look "$work/name" 200x18+185+200 && (($(pixels_of "$work/name" 140,100,79 3) > 500))
+}
 check "Ctrl+A selects the file's name" eventually selects_all
 xdotool type --window "$window" --delay 60 mine.toml
 press Return
