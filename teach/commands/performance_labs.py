@@ -1,35 +1,35 @@
 # SPDX-License-Identifier: MIT
-"""Labs beside their floors (tests/bench/floor) and beside three.js: a first picture, one more, many in a batch, in the window."""
+"""Labs beside a floor (tests/bench/floor.cpp) and beside three.js: a first picture, one more, many in a batch, in the window."""
 import json
 import os
 import re
 
 from course import ROOT, Failure
-from performance_report import bench_file, check_same, compared, interleaved, output_of, run_process, time_of
+from performance_report import bench_file, check_same, interleaved, output_of, run_process, time_of
 
-LABS = {"lab 1": ("lab01_texture_quad", "floor_lab01"), "lab 5": ("lab05_normal_map", "floor_lab05"), "lab 9": ("lab09_bump", "floor_lab09")}
+LABS = {"lab 1": "lab01_texture_quad", "lab 5": "lab05_normal_map", "lab 9": "lab09_bump"}
+LAB, FLOOR = LABS["lab 5"], "floor"
 ASSETS = ROOT / "assets"
 # Of llvmpipe, as gl::Shaders sets it, for where both sides are to have the same.
 QUICK_TO_DRAW, QUICK_TO_COMPILE = {"GALLIVM_PERF": "no_aos_sampling"}, {"GALLIVM_PERF": "no_aos_sampling,nopt"}
 MORE, BATCH = 20, 36  # pictures
-SAME_CONTENT = 2  # 8-bit steps in the mean; 0.9 measured: mipmaps and the driver's filters differ
 
 
 def measure_snapshots(setting, report):
     report.begin("A snapshot beside its floor", """
-        A floor (`tests/bench/floor`) is the same picture written by hand in one program without the framework: OSMesa, libspng,
-        the same files. From the start of the process to its end, 512x512 with 4 samples a pixel, nothing warmed up but the disk's
-        cache. A lab that draws one picture asks llvmpipe for shaders that are quick to compile (`gl::Shaders`), a floor leaves
-        the driver as it is; *quick too* is a floor that asks for the same.""", "lab", "floor")
+        The floor (`tests/bench/floor.cpp`) is lab 5's picture written by hand in one program without the framework: OSMesa,
+        libspng, the same files. From the start of the process to its end, 512x512 with 4 samples a pixel, nothing warmed up but
+        the disk's cache. A lab that draws one picture asks llvmpipe for shaders that are quick to compile (`gl::Shaders`), the
+        floor leaves the driver as it is; *quick too* is a floor that asks for the same.""", "lab", "floor")
     ours, theirs = setting.work / "ours.png", setting.work / "floor.png"
-    for name, (lab, floor) in LABS.items():
-        runs = interleaved(setting.rounds, lambda: run_process(lab, "--snapshot", ours), lambda: run_process(floor, ASSETS, theirs))
-        check_same(ours, theirs)
-        report.add(f"{name}, time", "ms", [(own[0], other[0]) for own, other in runs], at_most=1.25)
-        report.add(f"{name}, memory", "MiB", [(own[1], other[1]) for own, other in runs], at_most=1.3)
-        report.add(f"{name}, the floor's shaders quick too", "ms",
-                   interleaved(setting.rounds, lambda: time_of(lab, "--snapshot", ours),
-                               lambda: time_of(floor, ASSETS, theirs, variables=QUICK_TO_COMPILE)), at_most=1.25)
+    runs = interleaved(setting.rounds, lambda: run_process(LAB, "--snapshot", ours), lambda: run_process(FLOOR, ASSETS, theirs))
+    check_same(ours, theirs)
+    report.add("lab 5, time", "ms", [(own[0], other[0]) for own, other in runs], at_most=1.25)
+    report.add("lab 5, memory", "MiB", [(own[1], other[1]) for own, other in runs], at_most=1.3)
+    report.add("lab 5, the floor's shaders quick too", "ms",
+               interleaved(setting.rounds, lambda: time_of(LAB, "--snapshot", ours),
+                           lambda: time_of(FLOOR, ASSETS, theirs, variables=QUICK_TO_COMPILE)), at_most=1.25)
+    for name, lab in LABS.items():
         stats = output_of(lab, "--snapshot", setting.work / "stats.png", "--stats", "-")
         report.stages[name] = json.loads(stats)["milliseconds"]
 
@@ -49,12 +49,11 @@ def measure_one_more(setting, report):
         The same picture once more from a process that has drawn it already (a lab's `--batch`, which compresses it beside the
         next one's drawing; the floor in a loop): the time of {MORE + 1} and of one, and the difference shared. Both have
         optimised shaders.""", "lab", "floor")
-    for name, (lab, floor) in LABS.items():
-        picture = setting.work / "floor.png"
-        report.add(f"{name}, one more", "ms", interleaved(
-            setting.rounds, lambda: one_more(setting, lab),
-            lambda: (time_of(floor, ASSETS, picture, MORE + 1) - time_of(floor, ASSETS, picture, 1)) / MORE), at_most=1.15)
-        check_same(setting.work / f"warm/{MORE}.png", picture)
+    picture = setting.work / "floor.png"
+    report.add("lab 5, one more", "ms", interleaved(
+        setting.rounds, lambda: one_more(setting, LAB),
+        lambda: (time_of(FLOOR, ASSETS, picture, MORE + 1) - time_of(FLOOR, ASSETS, picture, 1)) / MORE), at_most=1.15)
+    check_same(setting.work / f"warm/{MORE}.png", picture)
 
 
 def add_batch(setting, report, what, lab, entries, target):
@@ -75,17 +74,16 @@ def measure_batches(setting, report):
     report.begin("A batch beside a process each", """
         36 snapshots of 512x512 by one process (`--batch`), which optimises its shaders where each draws much, and by 36, which do
         not, one after the other.""", "one process", "36 processes")
-    for name, (lab, _) in LABS.items():
+    for name, lab in LABS.items():
         turned = [{"name": str(i), "view": "color", "set": {"yaw": 10 * i}} for i in range(BATCH)]
         add_batch(setting, report, f"{name}, a turning camera", lab, turned, 5)
     # All methods and views: each is a program of its own that the driver compiles.
-    lab = LABS["lab 5"][0]
-    parameters = json.loads(output_of(lab, "--list-parameters", "--json"))
+    parameters = json.loads(output_of(LAB, "--list-parameters", "--json"))
     methods = [choice["name"] for parameter in parameters if parameter["name"] == "method" for choice in parameter["choices"]]
     views = ("color", "texcoord", "depth", "mask")
     every = [{"name": str(i), "view": views[i // len(methods) % len(views)], "set": {"method": methods[i % len(methods)], "yaw": i}}
              for i in range(BATCH)]
-    add_batch(setting, report, "lab 5, all methods, four views", lab, every, 0)
+    add_batch(setting, report, "lab 5, all methods, four views", LAB, every, 0)
 
 
 def window_times(lab, frames, *arguments, variables=None):
@@ -107,7 +105,7 @@ def measure_frames(setting, report):
     report.begin("The panel's share of a frame", """
         A window of 960x720 with its panel on a software renderer. What panel, statistics and parameters take of the main thread's
         processor, beside the whole frame: drawn, shown, answered by the X server.""", "panel, statistics, parameters", "frame")
-    for name, (lab, _) in LABS.items() if has_display() else ():
+    for name, lab in LABS.items() if has_display() else ():
         times = [window_times(lab, 60) for _ in range(setting.rounds)]
         report.add(name, "ms", [(plumbing, frame) for _, _, frame, plumbing in times], at_most=0.02)
 
@@ -119,14 +117,13 @@ def measure_window_start(setting, report):
         shaders, as users have them from the second time on. Without it the driver translates the panel's shader after the
         picture's. Both draw the plain look (`--view color`). With the best look, with which lab 5 opens, its picture comes 50 ms
         later than with the plain one (16 rounds, alone). The panel comes 55 to 59 ms after the picture where its shader is
-        translated, and 13 to 14 where that is kept: so much the panels of labs 1 and 5 lack.""", "window", "floor")
-    for name, (lab, floor) in LABS.items() if has_display() else ():
-        for what, variables in (("", {}), (", shaders kept", setting.kept_shaders)):
-            times = [(window_times(lab, 1, "--view", "color", variables=variables),
-                      time_of(floor, ASSETS, setting.work / "floor.png", variables=variables)) for _ in range(setting.rounds + bool(variables))]
-            times = times[bool(variables):]  # the first one filled the cache
-            report.add(f"{name}, the picture{what}", "ms", [(own[0], other) for own, other in times], at_most=1.4)
-            report.add(f"{name}, the panel{what}", "ms", [(own[1], other) for own, other in times], at_most=1.4)
+        translated, and 13 to 14 where that is kept.""", "window", "floor")
+    for what, variables in (("", {}), (", shaders kept", setting.kept_shaders)) if has_display() else ():
+        times = [(window_times(LAB, 1, "--view", "color", variables=variables),
+                  time_of(FLOOR, ASSETS, setting.work / "floor.png", variables=variables)) for _ in range(setting.rounds + bool(variables))]
+        times = times[bool(variables):]  # the first one filled the cache
+        report.add(f"lab 5, the picture{what}", "ms", [(own[0], other) for own, other in times], at_most=1.4)
+        report.add(f"lab 5, the panel{what}", "ms", [(own[1], other) for own, other in times], at_most=1.4)
 
 
 def measure_peers(setting, report):
@@ -138,27 +135,19 @@ def measure_peers(setting, report):
         it. Our page comes with its handout, all labs and the judge, which the browser compiles and lays out while it waits for
         the picture, and with its pictures as lossless WebP; three.js' page loads the tree's PNG files. Our program draws by
         llvmpipe: one of many pictures with 4 samples; and one from the start of the process to its end, with the driver's cache
-        of shaders, beside three.js' first one from the start of Chromium, and beside a program in a window as a tutorial has it
-        (`tests/bench/peers/window.cpp`: GLFW, stb_image, `glGenerateMipmap`, one file after the other), which has the driver's
-        cache too.""",
+        of shaders, beside three.js' first one from the start of Chromium.""",
                  "ours", "three.js")
-    lab, own, other = LABS["lab 9"][0], setting.work / "peers.png", setting.work / "window.png"
+    lab = LABS["lab 9"]
 
     def snapshot():
-        return time_of(lab, "--snapshot", own, variables=setting.kept_shaders)
+        return time_of(lab, "--snapshot", setting.work / "peers.png", variables=setting.kept_shaders)
 
-    def window():
-        return time_of("peer_window", ASSETS, other, variables=setting.kept_shaders)
-
-    snapshot(), window()  # fill the cache
-    if compared(own, other)["mean"] > SAME_CONTENT:
-        raise Failure("peer_window: draws another picture than lab 9")
-    pages, more, cold, windows = [], [], [], []
+    snapshot()  # fills the cache
+    pages, more, cold = [], [], []
     for _ in range(setting.rounds):
         pages.append(json.loads(output_of("node", bench_file("peers/measure.mjs"), 1, "--json"))[0])
         more.append((one_more(setting, lab), pages[-1]["theirs"]["antialiased_ms"]))
         cold.append((snapshot(), pages[-1]["theirs"]["cold_ms"]))
-        windows.append((snapshot(), window()))
     for what, name, unit, why in (
             ("page, first picture", "first_picture_ms", "ms", """
                 by the worker's clock, milliseconds after navigation: it runs at 60, its WebGL context is there at 240, the lab is
@@ -175,6 +164,3 @@ def measure_peers(setting, report):
     report.add("program, first picture", "ms", cold, at_most=0.07, why="""
         of 150 ms by --stats, driver and context take 18, reading seven pictures 30, their mipmaps and upload 22, compressing the
         picture 8. The first picture takes 65: one more takes 20, the rest loads the machine code that the driver kept.""")
-    report.add("program, first picture, beside a window's", "ms", windows, at_most=0.14, names=("ours", "window"), why="""
-        the window's program takes 0.3 s. The target is less than reading the pictures and drawing one take, which both programs
-        must do.""")

@@ -43,7 +43,7 @@ For teachers and makers of the course:
 ./run sweep [N]        measure N random settings of each lab beside its right
                        answer [112]: no error may be above its method's bound
                        (ten minutes)
-./run performance      compare the programs with hand-written floor programs,
+./run performance      compare the programs with one written by hand,
                        and kernels with plain versions and other libraries;
                        writes docs/performance.md (about an hour).
                        --first-run-before TREE and --saves-before TREE also

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the floor programs share: the least that OSMesa, libspng and a mipmap chain need. None of it is the
-// course's: a floor is what a lab's snapshot would cost if somebody wrote that one picture by hand.
-#pragma once
+// floor ASSETS FILE.png [COUNT]: lab 5's default picture, drawn and saved COUNT times by a program that
+// somebody wrote by hand for this picture alone: OSMesa, libspng and a mipmap chain. None of it is the
+// course's.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/osmesa.h>
 #include <spng.h>
@@ -19,13 +19,13 @@
 #include <string>
 #include <vector>
 
-namespace bare {
+namespace {
 
 constexpr int kSize = 512;                                 ///< pixels a side of the picture
 constexpr int kSamples = 4;                                ///< a pixel
 constexpr float kBackground[] = {0.035F, 0.042F, 0.055F};  ///< linear light
 
-inline void check(bool holds, const char* what) {
+void check(bool holds, const char* what) {
   if (holds) return;
   std::fprintf(stderr, "%s\n", what);
   std::exit(3);
@@ -37,9 +37,8 @@ struct Picture {
   std::vector<std::uint8_t> samples;
 };
 
-enum class Rows { top_first, bottom_first };
-
-inline Picture read_png(const std::string& path, Rows rows) {
+/// Bottom row first, as OpenGL has it.
+Picture read_png(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   const std::vector<char> bytes(std::istreambuf_iterator<char>(in), {});
   spng_ctx* png = spng_ctx_new(0);
@@ -50,14 +49,13 @@ inline Picture read_png(const std::string& path, Rows rows) {
   Picture picture{side, std::vector<std::uint8_t>(row * side)};
   spng_decode_image(png, nullptr, 0, SPNG_FMT_RGB8, SPNG_DECODE_PROGRESSIVE);
   for (std::size_t y = 0; y < side; ++y) {
-    const std::size_t at = rows == Rows::top_first ? y : side - 1 - y;
-    spng_decode_row(png, picture.samples.data() + at * row, row);
+    spng_decode_row(png, picture.samples.data() + (side - 1 - y) * row, row);
   }
   spng_ctx_free(png);
   return picture;
 }
 
-inline void write_png(const char* path, const std::vector<std::uint8_t>& rgba) {
+void write_png(const char* path, const std::vector<std::uint8_t>& rgba) {
   spng_ctx* png = spng_ctx_new(SPNG_CTX_ENCODER);
   std::FILE* file = std::fopen(path, "wb");
   check(file != nullptr, path);
@@ -79,7 +77,7 @@ inline void write_png(const char* path, const std::vector<std::uint8_t>& rgba) {
 
 enum class Encoding { srgb, linear };
 
-inline double decode_srgb(double v) {
+double decode_srgb(double v) {
   return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
 }
 
@@ -114,11 +112,11 @@ class Curve {
 
 /// A picture with all its levels, each the mean of four texels in linear light:
 /// glGenerateMipmap takes 100 ms to compile for sRGB, and rounds otherwise.
-inline void upload(GLenum target, const Picture& picture, GLint internal, const Curve& curve) {
+void upload(const Picture& picture, GLint internal, const Curve& curve) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   const auto store = [=](GLint level, std::size_t side, const std::vector<std::uint8_t>& samples) {
     const auto size = static_cast<GLsizei>(side);
-    glTexImage2D(target, level, internal, size, size, 0, GL_RGB, GL_UNSIGNED_BYTE, samples.data());
+    glTexImage2D(GL_TEXTURE_2D, level, internal, size, size, 0, GL_RGB, GL_UNSIGNED_BYTE, samples.data());
   };
   store(0, picture.side, picture.samples);
   std::size_t side = picture.side;
@@ -142,26 +140,18 @@ inline void upload(GLenum target, const Picture& picture, GLint internal, const 
   }
 }
 
-inline void sample_by(GLenum target, GLint wrap, float anisotropy) {
-  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTexParameteri(target, GL_TEXTURE_WRAP_S, wrap);
-  glTexParameteri(target, GL_TEXTURE_WRAP_T, wrap);
-  glTexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, anisotropy);
-}
-
-/// A 2D texture on `unit`, repeated.
-inline void texture_2d(GLenum unit, const std::string& path, Encoding encoding, float anisotropy) {
+/// A texture on `unit`, repeated.
+void bind_texture(GLenum unit, const std::string& path, Encoding encoding) {
   GLuint texture = 0;
   glGenTextures(1, &texture);
   glActiveTexture(GL_TEXTURE0 + unit);
   glBindTexture(GL_TEXTURE_2D, texture);
-  upload(GL_TEXTURE_2D, read_png(path, Rows::bottom_first), encoding == Encoding::srgb ? GL_SRGB8 : GL_RGB8,
-         Curve(encoding));
-  sample_by(GL_TEXTURE_2D, GL_REPEAT, anisotropy);
+  upload(read_png(path), encoding == Encoding::srgb ? GL_SRGB8 : GL_RGB8, Curve(encoding));
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 8);
 }
 
-inline GLuint link(const char* vertex, const char* fragment) {
+GLuint link(const char* vertex, const char* fragment) {
   const GLuint program = glCreateProgram();
   for (const auto& [stage, text] : {std::pair{GL_VERTEX_SHADER, vertex}, {GL_FRAGMENT_SHADER, fragment}}) {
     const GLuint shader = glCreateShader(static_cast<GLenum>(stage));
@@ -186,22 +176,11 @@ void buffer_of(GLenum target, const std::vector<Value>& values) {
 }
 
 /// `components` floats a vertex at the location that the program gave the name; nothing where it reads none.
-inline void attribute(GLuint program, const char* name, const std::vector<float>& values, GLint components) {
+void attribute(GLuint program, const char* name, const std::vector<float>& values, GLint components) {
   buffer_of(GL_ARRAY_BUFFER, values);
   const auto location = static_cast<GLuint>(glGetAttribLocation(program, name));
   glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, 0, nullptr);
   glEnableVertexAttribArray(location);
-}
-
-inline void indices(const std::vector<GLuint>& values) {
-  buffer_of(GL_ELEMENT_ARRAY_BUFFER, values);
-}
-
-inline GLuint new_vertex_array() {
-  GLuint vertex_array = 0;
-  glGenVertexArrays(1, &vertex_array);
-  glBindVertexArray(vertex_array);
-  return vertex_array;
 }
 
 /// OSMesa with a multisampled sRGB picture to draw into.
@@ -263,57 +242,118 @@ class Canvas {
   GLuint resolved_ = 0, drawn_ = 0;
 };
 
-/// What every floor is called with: floor ASSETS FILE.png [COUNT]; the picture is drawn and saved COUNT
-/// times.
-struct Arguments {
-  std::string assets;
-  const char* file;
-  int count;
-
-  Arguments(int argc, char** argv) {
-    check(argc == 3 || argc == 4, "give ASSETS FILE.png [COUNT]");
-    assets = argv[1];
-    file = argv[2];
-    count = argc == 4 ? std::atoi(argv[3]) : 1;
-  }
-};
-
-/// Draws and saves the picture as often as asked for.
-template <class Draw>
-void draw_and_save(const Arguments& arguments, const Canvas& canvas, Draw draw) {
-  for (int i = 0; i < arguments.count; ++i) {
-    canvas.clear();
-    draw();
-    canvas.save(arguments.file);
-  }
-}
-
 /// The eye of an orbiting camera, and its projection: as the labs have them, angles in degrees.
-inline glm::vec3 direction(float yaw, float pitch) {
+glm::vec3 direction(float yaw, float pitch) {
   const float a = glm::radians(yaw), b = glm::radians(pitch);
   return {std::sin(a) * std::cos(b), std::sin(b), std::cos(a) * std::cos(b)};
 }
-inline glm::mat4 clip_from_world(const glm::vec3& eye, float degrees) {
+glm::mat4 clip_from_world(const glm::vec3& eye, float degrees) {
   // Of a constant the compiler would take the tangent, and round it otherwise than the library does.
   const volatile float field_of_view = degrees;
   return glm::perspective(glm::radians(field_of_view), 1.0F, 0.05F, 200.0F) *
          glm::lookAt(eye, glm::vec3(0), glm::vec3(0, 1, 0));
 }
 
-inline void set(GLuint program, const char* name, const glm::mat4& value) {
+void set(GLuint program, const char* name, const glm::mat4& value) {
   glUniformMatrix4fv(glGetUniformLocation(program, name), 1, GL_FALSE, glm::value_ptr(value));
 }
-inline void set(GLuint program, const char* name, const glm::mat3& value) {
-  glUniformMatrix3fv(glGetUniformLocation(program, name), 1, GL_FALSE, glm::value_ptr(value));
-}
-inline void set(GLuint program, const char* name, const glm::vec3& value) {
+void set(GLuint program, const char* name, const glm::vec3& value) {
   glUniform3fv(glGetUniformLocation(program, name), 1, glm::value_ptr(value));
 }
-inline void set(GLuint program, const char* name, float value) {
-  glUniform1f(glGetUniformLocation(program, name), value);
-}
-inline void set(GLuint program, const char* name, int value) {
+void set(GLuint program, const char* name, int value) {
   glUniform1i(glGetUniformLocation(program, name), value);
 }
 
-}  // namespace bare
+constexpr const char* kVertex = R"(#version 330 core
+in vec3 position;
+in vec3 normal;
+in vec2 texcoord;
+in vec4 tangent;
+uniform mat4 clip_from_world;
+out vec3 world_position;
+out vec3 world_normal;
+out vec2 fragment_texcoord;
+out vec4 world_tangent;
+void main() {
+  world_position = position;
+  world_normal = normalize(normal);
+  fragment_texcoord = texcoord;
+  world_tangent = vec4(normalize(tangent.xyz), tangent.w);
+  gl_Position = clip_from_world * vec4(position, 1.0);
+})";
+
+constexpr const char* kFragment = R"(#version 330 core
+in vec3 world_position;
+in vec3 world_normal;
+in vec2 fragment_texcoord;
+in vec4 world_tangent;
+uniform sampler2D color_map;
+uniform sampler2D normal_map;
+uniform vec3 eye;
+uniform vec3 light;
+const float ambient = 0.2, specular = 0.2;
+out vec4 picture;
+vec3 lit(vec3 albedo, vec3 normal, vec3 to_eye) {
+  float diffuse = max(dot(normal, light), 0.0);
+  float highlight = diffuse > 0.0 ? pow(max(dot(normal, normalize(light + to_eye)), 0.0), 48.0) : 0.0;
+  return albedo * mix(ambient, 1.0, diffuse) + specular * highlight;
+}
+void main() {
+  vec3 albedo = texture(color_map, fragment_texcoord).rgb;
+  vec3 n = texture(normal_map, fragment_texcoord).rgb * 2.0 - 1.0;
+  vec3 T = world_tangent.xyz;
+  vec3 N = world_normal;
+  vec3 normal = normalize(mat3(T, world_tangent.w * cross(N, T), N) * n);
+  picture = vec4(lit(albedo, normal, normalize(eye - world_position)), 1.0);
+})";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  check(argc == 3 || argc == 4, "give ASSETS FILE.png [COUNT]");
+  const std::string assets = argv[1];
+  const Canvas canvas;
+  bind_texture(0, assets + "/textures/brick.png", Encoding::srgb);
+  bind_texture(1, assets + "/normal_maps/brick.png", Encoding::linear);
+
+  // Six squares; on each the texture's s runs along `right`, which is its tangent.
+  const glm::vec3 rights[] = {{1, 0, 0}, {-1, 0, 0}, {0, 0, -1}, {0, 0, 1}, {1, 0, 0}, {1, 0, 0}};
+  const glm::vec3 ups[] = {{0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};
+  std::vector<float> positions, normals, texcoords, tangents;
+  std::vector<GLuint> indices;
+  const auto add = [](std::vector<float>& list, const glm::vec3& v) {
+    list.insert(list.end(), {v.x, v.y, v.z});
+  };
+  for (GLuint face = 0; face < 6; ++face) {
+    const glm::vec3 right = rights[face], up = ups[face], outward = glm::cross(right, up);
+    for (const glm::vec2 st : {glm::vec2(0, 0), {1, 0}, {0, 1}, {1, 1}}) {
+      add(positions, 0.577F * (outward + (2 * st.s - 1) * right + (2 * st.t - 1) * up));
+      add(normals, outward);
+      texcoords.insert(texcoords.end(), {st.s, st.t});
+      add(tangents, right);
+      tangents.push_back(1);
+    }
+    for (const GLuint corner : {0, 1, 3, 0, 3, 2}) indices.push_back(4 * face + corner);
+  }
+
+  const GLuint program = link(kVertex, kFragment);
+  const glm::vec3 eye = 3.0F * direction(32, 24);
+  set(program, "clip_from_world", clip_from_world(eye, 45));
+  set(program, "eye", eye);
+  set(program, "light", direction(70, 35));
+  set(program, "color_map", 0);
+  set(program, "normal_map", 1);
+  GLuint vertex_array = 0;
+  glGenVertexArrays(1, &vertex_array);
+  glBindVertexArray(vertex_array);
+  attribute(program, "position", positions, 3);
+  attribute(program, "normal", normals, 3);
+  attribute(program, "texcoord", texcoords, 2);
+  attribute(program, "tangent", tangents, 4);
+  buffer_of(GL_ELEMENT_ARRAY_BUFFER, indices);
+  for (int i = 0; i < (argc == 4 ? std::atoi(argv[3]) : 1); ++i) {
+    canvas.clear();
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, nullptr);
+    canvas.save(argv[2]);
+  }
+}
