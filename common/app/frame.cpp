@@ -55,6 +55,10 @@ gl::Program& Frame::program(const std::string& vertex, const std::string& fragme
   const Stage stage("parameters");
   gl::Program& program = programs_.get(vertex, fragment, constants(parameters_, view_));
   program.use();
+  if (std::find(used_.begin(), used_.end(), &program) == used_.end()) {
+    program.forget_uniforms();
+    used_.push_back(&program);
+  }
   for (const params::Parameter& p : parameters_) {
     if (!p.is_ranged()) continue;
     const gl::Uniform* uniform = program.find(p.name);
@@ -70,7 +74,6 @@ gl::Program& Frame::program(const std::string& vertex, const std::string& fragme
           program.place(),
           fmt::format("declare it as 'uniform {} {};'", p.type == Type::number ? "float" : "int", p.name));
   }
-  if (std::find(used_.begin(), used_.end(), &program) == used_.end()) used_.push_back(&program);
   return program;
 }
 

@@ -122,14 +122,20 @@ Program::Program(std::shared_ptr<const ShaderSource> vertex, std::shared_ptr<con
   }
   std::sort(attributes_.begin(), attributes_.end());
 
-  glUseProgram(id_);
-  for (const Uniform& uniform : uniforms_)
-    if (is_sampler(uniform.type)) glUniform1i(uniform.location, unset_unit());
+  forget_uniforms();
   glUseProgram(0);
 }
 
 Program::~Program() {
   glDeleteProgram(id_);
+}
+
+void Program::forget_uniforms() {
+  use();
+  for (Uniform& uniform : uniforms_) {
+    uniform.is_set = false;
+    if (is_sampler(uniform.type)) glUniform1i(uniform.location, unset_unit());
+  }
 }
 
 std::string Program::name() const {

@@ -53,6 +53,11 @@ void set_sampling(GLenum target, const Sampling& sampling) {
   }
 }
 
+void forget_sampling(const Texture& texture) {
+  const ScopedBinding binding(GL_TEXTURE_2D, texture);
+  set_sampling(GL_TEXTURE_2D, {.minify = GL_NEAREST_MIPMAP_LINEAR});
+}
+
 ScopedBinding::ScopedBinding(GLenum target, GLuint texture)
     : target_(target),
       before_(integer(target == GL_TEXTURE_2D ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_CUBE_MAP)) {

@@ -56,6 +56,7 @@ struct TextureQuad : app::Lab<TextureQuadParameters> {
       if (p.flip_v) picture = image::flipped(picture);
       return upload(picture, p.linear_light ? image::Encoding::srgb : image::Encoding::linear, mipmapped);
     });
+    gl::forget_sampling(texture);
     gl::Program& program = frame.program("01_texture_quad/texture_quad");
     const glm::mat4 world_from_object = glm::rotate(glm::mat4(1), glm::radians(-p.tilt), glm::vec3(1, 0, 0));
     program.set("clip_from_object", p.camera.clip_from_world(frame.aspect()) * world_from_object);

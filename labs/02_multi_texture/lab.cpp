@@ -54,8 +54,7 @@ struct MultiTexture : app::Lab<MultiTextureParameters> {
     program.set("clip_from_object", p.camera.clip_from_world(frame.aspect()) * world_from_object);
     const int second = second_unit(p);
 
-    // Making an object binds it to the active unit, so make both before binding each to its own. A picture
-    // whose unit is off is not even loaded.
+    // A picture whose unit is off is not even loaded.
     const gl::Texture* object0 = p.unit0_on ? &texture_object(p, p.texture0, false) : nullptr;
     const bool premultiply = p.method == Method::premultiplied && p.combine == Combine::decal;
     //@step 2.1 begin
@@ -104,13 +103,17 @@ struct MultiTexture : app::Lab<MultiTextureParameters> {
   /// A texture object with its levels.
   const gl::Texture& texture_object(const Parameters& p, const std::string& name, bool premultiply) {
     const bool is_linear = p.method != Method::encoded;
-    return textures_.get({name, is_linear, premultiply, is_mipmapped(p), p.mipmaps}, [&] {
+    const auto load = [&] {
       image::Image8 picture = gl::expand_grey(assets_.texture(name));
       if (premultiply) picture = premultiplied(std::move(picture));
       // With an sRGB format the sampler decodes before it filters.
       return upload(picture, is_linear ? image::Encoding::srgb : image::Encoding::linear, is_mipmapped(p),
                     p.mipmaps);
-    });
+    };
+    const gl::Texture& texture =
+        textures_.get({name, is_linear, premultiply, is_mipmapped(p), p.mipmaps}, load);
+    gl::forget_sampling(texture);
+    return texture;
   }
 
   static bool is_mipmapped(const Parameters& p) {
@@ -120,7 +123,7 @@ struct MultiTexture : app::Lab<MultiTextureParameters> {
   static gl::Texture upload(const image::Image8& picture, image::Encoding encoding, bool mipmapped,
                             Mipmaps mipmaps) {
     gl::Texture texture;
-    glBindTexture(GL_TEXTURE_2D, texture.id());
+    const gl::ScopedBinding binding(GL_TEXTURE_2D, texture);  // no unit keeps it: that is for draw to say
     gl::upload_level(GL_TEXTURE_2D, 0, picture, encoding);
     if (!mipmapped) return texture;  // no filter reads smaller levels
     //@step 2.4 begin

@@ -213,6 +213,27 @@ TEST_P(OpenGl, a_uniform_that_is_read_must_be_set_and_a_sampler_takes_the_number
   EXPECT_NE(error_of([&] { fresh.check_uniforms(); }), "");
   glUniform1i(glGetUniformLocation(fresh.id(), "map"), 0);  // as the slides have it
   EXPECT_EQ(error_of([&] { fresh.check_uniforms(); }), "");
+  fresh.forget_uniforms();  // as before each picture
+  EXPECT_NE(error_of([&] { fresh.check_uniforms(); }), "");
+}
+
+TEST_P(OpenGl, sampling_that_an_earlier_picture_set_is_forgotten) {
+  const auto state_of = [](const Texture& texture) {
+    const ScopedBinding binding(GL_TEXTURE_2D, texture);
+    std::vector<GLint> state;
+    for (const GLenum name :
+         {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+      glGetTexParameteriv(GL_TEXTURE_2D, name, &state.emplace_back());
+    return state;
+  };
+  const Texture fresh, used;
+  {
+    const ScopedBinding binding(GL_TEXTURE_2D, used);
+    set_sampling(GL_TEXTURE_2D, {GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT, 8});
+  }
+  EXPECT_NE(state_of(used), state_of(fresh));
+  forget_sampling(used);
+  EXPECT_EQ(state_of(used), state_of(fresh));
 }
 
 TEST_P(OpenGl, a_variant_is_compiled_once_and_only_for_constants_that_its_source_mentions) {

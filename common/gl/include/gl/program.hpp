@@ -40,6 +40,8 @@ class Program {
 
   [[nodiscard]] GLuint id() const { return id_; }
   void use() const { glUseProgram(id_); }
+  /// As if no uniform had been set: what one picture sets does not help the next. Puts it in use.
+  void forget_uniforms();
 
   /// Sets a uniform of the program, which must be in use. A name that its source does not mention throws
   /// Error. One that this variant does not read is ignored. A sampler is set to the number of its texture
@@ -56,7 +58,7 @@ class Program {
   [[nodiscard]] const Uniform* find(std::string_view name) const;
   /// Which attributes this variant reads.
   [[nodiscard]] const std::vector<Attribute>& attributes() const { return attributes_; }
-  /// Throws Error when a uniform that the program reads was never set.
+  /// Throws Error when a uniform that the program reads was not set since they were forgotten.
   void check_uniforms() const;
   /// "05_normal_map/normal_map.frag"
   [[nodiscard]] std::string name() const;
