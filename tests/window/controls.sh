@@ -25,7 +25,7 @@ check 'the picture comes to rest' settle "$work/first"
 check 'a snapshot is written' snapshot
 check 'it opens with the lesson' has_parameter "$snapshot" method=raw
 has_line() { look "$work/now" 1x300+650+20 && (($(pixels_of "$work/now" 235,235,235 8) > 250)); }
-check 'on both sides of a line' has_line
+check 'on both sides of a line' eventually has_line
 
 press g
 check 'G shows the looks' changed_from "$work/first"

@@ -18,8 +18,8 @@ plot=280x165+40+484
 # dots RGB: how much of the plot has this colour. The present method is amber, the other four are white.
 dots() { look "$work/plot" $plot && pixels_of "$work/plot" "$1" 0; }
 has_dots() { (($(dots 255,199,89) > 20 && $(dots 255,255,255) > 100)); }
-check 'the plot has the present method and the others' has_dots
-check 'the picture is as it was' shows "$work/first"
+check 'the plot has the present method and the others' eventually has_dots
+check 'the picture is as it was' returned_to "$work/first"
 
 place=$(convert "$work/plot" -fill black +opaque white txt: 2>/dev/null | grep -m 1 -i 'white' | cut -d: -f1)
 xdotool mousemove --window "$window" $((40 + ${place%,*})) $((484 + ${place#*,} + 1)) click 1
