@@ -88,6 +88,13 @@ def rays_and_shares():
     found = measured(method="constant-eye", distance="4")
     near(found["mean"], over_pixels, 0.02, "over pixels")
     near(found["max"], rim, 0.05, "at the rim")
+    for rings, size, mean, most in ((32, 128, 0.267, 6.6), (32, 512, 0.268, 10.6), (64, 512, 0.068, 3.9)):
+        ball = plain_figures.ball_of_triangles(rings, 2 * rings, size)
+        near(ball[0], mean, 0.001, "rays at triangles, mean")
+        near(ball[1], most, 0.05, "rays at triangles, largest")
+        found = measured(size, normal_method="renormalised", rings=str(rings), segments=str(2 * rings))
+        near(found["mean"], ball[0], 0.001, "rays at triangles")  # .0001 measured
+        near(found["max"], ball[1], 0.02, "the largest")  # .003 measured: in that pixel the triangle is nearly seen from its side
     for index, most in ((1.33, 0.060), (1.5, 0.036), (3, 0.125)):
         near(plain_figures.schlick(index), most, 0.0005, f"Schlick's share, index {index}")
 

@@ -101,6 +101,48 @@ def one_ray(distance, count=100_000):
     return over_pixels, over_surface, math.degrees(rim)
 
 
+def ball_of_triangles(rings, segments, size, distance=2.5, field_of_view=60):
+    """How far a ray is off that is reflected at a unit ball of triangles, by the normal between those at their corners, made unit: mean and largest
+    in degrees, over the middles of pixels that see both. Each ray from the eye is cut with each triangle's plane."""
+
+    def at(row, column):
+        height, around = math.pi * (row / rings - 0.5), 2 * math.pi * column / segments
+        return math.cos(height) * math.sin(around), math.sin(height), math.cos(height) * math.cos(around)
+
+    def dot(a, b):
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+    def cross(a, b):
+        return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+    def reflected(ray, n):
+        twice = 2 * dot(ray, n) / dot(n, n)
+        return tuple(r - twice * k for r, k in zip(ray, n))
+
+    reach, eye, errors = math.tan(math.radians(field_of_view) / 2), (0, 0, distance), []
+    pixels = [((2 * i + 1) / size - 1) * reach for i in range(size)]
+    for row, column in itertools.product(range(rings), range(segments)):
+        low, high = at(row, column), at(row + 1, column + 1)
+        for corners in ((low, at(row, column + 1), high), (low, high, at(row + 1, column))):
+            to = [(x, y, z - distance) for x, y, z in corners]
+            plane = [cross(to[i - 2], to[i - 1]) for i in range(3)]  # through the eye and the side opposite corner i
+            if dot(to[0], plane[0]) >= -1e-12:  # seen from behind, or a pole's without area
+                continue
+            first, last = ([round((limit(p[axis] / -p[2] for p in to) / reach + 1) / 2 * size) for axis in (0, 1)] for limit in (min, max))
+            for y, x in itertools.product(pixels[max(first[1], 0):last[1] + 1], pixels[max(first[0], 0):last[0] + 1]):
+                ray = (x, y, -1.0)
+                shares = [dot(ray, side) for side in plane]
+                length, toward = dot(ray, ray), distance  # of the ray; how far along it the middle lies
+                beyond = toward * toward - length * (distance * distance - 1)
+                if max(shares) > 0 or beyond < 0:
+                    continue
+                normal = [sum(share * corner[k] for share, corner in zip(shares, corners)) / sum(shares) for k in range(3)]
+                exact = [e + r * (toward - math.sqrt(beyond)) / length for e, r in zip(eye, ray)]
+                a, b = reflected(ray, normal), reflected(ray, exact)
+                errors.append(math.degrees(math.atan2(math.hypot(*cross(a, b)), dot(a, b))))
+    return sum(errors) / len(errors), max(errors)
+
+
 def without_worst(errors, count):
     """Rms and largest of errors without the worst `count`."""
     rest = sorted(errors)[:-count]
