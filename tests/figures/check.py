@@ -59,6 +59,7 @@ import re
 import shlex
 import sys
 import tempfile
+import threading
 import tomllib
 
 sys.dont_write_bytecode = True
@@ -189,7 +190,7 @@ class Lab:
 
     def __init__(self, program, folder, files):
         self.program, self.folder, self.files, self.shots = program, pathlib.Path(folder), {}, []
-        self.texts = files
+        self.texts, self.locks = files, {}
         for name, content in files.items():
             path = self.folder / name
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -244,8 +245,12 @@ class Lab:
     def picture(self, file):
         return labs.Picture(file)
 
+    def said(self, *asked):
+        with self.locks.setdefault(asked, threading.Lock()):  # two lines that want the same wait for one answer
+            return self.answer(*asked)
+
     @functools.cache
-    def said(self, option, size, view, settings):
+    def answer(self, option, size, view, settings):
         return labs.run(self.program, option, "-", "--size", size, *(["--view", view] if view != "color" else []), *labs.flags(dict(settings)))
 
     def problem(self, settings, line, use):
