@@ -44,59 +44,62 @@ bool is_begun(const store::StudentResult& student, const judge::LabResult& lab) 
   });
 }
 
-/// The steps of each lab that anybody has, in the labs' own order.
-std::map<int, std::vector<std::string>> columns(const store::ClassResult& results) {
-  std::map<int, std::vector<std::string>> labs;
+std::string column_of(const judge::LabResult& lab) {
+  return "lab " + std::to_string(lab.lab.number);
+}
+
+std::string column_of(const judge::StepResult& step) {
+  return "step " + line(step.id);
+}
+
+/// The labs that anybody has, then all their steps in the labs' own order.
+std::vector<std::string> columns_of(const store::ClassResult& results) {
+  std::map<int, std::vector<std::string>> labs;  // by number: the lab's column and its steps'
+  const auto add = [](std::vector<std::string>& columns, const std::string& name) {
+    if (std::find(columns.begin(), columns.end(), name) == columns.end()) columns.push_back(name);
+  };
   for (const store::StudentResult& student : results.students)
-    for (const judge::LabResult& lab : student.labs)
-      for (const judge::StepResult& step : lab.steps) {
-        std::vector<std::string>& steps = labs[lab.lab.number];
-        if (std::find(steps.begin(), steps.end(), step.id) == steps.end()) steps.push_back(step.id);
-      }
-  return labs;
+    for (const judge::LabResult& lab : student.labs) {
+      add(labs[lab.lab.number], column_of(lab));
+      for (const judge::StepResult& step : lab.steps) add(labs[lab.lab.number], column_of(step));
+    }
+  std::vector<std::string> columns;
+  for (const auto& [number, of_lab] : labs) columns.push_back(of_lab.front());
+  for (const auto& [number, of_lab] : labs)
+    columns.insert(columns.end(), of_lab.begin() + 1, of_lab.end());
+  return columns;
 }
 
 }  // namespace
 
 std::string csv(const store::ClassResult& results) {
-  const std::map<int, std::vector<std::string>> labs = columns(results);
+  const std::vector<std::string> columns = columns_of(results);
   std::vector<std::string> head = {"name", "id", "number", "total"};
-  for (const auto& [lab, steps] : labs) head.push_back("lab " + std::to_string(lab));
-  for (const auto& [lab, steps] : labs)
-    for (const std::string& step : steps) head.push_back("step " + line(step));
+  head.insert(head.end(), columns.begin(), columns.end());
   head.insert(head.end(), {"begun", "note"});
 
   std::string text = row(head);
   for (const store::StudentResult& student : results.students) {
     const bool graded = student.unmarked().empty();
     const auto points = [&](double value) { return graded ? number(value, 4) : ""; };
-    std::map<int, const judge::LabResult*> by_number;
-    for (const judge::LabResult& lab : student.labs) by_number[lab.lab.number] = &lab;
-
+    std::map<std::string, double> reached;  // by column
+    std::string begun, note = student.fault.empty() ? "" : "the submission " + student.fault;
+    if (!graded) note = "not graded: " + student.unmarked();
+    const auto add_word = [](std::string& to, const std::string& word) {
+      if (!word.empty()) to += (to.empty() ? "" : " ") + word;
+    };
+    for (const judge::LabResult& lab : student.labs) {
+      reached[column_of(lab)] = lab.points();
+      if (graded && is_begun(student, lab)) add_word(begun, std::to_string(lab.lab.number));
+      for (const judge::StepResult& step : lab.steps) {
+        reached[column_of(step)] = step.points * step.score;
+        if (graded) add_word(note, judging(step));
+      }
+    }
     std::vector<std::string> cells = {line(student.name), student.id, line(student.number),
                                       points(student.points())};
-    for (const auto& [lab, steps] : labs)
-      cells.push_back(points(by_number.contains(lab) ? by_number[lab]->points() : 0));
-    for (const auto& [lab, steps] : labs)
-      for (const std::string& id : steps) {
-        double value = 0;
-        if (by_number.contains(lab))
-          for (const judge::StepResult& step : by_number[lab]->steps)
-            if (step.id == id) value = step.points * step.score;
-        cells.push_back(points(value));
-      }
-    std::string begun;
-    for (const judge::LabResult& lab : student.labs)
-      if (graded && is_begun(student, lab))
-        begun += (begun.empty() ? "" : " ") + std::to_string(lab.lab.number);
-    cells.push_back(begun);
-    std::string note = student.fault.empty() ? "" : "the submission " + student.fault;
-    if (!graded) note = "not graded: " + student.unmarked();
-    for (const judge::LabResult& lab : student.labs)
-      for (const judge::StepResult& step : lab.steps)
-        if (const std::string told = judging(step); graded && !told.empty())
-          note += (note.empty() ? "" : " ") + told;
-    cells.push_back(line(note));
+    for (const std::string& column : columns) cells.push_back(points(reached[column]));
+    cells.insert(cells.end(), {begun, line(note)});
     text += row(cells);
   }
   return text;
