@@ -4,12 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdlib>
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
-#include "core/progress.hpp"
 #include "core/stages.hpp"
 #include "image/load.hpp"
 
@@ -100,12 +98,9 @@ std::array<image::Image8, 6> Assets::cube_map(const std::string& name) const {
   std::array<image::Image8, 6> faces;
   for (const char* face : kFaces) remember(folder / face);
   const Stage stage("decode");
-  Progress progress(folder.string());
-  std::atomic<int> done = 0;
   in_parallel(processors(), 6, [&](std::size_t i) {
     // The loader puts the bottom row first; cube maps want the top row.
     faces[i] = image::flipped(image::load8(folder / kFaces[i], 3));
-    progress.say(fmt::format("{} of 6 faces read", ++done));
   });
   check_cube_faces(faces, folder.string());
   return faces;

@@ -51,7 +51,7 @@ void check_ending(const std::filesystem::path& file, View view) {
 std::function<void()> take_snapshot(const Canvas& canvas, AnyLab& lab, View view, glm::ivec2 size,
                                     const std::filesystem::path& file) {
   if (file.extension() == ".pfm")
-    return [file, values = canvas.read_float()] { image::save_pfm(file, values); };
+    return [file, values = canvas.read_float()] { image::save_pfm(file, image::without_alpha(values)); };
   std::vector<image::Text> texts{{"Lab", lab.info().folder()},
                                  {"Parameters", lab.parameters().key()},
                                  {"View", name_of(view)},

@@ -64,7 +64,7 @@ Model load_model(const Assets& assets, const std::string& name, Tessellation tes
   if (name == "sphere") return {mesh::sphere(segments_or(64) / 2, segments_or(64), 1, jitter), {}, true};
   if (name == "torus")
     return {mesh::torus(0.7F, 0.3F, segments_or(96), segments_or(96) / 2, jitter), {}, true};
-  if (name == "quad") return {mesh::grid(0.7F, segments_or(1), jitter), {}, false};
+  if (name == "quad") return {mesh::quad(0.7F, segments_or(1), jitter), {}, false};
 
   const std::filesystem::path file = assets.mesh(name);
   Model model = file.extension() == ".ply" ? read_ply(file) : read_obj(file, name);

@@ -49,10 +49,9 @@ bool is_number(std::string_view word, float& value) {
   return status == NumberStatus::ok || status == NumberStatus::repaired;
 }
 
-/// `r g b`, or one number for all three. A colour as a spectral curve or in CIE XYZ is left as it is.
+/// `r g b`, or one number for all three.
 bool parse_color(std::string_view line, glm::vec3& color) {
   std::string_view word = take_word(line);
-  if (word == "spectral" || word == "xyz") return true;
   glm::vec3 rgb(0.0f);
   if (!is_number(word, rgb.r)) return false;
   rgb = glm::vec3(rgb.r);

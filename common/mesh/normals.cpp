@@ -109,13 +109,11 @@ void smooth_normals(Mesh& mesh, Weighting weighting, FaceNormal face_normal) {
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) mesh.normals[v] = normals[place[v]];
 }
 
-std::size_t generate_missing_normals(ObjData& data, Weighting weighting) {
+void generate_missing_normals(ObjData& data, Weighting weighting) {
   const auto is_missing = [&](const Corner& corner) {
     return corner.normal == no_index || is_zero(unit_or_zero(data.normals[corner.normal]));
   };
-  const auto missing =
-      static_cast<std::size_t>(std::count_if(data.corners.begin(), data.corners.end(), is_missing));
-  if (missing == 0) return 0;
+  if (std::none_of(data.corners.begin(), data.corners.end(), is_missing)) return;
   std::size_t key_count = 0;
   const std::vector<std::uint32_t> keys = smoothing_keys(data, key_count);
   const std::vector<glm::vec3> generated = sum_normals(
@@ -126,7 +124,6 @@ std::size_t generate_missing_normals(ObjData& data, Weighting weighting) {
   for (std::size_t i = 0; i < data.corners.size(); ++i)
     if (is_missing(data.corners[i])) data.corners[i].normal = first + keys[i];
   data.normals.insert(data.normals.end(), generated.begin(), generated.end());
-  return missing;
 }
 
 void remove_normals(ObjData& data) {

@@ -25,6 +25,11 @@ std::string_view first_word(const char* at, const char* end) {
 /// and differences of larger ones could overflow.
 constexpr float greatest_texcoord = 16777216.0f;
 
+template <class Vector>
+bool is_finite(const Vector& v) {
+  return !glm::any(glm::isinf(v)) && !glm::any(glm::isnan(v));
+}
+
 /// Reads an integer off the front of [at, end); false when there is none or it has more than 18 digits.
 inline bool take_integer(const char*& at, const char* end, std::int64_t& value) {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
@@ -49,20 +54,12 @@ struct Trouble {
 
 class Parser {
  public:
-  Parser(std::string_view text, const std::string& name, const PartDone& progress)
-      : text_(text), name_(name), progress_(progress), lines_(text) {}
+  Parser(std::string_view text, const std::string& name) : text_(text), name_(name), lines_(text) {}
 
   ObjData parse() {
     if (text_.empty()) throw Error::failed("the file is empty", {name_}, "choose an OBJ file");
-    const std::size_t step = std::max<std::size_t>(text_.size() / 100, 1u << 20);
-    std::size_t next_report = step;
     std::string_view line;
-    while (lines_.next(line)) {
-      parse_line(line);
-      if (lines_.bytes_read() < next_report) continue;
-      next_report += step;
-      if (progress_) progress_(static_cast<double>(lines_.bytes_read()) / static_cast<double>(text_.size()));
-    }
+    while (lines_.next(line)) parse_line(line);
     finish();
     return std::move(data_);
   }
@@ -111,7 +108,7 @@ class Parser {
     std::size_t count = 0;
     const char* at = line.data();
     const char* const end = at + line.size();
-    finite_ = most;
+    bool all_finite = true;
     for (; skip_blanks(at, end); ++count) {
       if (count == most) fail(fmt::format("{} has more than {} numbers", keyword, most), "remove the rest");
       if (take_plain_number(at, end, numbers_[count])) continue;
@@ -125,11 +122,11 @@ class Parser {
       if (status == NumberStatus::repaired)
         note("numbers in an unusual spelling; the first is {}, read as {}", for_message(word),
              numbers_[count]);
-      if (status == NumberStatus::not_finite) finite_ = std::min(finite_, count);
+      if (status == NumberStatus::not_finite) all_finite = false;
     }
     if (count < least)
       fail(fmt::format("{} has {} numbers and needs {}", keyword, count, least), "is the file cut off here?");
-    if (finite_ < most) {
+    if (!all_finite) {
       if (first_not_finite_ == 0) first_not_finite_ = lines_.line_number();
       note(
           "lines of v, vt and vn with NaN, infinity or more than a 32-bit float can hold, taken as missing; "
@@ -151,30 +148,23 @@ class Parser {
     const std::span<const float> n = numbers(line, "v", 3, 7);
     if (n.size() == 5) fail("v has 5 numbers", "write x y z, x y z w or x y z r g b");
     data_.positions.push_back(position_from(n));
-    if (finite_ < 3) not_finite_positions_.push_back(static_cast<std::uint32_t>(data_.positions.size() - 1));
     if ((n.size() == 4 || n.size() == 7) && n[3] != 1.0f) note("weights (the fourth number of v) ignored");
-    if (n.size() >= 6) {
-      data_.colors.resize(data_.positions.size() - 1, glm::vec3(1.0f));
-      data_.colors.emplace_back(n[n.size() - 3], n[n.size() - 2], n[n.size() - 1]);
-      if (finite_ < n.size()) data_.colors.back() = glm::vec3(1.0f);
-    }
   }
 
   void texcoord_line(std::string_view line) {
     reserve_by(data_.texcoords, line.size(), 1);
     const glm::vec2 texcoord = texcoord_from(numbers(line, "vt", 1, 3));
-    const glm::vec2 kept = glm::clamp(texcoord, -greatest_texcoord, greatest_texcoord);
+    const glm::vec2 kept =
+        is_finite(texcoord) ? glm::clamp(texcoord, -greatest_texcoord, greatest_texcoord) : texcoord;
     if (kept != texcoord)
       note("vt beyond {}, where a 32-bit float has no fraction, clamped", greatest_texcoord);
     data_.texcoords.push_back(kept);
-    if (finite_ < 2) not_finite_texcoords_.push_back(static_cast<std::uint32_t>(data_.texcoords.size() - 1));
   }
 
   void normal_line(std::string_view line) {
     reserve_by(data_.normals, line.size(), 1);
     const std::span<const float> n = numbers(line, "vn", 3, 3);
-    // Without a direction: a generated one takes its place.
-    data_.normals.push_back(finite_ < 3 ? glm::vec3(0.0f) : glm::vec3(n[0], n[1], n[2]));
+    data_.normals.emplace_back(n[0], n[1], n[2]);
   }
 
   [[noreturn]] void fail_no_index(const char* at, const char* end, const char* list) const {
@@ -204,8 +194,10 @@ class Parser {
     return outside(written, count, list);
   }
 
-  static bool is_in(const std::vector<std::uint32_t>& list, std::uint32_t index) {
-    return !list.empty() && std::binary_search(list.begin(), list.end(), index);
+  /// Whether the list has something else than numbers there, which is rare.
+  template <class Value>
+  bool is_missing(const std::vector<Value>& list, std::uint32_t index) const {
+    return first_not_finite_ > 0 && index != no_index && !is_finite(list[index]);
   }
 
   /// v, v/vt, v//vn or v/vt/vn; empty parts at the end are taken as not there.
@@ -215,7 +207,7 @@ class Parser {
     corner.position = take_entry(at, end, data_.positions.size(), "v");
     if (at != end && *at == '/') {
       if (++at; at_index()) corner.texcoord = take_entry(at, end, data_.texcoords.size(), "vt");
-      if (is_in(not_finite_texcoords_, corner.texcoord)) corner.texcoord = no_index;
+      if (is_missing(data_.texcoords, corner.texcoord)) corner.texcoord = no_index;
       if (at != end && *at == '/')
         if (++at; at_index()) corner.normal = take_entry(at, end, data_.normals.size(), "vn");
     }
@@ -246,7 +238,7 @@ class Parser {
     }
     if (face_.size() < 3) return note("faces with fewer than three different corners, ignored");
     for (const Corner& corner : face_)
-      if (is_in(not_finite_positions_, corner.position)) {
+      if (is_missing(data_.positions, corner.position)) {
         all_faces_are_finite_ = false;
         return note("faces that use such a v, ignored");
       }
@@ -306,7 +298,6 @@ class Parser {
                       "not understood)",
                       lines_.lines_read(), data_.positions.size(), faces_, unknown_lines_),
           {name_}, "is this an OBJ file, and was it exported with its faces?");
-    if (!data_.colors.empty()) data_.colors.resize(data_.positions.size(), glm::vec3(1.0f));
     std::uint64_t missing_texcoords = 0, missing_normals = 0;
     for (const Corner& corner : data_.corners) {
       if (corner.texcoord == no_index) ++missing_texcoords;
@@ -327,15 +318,12 @@ class Parser {
 
   std::string_view text_;
   const std::string& name_;
-  const PartDone& progress_;
   LineReader lines_;
   ObjData data_;
   std::vector<Trouble> troubles_;  // in the order in which they were met
   std::uint64_t faces_ = 0, unknown_lines_ = 0;
   bool all_faces_are_finite_ = true;
-  std::size_t finite_ = 0;  // how many of the last line's numbers are finite before the first that is not
-  std::uint64_t first_not_finite_ = 0;                                      // its line
-  std::vector<std::uint32_t> not_finite_positions_, not_finite_texcoords_;  // indices, in ascending order
+  std::uint64_t first_not_finite_ = 0;  // the line of the first number that is not; 0 for none
   std::array<float, 7> numbers_{};
   std::vector<Corner> face_;  // this and the next two are here to be allocated once
   std::vector<glm::vec3> outline_;
@@ -427,13 +415,13 @@ void read_libraries(const Path& folder, ObjData& data) {
 
 }  // namespace
 
-ObjData parse_obj(std::string_view text, const std::string& name, const PartDone& progress) {
-  return Parser(text, name, progress).parse();
+ObjData parse_obj(std::string_view text, const std::string& name) {
+  return Parser(text, name).parse();
 }
 
-ObjData load_obj(const Path& path, const PartDone& progress) {
+ObjData load_obj(const Path& path) {
   const MappedFile file(path);
-  ObjData data = parse_obj(file.bytes(), path.string(), progress);
+  ObjData data = parse_obj(file.bytes(), path.string());
   read_libraries(path.parent_path(), data);
   return data;
 }

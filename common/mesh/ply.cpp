@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -33,13 +34,6 @@ Value take(std::string_view& bytes) {
   return value;
 }
 
-/// Takes `expected` off the front if it stands there.
-bool take_text(std::string_view& bytes, std::string_view expected) {
-  if (!bytes.starts_with(expected)) return false;
-  bytes.remove_prefix(expected.size());
-  return true;
-}
-
 /// Calls `visit` with each attribute that a PLY file can hold, and its lines in the header.
 template <class MeshType, class Visit>
 void for_each_property(MeshType& mesh, Visit visit) {
@@ -49,30 +43,31 @@ void for_each_property(MeshType& mesh, Visit visit) {
   visit(mesh.tangents, "property float tx\nproperty float ty\nproperty float tz\nproperty float tw\n");
 }
 
-constexpr std::string_view magic = "ply\nformat binary_little_endian 1.0\n";
-constexpr std::string_view face_list = "property list uchar int vertex_indices\nend_header\n";
+constexpr std::string_view header_end = "end_header\n";
+
+/// With the properties of those attributes that the mesh has.
+std::string header_of(const Mesh& mesh, std::size_t faces) {
+  std::string header =
+      fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n", mesh.vertex_count());
+  for_each_property(mesh, [&](const auto& values, const char* lines) {
+    const bool is_position = static_cast<const void*>(&values) == &mesh.positions;  // in an empty mesh too
+    if (!values.empty() || is_position) header += lines;
+  });
+  return header +
+         fmt::format("element face {}\nproperty list uchar int vertex_indices\n{}", faces, header_end);
+}
 
 }  // namespace
 
 std::string to_ply(const Mesh& mesh) {
-  std::string bytes(magic);
-  bytes += fmt::format("element vertex {}\n", mesh.vertex_count());
-  std::size_t vertex_bytes = 0;
-  for_each_property(mesh, [&](const auto& values, const char* lines) {
-    const bool is_position = static_cast<const void*>(&values) == &mesh.positions;  // in an empty mesh too
-    if (values.empty() && !is_position) return;
-    bytes += lines;
-    vertex_bytes += sizeof(values[0]);
-  });
-  bytes += fmt::format("element face {}\n{}", mesh.triangle_count(), face_list);
-  bytes.reserve(bytes.size() + mesh.vertex_count() * vertex_bytes + mesh.triangle_count() * face_bytes);
+  std::string bytes = header_of(mesh, mesh.triangle_count());
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
     for_each_property(mesh, [&](const auto& values, const char*) {
       if (!values.empty()) append(bytes, values[v]);
     });
   for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
     if (i % 3 == 0) append(bytes, std::uint8_t{3});
-    append(bytes, static_cast<std::int32_t>(mesh.indices[i]));
+    append(bytes, mesh.indices[i]);
   }
   return bytes;
 }
@@ -81,32 +76,28 @@ Mesh parse_ply(std::string_view bytes, const std::string& name) {
   const auto fail = [&name](const std::string& what) {
     return Error::failed(what, {name}, "write the file with --mesh");
   };
-  const auto take_count = [&](std::string_view before) {
+  const std::size_t end = std::min(bytes.find(header_end), bytes.size());
+  const std::string_view header = bytes.substr(0, end + header_end.size());
+  bytes.remove_prefix(header.size());
+  const auto count = [&](std::string_view before) {
     std::uint32_t count = 0;
-    if (!take_text(bytes, before)) throw fail(fmt::format("'{}' expected in the PLY header", before));
-    const auto [stop, error] = std::from_chars(bytes.data(), bytes.data() + bytes.size(), count);
-    bytes.remove_prefix(static_cast<std::size_t>(stop - bytes.data()));
-    if (error != std::errc{} || !take_text(bytes, "\n")) throw fail("a count is missing in the PLY header");
+    if (const std::size_t at = header.find(before); at != std::string_view::npos)
+      std::from_chars(header.data() + at + before.size(), header.data() + header.size(), count);
     return std::size_t{count};
   };
-
-  if (!take_text(bytes, magic)) throw fail("not a binary little-endian PLY file");
-  const std::size_t vertices = take_count("element vertex ");
+  const std::size_t vertices = count("element vertex "), faces = count("element face ");
   // Before anything is allocated: a header may promise more than there is.
   if (bytes.size() < vertices * sizeof(glm::vec3)) throw fail("the PLY file is cut off");
   Mesh mesh;
-  std::size_t vertex_bytes = 0;
+  std::size_t expected = faces * face_bytes;
   for_each_property(mesh, [&](auto& values, const char* lines) {
-    if (!take_text(bytes, lines)) return;
+    if (header.find(lines) == std::string_view::npos) return;
     values.resize(vertices);
-    vertex_bytes += sizeof(values[0]);
+    expected += vertices * sizeof(values[0]);
   });
-  if (mesh.positions.size() != vertices) throw fail("the PLY file has no x y z");
-  const std::size_t faces = take_count("element face ");
-  if (!take_text(bytes, face_list)) throw fail("a PLY property is unknown or in the wrong place");
-  if (bytes.size() != vertices * vertex_bytes + faces * face_bytes)
-    throw fail(fmt::format("the PLY file has {} bytes after its header, but the header says {}", bytes.size(),
-                           vertices * vertex_bytes + faces * face_bytes));
+  if (header != header_of(mesh, faces)) throw fail("is not a PLY file as the labs write it");
+  if (bytes.size() != expected)
+    throw fail(fmt::format("the PLY file has {} bytes after its header, not {}", bytes.size(), expected));
 
   for (std::size_t v = 0; v < vertices; ++v)
     for_each_property(mesh, [&](auto& values, const char*) {
@@ -118,14 +109,10 @@ Mesh parse_ply(std::string_view bytes, const std::string& name) {
   mesh.indices.reserve(3 * faces);
   for (std::size_t f = 0; f < faces; ++f) {
     if (take<std::uint8_t>(bytes) != 3) throw fail(fmt::format("face {} is not a triangle", f));
-    for (int k = 0; k < 3; ++k) {
-      const auto index = take<std::int32_t>(bytes);
-      if (index < 0 || static_cast<std::size_t>(index) >= vertices)
-        throw fail(fmt::format("corner {} of triangle {} names vertex {}, but they run from 0 to {}", k + 1,
-                               f + 1, index, static_cast<std::int64_t>(vertices) - 1));
-      mesh.indices.push_back(static_cast<std::uint32_t>(index));
-    }
+    for (int k = 0; k < 3; ++k) mesh.indices.push_back(take<std::uint32_t>(bytes));
   }
+  for (const std::uint32_t index : mesh.indices)
+    if (index >= vertices) throw fail(fmt::format("a triangle names vertex {} of {}", index, vertices));
   return mesh;
 }
 

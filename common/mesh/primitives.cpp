@@ -49,7 +49,6 @@ void add_plane(Mesh& mesh, const glm::dvec3& center, const glm::dvec3& right, co
                const Jitter& jitter) {
   const auto first = static_cast<std::uint32_t>(mesh.vertex_count());
   const glm::dvec3 normal = glm::normalize(glm::cross(right, up));
-  cells = std::max(cells, 1);
   for (int j = 0; j <= cells; ++j)
     for (int i = 0; i <= cells; ++i) {
       const bool inside = i > 0 && i < cells && j > 0 && j < cells;
@@ -63,11 +62,7 @@ void add_plane(Mesh& mesh, const glm::dvec3& center, const glm::dvec3& right, co
 
 }  // namespace
 
-Mesh quad(float half_size) {
-  return grid(half_size, 1);
-}
-
-Mesh grid(float half_size, int cells, Jitter jitter) {
+Mesh quad(float half_size, int cells, Jitter jitter) {
   Mesh mesh;
   add_plane(mesh, glm::dvec3(0.0), {half_size, 0.0, 0.0}, {0.0, half_size, 0.0}, cells, jitter);
   return mesh;

@@ -4,35 +4,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/error.hpp"
-#include "mesh/normals.hpp"
 #include "mesh/tangents.hpp"
 #include "mesh/vectors.hpp"
 #include "newell.hpp"
 
 namespace texel::mesh {
-namespace {
-
-double area_of(const std::array<glm::vec3, 3>& p) {
-  const glm::dvec3 a(p[0]), b(p[1]), c(p[2]);
-  return 0.5 * glm::length(glm::cross(c - a, b - a));
-}
-
-}  // namespace
 
 Stretch measure_stretch(const Mesh& mesh) {
-  if (mesh.texcoords.empty())
-    throw Error::failed("the mesh has no texture coordinates", {}, "generate some by a projection");
+  if (mesh.texcoords.size() != mesh.vertex_count() || mesh.normals.size() != mesh.vertex_count())
+    throw Error::failed("the mesh has no texture coordinates or no normals", {}, "generate some");
   Stretch stretch;
-  double surface = 0, texture = 0, sum_squared = 0, sum_shear = 0;
+  double surface = 0, textured = 0, texture = 0, sum_squared = 0;
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
     const auto p = of_triangle(mesh, mesh.positions, t);
     const auto st = of_triangle(mesh, mesh.texcoords, t);
-    const double area = area_of(p);
+    const glm::dvec3 face = newell_normal(p);
+    const double area = 0.5 * glm::length(face);
     if (area == 0) continue;
+    surface += area;
+    for (const glm::vec3& normal : of_triangle(mesh, mesh.normals, t)) {
+      const double degrees = glm::degrees(angle_between(face, normal));
+      stretch.mean_deviation += degrees * area / 3;
+      stretch.max_deviation = std::max(stretch.max_deviation, degrees);
+    }
     const double twice_texture_area = texture_area(st);
     if (twice_texture_area == 0) {
       ++stretch.zero_area_triangles;
@@ -48,52 +45,32 @@ Stretch measure_stretch(const Mesh& mesh) {
     const double a = glm::dot(by_s, by_s), b = glm::dot(by_s, by_t), c = glm::dot(by_t, by_t);
     const double greatest = std::sqrt(0.5 * (a + c + std::hypot(a - c, 2 * b)));  // singular value
     const double shear = std::abs(90 - glm::degrees(std::atan2(2 * area / std::abs(twice_texture_area), b)));
-    surface += area;
+    textured += area;
     texture += 0.5 * std::abs(twice_texture_area);
     sum_squared += 0.5 * (a + c) * area;
-    sum_shear += shear * area;
+    stretch.mean_shear += shear * area;
     stretch.l_infinity = std::max(stretch.l_infinity, greatest);
     stretch.max_shear = std::max(stretch.max_shear, shear);
   }
-  if (surface == 0) return stretch;
-  const double even = std::sqrt(surface / texture);  // what one step would reach, spread evenly
-  stretch.l2 = std::sqrt(sum_squared / surface) / even;
+  if (surface > 0) stretch.mean_deviation /= surface;
+  if (textured == 0) return stretch;
+  const double even = std::sqrt(textured / texture);  // what one step would reach, spread evenly
+  stretch.l2 = std::sqrt(sum_squared / textured) / even;
   stretch.l_infinity /= even;
-  stretch.mean_shear = sum_shear / surface;
+  stretch.mean_shear /= textured;
   return stretch;
-}
-
-NormalDeviation measure_normals(const Mesh& mesh) {
-  if (mesh.normals.empty()) throw Error::failed("the mesh has no normals", {}, "generate some");
-  NormalDeviation deviation;
-  double surface = 0;
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    const auto p = of_triangle(mesh, mesh.positions, t);
-    const glm::vec3 face = newell_unit(p[0], p[1], p[2]);
-    if (is_zero(face)) continue;
-    const double area = area_of(p);
-    surface += area;
-    for (const glm::vec3& normal : of_triangle(mesh, mesh.normals, t)) {
-      const double degrees = glm::degrees(angle_between(face, normal));
-      deviation.mean += degrees * area / 3;
-      deviation.max = std::max(deviation.max, degrees);
-    }
-  }
-  if (surface > 0) deviation.mean /= surface;
-  return deviation;
 }
 
 std::vector<std::string> describe_stretch(const Mesh& mesh) {
   const Stretch stretch = measure_stretch(mesh);
-  const NormalDeviation normals = measure_normals(mesh);
   return {
       fmt::format("{} of {} triangles are smeared (no texture area), {} mirrored",
                   stretch.zero_area_triangles, mesh.triangle_count(), stretch.mirrored_triangles),
       fmt::format("stretch of the others: {:.3f} on average (L2), {:.3f} at most (L infinity); 1 is even",
                   stretch.l2, stretch.l_infinity),
       fmt::format("shear: {:.1f} degrees on average, {:.1f} at most", stretch.mean_shear, stretch.max_shear),
-      fmt::format("normals: {:.1f} degrees from their triangle's on average, {:.1f} at most", normals.mean,
-                  normals.max)};
+      fmt::format("normals: {:.1f} degrees from their triangle's on average, {:.1f} at most",
+                  stretch.mean_deviation, stretch.max_deviation)};
 }
 
 }  // namespace texel::mesh

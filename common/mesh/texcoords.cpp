@@ -7,7 +7,6 @@
 
 #include "mesh/bounds.hpp"
 #include "mesh/distinct.hpp"
-#include "mesh/normals.hpp"
 #include "mesh/weld.hpp"
 #include "newell.hpp"
 

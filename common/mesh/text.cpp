@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "core/plain_text.hpp"
 
@@ -60,22 +61,17 @@ namespace {
 NumberStatus parse_usual(std::string_view word, float& value) {
   const char* end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, value);
-  const bool repaired =
-      end - stop > 1 && (*stop == '+' || *stop == '-') && (stop[1] == 'e' || stop[1] == 'E');
-  if (error == std::errc::invalid_argument || (stop != end && !repaired)) return NumberStatus::malformed;
+  if (error == std::errc::invalid_argument || stop != end) return NumberStatus::malformed;
   // Too large becomes infinity, and too small 0 or a denormal.
-  if (error == std::errc::result_out_of_range)
-    value = std::strtof(std::string(word.data(), stop).c_str(), nullptr);
-  if (!std::isfinite(value)) return NumberStatus::not_finite;
-  return repaired ? NumberStatus::repaired : NumberStatus::ok;
+  if (error == std::errc::result_out_of_range) value = std::strtof(std::string(word).c_str(), nullptr);
+  return std::isfinite(value) ? NumberStatus::ok : NumberStatus::not_finite;
 }
 
-/// NaN and infinity as only some runtimes print them; of Microsoft's 1.#QNAN and 1.#INF also what is left
-/// when they were rounded to fewer digits.
+/// NaN and infinity as Microsoft's runtimes print them: 1.#QNAN and what is left of it when it was rounded to
+/// fewer digits, and the sign of infinity.
 bool names_not_finite(std::string_view word) {
   if (word.starts_with('-')) word.remove_prefix(1);
-  const std::string text = lower_case(word);
-  return text.starts_with("1.#") || text == "nanq" || text == "nans" || text == "\xE2\x88\x9E";
+  return word.starts_with("1.#") || word == "\xE2\x88\x9E";
 }
 
 }  // namespace
@@ -90,7 +86,7 @@ NumberStatus parse_float(std::string_view word, float& value) {
     status = parse_usual(usual, value);
     if (status == NumberStatus::ok) status = NumberStatus::repaired;
   }
-  if (status == NumberStatus::not_finite) value = 0.0f;
+  if (status == NumberStatus::not_finite) value = std::numeric_limits<float>::infinity();
   return status;
 }
 

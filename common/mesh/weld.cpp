@@ -3,9 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <string_view>
 #include <unordered_map>
 
@@ -17,12 +14,6 @@
 
 namespace texel::mesh {
 namespace {
-
-/// The part of a linear colour that the sRGB-encoded value means (IEC 61966-2-1). Finite for 1e30 too.
-float linear_from_srgb(float encoded) {
-  const double c = encoded, linear = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-  return static_cast<float>(std::min<double>(linear, std::numeric_limits<float>::max()));
-}
 
 /// The triangles from one number to before another.
 using Run = std::pair<std::size_t, std::size_t>;
@@ -78,10 +69,6 @@ Mesh weld(ObjData data) {
   });
   fill(mesh.normals, !data.normals.empty(),
        [&](const Corner& corner) { return unit_or_zero(data.normals[corner.normal]); });
-  fill(mesh.colors, !data.colors.empty(), [&](const Corner& corner) {
-    const glm::vec3& c = data.colors[corner.position];
-    return glm::vec3(linear_from_srgb(c.r), linear_from_srgb(c.g), linear_from_srgb(c.b));
-  });
   return mesh;
 }
 

@@ -3,8 +3,6 @@
 // numbers of a line (line_numbers.cpp), an index of a face (face_index.cpp), triangulation (clip_ears.cpp),
 // the vertex stream (corner_numbers.cpp), round projections (spherical_texcoord.cpp).
 #pragma once
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,7 +11,6 @@
 
 #include "app/assets.hpp"
 #include "app/models.hpp"
-#include "core/progress.hpp"
 #include "image/color.hpp"
 #include "mesh/bounds.hpp"
 #include "mesh/normals.hpp"
@@ -50,9 +47,7 @@ inline void find_materials(Imported& imported) {
 /// Reads the file, generates what is missing, and builds the vertex stream. Errors as mesh::load_obj.
 inline Imported import_obj(const std::filesystem::path& file, Projection projection, Normals normals,
                            Tint tint) {
-  Progress progress(file.filename().string());
-  const auto say_part = [&](double part) { progress.say(fmt::format("reading, {:.0f} %", 100 * part)); };
-  mesh::ObjData data = mesh::load_obj(file, say_part);
+  mesh::ObjData data = mesh::load_obj(file);
   Imported imported;
   imported.notes.warnings = data.warnings;
   imported.materials = data.materials;
@@ -61,17 +56,14 @@ inline Imported import_obj(const std::filesystem::path& file, Projection project
   if (normals != Normals::from_file) mesh::remove_normals(data);
   if (data.normals.empty() && normals == Normals::from_file)
     imported.notes.facts.emplace_back("the file has no normals: smooth ones are generated");
-  progress.say("normals");
   if (data.normals.empty() && normals != Normals::flat)
     mesh::generate_missing_normals(
         data, normals == Normals::smooth_area ? mesh::Weighting::area : mesh::Weighting::angle);
 
-  progress.say("vertices");
   mesh::Mesh mesh = mesh::weld(std::move(data));
   app::warn_of_lost_shape(mesh, file.string(), imported.notes);
   mesh::normalize_to_unit(mesh);
   if (normals == Normals::flat) mesh::flat_normals(mesh);
-  progress.say("texture coordinates");
   if (projection == Projection::triplanar) {
     mesh.texcoords.clear();  // the shader makes its own from the position
   } else if (projection != Projection::from_file || mesh.texcoords.empty()) {

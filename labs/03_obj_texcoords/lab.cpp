@@ -78,7 +78,6 @@ struct ObjTexcoords : app::Lab<ObjTexcoordsParameters> {
   gl::MeshBuffers& colored(const Parameters& p, const Model& model) {
     return colored_.get({model_key(p), p.texture, p.flip_v, p.linear_light, p.texture_scale}, [&] {
       mesh::Mesh mesh = model.buffers.mesh();
-      mesh.colors.clear();  // those of the file
       const std::vector<mesh::Group>& parts = model.imported.parts;
       // Two parts may read different pictures, so they share no vertex.
       std::vector<std::uint32_t> part_of_corner(mesh.indices.size());

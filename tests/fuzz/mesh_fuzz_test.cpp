@@ -27,7 +27,7 @@ std::vector<std::string> stumbling_blocks() {
   std::istringstream all(
       "0|-1|1e308|nan|-inf|99999999999999999999|/|//|\\\n|\r|\n|#|f |v |vt |vn |s 1\n|usemtl x\n|+|-|.|e|"
       " |1e30|1,5|\xEF\xBB\xBF|f 1 2 3 4 5 6 7\n|f -1 -2 -3 -4\n|newmtl y\n|map_Kd -s |\xFF|1e-400|"
-      "f 1 2\\\n|3.1+e2|1.#QNAN|s null\n|\\ \n|v inf 0 0\n|vn nan 0 0\n|f 1//9 2//9 3//9\n");
+      "f 1 2\\\n|1.5D+2|1.#QNAN|s null\n|\\ \n|v inf 0 0\n|vn nan 0 0\n|f 1//9 2//9 3//9\n");
   std::vector<std::string> pieces = {std::string(1, '\0'), "0." + std::string(400, '0') + "1"};
   for (std::string piece; std::getline(all, piece, '|');) pieces.push_back(piece);
   return pieces;

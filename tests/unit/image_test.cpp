@@ -358,13 +358,6 @@ TEST_F(Pfm, keeps_every_value_little_endian_and_bottom_row_first) {
   EXPECT_EQ(load_pfm(path_).samples, (std::vector<float>{1, -2, 2})) << "big-endian";
 }
 
-TEST_F(Pfm, has_three_channels_when_the_picture_has_two_or_four) {
-  save_pfm(path_, floats(1, 2, {1, 2}));
-  EXPECT_EQ(load_pfm(path_).samples, (std::vector<float>{1, 2, 0}));
-  save_pfm(path_, floats(2, 4, {1, 2, 3, 4, 5, 6, 7, 8}));
-  EXPECT_EQ(load_pfm(path_).samples, (std::vector<float>{1, 2, 3, 5, 6, 7}));
-}
-
 TEST_F(Pfm, is_an_error_when_header_or_size_are_wrong) {
   const std::string four_bytes(4, '\0');
   EXPECT_EQ(pfm_error("Pf\n1 1\n-1.0\n" + four_bytes), "");

@@ -36,7 +36,7 @@ TEST(Mtl, reads_colors_and_maps_and_tells_of_lines_that_are_lost_and_options_not
       {"Kd 0.25 0.5 1\n", {0.25f, 0.5f, 1}},
       {"Kd 0.5\n", glm::vec3(0.5f)},
       {"Kd 0,5 0 1\n", {0.5f, 0, 1}},
-      {"Kd spectral a.rfl\n"},
+      {"Kd spectral a.rfl\nmap_Kd b.png\n", white, "b.png", lost},
       {"Kd 0.5 x 1\nmap_Kd b.png\n", white, "b.png", lost},
       {"Kd 0.5 0.5\nmap_Kd b.png\n", white, "b.png", lost},
       {"Kd 1.#QNAN 0 0\nmap_Kd b.png\n", white, "b.png", lost},

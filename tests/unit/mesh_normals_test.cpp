@@ -107,7 +107,7 @@ TEST(Normals, of_a_file_follow_weights_positions_and_smoothing_groups) {
   for (const Row& row : rows) {
     SCOPED_TRACE(row.faces);
     ObjData data = parse_obj(fold + row.faces, "a.obj");
-    EXPECT_EQ(generate_missing_normals(data, row.weighting), data.corners.size());
+    generate_missing_normals(data, row.weighting);
     for (const auto& [corner, direction] : row.normals)
       EXPECT_LT(
           glm::distance(glm::dvec3(data.normals[data.corners[corner].normal]), glm::normalize(direction)),
@@ -119,9 +119,10 @@ TEST(Normals, of_a_file_follow_weights_positions_and_smoothing_groups) {
 
 TEST(Normals, of_a_file_can_be_taken_away_and_made_anew) {
   ObjData data = parse_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 0 0\nf 1//1 2//1 3//1\n", "a.obj");
-  EXPECT_EQ(generate_missing_normals(data, Weighting::angle), 0u);
+  generate_missing_normals(data, Weighting::angle);
+  EXPECT_EQ(data.normals.size(), 1u) << "none is missing";
   remove_normals(data);
-  EXPECT_EQ(generate_missing_normals(data, Weighting::angle), 3u);
+  generate_missing_normals(data, Weighting::angle);
   EXPECT_EQ(weld(data).normals[0], glm::vec3(0, 0, 1));
 }
 

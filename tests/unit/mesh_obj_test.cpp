@@ -136,9 +136,6 @@ TEST(Obj, rounds_numbers_to_the_nearest_float_and_repairs_unusual_ones) {
       {"1e-45", std::numeric_limits<float>::denorm_min()},
       {"-0", -0.0f},
       {"0." + zeros + "1e6001", 1.0f},
-      {"3.1+e2", 3.1f, true},  // the part that other programs read
-      {"-1.5-E3", -1.5f, true},
-      {"+2+e", 2.0f, true},
       {"1,5", 1.5f, true},  // of a country with a decimal comma
       {"-0,25", -0.25f, true},
       {"1,5e-2", 0.015f, true},
@@ -165,15 +162,12 @@ TEST(Obj, rounds_numbers_to_the_nearest_float_and_repairs_unusual_ones) {
   }
 }
 
-TEST(Obj, reads_weights_colors_and_one_to_three_texture_numbers) {
+TEST(Obj, reads_over_weights_and_colors_and_takes_one_to_three_texture_numbers) {
   const ObjData data = parse(
       "v 0 2 3\nv 1 0 0 0.5\nv 0 1 0 0.25 0.5 0.75\nv 1 1 0 1 0.1 0.2 0.3\nv 0 0 0 nan 0 0\nv 0 0 1\n"
       "vt 0.25\nvt 0.25 0.75\nvt 2 -1 0.5\nvt 0.5 0.5 nan\nvt 1e30 -3.4e38\nf 1/1 2/2 3/3\nf 1/4 2/5 4/5\n");
   EXPECT_EQ(data.positions[0], glm::vec3(0, 2, 3));
-  EXPECT_EQ(
-      data.colors,
-      (std::vector<glm::vec3>{
-          glm::vec3(1), glm::vec3(1), {0.25f, 0.5f, 0.75f}, {0.1f, 0.2f, 0.3f}, glm::vec3(1), glm::vec3(1)}));
+  EXPECT_EQ(data.positions[3], glm::vec3(1, 1, 0));
   EXPECT_EQ(data.texcoords, (std::vector<glm::vec2>{
                                 {0.25f, 0}, {0.25f, 0.75f}, {2, -1}, {0.5f, 0.5f}, {16777216, -16777216}}));
   EXPECT_EQ(data.corners[3].texcoord, 3u) << "the third number does not matter";
@@ -224,10 +218,10 @@ TEST(Obj, takes_any_smoothing_group) {
 }
 
 TEST(Obj, takes_what_is_not_finite_as_missing_in_every_spelling) {
-  for (const char* text : {"nan",          "NaN",     "-nan",    "nan(ind)",      "-nan(ind)",  "nan(snan)",
-                           "NaNQ",         "1.#QNAN", "-1.#IND", "1.#QNAN0",      "1.#INF",     "-1.#INF00",
-                           "1.#J",         "inf",     "-inf",    "+Inf",          "Infinity",   "-Infinity",
-                           "\xE2\x88\x9E", "1e39",    "-1e308",  "1.797693e+308", "1e999999999"}) {
+  for (const char* text : {"nan",     "NaN",     "-nan",          "nan(ind)",   "-nan(ind)", "nan(snan)",
+                           "1.#QNAN", "-1.#IND", "1.#QNAN0",      "1.#INF",     "-1.#INF00", "1.#J",
+                           "inf",     "-inf",    "+Inf",          "Infinity",   "-Infinity", "\xE2\x88\x9E",
+                           "1e39",    "-1e308",  "1.797693e+308", "1e999999999"}) {
     SCOPED_TRACE(text);
     const std::string bad = text;
     // A line each of v, vt and vn. First, no face uses them.
@@ -291,7 +285,7 @@ TEST(Obj, refuses_bad_input_with_the_line_and_a_remedy) {
       {"not a number",
        4,
        {"v 1.000,5 0 0\n", "v 0 0 info\n", "v 0 0 1e\n", "v 0 0 +-1\n", "v 0 0 +\n", "v 0 0 0x10\n",
-        "v 0 0 3.1e+\n", "v 0 0 3.1+2\n", joined}},
+        "v 0 0 3.1e+\n", "v 0 0 3.1+e2\n", joined}},
       {"not a number", 5, {"v 0 0 0\r\nv 1 0 x\r\n"}},
       {"needs 3", 4, {"v 0 0\n", "v 0 0 # 0\n", "vn 0 0\n"}},
       {"5 numbers", 4, {"v 0 0 0 1 1\n"}},
@@ -315,18 +309,6 @@ TEST(Obj, refuses_a_face_of_more_corners_than_can_be_drawn) {
   for (std::size_t i = 0; i < max_face_corners; ++i) face += i % 2 == 0 ? " 1" : " 2";
   EXPECT_EQ(parse(triangle + face + "\n").triangle_count(), max_face_corners - 2);
   expect_refused(triangle + face + " 3\n", 4, "more than 65536 corners");
-}
-
-TEST(Obj, shows_progress_that_grows_on_a_long_file) {
-  std::string text = triangle;
-  while (text.size() < (3u << 20)) text += "f 1 2 3\n";
-  std::vector<double> parts = {0.0};
-  parse_obj(text, "long.obj", [&parts](double part) {
-    EXPECT_GT(part, parts.back());
-    parts.push_back(part);
-  });
-  EXPECT_GE(parts.size(), 3u);
-  EXPECT_LE(parts.back(), 1.0);
 }
 
 /// A text with random numbers and triangles in every form of corner.

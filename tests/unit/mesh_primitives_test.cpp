@@ -25,7 +25,7 @@ TEST(Primitives, have_the_counts_that_their_parameters_give) {
     std::size_t vertices, triangles;
   };
   const Row rows[] = {{quad(), 4, 2},
-                      {grid(1.0f, 5), 36, 50},
+                      {quad(1.0f, 5), 36, 50},
                       {cube_split(), 24, 12},
                       {sphere(8, 12), 13 * 7 + 2 * 12, 2 * 12 * 7},
                       {torus(1.0f, 0.3f, 16, 8), 17 * 9, 2 * 16 * 8},
@@ -63,7 +63,7 @@ void expect_closed(const Mesh& mesh) {
 }
 
 TEST(Primitives, face_outward_with_the_texture_upright_and_are_closed) {
-  for (const Mesh& mesh : {quad(), grid(2.0f, 3), grid(2.0f, 5, {0.49f, 3})}) expect_outward(mesh);
+  for (const Mesh& mesh : {quad(), quad(2.0f, 3), quad(2.0f, 5, {0.49f, 3})}) expect_outward(mesh);
   // Sliding vertices stay together at edges, seams and poles.
   for (const Mesh& mesh :
        {cube_split(), sphere(7, 9), torus(1.0f, 0.4f, 11, 7), torus(1.0f, 0.4f, 11, 7, {0.49f, 3}),
@@ -93,7 +93,7 @@ TEST(Primitives, lie_where_their_texture_coordinates_say_jittered_or_not) {
 }
 
 TEST(Primitives, jitter_slides_the_inner_vertices_of_a_plane_alone) {
-  const Mesh even = grid(1.0f, 4), rough = grid(1.0f, 4, {0.5f, 1});
+  const Mesh even = quad(1.0f, 4), rough = quad(1.0f, 4, {0.5f, 1});
   int moved = 0;
   for (std::size_t v = 0; v < even.vertex_count(); ++v) {
     const glm::vec2 here(rough.positions[v]), st = rough.texcoords[v];

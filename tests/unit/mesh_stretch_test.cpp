@@ -90,16 +90,16 @@ TEST(Stretch, is_what_sander_s_formulas_give_by_hand) {
   EXPECT_THROW(measure_stretch(icosphere(0)), Error) << "no texture coordinates";
 }
 
-TEST(NormalDeviation, is_that_of_the_cubes_corner_when_eight_vertices_share_normals) {
-  const NormalDeviation shared = measure_normals(cube_shared(cube_before));
+TEST(Stretch, has_the_deviation_of_normals_that_a_cube_s_eight_vertices_share) {
+  const Stretch shared = measure_stretch(cube_shared(cube_before));
   const double corner = glm::degrees(std::acos(1 / std::sqrt(3.0)));
   // The stored normals are float32: 1e-7 rad are 6e-6 degrees.
-  EXPECT_NEAR(shared.mean, corner, 1e-5);
-  EXPECT_NEAR(shared.max, corner, 1e-5);
-  EXPECT_EQ(measure_normals(weld(cube_by_face())).max, 0);
+  EXPECT_NEAR(shared.mean_deviation, corner, 1e-5);
+  EXPECT_NEAR(shared.max_deviation, corner, 1e-5);
+  EXPECT_EQ(measure_stretch(weld(cube_by_face())).max_deviation, 0);
   Mesh mesh = quad();
   mesh.normals.clear();
-  EXPECT_THROW(measure_normals(mesh), Error);
+  EXPECT_THROW(measure_stretch(mesh), Error);
 }
 
 TEST(Stretch, is_described_in_lines_with_the_figures) {

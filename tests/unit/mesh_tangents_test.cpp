@@ -92,7 +92,7 @@ TEST(Tangents, follow_a_sheared_stretched_and_mirrored_texture) {
                       {{{1, 0}, {0, 0.001f}}, {1, 0, 0}, {0, 1, 0}, 1}};
   for (const Row& row : rows)
     for (const Method method : test::tangent_methods) {
-      Mesh mesh = grid(1.0f, 4);
+      Mesh mesh = quad(1.0f, 4);
       for (glm::vec2& st : mesh.texcoords) st = row.texture * st;
       compute_tangents(mesh, method);
       ASSERT_EQ(mesh.vertex_count(), 25u);

@@ -84,14 +84,6 @@ TEST(Weld, groups_triangles_by_material_in_order_of_first_use) {
   EXPECT_TRUE(weld(square("f 1 2 3\n")).groups.empty());
 }
 
-TEST(Weld, makes_colors_linear) {
-  const Mesh mesh = weld(parse_obj("v 0 0 0 1 0.5 0\nv 1 0 0 0.04 1 1\nv 0 1 0\nf 1 2 3\n", "a.obj"));
-  ASSERT_EQ(mesh.colors.size(), 3u);
-  EXPECT_NEAR(mesh.colors[0].g, 0.214041f, 1e-6f);  // IEC 61966-2-1 of 0.5
-  EXPECT_NEAR(mesh.colors[1].r, 0.04f / 12.92f, 1e-8f);
-  EXPECT_EQ(mesh.colors[2], glm::vec3(1.0f));
-}
-
 TEST(Weld, fills_what_some_corners_lack) {
   const Mesh mesh = weld(square("vt 0.5 0.5\nvn 0 0 0\nvn 1 0 0\nf 1/1/2 2/1/1 3\n"));
   EXPECT_EQ(mesh.texcoords[2], glm::vec2(0.0f));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <cstddef>
 #include <glm/glm.hpp>
 
 #include "mesh/mesh.hpp"
@@ -33,8 +32,8 @@ void smooth_normals(Mesh& mesh, Weighting weighting, FaceNormal face_normal = nu
 
 /// Gives a normal to every corner of an OBJ file that has none or one of zero length: the weighted mean over
 /// the triangles at its position of the same smoothing group (group 0: flat), or over all triangles there
-/// when the file has no smoothing groups. Returns the number of corners that got one.
-std::size_t generate_missing_normals(ObjData& data, Weighting weighting);
+/// when the file has no smoothing groups.
+void generate_missing_normals(ObjData& data, Weighting weighting);
 
 /// Removes all normals, as if the file had no vn.
 void remove_normals(ObjData& data);

@@ -2,7 +2,6 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <glm/glm.hpp>
 #include <span>
 #include <string>
@@ -49,7 +48,6 @@ struct ObjData {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec2> texcoords;
   std::vector<glm::vec3> normals;       ///< as written, of any length
-  std::vector<glm::vec3> colors;        ///< empty, or one for each position, as written (white where missing)
   std::vector<Corner> corners;          ///< three a triangle, polygons cut
   std::vector<NamedRun> material_runs;  ///< `usemtl`
   std::vector<NamedRun> group_runs;     ///< `g` and `o`
@@ -64,24 +62,21 @@ struct ObjData {
 /// Each triangle of a polygon may cover all of it: the pictures of larger ones would take minutes.
 inline constexpr std::size_t max_face_corners = 65536;
 
-/// Called now and then with the part of a file that is read, 0..1; may be empty.
-using PartDone = std::function<void(double)>;
-
-/// Parses an OBJ text in one pass. Knows v (xyz, xyzw, xyz rgb, xyzw rgb), vt (1 to 3 numbers), vn, f (and
-/// fo) with v, v/vt, v//vn, v/vt/vn and negative indices, p, l, g, o, s, usemtl, mtllib, comments, lines
-/// continued by '\', LF, CRLF and CR, tabs, a byte order mark. Numbers are rounded correctly to float32. A
-/// face may only use lines above it. A line of v, vt or vn with NaN, infinity or a number too large for
-/// float32 counts as missing: a face that uses the v is left out, a vt is none, a vn is generated. Faces are
-/// cut into triangles in their own plane (polygon.hpp). Throws Error (exit 3) with `name` and the line: an
-/// index of v that is 0 or out of range, one of vt that is out of range (0 is none), a number that is
-/// malformed, a face of more than max_face_corners, binary data, an empty text, a text without a face of
-/// three corners. Linear time. Repairs are counted and told in ObjData::warnings.
-ObjData parse_obj(std::string_view text, const std::string& name, const PartDone& progress = {});
+/// Parses an OBJ text in one pass. Knows v (xyz, also with a weight or a color, which nothing shows), vt (1
+/// to 3 numbers), vn, f (and fo) with v, v/vt, v//vn, v/vt/vn and negative indices, p, l, g, o, s, usemtl,
+/// mtllib, comments, lines continued by '\', LF, CRLF and CR, tabs, a byte order mark. Numbers are rounded
+/// correctly to float32. A face may only use lines above it. A line of v, vt or vn with NaN, infinity or a
+/// number too large for float32 counts as missing: a face that uses the v is left out, a vt is none, a vn is
+/// generated. Faces are cut into triangles in their own plane (polygon.hpp). Throws Error (exit 3) with
+/// `name` and the line: an index of v that is 0 or out of range, one of vt that is out of range (0 is none),
+/// a number that is malformed, a face of more than max_face_corners, binary data, an empty text, a text
+/// without a face of three corners. Linear time. Repairs are counted and told in ObjData::warnings.
+ObjData parse_obj(std::string_view text, const std::string& name);
 
 /// Maps a file into memory and parses it, then reads its material libraries from beside it, and finds their
 /// color maps beside the library or else beside the file, there also without the folders in their names. What
 /// is missing or wrong is a warning. Throws Error (exit 3) as parse_obj and when the file cannot be read.
-ObjData load_obj(const std::filesystem::path& path, const PartDone& progress = {});
+ObjData load_obj(const std::filesystem::path& path);
 
 /// Parses an MTL text: newmtl, Kd and map_Kd (any case); the rest is ignored. Adds a warning, with `name`,
 /// for lines that are lost (a Kd that is no number, a property before the first newmtl), and one for options

@@ -19,13 +19,11 @@ struct Jitter {
   std::uint32_t seed = 0;
 };
 
-/// A square in the plane z = 0 facing +z: corners (-h, -h) to (h, h), texture coordinates 0..1, 4 vertices.
-Mesh quad(float half_size = 0.7f);
+/// A square in the plane z = 0 facing +z: corners (-h, -h) to (h, h), texture coordinates 0..1, cut into
+/// cells x cells squares of two triangles.
+Mesh quad(float half_size = 0.7f, int cells = 1, Jitter jitter = {});
 
-/// The same square cut into cells x cells squares of two triangles.
-Mesh grid(float half_size, int cells, Jitter jitter = {});
-
-/// A cube whose faces are such grids, 4 vertices each unless they are cut: each face has its own copy of the
+/// A cube whose faces are such squares: each face has its own copy of the
 /// whole texture, upright seen from outside (the top's lower edge and the bottom's upper edge are those at
 /// the front). Faces +z, -z, +x, -x, +y, -y.
 Mesh cube_split(float half_size = 1.0f, int cells = 1, Jitter jitter = {});

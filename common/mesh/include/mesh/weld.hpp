@@ -13,8 +13,7 @@ namespace texel::mesh {
 /// numbered in order of first use, triangles grouped by material in order of first use. Corners without vt
 /// get (0, 0) where others have one; normals that are missing where others have one are generated
 /// (normals.hpp) and all are made unit length; where no corner has a vt (vn), the mesh has no texcoords
-/// (normals). Colours are taken as sRGB, which is how exporters write them, and made linear. Expected linear
-/// time. Pass the data with std::move to spare a copy.
+/// (normals). Expected linear time. Pass the data with std::move to spare a copy.
 Mesh weld(ObjData data);
 
 /// The mesh with only these vertices, in this order; its indices are left empty.
