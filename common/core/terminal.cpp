@@ -49,17 +49,6 @@ void flush_output() {
                     errno != 0 ? std::strerror(errno) : "the disk is full, or nobody reads it"));
 }
 
-namespace {
-
-/// Says on standard error why a program ends; in a terminal in lines that fit.
-void print_error(const std::string& program, const std::exception& error) {
-  std::string text = program + ": " + error.what() + "\n";
-  if (const auto columns = terminal_columns(STDERR_FILENO)) text = wrapped(text, *columns);
-  std::fputs(text.c_str(), stderr);
-}
-
-}  // namespace
-
 int run_main(const std::string& program, const std::function<Exit()>& run) {
   // Not ignored: programs that this one starts would ignore the signal too.
   std::signal(SIGPIPE, [](int) {});
@@ -67,12 +56,12 @@ int run_main(const std::string& program, const std::function<Exit()>& run) {
     const Exit exit = run();
     flush_output();
     return static_cast<int>(exit);
-  } catch (const Error& error) {
-    print_error(program, error);
-    return static_cast<int>(error.exit_code());
-  } catch (const std::exception& error) {  // out of memory, a fault of ours
-    print_error(program, error);
-    return static_cast<int>(Exit::failed);
+  } catch (const std::exception& error) {
+    std::string text = program + ": " + error.what() + "\n";
+    if (const auto columns = terminal_columns(STDERR_FILENO)) text = wrapped(text, *columns);
+    std::fputs(text.c_str(), stderr);
+    const auto* ours = dynamic_cast<const Error*>(&error);  // else out of memory, a fault of ours
+    return static_cast<int>(ours != nullptr ? ours->exit_code() : Exit::failed);
   }
 }
 

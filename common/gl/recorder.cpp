@@ -5,18 +5,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "core/stages.hpp"
+#include "gl/program.hpp"
 
 namespace texel::gl {
 namespace {
 
 Recorder* current = nullptr;
 
+/// Whether it was not yet there.
 template <class T>
-void add_once(std::vector<T>& list, T value) {
-  if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(std::move(value));
+bool add_once(std::vector<T>& list, T value) {
+  if (std::find(list.begin(), list.end(), value) != list.end()) return false;
+  list.push_back(std::move(value));
+  return true;
 }
 
 /// A texture's format as OpenGL calls it, and the bytes of one texel.
@@ -98,37 +101,23 @@ void Recorder::inspect_indices() {
 }
 
 void Recorder::inspect_attributes(GLuint program) {
-  std::map<GLuint, std::string> names;  // by location
-  GLint count = 0;
-  glGetProgramiv(program, GL_ACTIVE_ATTRIBUTES, &count);
-  for (GLint i = 0; i < count; ++i) {
-    char name[256];
-    GLint size = 0;
-    GLenum type = 0;
-    glGetActiveAttrib(program, static_cast<GLuint>(i), sizeof name, nullptr, &size, &type, name);
-    if (const GLint location = glGetAttribLocation(program, name); location >= 0)
-      names[static_cast<GLuint>(location)] = name;
-  }
-  const auto restore = static_cast<GLuint>(integer(GL_ARRAY_BUFFER_BINDING));
-  for (const auto& [location, name] : names) {
+  for (const char* name : kAttributeNames) {
+    const GLint at = glGetAttribLocation(program, name);
+    if (at < 0) continue;
+    const auto location = static_cast<GLuint>(at);
     if (integer_of_attribute(location, GL_VERTEX_ATTRIB_ARRAY_ENABLED) == 0) {
       warn(fmt::format("the shader reads the attribute '{}', but no array is enabled for it", name));
       continue;
     }
     const GLint buffer = integer_of_attribute(location, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING),
-                components = integer_of_attribute(location, GL_VERTEX_ATTRIB_ARRAY_SIZE),
-                stride = integer_of_attribute(location, GL_VERTEX_ATTRIB_ARRAY_STRIDE);
+                components = integer_of_attribute(location, GL_VERTEX_ATTRIB_ARRAY_SIZE);
     GLint bytes = 0;
-    glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(buffer));
-    glGetBufferParameteriv(GL_ARRAY_BUFFER, GL_BUFFER_SIZE, &bytes);
-    Record::AttributeUse use{name, bytes};
-    if (std::find(record_.attributes.begin(), record_.attributes.end(), use) != record_.attributes.end())
-      continue;
-    record_.attributes.push_back(use);
-    const GLint step = stride != 0 ? stride : components * static_cast<GLint>(sizeof(float));
-    if (name == "position") record_.vertices += bytes / std::max(step, 1);
+    glBindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(buffer));  // which nothing else uses
+    glGetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &bytes);
+    if (!add_once(record_.attributes, {name, bytes})) continue;
+    const GLint step = components * static_cast<GLint>(sizeof(float));  // ours follow without a gap
+    if (name == std::string_view("position")) record_.vertices += bytes / step;
   }
-  glBindBuffer(GL_ARRAY_BUFFER, restore);
 }
 
 void Recorder::inspect_samplers(GLuint program) {

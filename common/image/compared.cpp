@@ -25,10 +25,8 @@ glm::vec3 color_of(const glm::vec3& value, const std::string& view) {
 
 Image8 absolute_difference(const Image8& a, const Image8& b) {
   Image8 result(a.width, a.height, 3);
-  for (int y = 0; y < a.height; ++y)
-    for (int x = 0; x < a.width; ++x)
-      for (int c = 0; c < 3; ++c)
-        result.at(x, y, c) = static_cast<std::uint8_t>(std::abs(a.at(x, y, c) - b.at(x, y, c)));
+  for (std::size_t i = 0; i < result.samples.size(); ++i)
+    result.samples[i] = static_cast<std::uint8_t>(std::abs(a.samples[i] - b.samples[i]));
   return result;
 }
 

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
+#include <cstring>
 
 #include "core/files.hpp"
 #include "decode.hpp"
@@ -15,20 +16,12 @@
 
 namespace texel::image {
 
+static_assert(std::endian::native == std::endian::little, "samples are copied as they lie in memory");
+
 void save_pfm(const std::filesystem::path& path, const ImageF& image) {
-  const int channels = image.channels == 1 ? 1 : 3;
-  const std::string header =
-      fmt::format("{}\n{} {}\n-1.0\n", channels == 1 ? "Pf" : "PF", image.width, image.height);
-  const std::size_t samples =
-      image.samples.size() / static_cast<std::size_t>(image.channels) * static_cast<std::size_t>(channels);
-  std::string bytes(header.size() + samples * sizeof(float), '\0');
-  char* out = std::copy(header.begin(), header.end(), bytes.data());
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      for (int c = 0; c < channels; ++c) {
-        const auto bits = std::bit_cast<std::uint32_t>(c < image.channels ? image.at(x, y, c) : 0.0F);
-        for (int shift = 0; shift < 32; shift += 8) *out++ = static_cast<char>(bits >> shift & 0xffU);
-      }
+  std::string bytes =
+      fmt::format("{}\n{} {}\n-1.0\n", image.channels == 1 ? "Pf" : "PF", image.width, image.height);
+  bytes.append(reinterpret_cast<const char*>(image.samples.data()), image.samples.size() * sizeof(float));
   write_file(path, bytes);
 }
 
@@ -61,17 +54,16 @@ ImageF parse_pfm(std::string_view bytes, const std::string& name) {
   if (width < 1 || height < 1) throw wrong(fmt::format("has a size of {}x{}", width, height));
   if (!std::isfinite(scale) || scale == 0) throw wrong("has a scale that is zero or not finite");
   check_limits(name, width, height, channels);
-  const std::size_t samples =
-      static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels);
-  if (bytes.size() != 4 * samples)
-    throw wrong(fmt::format("has {} bytes of samples, but its header says {}", bytes.size(), 4 * samples));
-
   ImageF image(width, height, channels);
-  for (std::size_t i = 0; i < samples; ++i) {
-    std::uint32_t bits = 0;
-    for (std::size_t byte = 0; byte < 4; ++byte)
-      bits = bits << 8 | static_cast<unsigned char>(bytes[4 * i + (scale < 0 ? 3 - byte : byte)]);
-    image.samples[i] = std::bit_cast<float>(bits);
+  const std::size_t size = image.samples.size() * sizeof(float);
+  if (bytes.size() != size)
+    throw wrong(fmt::format("has {} bytes of samples, but its header says {}", bytes.size(), size));
+  std::memcpy(image.samples.data(), bytes.data(), size);
+  if (scale < 0) return image;
+  for (float& sample : image.samples) {  // big-endian
+    auto turned = std::bit_cast<std::array<char, sizeof(float)>>(sample);
+    std::reverse(turned.begin(), turned.end());
+    sample = std::bit_cast<float>(turned);
   }
   return image;
 }

@@ -38,7 +38,7 @@ std::vector<std::string> sound_files(const test::TemporaryFolder& folder) {
   const std::vector<Text> texts = {{"lab", "fuzz"}, {"unicode", "Größe"}};
   for (int channels = 1; channels <= 4; ++channels) {
     Image8 image(9, 7, channels);
-    ImageF floats(3, 2, channels);
+    ImageF floats(3, 2, channels < 3 ? 1 : 3);
     for (std::size_t i = 0; i < image.samples.size(); ++i)
       image.samples[i] = static_cast<std::uint8_t>(i * i);
     save_png(folder / "seed.png", image, texts);

@@ -84,8 +84,9 @@ check::Drawn draw_cases(Opened& one, const std::vector<course::Case>& cases, con
                             image::parse_png(reference, it.file, it.size.width, it.size.height), it,
                             one.canvas, [&] { return one.canvas.read8(); })));
       else
-        image::save_pfm(out / it.file, with_coverage_of(image::parse_pfm(reference, it.file), it, one.canvas,
-                                                        [&] { return one.canvas.read_float(); }));
+        image::save_pfm(out / it.file, image::without_alpha(with_coverage_of(
+                                           image::parse_pfm(reference, it.file), it, one.canvas,
+                                           [&] { return one.canvas.read_float(); })));
     } catch (const Error& error) {
       const Place& place = error.place();
       const std::string file = fs::path(place.file).filename();

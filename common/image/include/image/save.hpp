@@ -32,8 +32,8 @@ std::string encode_png(const Image8& image, const std::string& name, std::span<c
 /// Throws Error (exit 3) when the file is missing, not a PNG or broken.
 std::vector<Text> read_png_text(const std::filesystem::path& path);
 
-/// Writes a little-endian portable float map: 1 channel as `Pf`, 3 as `PF`. With 2 channels the third is 0,
-/// with 4 the last is ignored. NaN and infinity are kept. Throws Error (exit 3) as `save_png` does.
+/// Writes a little-endian portable float map: 1 channel as `Pf`, 3 as `PF`. NaN and infinity are kept. Throws
+/// Error (exit 3) as `save_png` does.
 void save_pfm(const std::filesystem::path& path, const ImageF& image);
 
 }  // namespace texel::image
