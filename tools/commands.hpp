@@ -1,14 +1,34 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/error.hpp"
 #include "course/lab_file.hpp"
 
-/// The commands of `texel`, one file each; each returns the exit code or throws Error.
+namespace CLI {
+class App;
+}
+
+/// The commands of `texel`; each returns the exit code or throws Error.
 namespace texel::tools {
+
+/// Adds --context to a command that draws.
+void add_context(CLI::App* command, std::string& context);
+
+/// Commands that only some trees have: teach/commands adds those of who makes or teaches the course.
+class MoreCommands {
+ public:
+  virtual ~MoreCommands() = default;
+  /// Runs the one that was asked for; nothing when it was none of these.
+  [[nodiscard]] virtual std::optional<Exit> run() const = 0;
+
+  /// Adds them to the command line; null where the tree has none.
+  static inline std::unique_ptr<MoreCommands> (*make)(CLI::App& app) = nullptr;
+};
 
 /// The tree that the programs belong to: TEXEL_ROOT, else beside the program, else the source tree.
 std::filesystem::path course_root();

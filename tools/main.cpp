@@ -9,11 +9,16 @@
 #include <regex>
 #include <stdexcept>
 
-#include "command_line.hpp"
 #include "commands.hpp"
 #include "core/terminal.hpp"
 
 namespace texel::tools {
+
+void add_context(CLI::App* command, std::string& context) {
+  command->add_option("--context", context, "Where OpenGL comes from")
+      ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
+}
+
 namespace {
 
 /// What the commands take: one of them runs.

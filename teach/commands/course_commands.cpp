@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
@@ -12,7 +13,6 @@
 #include <functional>
 #include <set>
 
-#include "command_line.hpp"
 #include "core/files.hpp"
 #include "core/terminal.hpp"
 #include "course/batch.hpp"

@@ -24,19 +24,15 @@ constexpr const char* kDim = "\033[2m";
 constexpr const char* kBold = "\033[1m";
 constexpr const char* kPlain = "\033[0m";
 
-class Paint {
- public:
-  explicit Paint(bool colors) : colors_(colors) {}
-  [[nodiscard]] std::string operator()(const char* color, const std::string& text) const {
-    return colors_ ? color + text + kPlain : text;
-  }
+/// On standard output: a terminal, and no NO_COLOR.
+bool wants_colors() {
+  static const char* const no = std::getenv("NO_COLOR");
+  static const bool wants = ::isatty(STDOUT_FILENO) != 0 && (no == nullptr || *no == '\0');
+  return wants;
+}
 
- private:
-  bool colors_;
-};
-
-bool passed(const StepResult& step) {
-  return step.status == Status::passed;
+std::string paint(const char* color, const std::string& text) {
+  return wants_colors() ? color + text + kPlain : text;
 }
 
 /// A case's message: of a compiler's, the first, since the others often follow from it.
@@ -50,11 +46,11 @@ std::string short_message(const CaseResult& one) {
 
 /// Written, and not right: its own text is to be changed, whether other steps come first or not.
 bool is_wrong(const StepResult& step) {
-  return !passed(step) && !step.is_untouched() && !step.was_right;
+  return step.status != Status::passed && !step.is_untouched() && !step.was_right;
 }
 
 /// What is wrong with a step, and what helps.
-std::string details(const StepResult& step, const Paint& paint) {
+std::string details(const StepResult& step) {
   constexpr std::size_t indent = 12;
   const CaseResult& telling = *judge::clearest_case(step);
   const bool is_drawn = !telling.picture.empty();
@@ -88,11 +84,6 @@ std::string what_follows(int number) {
 
 }  // namespace
 
-bool wants_colors() {
-  const char* no = std::getenv("NO_COLOR");
-  return ::isatty(STDOUT_FILENO) != 0 && (no == nullptr || *no == '\0');
-}
-
 std::string wrapped(const std::string& text, std::size_t indent) {
   static const std::size_t columns = terminal_columns(STDOUT_FILENO).value_or(80);
   return texel::wrapped(text, columns, indent);
@@ -110,9 +101,8 @@ const StepResult* next_step(const LabResult& lab) {
   return nullptr;
 }
 
-std::string report(const LabResult& lab, bool colors) {
-  const Paint paint(colors);
-  const auto done = std::count_if(lab.steps.begin(), lab.steps.end(), passed);
+std::string report(const LabResult& lab) {
+  const auto done = std::ranges::count(lab.steps, Status::passed, &StepResult::status);
   std::string text = paint(kBold, fmt::format("Lab {}: {}", lab.lab.number, lab.lab.title)) +
                      fmt::format(", {} of {} steps\n", done, lab.steps.size());
   const StepResult* next = next_step(lab);
@@ -124,12 +114,12 @@ std::string report(const LabResult& lab, bool colors) {
       line += fmt::format(": {}", said = step.message);
     const std::string begin = fmt::format("  {:<5}  {}  ", word, step.id);
     line = begin + wrapped(line, begin.size()).substr(begin.size());
-    text += paint(passed(step) ? kGreen : &step == next ? kYellow : kDim, line);
+    text += paint(step.status == Status::passed ? kGreen : &step == next ? kYellow : kDim, line);
     // A picture that cannot be drawn is told at the next step: another step's text may be the reason.
     if (&step != next && !(is_wrong(step) && !judge::clearest_case(step)->picture.empty())) continue;
     text += paint(kDim, fmt::format("{:12}{}:{}\n", "", step.file, step.line));
     if (&step == next && step.status == Status::skipped) text += wrapped(step.message, 12);
-    if (is_wrong(step) || step.status != Status::skipped) text += details(step, paint);
+    if (is_wrong(step) || step.status != Status::skipped) text += details(step);
   }
   if (lab.steps.size() < lab.lab.steps.size() && next == nullptr)  // some of them were asked for
     for (const StepResult& step : lab.steps) text += paint(kGreen, "Right.") + "\n" + after_step(step.id);
@@ -142,8 +132,8 @@ std::string report(const LabResult& lab, bool colors) {
   return text;
 }
 
-std::string progress_report(const std::vector<LabResult>& labs, bool colors) {
-  const Paint paint(colors);
+std::string progress_report(const std::vector<LabResult>& labs) {
+  const bool colors = wants_colors();
   std::string text;
   double points = 0, most = 0;
   const LabResult* next = nullptr;
@@ -153,7 +143,9 @@ std::string progress_report(const std::vector<LabResult>& labs, bool colors) {
   for (const LabResult& lab : labs) {
     std::string bar;
     for (const StepResult& step : lab.steps)
-      bar += passed(step) ? paint(kGreen, done) : step.status == Status::skipped ? waits : to_do;
+      bar += step.status == Status::passed    ? paint(kGreen, done)
+             : step.status == Status::skipped ? waits
+                                              : to_do;
     bar += std::string(8 - std::min<std::size_t>(8, lab.steps.size()), ' ');
     text += fmt::format("  {:>2}  {:<{}}  {} {:>3g} of {:g} points\n", lab.lab.number, lab.lab.title, width,
                         bar, lab.points(), lab.max_points());

@@ -6,11 +6,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <condition_variable>
 #include <cstdio>
-#include <mutex>
-#include <stop_token>
-#include <thread>
+#include <future>
 
 #include "commands.hpp"
 #include "core/files.hpp"
@@ -40,10 +37,8 @@ const judge::StepResult* next_of(const std::vector<judge::LabResult>& labs) {
 
 /// Whether a step of these labs was changed by the student.
 bool is_begun(const std::vector<judge::LabResult>& labs) {
-  const std::set<std::string> untouched = check::untouched_steps(own_tree());
-  return std::ranges::any_of(labs, [&](const judge::LabResult& lab) {
-    return std::ranges::any_of(lab.steps,
-                               [&](const judge::StepResult& step) { return !untouched.contains(step.id); });
+  return std::ranges::any_of(labs, [](const judge::LabResult& lab) {
+    return !std::ranges::all_of(lab.steps, &judge::StepResult::is_untouched);
   });
 }
 
@@ -57,6 +52,12 @@ const course::Step& step_called(const std::string& id) {
     }
   throw Error::usage(fmt::format("there is no step '{}'", id),
                      fmt::format("the steps are {}", fmt::join(known, ", ")));
+}
+
+course::StepText handout_of(const std::string& step) {
+  step_called(step);
+  const course::Lab lab = chosen_labs({std::stoi(step)}).front();
+  return course::read_step_text(course_root(), lab.folder, step, {}, 0);
 }
 
 /// Labs as "9" and steps as "9.4"; all labs for none. Of a lab whose steps are named it has these alone.
@@ -73,15 +74,6 @@ std::vector<judge::LabResult> check_places(const std::vector<std::string>& place
   return labs;
 }
 
-/// Says on standard error that the work goes on, if it lasts so long.
-void wait_patiently(const std::stop_token& done) {
-  constexpr std::chrono::seconds kQuiet{5};  // a check of all nine labs takes 1 s on two processors
-  std::mutex mutex;
-  std::unique_lock lock(mutex);
-  std::condition_variable_any().wait_for(lock, done, kQuiet, [] { return false; });
-  if (!done.stop_requested()) std::fputs("still drawing; a program that does not end is stopped\n", stderr);
-}
-
 }  // namespace
 
 check::OwnTree own_tree() {
@@ -89,17 +81,13 @@ check::OwnTree own_tree() {
 }
 
 std::vector<judge::LabResult> checked(const std::vector<course::Lab>& labs, const std::string& context) {
-  const std::jthread patience = ::isatty(STDERR_FILENO) != 0 ? std::jthread(wait_patiently) : std::jthread();
-  return check::check(own_tree(), labs, check::by_programs(own_tree(), context));
+  auto work =
+      std::async(std::launch::async, check::check, own_tree(), labs, check::by_programs(own_tree(), context));
+  constexpr std::chrono::seconds kQuiet{5};  // a check of all nine labs takes 1 s on two processors
+  if (work.wait_for(kQuiet) == std::future_status::timeout && ::isatty(STDERR_FILENO) != 0)
+    std::fputs("still drawing; a program that does not end is stopped\n", stderr);
+  return work.get();
 }
-
-namespace {
-course::StepText handout_of(const std::string& step) {
-  step_called(step);
-  const course::Lab lab = chosen_labs({std::stoi(step)}).front();
-  return course::read_step_text(course_root(), lab.folder, step, {}, 0);
-}
-}  // namespace
 
 std::string prediction(const std::string& step, std::size_t choice, std::size_t indent) {
   const course::StepText text = handout_of(step);
@@ -121,9 +109,8 @@ std::string after_step(const std::string& step) {
 
 std::string next_hint(const course::Step& step) {
   const fs::path file = course_build() / "check/hints.json";
-  Json shown;
   // A broken file counts as none. Only the number of shown hints is lost.
-  if (fs::exists(file)) shown = json_or_null(read_file(file));
+  Json shown = fs::exists(file) ? json_or_null(read_file(file)) : Json();
   if (!shown.is_object()) shown = Json::object();
   const Json known = shown.value(step.id, Json());
   const std::size_t before = known.is_number_unsigned() ? known.get<std::size_t>() : 0;
@@ -144,42 +131,41 @@ Exit check(const CheckOptions& options, const std::string& context) {
     fmt::print("{}\n", options.places.size() == 1 ? to_json(labs.front()) : to_json(labs));
   } else {
     for (const judge::LabResult& lab : labs)
-      fmt::print("{}{}", &lab == &labs.front() ? "" : "\n", report(lab, wants_colors()));
+      fmt::print("{}{}", &lab == &labs.front() ? "" : "\n", report(lab));
   }
   if (next_of(labs) == nullptr || (options.unless_begun && !is_begun(labs))) return Exit::holds;
   return Exit::differs;
 }
 
 Exit see(const std::string& wanted, fs::path out, const std::string& context) {
-  const int number = std::stoi(step_called(wanted).id);  // of the lab: the part before the point
-  const std::vector<judge::LabResult> labs = check_labs({number}, context);
-  for (const judge::StepResult& step : labs.front().steps) {
-    if (step.id != wanted) continue;
-    const judge::CaseResult& one = *judge::clearest_case(step);  // each step has a case
-    fmt::print("{}", wrapped(fmt::format("{} {}, {}: {}", step.id, step.title, one.name,
-                                         one.passed() ? "right" : one.message),
-                             0));
-    if (!one.mistake_says.empty()) fmt::print("{}", wrapped("This looks like: " + one.mistake_says, 0));
-    if (one.picture.empty()) return Exit::failed;  // the message says why
-    if (one.is_mesh()) {
-      std::string flags;
-      for (const course::Setting& setting : one.settings) flags += course::flag(setting);
-      fmt::print("This case compares vertices. To see the model, type: ./run lab {}{}\n", number, flags);
-      return Exit::holds;
-    }
-    const image::Compared pictures = check::compared(one);
-    if (out.empty()) out = course_root() / "out/see" / (step.id + ".png");
-    make_folder(out.parent_path());
-    const int zoom = std::max(1, 320 / pictures.own.height);  // cases are small
-    image::save_png(out, image::side_by_side({pictures.own, pictures.expected, pictures.heat_map}, zoom), {},
-                    6);
-    fmt::print("Your picture, the expected one, and where they differ:\n{}\n", out.string());
+  step_called(wanted);
+  const judge::LabResult lab = check_places({wanted}, context).front();
+  const judge::StepResult& step = lab.steps.front();
+  const judge::CaseResult& one = *judge::clearest_case(step);  // each step has a case
+  fmt::print("{}", wrapped(fmt::format("{} {}, {}: {}", step.id, step.title, one.name,
+                                       one.passed() ? "right" : one.message),
+                           0));
+  if (!one.mistake_says.empty()) fmt::print("{}", wrapped("This looks like: " + one.mistake_says, 0));
+  if (one.picture.empty()) return Exit::failed;  // the message says why
+  if (one.is_mesh()) {
+    std::string flags;
+    for (const course::Setting& setting : one.settings) flags += course::flag(setting);
+    fmt::print("This case compares vertices. To see the model, type: ./run lab {}{}\n", lab.lab.number,
+               flags);
+    return Exit::holds;
   }
+  const image::Compared pictures = check::compared(one);
+  if (out.empty()) out = course_root() / "out/see" / (step.id + ".png");
+  make_folder(out.parent_path());
+  const int zoom = std::max(1, 320 / pictures.own.height);  // cases are small
+  image::save_png(out, image::side_by_side({pictures.own, pictures.expected, pictures.heat_map}, zoom), {},
+                  6);
+  fmt::print("Your picture, the expected one, and where they differ:\n{}\n", out.string());
   return Exit::holds;
 }
 
 Exit progress(const std::string& context) {
-  fmt::print("{}", progress_report(check_labs({}, context), wants_colors()));
+  fmt::print("{}", progress_report(check_labs({}, context)));
   return Exit::holds;
 }
 

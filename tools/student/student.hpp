@@ -33,13 +33,10 @@ const judge::StepResult* next_step(const judge::LabResult& lab);
 
 /// A lab's steps, each in a line: done, wrong, next, to do or waiting; below the next one and below each that
 /// was begun, what is wrong and what helps. Lines end in '\n'. With colours for a terminal.
-std::string report(const judge::LabResult& lab, bool colors);
+std::string report(const judge::LabResult& lab);
 
 /// A line for each lab, how far it is, and what comes next in the course.
-std::string progress_report(const std::vector<judge::LabResult>& labs, bool colors);
-
-/// Whether colours are wanted on standard output: a terminal, and no NO_COLOR.
-bool wants_colors();
+std::string progress_report(const std::vector<judge::LabResult>& labs);
 
 /// Text in lines that fit the terminal, each after so many blanks.
 std::string wrapped(const std::string& text, std::size_t indent);

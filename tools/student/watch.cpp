@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <csignal>
 #include <optional>
-#include <set>
+#include <utility>
 
 #include "commands.hpp"
 #include "core/files.hpp"
@@ -56,6 +56,10 @@ bool is_program_text(const fs::path& file) {
   return file.extension() == ".cpp" || file.extension() == ".hpp";
 }
 
+bool is_right(const judge::StepResult& step) {
+  return step.status == judge::Status::passed;
+}
+
 class Watch {
  public:
   Watch(int lab, std::string context) : lab_(chosen_labs({lab}).front()), context_(std::move(context)) {}
@@ -64,22 +68,12 @@ class Watch {
     const Keys keys;
     // What changes while we build or check is noticed afterwards.
     watcher_.changed(files());
-    check(/*build=*/true);
+    check(/*build_first=*/true);
     while (interrupted == 0) {
-      switch (keys.wait(kWatchMilliseconds)) {
-        case 'q':
-          return;
-        case 'h':
-          hint();
-          break;
-        case '\n':
-        case '\r':
-        case 'r':
-          check(true);
-          break;
-        default:
-          break;
-      }
+      const char key = keys.wait(kWatchMilliseconds);
+      if (key == 'q') return;
+      if (key == 'h') hint();
+      if (key == '\n' || key == '\r' || key == 'r') check(/*build_first=*/true);
       const std::vector<fs::path> changed = watcher_.changed(files());
       if (!changed.empty()) check(std::any_of(changed.begin(), changed.end(), is_program_text));
     }
@@ -102,23 +96,22 @@ class Watch {
     return false;
   }
 
+  static void clear_screen() {
+    if (::isatty(STDOUT_FILENO) != 0) fmt::print("\033[2J\033[H");
+  }
+
   void check(bool build_first) {
-    const bool is_terminal = ::isatty(STDOUT_FILENO) != 0;
-    if (is_terminal) fmt::print("\033[2J\033[H");  // a clean screen
+    clear_screen();
     try {
       if (!build_first || build()) {
         const Stopwatch stopwatch;
-        const std::vector<judge::LabResult> labs = checked({lab_}, context_);
-        const judge::StepResult* next = next_step(labs.front());
-        next_ = next != nullptr ? next->id : "";
-        if (is_terminal) fmt::print("\033[2J\033[H");
-        fmt::print("{}", report(labs.front(), wants_colors()));
-        std::set<std::string> right;
-        for (const judge::StepResult& step : labs.front().steps)
-          if (step.status == judge::Status::passed) right.insert(step.id);
-        for (const std::string& step : right)
-          if (right_ && !right_->contains(step)) fmt::print("{}", after_step(step));
-        right_ = std::move(right);
+        const std::optional<judge::LabResult> before =
+            std::exchange(last_, checked({lab_}, context_).front());
+        clear_screen();
+        fmt::print("{}", report(*last_));
+        for (std::size_t i = 0; before && i < last_->steps.size(); ++i)
+          if (is_right(last_->steps[i]) && !is_right(before->steps[i]))
+            fmt::print("{}", after_step(last_->steps[i].id));
         fmt::print("checked in {:.1f} s. ", stopwatch.milliseconds() / 1000);
       }
     } catch (const Error& error) {  // a marker that was spoilt, say: mended by the next save
@@ -129,10 +122,10 @@ class Watch {
   }
 
   void hint() {
-    for (const course::Step& step : lab_.steps)
-      if (step.id == next_) fmt::print("{}", next_hint(step));
-    if (!next_) fmt::print("Nothing is checked yet. Correct the first message above.\n");
-    if (next_ == "") fmt::print("All steps are done.\n");
+    const judge::StepResult* next = last_ ? next_step(*last_) : nullptr;
+    fmt::print("{}", !last_  ? "Nothing is checked yet. Correct the first message above.\n"
+                     : !next ? "All steps are done.\n"
+                             : next_hint(*next));
     flush_output();
   }
 
@@ -140,17 +133,13 @@ class Watch {
   std::string context_;
   check::OwnTree tree_ = own_tree();
   Watcher watcher_;
-  std::optional<std::set<std::string>> right_;  ///< steps of the last check
-  std::optional<std::string> next_;  ///< the step that comes next, "" after the last; unknown before a check
+  std::optional<judge::LabResult> last_;  ///< of the checks
 };
 
 }  // namespace
 
 Exit watch(int lab, const std::string& context) {
-  struct sigaction action {};
-  action.sa_handler = [](int) { interrupted = 1; };
-  ::sigaction(SIGINT, &action, nullptr);
-  ::sigaction(SIGTERM, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interrupted = 1; });
   Watch(lab, context).run();
   return Exit::holds;
 }
