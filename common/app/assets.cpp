@@ -45,16 +45,12 @@ bool is_bundled_name(const std::string& name) {
 /// OpenGL would read other faces as black and say nothing.
 void check_cube_faces(const std::array<image::Image8, 6>& faces, const std::string& folder) {
   constexpr const char* kNames[] = {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
-  const int side = faces[0].width;
-  for (std::size_t i = 0; i < 6; ++i) {
-    const std::string shape =
-        fmt::format("the cube map's face {} has {}x{} texels", kNames[i], faces[i].width, faces[i].height);
-    const char* remedy = "use six square pictures of the same size";
-    if (faces[i].width != faces[i].height)
-      throw Error::failed(shape + " and is not square", {folder}, remedy);
-    if (faces[i].width != side)
-      throw Error::failed(fmt::format("{}, but face +X has {}x{}", shape, side, side), {folder}, remedy);
-  }
+  for (std::size_t i = 0; i < 6; ++i)
+    if (faces[i].width != faces[i].height || faces[i].width != faces[0].width)
+      throw Error::failed(
+          fmt::format("the cube map's face {} has {}x{} texels, and face +X has {}x{}", kNames[i],
+                      faces[i].width, faces[i].height, faces[0].width, faces[0].height),
+          {folder}, "use six square pictures of the same size");
 }
 
 }  // namespace

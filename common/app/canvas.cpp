@@ -102,7 +102,7 @@ void Canvas::draw_into(const gl::Target& target, View view, const std::optional<
 void Canvas::draw(View view, glm::ivec2 size, int samples, const std::optional<Split>& split,
                   gl::Target::Kind colors) {
   ++present_frame;
-  figures_.reset();
+  measured_.reset();
   if (view == View::error) {
     draw_error(size);
     return;
@@ -163,17 +163,15 @@ void Canvas::present(View view) {
 }
 
 Legend Canvas::legend(View view) const {
-  if (view == View::error) return error_legend(full_scale_, lab_.answer()->measure().unit);
+  if (view == View::error) return error_legend(measured_->full_scale, lab_.answer()->measure().unit);
   const bool has_range = view == View::lod || view == View::depth;
   return legend_of(view, lab_.parameters(), has_range ? read_float() : image::ImageF());
 }
 
 void Canvas::draw_error(glm::ivec2 size) {
   if (lab_.answer() == nullptr) throw Error::usage("this lab has no view 'error'");
-  Measured measured = lab_.answer()->measured(*this, size);
-  error_ = std::move(measured.error);
-  figures_ = measured.figures, full_scale_ = measured.full_scale;
-  fit(color_, gl::Target::Kind::color, size, 1).write8(measured.map);
+  measured_ = lab_.answer()->measured(*this, size);
+  fit(color_, gl::Target::Kind::color, size, 1).write8(measured_->map);
   std::swap(picture_, color_);
 }
 

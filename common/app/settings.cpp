@@ -2,11 +2,11 @@
 #include "app/settings.hpp"
 
 #include <fmt/format.h>
-
-#include <sstream>
+#include <fmt/ranges.h>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/json.hpp"
 #include "course/reader.hpp"
 
 namespace texel::app {
@@ -35,13 +35,14 @@ void load_config(const std::filesystem::path& file, const Info& info, params::Se
   const toml::table table = course::read_toml(file, "write lines 'name = value', as --save-config does");
   const course::Reader reader(table, file.string());
   Settings settings;
-  for (const auto& [key, node] : table) settings.push_back({std::string(key.str()), reader.setting(node)});
+  for (const auto& [key, node] : table) {
+    const std::string value = reader.setting(node);
+    if (key.str() != "lab")
+      settings.push_back({std::string(key.str()), value});
+    else if (value != info.folder())
+      throw Error::usage(fmt::format("{}: the file is for the lab '{}'", file.string(), value));
+  }
   try {
-    std::erase_if(settings, [&](const course::Setting& one) {
-      if (one.parameter == "lab" && one.value != info.folder())
-        throw Error::usage(fmt::format("the file is for the lab '{}'", one.value));
-      return one.parameter == "lab";
-    });
     apply_settings(parameters, settings);
   } catch (const Error& error) {
     throw Error::usage(fmt::format("{}: {}", file.string(), error.what()));
@@ -51,30 +52,24 @@ void load_config(const std::filesystem::path& file, const Info& info, params::Se
 void save_config(const std::filesystem::path& file, const Info& info, const params::Set& parameters) {
   std::string text = fmt::format("lab = \"{}\"\n", info.folder());
   for (const params::Parameter& p : parameters) {
-    std::ostringstream value;
-    if (p.type == params::Parameter::Type::toggle)
-      value << std::boolalpha << (p.value() != 0);
-    else if (p.is_ranged())
-      value << p.text();
-    else
-      value << toml::value(p.text());  // in quotes
-    text += fmt::format("\n# {}{}{}\n{} = {}\n", p.help, p.unit.empty() ? "" : ", in ", p.unit, p.name,
-                        value.str());
+    const std::string value = p.type == params::Parameter::Type::toggle ? (p.value() != 0 ? "true" : "false")
+                              : p.is_ranged()                           ? p.text()
+                                                                        : to_text(Json(p.text()));
+    text +=
+        fmt::format("\n# {}{}{}\n{} = {}\n", p.help, p.unit.empty() ? "" : ", in ", p.unit, p.name, value);
   }
   write_file(file, text);
 }
 
 View find_view(const AnyLab& lab, const std::string& name) {
-  std::string list;
   std::vector<std::string> names;
   for (const View view : lab.views()) {
     names.emplace_back(name_of(view));
     if (names.back() == name) return view;
-    list += (list.empty() ? "" : ", ") + names.back();
   }
   if (name == name_of(View::error))
     throw Error::usage("the view 'error' needs the right answers; a student's tree does not contain them");
-  throw Error::usage(fmt::format("this lab has no view '{}'; its views are {}", name, list),
+  throw Error::usage(fmt::format("this lab has no view '{}'; its views are {}", name, fmt::join(names, ", ")),
                      did_you_mean(name, names));
 }
 

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -110,24 +111,18 @@ std::optional<CommandLine> read_command_line(app::AnyLab& lab, int argc, char** 
   }
   reject_unknown(app);
   if (!config.empty()) app::load_config(config, info, lab.parameters());
-  for (params::Parameter& p : lab.parameters())
-    if (app.count("--" + p.flag()) > 0) p.set(values[std::string(p.name)]);
+  line.look_given = !config.empty() || !model.empty() || app.count("--view") > 0 || !line.see.empty();
+  for (params::Parameter& p : lab.parameters()) {
+    if (app.count("--" + p.flag()) == 0) continue;
+    p.set(values[std::string(p.name)]);
+    (p.name == "turn" ? line.turn_given : line.look_given) = true;
+  }
   if (!model.empty()) {
     // A model on the command line is a path, also without a folder and ending.
     const bool bare = model.find_first_of("./") == std::string::npos;
     app::model_parameter(lab.parameters())->set(bare ? "./" + model : model);
   }
-  line.turn_given = lab.parameters().find("turn") != nullptr && app.count("--turn") > 0;
-  line.look_given = !config.empty() || !model.empty() || app.count("--view") > 0 || !line.see.empty();
-  for (const params::Parameter& p : lab.parameters())
-    line.look_given = line.look_given || (p.name != "turn" && app.count("--" + p.flag()) > 0);
-  if (app.count("--size") > 0) {
-    const std::optional<course::Size> asked = course::find_size(size);
-    if (!asked)
-      throw Error::usage(fmt::format("--size takes WIDTHxHEIGHT in pixels, each from 1 to {}, not '{}'",
-                                     course::Size::kMostPixels, size));
-    line.size = app::pixels(*asked);
-  }
+  if (app.count("--size") > 0) line.size = app::pixels(course::parse_size(size));
   app::find_view(lab, line.view);
   if (!line.batch.empty() && line.out.empty()) throw Error::usage("--batch needs --out DIR");
   return line;
@@ -140,28 +135,10 @@ constexpr glm::ivec2 kSnapshotSize(512, 512);
 /// 20 in labs 1 and 7.
 constexpr double kPixelsWorthOptimising = 7 * 512 * 512;
 
-std::unique_ptr<gl::Context> headless_context(const CommandLine& line, gl::Shaders shaders) {
+std::unique_ptr<gl::Context> headless_context(const std::string& kind, bool draws_much) {
   const Stage stage("context");
-  if (line.context == "window") return std::make_unique<gl::WindowContext>(64, 64, "texel");
-  return gl::create_headless(shaders, line.context);
-}
-
-/// Draws, and returns when the driver has.
-void draw_and_finish(app::Canvas& canvas, app::View view, glm::ivec2 size, int samples) {
-  canvas.draw(view, size, samples);
-  glFinish();
-}
-
-/// Draws frame after frame and prints how long they took: the driver has finished each when it is counted.
-void time_frames(app::Canvas& canvas, app::View view, glm::ivec2 size, int samples, int count) {
-  std::vector<double> times;
-  draw_and_finish(canvas, view, size, samples);  // compiles and loads
-  for (int i = 0; i < count; ++i) {
-    const Stopwatch stopwatch;
-    draw_and_finish(canvas, view, size, samples);
-    times.push_back(stopwatch.milliseconds());
-  }
-  fmt::print("{}", app::frame_times_as_text(std::move(times), size));
+  if (kind == "window") return std::make_unique<gl::WindowContext>(64, 64, "texel");
+  return gl::create_headless(draws_much ? gl::Shaders::quick_to_draw : gl::Shaders::quick_to_compile, kind);
 }
 
 /// What --stats prints, a contract with scripts: what was drawn (canvas.record), and how long it took.
@@ -218,22 +195,33 @@ void run_headless(app::AnyLab& lab, const app::Assets& assets, const CommandLine
   const double pixels =
       batch.empty() ? static_cast<double>(size.x) * size.y : app::pixels_per_program(batch, lab.parameters());
   const std::unique_ptr<gl::Context> context =
-      headless_context(line, timed || pixels > kPixelsWorthOptimising ? gl::Shaders::quick_to_draw
-                                                                      : gl::Shaders::quick_to_compile);
+      headless_context(line.context, timed || pixels > kPixelsWorthOptimising);
   app::Canvas canvas(*context, assets, lab);
+  // How many milliseconds it took until the driver had drawn.
+  const auto draw = [&] {
+    const Stopwatch stopwatch;
+    canvas.draw(view, size, line.samples);
+    glFinish();
+    return stopwatch.milliseconds();
+  };
   if (line.more) line.more->run(canvas, lab, size);
   if (!line.mesh.empty()) app::write_mesh(lab, assets, line.mesh);
   if (!line.batch.empty()) app::draw_batch(canvas, lab, assets, batch, line.out, line.samples);
   if (line.print_shader) {
-    canvas.draw(view, size, line.samples);
+    draw();
     fmt::print("{}", app::shaders_as_text(canvas.programs(), lab.parameters(), view));
   }
-  if (line.frames > 0) time_frames(canvas, view, size, line.samples, line.frames);
+  if (line.frames > 0) {
+    draw();  // compiles and loads
+    std::vector<double> times(static_cast<std::size_t>(line.frames));
+    std::ranges::generate(times, draw);
+    fmt::print("{}", app::frame_times_as_text(std::move(times), size));
+  }
   if (line.snapshot.empty() && line.stats.empty()) return;
 
   {
     const Stage stage("first_draw");
-    draw_and_finish(canvas, view, size, line.samples);
+    draw();
   }
   if (!line.snapshot.empty()) app::take_snapshot(canvas, lab, view, size, line.snapshot)();
   if (line.stats.empty()) return;
@@ -241,9 +229,7 @@ void run_headless(app::AnyLab& lab, const app::Assets& assets, const CommandLine
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
   const long long peak_bytes = static_cast<long long>(usage.ru_maxrss) * 1024;
-  const Stopwatch again;
-  draw_and_finish(canvas, view, size, line.samples);
-  stages.emplace_back("draw", again.milliseconds());  // all is loaded and compiled now
+  stages.emplace_back("draw", draw());  // all is loaded and compiled now
   const gl::Record record = canvas.record(view, size, line.samples);
   write_report(line.stats, statistics_as_json(lab, canvas, record, stages, peak_bytes));
 }

@@ -18,14 +18,14 @@ namespace {
 constexpr ImGuiWindowFlags kFlags = kPlaced | ImGuiWindowFlags_NoResize;
 
 /// A small picture with its name; true when it was clicked.
-bool look_button(const Looks::Entry& entry, ImVec2 size) {
+bool look_button(const Looks::Entry& entry, bool is_drawn, ImVec2 size) {
   const ImVec2 at = ImGui::GetCursorScreenPos(), to(at.x + size.x, at.y + size.y);
   ImGui::BeginGroup();
   const bool is_clicked = ImGui::InvisibleButton(entry.look.name.c_str(), size);
   const bool is_hovered = ImGui::IsItemHovered();
   tooltip(entry.look.caption, entry.fault);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (entry.is_drawn && entry.fault.empty())
+  if (is_drawn && entry.fault.empty())
     draw_texture(entry.picture, at, to);
   else
     list.AddRectFilled(at, to, ImGui::GetColorU32(ImGuiCol_FrameBg));
@@ -46,8 +46,7 @@ Looks::Looks(app::AnyLab& lab, const app::Assets& assets) {
     course::Lab read = course::read_lab(file);
     for (std::vector<course::Look>* looks : {&read.openings, &read.looks})
       for (course::Look& look : *looks)
-        if (std::ranges::count(lab.views(), look.view) > 0)
-          entries.push_back({std::move(look), {}, false, {}});
+        if (std::ranges::count(lab.views(), look.view) > 0) entries.push_back({std::move(look), {}, {}});
   } catch (const Error& error) {
     fault = error.what();
   }
@@ -55,30 +54,19 @@ Looks::Looks(app::AnyLab& lab, const app::Assets& assets) {
                         [](const Entry& entry) { return entry.look.right || entry.look.hero; });
 }
 
-std::size_t Looks::drawn() const {
-  return static_cast<std::size_t>(std::ranges::count(entries, true, &Entry::is_drawn));
-}
-
-void Looks::forget() {
-  for (Entry& entry : entries) entry.is_drawn = false;
-}
-
-bool Looks::draw_next(gl::Context& context, const app::Assets& assets, app::AnyLab& lab) {
-  const auto next = std::ranges::find(entries, false, &Entry::is_drawn);
-  if (next == entries.end()) return false;
-  next->is_drawn = true;
-  next->fault.clear();
+void Looks::draw_next(gl::Context& context, const app::Assets& assets, app::AnyLab& lab) {
+  Entry& next = entries[drawn++];
+  next.fault.clear();
   const app::KeptValues before(lab.parameters());
   try {
     app::View view{};
-    choose(next->look, lab, view);
+    choose(next.look, lab, view);
     app::Canvas canvas(context, assets, lab);  // the window's own keeps its picture
-    canvas.draw(view, kSize, 4, split_of(next->look));
-    next->picture = picture_texture(canvas.read8());
+    canvas.draw(view, kSize, 4, split_of(next.look));
+    next.picture = picture_texture(canvas.read8());
   } catch (const Error& error) {
-    next->fault = error.what();
+    next.fault = error.what();
   }
-  return true;
 }
 
 std::optional<app::Canvas::Split> split_of(const course::Look& look) {
@@ -111,9 +99,9 @@ void draw_looks(app::AnyLab& lab, WindowState& state, glm::vec2 size, float scal
   ImGui::SetNextWindowSizeConstraints({largest.x, 0}, largest);
   ImGui::SetNextWindowSize({largest.x, 0});  // as high as the pictures
   const std::vector<Looks::Entry>& entries = state.looks->entries;
-  const std::size_t drawn = state.looks->drawn();
+  const std::size_t drawn = state.looks->drawn;
   const std::string progress =
-      drawn < entries.size() ? fmt::format(": drawing {} of {}", drawn + 1, entries.size()) : "";
+      state.looks->are_drawn() ? "" : fmt::format(": drawing {} of {}", drawn + 1, entries.size());
   ImGui::Begin(fmt::format("Looks{}###looks", progress).c_str(), &state.looks_open, kFlags);
   const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
   const float columns = std::clamp(
@@ -122,7 +110,7 @@ void draw_looks(app::AnyLab& lab, WindowState& state, glm::vec2 size, float scal
   const ImVec2 picture(width, width * Looks::kSize.y / Looks::kSize.x);
   for (std::size_t i = 0; i < entries.size(); ++i) {
     if (i % static_cast<std::size_t>(columns) != 0) ImGui::SameLine();
-    if (!look_button(entries[i], picture)) continue;
+    if (!look_button(entries[i], i < drawn, picture)) continue;
     try {
       choose_look(lab, state, i);
     } catch (const Error& error) {

@@ -17,21 +17,18 @@ struct Looks {
   struct Entry {
     course::Look look;
     gl::Texture picture;  ///< bottom row first
-    bool is_drawn = false;
-    std::string fault;  ///< why it could not be drawn, or ""
+    std::string fault;    ///< why it could not be drawn, or ""
   };
   std::vector<Entry> entries;
-  std::string fault;  ///< why the lab's file cannot be read, or ""
+  std::size_t drawn = 0;  ///< so many small pictures are there; 0 has all drawn again
+  std::string fault;      ///< why the lab's file cannot be read, or ""
 
   /// None where the lab's file is missing; those with a view that this tree does not have are left out.
   Looks(app::AnyLab& lab, const app::Assets& assets);
 
-  /// How many small pictures are done.
-  [[nodiscard]] std::size_t drawn() const;
-  /// Draws the next small picture that is missing; the lab keeps its parameters. False when none is missing.
-  bool draw_next(gl::Context& context, const app::Assets& assets, app::AnyLab& lab);
-  /// All are drawn again: a shader or picture was edited.
-  void forget();
+  [[nodiscard]] bool are_drawn() const { return drawn == entries.size(); }
+  /// Draws the next small picture that is missing; the lab keeps its parameters.
+  void draw_next(gl::Context& context, const app::Assets& assets, app::AnyLab& lab);
 };
 
 /// The value right of the line of an opening; none of another look.

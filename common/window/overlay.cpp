@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "panel.hpp"
 
@@ -28,14 +29,12 @@ void wrapped_to(float width, const ImVec4& color, const std::string& text) {
   ImGui::PopTextWrapPos();
 }
 
-/// Text on a plate: it can be read over any picture.
-void plate(const char* id, ImVec2 at, ImVec2 pivot, const ImVec4& color, const std::string& text,
-           float wrap_width) {
-  if (text.empty()) return;
+/// What can be read over any picture.
+void plate(const char* id, ImVec2 at, ImVec2 pivot, const std::function<void()>& draw) {
   ImGui::SetNextWindowPos(at, ImGuiCond_Always, pivot);
   ImGui::SetNextWindowBgAlpha(0.86F);
   ImGui::Begin(id, nullptr, kPlate | ImGuiWindowFlags_NoInputs);
-  wrapped_to(wrap_width, color, text);
+  draw();
   ImGui::End();
 }
 
@@ -121,25 +120,24 @@ void draw_overlay(app::AnyLab& lab, WindowState& state, glm::vec2 size, float pi
     canvas.AddCircle(at, 5 * scale, IM_COL32(0, 0, 0, 255), 16, 3 * scale);
     canvas.AddCircle(at, 5 * scale, IM_COL32(255, 255, 255, 255), 16, 1.5F * scale);
   }
+  const float middle = origin + size.x / 2;
+  const auto text_plate = [&](const char* id, ImVec2 at, ImVec2 pivot, const ImVec4& color,
+                              const std::string& text) {
+    if (!text.empty()) plate(id, at, pivot, [&] { wrapped_to(0.8F * size.x, color, text); });
+  };
   if (!state.shown_error().first.empty()) {
     error_plate(state, size, scale);
   } else {
-    const ImVec2 lower_right(origin + size.x - 12 * scale, size.y - 12 * scale);
-    const ImVec2 middle(origin + size.x / 2, size.y / 2);
-    plate("##warnings", lower_right, {1, 1}, theme().next,
-          fmt::format("{}", fmt::join(state.record.warnings, "\n")), 0.8F * size.x);
-    if (!state.legend.title.empty() && size.x > 260 * scale) {
-      ImGui::SetNextWindowPos({origin + 12 * scale, size.y - 12 * scale}, ImGuiCond_Always, {0, 1});
-      ImGui::SetNextWindowBgAlpha(0.86F);
-      ImGui::Begin("##legend", nullptr, kPlate | ImGuiWindowFlags_NoInputs);
-      draw_legend(state.legend, state.legend_picture, scale);
-      ImGui::End();
-    }
-    plate("##no truth", middle, {0.5F, 0.5F}, theme().text, state.no_truth, 0.8F * size.x);
+    const float margin = 12 * scale, bottom = size.y - margin;
+    text_plate("##warnings", {origin + size.x - margin, bottom}, {1, 1}, theme().next,
+               fmt::format("{}", fmt::join(state.record.warnings, "\n")));
+    if (!state.legend.title.empty() && size.x > 260 * scale)
+      plate("##legend", {origin + margin, bottom}, {0, 1},
+            [&] { draw_legend(state.legend, state.legend_picture, scale); });
+    text_plate("##no truth", {middle, size.y / 2}, {0.5F, 0.5F}, theme().text, state.no_truth);
   }
   if (state.quit_asked)
-    plate("##quit", {origin + size.x / 2, size.y / 4}, {0.5F, 0.5F}, theme().text, "Press Esc again to quit",
-          0.8F * size.x);
+    text_plate("##quit", {middle, size.y / 4}, {0.5F, 0.5F}, theme().text, "Press Esc again to quit");
 }
 
 }  // namespace texel::window

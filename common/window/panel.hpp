@@ -29,7 +29,6 @@ enum class Action {
   turntable,
   default_look,
   show_looks,
-  own_look,
   see_step,
   undo,
   redo,
@@ -128,7 +127,6 @@ struct WindowState {
   bool case_is_new = false;  ///< since the last frame
   bool all_steps_done = false;
   std::string step_to_open;           ///< in the section "Steps", or ""
-  std::optional<SavedLook> own_look;  ///< as it was before a case was picked
   std::optional<Looks> looks;         ///< always there while the window is open
   std::unique_ptr<MoreSection> more;  ///< or null
   bool more_is_open = false, statistics_open = false;
@@ -151,38 +149,32 @@ void choose_look(app::AnyLab& lab, WindowState& state, std::size_t index);
 /// The section "Steps": each with its figure; its cases, which set the look when they are picked; its hints.
 void steps_section(app::AnyLab& lab, WindowState& state);
 
-/// Sets the case's look and shows its pictures. Nothing is seen of a vertex stream: there the look is that of
-/// `see_step`.
-void pick_case(app::AnyLab& lab, WindowState& state, const judge::StepResult& step,
-               const judge::CaseResult& one);
 /// Sets the look in which the handout shows the step.
 void see_step(app::AnyLab& lab, WindowState& state, const std::string& step);
+/// Sets the case's look and shows its pictures. Nothing is seen of a vertex stream: there as `see_step`.
+void pick_case(app::AnyLab& lab, WindowState& state, const judge::StepResult& step,
+               const judge::CaseResult& one);
 /// Sets the look of the step's case that says most, and shows that case's pictures.
 void pick_step(app::AnyLab& lab, WindowState& state, const judge::StepResult& step);
-
-/// Beside the picture: the step and the pictures of the case that was picked, in the room `state.dock`.
-void draw_step(WindowState& state, glm::vec2 window, float scale);
-
-/// The room that the step needs beside a picture that would have `size` window units without it.
-glm::vec2 dock_size(const WindowState& state, glm::vec2 size, float scale);
-
-/// Over the picture: the gallery's looks with small pictures; choosing one sets parameters and view.
-void draw_looks(app::AnyLab& lab, WindowState& state, glm::vec2 size, float scale);
-
-/// Beside the pixel that was clicked: it and its neighbours magnified, and the value of each view there.
-void draw_pixel(WindowState& state, glm::vec2 size, float pixels_per_unit, float scale);
-
-/// Over the picture: all keys.
-void draw_keys(WindowState& state, glm::vec2 size);
 
 /// How wide the panel is until it is resized, in units of a window so wide.
 float default_panel_width(float window, float scale);
 
-/// Draws the panel for one frame with ImGui, at the left edge; changes parameters and state in place.
-void draw_panel(app::AnyLab& lab, WindowState& state, float scale);
+/// The room that the step needs beside a picture that would have `size` window units without it.
+glm::vec2 dock_size(const WindowState& state, glm::vec2 size, float scale);
 
-/// The split line and its labels, the mark of the inspected pixel, and the error or warning over the picture.
-/// The picture lies right of the panel and is `size` window units large.
+// Each draws a part of the window for one frame with ImGui, and changes parameters and state in place. The
+// picture lies right of the panel and is `size` window units large.
+
+void draw_panel(app::AnyLab& lab, WindowState& state, float scale);
+/// Over the picture: the split line and its labels, the mark of the inspected pixel, an error or warning.
 void draw_overlay(app::AnyLab& lab, WindowState& state, glm::vec2 size, float pixels_per_unit, float scale);
+/// In the room `state.dock`: the step and the pictures of the case that was picked.
+void draw_step(WindowState& state, glm::vec2 window, float scale);
+/// Beside the pixel that was clicked: it and its neighbours magnified, and the value of each view there.
+void draw_pixel(WindowState& state, glm::vec2 size, float pixels_per_unit, float scale);
+/// Over the picture: the gallery's looks with small pictures; choosing one sets parameters and view.
+void draw_looks(app::AnyLab& lab, WindowState& state, glm::vec2 size, float scale);
+void draw_keys(WindowState& state, glm::vec2 size);
 
 }  // namespace texel::window

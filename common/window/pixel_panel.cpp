@@ -120,8 +120,8 @@ glm::dvec2 wrapped_place(const TextureView& view) {
 
 /// The whole texture in a square of `side`.
 void whole_texture(const TextureView& view, float side, float scale) {
-  const float unit = side / static_cast<float>(std::max(view.size.x, view.size.y));
-  const Area area = area_here(glm::vec2(view.size) * unit, true);
+  const glm::vec2 size(view.size_of(0));
+  const Area area = area_here(size * (side / std::max(size.x, size.y)), true);
   area.show(view.whole.front());
   mark(area, view.footprint, wrapped_place(view), scale);
   ImGui::Dummy({side, side});
@@ -166,16 +166,14 @@ void texels(const TextureView& view, float side, float scale) {
 }
 
 void facts(const TextureView& view) {
-  const glm::dvec2 sides = view.footprint.sides(view.size);
+  const glm::dvec2 sides = view.footprint.sides(view.size_of(0));
   ImGui::BeginGroup();
-  ImGui::TextColored(theme().dim, "%dx%d %s", view.size.x, view.size.y, view.format.c_str());
+  ImGui::TextColored(theme().dim, "%dx%d %s", view.width, view.height, view.format.c_str());
   ImGui::TextColored(theme().dim, "footprint in texels");
   ImGui::Text("%.3g x %.3g", sides.x, sides.y);
   ImGui::TextColored(theme().dim, view.is_cube ? "level, face" : "level");
-  if (view.is_cube)
-    ImGui::Text("%.2f, %s", view.level, kFaceNames[view.footprint.face]);
-  else
-    ImGui::Text("%.2f", view.level);
+  ImGui::Text("%.2f%s%s", view.level_of_detail, view.is_cube ? ", " : "",
+              view.is_cube ? kFaceNames[view.footprint.face] : "");
   if (!view.is_mipmapped) ImGui::TextColored(theme().next, "no mipmaps");
   ImGui::EndGroup();
 }

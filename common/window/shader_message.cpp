@@ -2,8 +2,10 @@
 #include "shader_message.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <regex>
+
+#include "core/files.hpp"
+#include "core/plain_text.hpp"
 
 namespace texel::window {
 namespace {
@@ -25,12 +27,9 @@ void find_place(ErrorMessage& message, const fs::path& root) {
 
 /// A file's line without the blanks around it, or "".
 std::string line_of(const fs::path& file, int number) {
-  std::ifstream stream(file);
-  std::string line;
-  for (int i = 0; i < number; ++i)
-    if (!std::getline(stream, line)) return {};
-  const std::size_t first = line.find_first_not_of(" \t"), last = line.find_last_not_of(" \t\r");
-  return first == std::string::npos ? "" : line.substr(first, last - first + 1);
+  const std::vector<std::string> lines = lines_of(read_file(file));
+  const auto index = static_cast<std::size_t>(number) - 1;
+  return index < lines.size() ? std::string(trimmed(lines[index])) : "";
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "panel.hpp"
@@ -36,11 +35,6 @@ void text_part(WindowState& state) {
   button("Open in editor", Action::open_in_editor, "By $VISUAL, else by code -g (E)");
   ImGui::SameLine();
   button("See it", Action::see_step, "Sets the look in which the handout shows this step");
-  if (state.own_look) {
-    ImGui::SameLine();
-    button("Back to my look", Action::own_look,
-           "Sets parameters and view as they were before you picked a case");
-  }
   wrapped_text(theme().dim, fmt::format("{}:{}", text.shown_file, text.line));
   wrapped_text(theme().good, text.after);
   question_part(*state.case_pictures);
@@ -65,12 +59,12 @@ void text_part(WindowState& state) {
 
 /// The figure that the step is judged by: a ring marks a pixel that has it.
 std::string caption(const CasePictures& p) {
-  if (p.figures.non_finite > 0)
-    return fmt::format("{} pixels are not finite (green in the heat map)", p.figures.non_finite);
+  const image::Difference& found = p.compared.figures;
+  if (found.non_finite > 0)
+    return fmt::format("{} pixels are not finite (green in the heat map)", found.non_finite);
   const judge::CaseResult& one = p.result;
-  if (p.figures.max == 0) return fmt::format("equal to the expected picture; limit {:g}", one.limit);
-  return fmt::format("{}: off by {:.3g} {} (limit {:g}){}", one.passed() ? "right" : "wrong", one.error,
-                     name_of(one.unit()), one.limit, one.passed() ? "" : ", as in the ring");
+  if (found.max == 0) return fmt::format("equal to the expected picture; limit {:g}", one.limit);
+  return one.passed() ? "right: " + off_by(one) : "wrong: " + off_by(one) + ", as in the ring";
 }
 
 void picture_part(CasePictures& p, float side, float scale) {
@@ -81,7 +75,7 @@ void picture_part(CasePictures& p, float side, float scale) {
   choose("yours | expected", Shown::split), choose("difference", Shown::difference);
   choose("heat map", Shown::heat_map);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = side * static_cast<float>(p.height) / static_cast<float>(p.width);
+  const float height = side * p.aspect();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto show = [&](const gl::Texture& texture, float from, float to) {
     draw_texture(texture, {at.x + from * side, at.y}, {at.x + to * side, at.y + height}, {from, 1}, {to, 0});
@@ -94,10 +88,10 @@ void picture_part(CasePictures& p, float side, float scale) {
   } else {
     show(p.shown == Shown::difference ? p.difference : p.heat_map, 0, 1);
   }
-  if (!p.result.passed() && p.figures.max > 0) {  // the pixel that has the error
-    const float pixel = side / static_cast<float>(p.width);
-    const ImVec2 place(at.x + (static_cast<float>(p.figures.telling_x) + 0.5F) * pixel,
-                       at.y + height - (static_cast<float>(p.figures.telling_y) + 0.5F) * pixel);
+  if (const image::Difference& found = p.compared.figures; !p.result.passed() && found.max > 0) {
+    const float pixel = side / static_cast<float>(p.compared.own.width);  // the one that has the error
+    const ImVec2 place(at.x + (static_cast<float>(found.telling_x) + 0.5F) * pixel,
+                       at.y + height - (static_cast<float>(found.telling_y) + 0.5F) * pixel);
     list.AddCircle(place, 7 * scale, IM_COL32_BLACK, 0, 4 * scale);
     list.AddCircle(place, 7 * scale, IM_COL32(255, 64, 255, 255), 0, 2 * scale);
   }
@@ -136,7 +130,6 @@ void draw_step(WindowState& state, glm::vec2 window, float scale) {
       &is_open, kPlaced | ImGuiWindowFlags_NoResize);
   from_the_top();
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const float aspect = p.width > 0 ? static_cast<float>(p.height) / static_cast<float>(p.width) : 1;
   // Below the picture: its buttons, the heat map's scale and two lines of text.
   const float texts = ImGui::GetFrameHeightWithSpacing() + 4 * ImGui::GetTextLineHeightWithSpacing();
   if (!p.fault.empty()) {
@@ -145,7 +138,7 @@ void draw_step(WindowState& state, glm::vec2 window, float scale) {
     wrapped_text(theme().next,
                  state.error.first.empty() ? p.fault : "No picture: the shader does not compile.");
   } else if (is_below) {
-    const float side = std::clamp((room.y - texts) / aspect, 64.0F, 0.5F * room.x);
+    const float side = std::clamp((room.y - texts) / p.aspect(), 64.0F, 0.5F * room.x);
     const float column = std::max(side, std::min(ImGui::GetFontSize() * 23, 0.54F * room.x));
     ImGui::BeginChild("text", {room.x - column - ImGui::GetStyle().ItemSpacing.x, 0});
     from_the_top();
@@ -156,8 +149,8 @@ void draw_step(WindowState& state, glm::vec2 window, float scale) {
     picture_part(p, side, scale);
     ImGui::EndChild();
   } else {
-    picture_part(p, std::min(room.x - ImGui::GetStyle().ScrollbarSize, (0.6F * room.y - texts) / aspect),
-                 scale);
+    const float highest = (0.6F * room.y - texts) / p.aspect();
+    picture_part(p, std::min(room.x - ImGui::GetStyle().ScrollbarSize, highest), scale);
     ImGui::Separator();
     text_part(state);
   }

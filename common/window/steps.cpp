@@ -7,7 +7,6 @@
 #include <cmath>
 #include <fstream>
 #include <mutex>
-#include <optional>
 #include <thread>
 #include <utility>
 
@@ -132,6 +131,10 @@ const course::Case& StepsCheck::look_of(const std::string& step) const {
   return found->see;
 }
 
+std::string off_by(const judge::CaseResult& one) {
+  return fmt::format("off by {:.3g} {} (limit {:g})", one.error, name_of(one.unit()), one.limit);
+}
+
 CasePictures load_case(const fs::path& root, const std::string& lab, const judge::StepResult& step,
                        const judge::CaseResult& one) {
   CasePictures pictures;
@@ -139,12 +142,10 @@ CasePictures load_case(const fs::path& root, const std::string& lab, const judge
   pictures.text = course::read_step_text(root, lab, step.id, step.file, step.line);
   if (step.status != judge::Status::passed) pictures.text.after.clear();
   try {
-    const image::Compared all = check::compared(one);
-    pictures.width = all.own.width, pictures.height = all.own.height;
+    const image::Compared& all = pictures.compared = check::compared(one);
     pictures.own = picture_texture(all.own), pictures.expected = picture_texture(all.expected);
     pictures.difference = picture_texture(all.difference);
     pictures.heat_map = picture_texture(all.heat_map);
-    pictures.figures = all.figures;
     pictures.legend = app::error_legend(all.full_scale, one.unit());
     pictures.legend_picture = picture_texture(pictures.legend.picture);
   } catch (const Error& error) {
@@ -162,17 +163,12 @@ void wrapped_plain(const ImVec4& color, const std::string& text) {
   wrapped_text(color, course::without_markdown(text));
 }
 
-/// "off by 12.3 degrees (limit 0.05)".
 std::string figure(const judge::StepResult& step) {
   const judge::CaseResult* telling = judge::clearest_case(step);
-  if (telling == nullptr || std::isnan(telling->error)) return "nothing to compare";
-  return fmt::format("off by {:.3g} {} (limit {:g})", telling->error, name_of(telling->unit()),
-                     telling->limit);
+  return telling == nullptr || std::isnan(telling->error) ? "nothing to compare" : off_by(*telling);
 }
 
-/// Keeps the user's own look, and sets another.
 void set_look(app::AnyLab& lab, WindowState& state, const course::Case& look) {
-  if (!state.own_look) state.own_look = save_look(lab.parameters(), state);
   try {
     choose(look, lab, state.view);
     state.split.reset();
@@ -235,7 +231,6 @@ void steps_section(app::AnyLab& lab, WindowState& state) {
     const bool is_done = step.status == Status::passed, is_wrong = step.status == Status::failed;
     const bool is_next = is_wrong && !has_next;
     has_next = has_next || is_next;
-    const std::string title = course::without_markdown(step.title);
     const ImVec4& color = is_done ? theme().good : is_next ? theme().next : theme().dim;
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     if (state.step_to_open == step.id) {
@@ -250,7 +245,8 @@ void steps_section(app::AnyLab& lab, WindowState& state) {
     const std::string waits = step.status == Status::skipped && !step.spoilt_by.empty()
                                   ? " (for " + judge::listed(step.spoilt_by) + ")"
                                   : "";
-    wrapped_plain(color, fmt::format("{} {} {}{}", judge::word_of(step, is_next), step.id, title, waits));
+    wrapped_plain(color,
+                  fmt::format("{} {} {}{}", judge::word_of(step, is_next), step.id, step.title, waits));
     if (is_wrong && !shows && !step.is_untouched()) {
       ImGui::Indent();
       wrapped_plain(theme().dim, figure(step));

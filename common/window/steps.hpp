@@ -4,14 +4,13 @@
 #pragma once
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/lab.hpp"
 #include "app/legend.hpp"
 #include "course/step_text.hpp"
-#include "image/difference.hpp"
+#include "image/compared.hpp"
 #include "judge/results.hpp"
 
 namespace texel::window {
@@ -61,12 +60,19 @@ struct CasePictures {
   enum class Shown { split, difference, heat_map } shown = Shown::split;
   std::size_t chosen = 0;  ///< answer to the step's question, from 1
   float position = 0.5F;   ///< of the split line, 0 to 1; the expected picture is right of it
-  int width = 0, height = 0;
-  gl::Texture own, expected, difference, heat_map;  ///< bottom row first
-  image::Difference figures;
-  app::Legend legend;  ///< of the heat map
+  image::Compared compared;
+  gl::Texture own, expected, difference, heat_map;  ///< its pictures, bottom row first
+  app::Legend legend;                               ///< of the heat map
   gl::Texture legend_picture;
+
+  /// Height by width of the pictures, which are there without a fault.
+  [[nodiscard]] float aspect() const {
+    return static_cast<float>(compared.own.height) / static_cast<float>(compared.own.width);
+  }
 };
+
+/// "off by 12.3 degrees (limit 0.05)".
+std::string off_by(const judge::CaseResult& one);
 
 /// Loads a case's pictures, and the step's text from the tree `root` and its folder `lab`. Files that are
 /// missing or broken are said so in `fault`.

@@ -35,8 +35,8 @@ void find_levels(TextureView& view, GLenum target) {
   glGetTexParameterfv(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, &anisotropy);
   const GLint filter = parameter_of(target, GL_TEXTURE_MIN_FILTER);
   view.is_mipmapped = filter != GL_NEAREST && filter != GL_LINEAR;
-  view.level = view.footprint.level(view.size, view.is_mipmapped ? anisotropy : 1);
-  const double level = std::clamp(view.level, 0.0, view.levels - 1.0);
+  view.level_of_detail = view.footprint.level(view.size_of(0), view.is_mipmapped ? anisotropy : 1);
+  const double level = std::clamp(view.level_of_detail, 0.0, view.levels - 1.0);
   if (!view.is_mipmapped) return;
   const bool mixes = filter == GL_NEAREST_MIPMAP_LINEAR || filter == GL_LINEAR_MIPMAP_LINEAR;
   view.first_read = static_cast<int>(mixes ? std::floor(level) : std::round(level));
@@ -60,20 +60,14 @@ void read_pictures(TextureView& view) {
     view.chain.push_back(picture_texture(read_level(face, std::max(level, level_below(kSmall)))));
 }
 
-/// Where a pixel's value lies in a texture.
-struct Place {
-  glm::dvec2 at;
-  int face = 0;
-};
-
-/// Of the pixel with this column and row of the 3x3; nothing where it has no value.
-std::optional<Place> place_at(const image::ImageF& around, int x, int y, bool is_cube) {
+/// A point, of the pixel with this column and row of the 3x3; nothing where it has no value.
+std::optional<Footprint> place_at(const image::ImageF& around, int x, int y, bool is_cube) {
   const glm::dvec3 value(around.at(x, y, 0), around.at(x, y, 1), around.at(x, y, 2));
   if (around.at(x, y, 3) <= 0 || !std::isfinite(value.x + value.y + value.z)) return std::nullopt;
-  if (!is_cube) return Place{value};
+  if (!is_cube) return Footprint{.place = value};
   if (value == glm::dvec3(0)) return std::nullopt;
   const image::FaceCoordinate met = image::face_coordinate(value);
-  return Place{{met.s, met.t}, static_cast<int>(met.face)};
+  return Footprint{.place = {met.s, met.t}, .face = static_cast<int>(met.face)};
 }
 
 }  // namespace
@@ -90,19 +84,20 @@ double Footprint::level(glm::dvec2 size, double anisotropy) const {
 }
 
 std::optional<Footprint> footprint_of(const image::ImageF& around, bool is_cube) {
-  const std::optional<Place> middle = place_at(around, 1, 1, is_cube);
+  std::optional<Footprint> middle = place_at(around, 1, 1, is_cube);
   if (!middle) return std::nullopt;
   const auto step = [&](glm::ivec2 to) {
     std::optional<glm::dvec2> shortest;
     for (const int side : {1, -1}) {
-      const std::optional<Place> neighbour = place_at(around, 1 + side * to.x, 1 + side * to.y, is_cube);
+      const std::optional<Footprint> neighbour = place_at(around, 1 + side * to.x, 1 + side * to.y, is_cube);
       if (!neighbour || neighbour->face != middle->face) continue;
-      const glm::dvec2 moved = static_cast<double>(side) * (neighbour->at - middle->at);
+      const glm::dvec2 moved = static_cast<double>(side) * (neighbour->place - middle->place);
       if (!shortest || glm::length(moved) < glm::length(*shortest)) shortest = moved;
     }
     return shortest.value_or(glm::dvec2(0));
   };
-  return Footprint{middle->at, step({1, 0}), step({0, 1}), middle->face};
+  middle->dx = step({1, 0}), middle->dy = step({0, 1});
+  return middle;
 }
 
 double wrapped(double coordinate, unsigned mode) {
@@ -112,8 +107,8 @@ double wrapped(double coordinate, unsigned mode) {
   return std::clamp(coordinate, 0.0, 1.0);
 }
 
-glm::ivec2 TextureView::size_of(int of_level) const {
-  return glm::max(glm::ivec2(size.x >> of_level, size.y >> of_level), glm::ivec2(1));
+glm::ivec2 TextureView::size_of(int level) const {
+  return glm::max(glm::ivec2(width >> level, height >> level), glm::ivec2(1));
 }
 
 std::vector<TextureView> textures_at(app::Canvas& canvas, app::AnyLab& lab, glm::ivec2 size,
@@ -129,9 +124,7 @@ std::vector<TextureView> textures_at(app::Canvas& canvas, app::AnyLab& lab, glm:
     if (!footprint) continue;
     const GLenum target = texture.is_cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
     const gl::ScopedBinding binding(target, texture.id);
-    TextureView view;
-    view.name = texture.name, view.format = texture.format, view.is_cube = texture.is_cube;
-    view.size = {texture.width, texture.height}, view.levels = texture.levels;
+    TextureView view(texture);
     view.wrap_s = static_cast<unsigned>(parameter_of(target, GL_TEXTURE_WRAP_S));
     view.wrap_t = static_cast<unsigned>(parameter_of(target, GL_TEXTURE_WRAP_T));
     view.footprint = *footprint;

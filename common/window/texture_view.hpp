@@ -2,7 +2,7 @@
 #pragma once
 #include <glm/glm.hpp>
 #include <optional>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "app/canvas.hpp"
@@ -32,15 +32,12 @@ std::optional<Footprint> footprint_of(const image::ImageF& around, bool is_cube)
 double wrapped(double coordinate, unsigned mode);
 
 /// A texture that the lab reads, and what the clicked pixel covers of it.
-struct TextureView {
-  std::string name;    ///< of the sampler: "color_map"
-  std::string format;  ///< "SRGB8"
-  glm::ivec2 size{0};  ///< of level 0, in texels
-  int levels = 1;
-  bool is_cube = false;
+struct TextureView : gl::Record::TextureUse {
+  explicit TextureView(gl::Record::TextureUse use) : TextureUse(std::move(use)) {}
+
   bool is_mipmapped = false;  ///< its filter reads other levels than 0
   Footprint footprint;
-  double level = 0;                   ///< of detail, for the footprint
+  double level_of_detail = 0;         ///< for the footprint
   int first_read = 0, last_read = 0;  ///< the levels between which the filter mixes
   unsigned wrap_s = 0, wrap_t = 0;
 
@@ -49,7 +46,8 @@ struct TextureView {
   gl::Texture read;                ///< the level `first_read`, of the footprint's face; wrapped as the lab's
   std::vector<gl::Texture> chain;  ///< each level, the larger ones as one of their smaller levels
 
-  [[nodiscard]] glm::ivec2 size_of(int of_level) const;
+  /// In texels.
+  [[nodiscard]] glm::ivec2 size_of(int level) const;
 };
 
 /// The textures that the lab reads for its colours, with the footprint of a pixel, counted from the bottom

@@ -146,7 +146,7 @@ bool Window::turning() {
 
 bool Window::is_busy() const {
   return truth_share_ < 1 || turntable_ || (state_.more_is_open && !state_.progress.empty()) ||
-         (state_.looks_open && state_.looks->drawn() < state_.looks->entries.size());
+         (state_.looks_open && !state_.looks->are_drawn());
 }
 
 void Window::ask_size() {
@@ -183,7 +183,8 @@ void Window::frame() {
     if (drag_ == Drag::none && !ImGui::IsAnyItemActive()) history_.note(save_look(lab_.parameters(), state_));
   }
   try {
-    if (state_.looks_open && state_.looks->draw_next(context_, assets_, lab_)) {
+    if (state_.looks_open && !state_.looks->are_drawn()) {
+      state_.looks->draw_next(context_, assets_, lab_);
     } else if (turntable_) {
       go_on_with_turntable();
     } else {
@@ -257,8 +258,8 @@ void Window::follow_steps() {
     for (const judge::CaseResult& one : step.cases)
       if (one.name == state_.case_pictures->result.name) {
         CasePictures fresh = load_case(state_.steps->root(), lab_.info().folder(), step, one);
-        fresh.shown = state_.case_pictures->shown, fresh.position = state_.case_pictures->position;
-        fresh.chosen = state_.case_pictures->chosen;
+        const CasePictures& before = *state_.case_pictures;
+        fresh.shown = before.shown, fresh.position = before.position, fresh.chosen = before.chosen;
         state_.case_pictures = std::move(fresh);
       }
 }
@@ -268,7 +269,7 @@ void Window::reload(bool assets) {
   canvas_.programs().clear();
   if (assets) lab_.forget();
   drawn_.clear();
-  state_.looks->forget();
+  state_.looks->drawn = 0;
   if (state_.more) state_.more->forget();
   reloaded_ = assets ? "files reloaded" : "shaders compiled again";
 }
@@ -324,7 +325,8 @@ void Window::draw_picture() {
     glFinish();
     state_.frame_milliseconds = stopwatch.milliseconds();
     state_.notes = canvas_.notes();
-    state_.figures = canvas_.error_figures();
+    state_.figures.reset();
+    if (const app::ErrorFigures* figures = canvas_.error_figures()) state_.figures = *figures;
     state_.legend = is_unknown ? app::Legend() : canvas_.legend(view);
     if (!state_.legend.title.empty()) state_.legend_picture = picture_texture(state_.legend.picture);
     state_.error = {};

@@ -31,8 +31,7 @@ class Window {
   static Window& self(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
   [[nodiscard]] GLFWwindow* window() const { return context_.window(); }
   [[nodiscard]] bool turning();
-  /// Whether a frame goes on with what takes longer than a frame.
-  [[nodiscard]] bool is_busy() const;
+  [[nodiscard]] bool is_busy() const;  // with what takes longer than a frame
 
   /// Asks for the window's size, once a frame: each question waits for the window system's answer.
   void ask_size();
@@ -57,8 +56,7 @@ class Window {
   [[nodiscard]] const course::Look* chosen_look() const {
     return state_.look ? &state_.looks->entries[*state_.look].look : nullptr;
   }
-  /// Widens the camera's angle where the picture is narrower than the chosen look, or than a square, so that
-  /// nothing of the model is cut off.
+  /// For the chosen look, as app::fit_view.
   void fit_view();
 
   [[nodiscard]] bool is_seen() const { return pixels_.x > 0 && pixels_.y > 0; }  // not iconified
@@ -72,7 +70,6 @@ class Window {
   void show();
   /// Edited shaders are compiled again, edited pictures and models loaded again.
   void watch();
-  /// Takes over what a check of the steps found.
   void follow_steps();
   void reload(bool assets);
   /// Starts the program that was built again in this one's place, with the same look and step.
@@ -86,18 +83,15 @@ class Window {
   void perform(Action action);
   /// The look to which undo and redo lead, or null; then a message says that there is `nothing`.
   void go_back_to(const SavedLook* look, const char* nothing);
-  /// The picture without the panel.
   void write_picture(const std::filesystem::path& file);
   void go_on_with_turntable();
   /// Closes what lies over all else, up to the split line; false where nothing is open.
   bool close_topmost();
   void on_key(int key, int action, bool control);
-  /// A model or a picture that was dropped on the window.
   void on_drop(const std::filesystem::path& file);
   /// By the mouse's place now: what ImGui says is hovered is of the last frame, and a slow frame would lose
   /// clicks.
   [[nodiscard]] bool over_picture() const;
-  /// Over the line between two values, or its handle.
   [[nodiscard]] bool over_line() const;
   void on_button(int button, int action);
   void on_move(glm::vec2 mouse);

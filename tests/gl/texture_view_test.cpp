@@ -107,11 +107,11 @@ TEST_F(TexturesAt, have_the_level_that_the_footprint_needs) {
   ASSERT_EQ(views.size(), 2U);
   const TextureView& view = views[0];
   EXPECT_EQ(view.name, "color_map");
-  EXPECT_EQ(view.size, glm::ivec2(64));
+  EXPECT_EQ(view.size_of(0), glm::ivec2(64));
   EXPECT_EQ(view.levels, 7);
   // All of these are exact in a float: 1/16 of 64 texels is 2^2.
   EXPECT_EQ(view.footprint.place, glm::dvec2(2.5 / 16, 5.5 / 32));
-  EXPECT_EQ(view.level, 2);
+  EXPECT_EQ(view.level_of_detail, 2);
   EXPECT_EQ(view.first_read, 2);
   EXPECT_EQ(view.last_read, 2);
   const image::Image8 level2 = image::mip_chain(picture(64, 64, 0), image::Encoding::srgb)[2];
@@ -125,7 +125,7 @@ TEST_F(TexturesAt, have_level_0_without_mipmaps) {
   const TextureView view = std::move(at(kPixel, GL_LINEAR)[0]);
   EXPECT_FALSE(view.is_mipmapped);
   EXPECT_EQ(view.levels, 7);
-  EXPECT_EQ(view.level, 2) << "the footprint is the same";
+  EXPECT_EQ(view.level_of_detail, 2) << "the footprint is the same";
   EXPECT_EQ(view.first_read, 0);
   EXPECT_EQ(texels_of(view.read, 0), picture(64, 64, 0).samples);
 }

@@ -69,8 +69,9 @@ check 'Open in editor opens the step' eventually is_opened
 click 865 419
 check 'heat map shows where the error is' eventually shows_heat
 check 'in place of the two pictures' eventually no_white_line
-click 554 416
-check 'Back to my look sets the look as it was' returned_to "$work/wrong"
+press ctrl+z
+press Escape
+check 'Undo sets the look as it was' returned_to "$work/wrong"
 pick_case
 check 'the case again' eventually white_line
 click 946 391

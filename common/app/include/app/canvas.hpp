@@ -49,9 +49,13 @@ class Canvas {
   /// The picture itself, which must have been drawn.
   [[nodiscard]] const gl::Target& picture() const { return *picture_; }
   /// The values of a data view: RGBA, alpha 1 where the scene is and 0 where the background is.
-  [[nodiscard]] image::ImageF read_float() const { return figures_ ? error_ : data_->read_float(); }
-  /// Of the last picture, when it was the view `error`.
-  [[nodiscard]] const std::optional<ErrorFigures>& error_figures() const { return figures_; }
+  [[nodiscard]] image::ImageF read_float() const {
+    return measured_ ? measured_->error : data_->read_float();
+  }
+  /// Of the last picture, when it was the view `error`; else null.
+  [[nodiscard]] const ErrorFigures* error_figures() const {
+    return measured_ ? &measured_->figures : nullptr;
+  }
   /// How the colours of the last picture, of the data view `view`, are read.
   [[nodiscard]] Legend legend(View view) const;
   /// What the lab said of the last picture.
@@ -92,9 +96,7 @@ class Canvas {
 
   Notes notes_;
   bool edges_ = false;
-  std::optional<ErrorFigures> figures_;  ///< when the last picture was the view `error`
-  image::ImageF error_;                  ///< as long as there are figures
-  double full_scale_ = 1;                ///< of the last error picture
+  std::optional<Measured> measured_;  ///< when the last picture was the view `error`
 };
 
 }  // namespace texel::app
