@@ -157,10 +157,6 @@ const special = {
     await loadAhead(wanted(args));
     return picture(ask("draw", args));
   },
-  async shown(args) {
-    await loadAhead(wanted(args));
-    return picture(ask("shown", args));
-  },
   async check(args) {
     const steps = ask("steps").result;
     const all = steps.filter(({ id }) => args.step === undefined || id === args.step).flatMap(({ cases }) => cases);

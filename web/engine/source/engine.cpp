@@ -4,8 +4,8 @@
 #include <emscripten.h>
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <list>
 #include <map>
 #include <memory>
@@ -62,7 +62,7 @@ class Engine {
     for (const fs::directory_entry& entry : fs::directory_iterator(kTree / "labs"))
       if (const int number = number_of(entry.path().filename());
           number > 0 && course::copied_from(entry.path()).empty())
-        folders_[number] = entry.path().filename();
+        course_[number].folder = entry.path().filename();
   }
 
   Json call(const std::string& name, const Json& a) {
@@ -84,7 +84,6 @@ class Engine {
     if (name == "turn") return app::turn(current_->lab.parameters(), a.at("degrees")), frame();
     if (name == "frame") return frame();
     if (name == "draw") return draw(a);
-    if (name == "shown") return shown(a);
     if (name == "pixel") return pixel({a.at("x"), a.at("y")});
     if (name == "steps") return steps(course_lab());
     if (name == "read") return read(a.at("step"));
@@ -109,21 +108,16 @@ class Engine {
 
   /// "5" and "05_normal_map" give 5, and what does not begin with a number 0.
   static int number_of(const std::string& name) {
-    int number = 0;
-    std::from_chars(name.data(), name.data() + name.size(), number);
-    return number;
+    return static_cast<int>(std::strtol(name.c_str(), nullptr, 10));
   }
 
   /// Each is read when it is first asked for: a page shows one.
   const course::Lab& lab_called(const Json& which) {
     const int number = which.is_string() ? number_of(which.get<std::string>()) : which.get<int>();
-    const auto folder = folders_.find(number);
-    if (folder == folders_.end()) throw Error::usage(fmt::format("there is no lab {}", to_text(which)));
-    const auto known = course_.find(number);
-    return known != course_.end()
-               ? known->second
-               : course_.emplace(number, course::read_lab(kTree / "labs" / folder->second / "lab.toml"))
-                     .first->second;
+    if (!course_.contains(number)) throw Error::usage(fmt::format("there is no lab {}", to_text(which)));
+    course::Lab& lab = course_[number];
+    if (lab.title.empty()) lab = course::read_lab(kTree / "labs" / lab.folder / "lab.toml");
+    return lab;
   }
   const course::Lab& course_lab() { return lab_called(current_->lab.info().number); }
 
@@ -264,11 +258,6 @@ class Engine {
     given_ = now.canvas.read_float();
     buffers.push_back({given_.samples.data(), given_.samples.size() * sizeof(float), "f32"});
     return {{"width", given_.width}, {"height", given_.height}, {"channels", given_.channels}};
-  }
-
-  Json shown(Json a) {
-    a["colours"] = true;
-    return draw(a);
   }
 
   Json pixel(glm::ivec2 at) {
@@ -413,8 +402,7 @@ class Engine {
   std::unique_ptr<gl::Context> context_;
   app::Assets assets_;
   std::vector<app::AnyLab*> labs_;
-  std::map<int, std::string> folders_;  ///< of all labs, by number
-  std::map<int, course::Lab> course_;   ///< those that were asked for
+  std::map<int, course::Lab> course_;  ///< by number; of one that nobody has asked for, the folder alone
   std::optional<StudentFiles> files_;
   judge::LabResult checked_;  ///< the last
   std::map<int, std::unique_ptr<Opened>> opened_;

@@ -12,10 +12,6 @@
 namespace texel::web {
 namespace {
 
-bool all(const std::string&) {
-  return true;
-}
-
 /// The texts between a step's markers, as one, and the line where the first begins.
 std::pair<std::string, int> between_markers(const std::string& text, const std::string& step) {
   std::string result;
@@ -39,7 +35,7 @@ StudentFiles::StudentFiles(std::filesystem::path tree)
     const std::filesystem::path first = tree_ / course::kFirstTexts / file;
     std::filesystem::create_directories(first.parent_path());
     write_file(first, course::with_steps(text, file, [](const std::string&) { return false; }));
-    write_file(tree_ / file, course::with_steps(text, file, all));
+    write_file(tree_ / file, course::with_steps(text, file, [](const std::string&) { return true; }));
   }
   places_ = course::step_places(tree_);
 }
@@ -92,14 +88,9 @@ std::string StudentFiles::read(const std::string& path) const {
 }
 
 void StudentFiles::write(const std::string& path, const std::string& text) const {
-  std::string plain = text;
-  if (text.find("//@starter") != std::string::npos) try {
-      plain = course::with_steps(text, known(path), all);
-    } catch (const Error&) {  // no text of the course: a comment of the student's
-    }
-  const auto faults = course::marker_faults(plain, course::first_text(tree_, known(path)), path);
+  const auto faults = course::marker_faults(text, course::first_text(tree_, known(path)), path);
   if (!faults.empty()) throw Error::failed(faults.begin()->second);
-  write_file(tree_ / path, plain);
+  write_file(tree_ / path, text);
 }
 
 const std::string& StudentFiles::known(const std::string& path) const {
