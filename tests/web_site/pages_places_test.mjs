@@ -7,6 +7,7 @@ import { fileURLToPath } from "node:url";
 import { lineNumbersOf, surroundingsOf } from "../../web/site/src/places.js";
 import { readState, writeState } from "../../web/site/src/state.js";
 import { Work } from "../../web/site/src/storage.js";
+import { wayThrough } from "../../web/site/src/way.js";
 
 const file = `// far away
 
@@ -77,18 +78,21 @@ test("what was written survives, beside what another page writes", () => {
   assert.deepEqual([one.text("5.1"), one.lastGood("5.1"), page().steps()], [undefined, undefined, ["9.4"]]);
 });
 
-test("what an earlier version kept is read, and gives way to newer texts", () => {
-  const store = new Store(), page = () => new Work("/course/", () => store);
-  store.setItem("texel-labs /course/", JSON.stringify({ "5.1": { text: "old", good: "older" }, "5.4": { text: "four" }, "5.5": 7 }));
-  const work = page();
-  assert.deepEqual([work.steps().sort(), work.text("5.1"), work.lastGood("5.1")], [["5.1", "5.4"], "old", "older"]);
-  work.write("5.1", "new");
-  work.forget("5.4");
-  assert.deepEqual([page().steps(), page().text("5.1"), page().text("5.4")], [["5.1"], "new", undefined]);
-  work.forget("5.1");
-  assert.deepEqual(page().steps(), []);
-  store.setItem("texel-labs /course/", "{broken");
-  assert.deepEqual(page().steps(), []);
+test("the way through the course knows what is right, and goes on where one wrote last", () => {
+  const store = new Store(), page = () => new Work("/course/", () => store), work = page();
+  const steps = [["1.3", 1], ["1.6", 2], ["5.1", 3]].map(([id, points]) => ({ id, points }));
+  assert.deepEqual(wayThrough(steps, work), { right: [], next: steps[0], hours: 2.5 });
+  work.write("5.1", "wrong");
+  work.judged("5.1", false);
+  assert.equal(wayThrough(steps, page()).next, steps[2]);
+  work.judged("5.1", true);
+  work.judged("1.3", true);
+  assert.deepEqual(wayThrough(steps, page()), { right: [steps[0], steps[2]], next: steps[1], hours: 1 });
+  work.judged("1.6", true);
+  assert.deepEqual(wayThrough(steps, page()).next, undefined);
+  work.judged("1.6", false);
+  assert.equal(wayThrough(steps, page()).next, steps[1]);
+  assert.deepEqual(page().steps(), ["5.1"]);
 });
 
 test("what the browser refuses is tried again at each change", () => {

@@ -122,6 +122,14 @@ ${handout}<footer>${beside(labs[at - 1], "Lab")}${beside(labs[at + 1], "Lab")}</
   });
 }
 
+/** The course as one line, a mark for each step; src/index.js says which are right. Solved pages have none. */
+function way(labs) {
+  const marks = labs.flatMap((lab) => lab.steps.map(({ id, title, points, kind }) =>
+    `<li class="${kind}" data-step="${id}" data-points="${points}" data-page="${lab.folder}/index.html#step-${id}" ` +
+    `title="${id} ${escaped(title)}${kind === "shader" ? "" : ", in C++: not on a page"}"></li>`));
+  return `<section class="way" hidden>\n<p></p>\n<ol>${marks.join("")}</ol>\n</section>\n`;
+}
+
 /** The first page: a picture of each lab, as in the gallery. */
 export function indexPage({ labs, heroes, kind }) {
   const cards = labs.map((lab) => {
@@ -142,7 +150,7 @@ export function indexPage({ labs, heroes, kind }) {
 <p class="quiet"><a href="guide/index.html">The student&#8217;s guide</a></p>
 </header>
 <main>
-<ul class="cards">
+${kind === "starter" ? way(labs) : ""}<ul class="cards">
 ${cards.join("\n")}
 </ul>
 </main>

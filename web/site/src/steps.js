@@ -153,7 +153,7 @@ class Workbench {
     this.cases.replaceChildren(...result.cases.map((one) => this.caseItem(one, judged)));
     const after = this.place.closest(".step").querySelector("details.after");
     if (after && judged) after.open = good;
-    if (judged) this.changed();
+    if (judged) this.work.judged(this.step.id, good), this.changed();
     if (this.open && judged) this.compare(this.open).catch(this.complain);
   }
 

@@ -33,32 +33,43 @@ export class Work {
   /** Steps that have a text. */
   steps() {
     const keys = this.#tried((store) => Object.keys(store)) ?? [];
-    const known = [...keys, ...this.#unsaved.keys()].map((key) => this.stepOf(key)).concat(Object.keys(this.#older()));
+    const known = [...keys, ...this.#unsaved.keys()].map((key) => this.stepOf(key));
     return [...new Set(known)].filter((step) => step !== null && this.text(step) !== undefined);
   }
   text(step) {
-    return this.#read(this.#key(step)) ?? this.#older()[step]?.text;
+    return this.#read(this.#key(step));
   }
   /** The last text with which a picture was drawn; undefined: only the first text is known to draw. */
   lastGood(step) {
-    return this.#read(`${this.#key(step)} good`) ?? this.#older()[step]?.good;
+    return this.#read(`${this.#key(step)} good`);
   }
   write(step, text) {
     this.#put(this.#key(step), text);
+    this.#put(this.#key("last"), step);
+  }
+  /** The step that was written last, if there is one. */
+  lastStep() {
+    return this.#read(this.#key("last"));
+  }
+  /** Whether the step was right when it was judged last. */
+  isRight(step) {
+    return this.#read(`${this.#key(step)} right`) !== undefined;
+  }
+  judged(step, right) {
+    if (this.isRight(step) !== right) this.#put(`${this.#key(step)} right`, right ? "1" : null);
   }
   /** A picture was drawn with this text. */
   drewWell(step, text) {
     if (this.text(step) !== undefined && this.lastGood(step) !== text) this.#put(`${this.#key(step)} good`, text);
   }
   forget(step) {
-    const { [step]: gone, ...others } = this.#older();
-    if (gone) this.#put(this.#place, Object.keys(others).length > 0 ? JSON.stringify(others) : null);
     this.#put(`${this.#key(step)} good`, null);
     this.#put(this.#key(step), null);
   }
   /** The step whose text has this key; null for another key. */
   stepOf(key) {
-    return key?.startsWith(`${this.#place} `) && !key.endsWith(" good") ? key.slice(this.#place.length + 1) : null;
+    const name = key?.startsWith(`${this.#place} `) ? key.slice(this.#place.length + 1) : "";
+    return /^\d+\.\d+$/.test(name) ? name : null;
   }
   /** Another tab wrote this key: the last one who wrote counts. */
   heard(key) {
@@ -85,9 +96,9 @@ export class Work {
     this.watch();
   }
 
-  /** Without the last good texts: a page does without them. */
+  /** Steps' texts alone: a page does without the rest. */
   #refused() {
-    return [...this.#unsaved.keys()].filter((key) => !key.endsWith(" good"));
+    return [...this.#unsaved.keys()].filter((key) => this.stepOf(key) !== null);
   }
   #key(step) {
     return `${this.#place} ${step}`;
@@ -98,15 +109,6 @@ export class Work {
   #put(key, text) {
     this.#unsaved.set(key, text);
     this.#flush();
-  }
-  /** Earlier versions kept all steps under one key, as {step: {text, good}}. It counts for steps that have no key of their own. */
-  #older() {
-    try {
-      const kept = JSON.parse(this.#read(this.#place) ?? "{}");
-      return Object.fromEntries(Object.entries(kept).filter(([, one]) => typeof one?.text === "string"));
-    } catch {
-      return {};
-    }
   }
   #tried(act) {
     try {
