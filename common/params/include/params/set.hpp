@@ -38,6 +38,11 @@ consteval bool is_snake_case(std::string_view name) {
   return true;
 }
 
+consteval void check(std::string_view name, std::string_view help) {
+  if (!is_snake_case(name)) throw "a parameter's name is snake_case: lower-case letters, digits, underscores";
+  if (help.empty()) throw "a parameter needs a line of help";
+}
+
 consteval void check_items(std::span<const Item> items) {
   if (items.empty()) throw "a choice needs at least one item";
   for (std::size_t i = 0; i < items.size(); ++i) {
@@ -53,31 +58,25 @@ consteval void check_items(std::span<const Item> items) {
 /// How a slider moves: evenly, or evenly in the logarithm.
 enum class Scale { linear, logarithmic };
 
-/// What every parameter has.
-struct Described {
+/// On or off.
+struct Toggle {
   const char *name, *help;
-  consteval Described(const char* name_, const char* help_) : name(name_), help(help_) {
-    if (!detail::is_snake_case(name))
-      throw "a parameter's name is snake_case: lower-case letters, digits, underscores";
-    if (std::string_view(help).empty()) throw "a parameter needs a line of help";
+  bool initial;
+  consteval Toggle(const char* name_, bool initial_, const char* help_)
+      : name(name_), help(help_), initial(initial_) {
+    detail::check(name, help);
   }
 };
 
-/// On or off.
-struct Toggle : Described {
-  bool initial;
-  consteval Toggle(const char* name_, bool initial_, const char* help_)
-      : Described(name_, help_), initial(initial_) {}
-};
-
 /// A number within [least, most]. In GLSL a uniform of the same name, where "degrees" arrive as radians.
-struct Number : Described {
-  double initial, least, most;
-  const char* unit;
+struct Number {
+  double initial, least, most;  // first: Clang 14 forgets the gap that 32-bit pointers need before them
+  const char *name, *unit, *help;
   Scale scale;
   consteval Number(const char* name_, double initial_, double least_, double most_, const char* unit_,
                    const char* help_, Scale scale_ = Scale::linear)
-      : Described(name_, help_), initial(initial_), least(least_), most(most_), unit(unit_), scale(scale_) {
+      : initial(initial_), least(least_), most(most_), name(name_), unit(unit_), help(help_), scale(scale_) {
+    detail::check(name, help);
     if (!(least < most)) throw "a range goes from a smaller to a larger value";
     if (!(least <= initial && initial <= most)) throw "the default is outside the range";
     if (scale == Scale::logarithmic && !(least > 0)) throw "a logarithmic range must be positive";
@@ -86,22 +85,25 @@ struct Number : Described {
 
 /// One of an enumeration's values, which count from 0 in the order of `items`. In GLSL a constant for `#if`.
 template <class Enum>
-struct Choice : Described {
+struct Choice {
+  const char *name, *help;
   Enum initial;
   std::span<const Item> items;
   consteval Choice(const char* name_, Enum initial_, std::span<const Item> items_, const char* help_)
-      : Described(name_, help_), initial(initial_), items(items_) {
+      : name(name_), help(help_), initial(initial_), items(items_) {
+    detail::check(name, help);
     detail::check_items(items);
     if (static_cast<std::size_t>(initial) >= items.size()) throw "the default is not one of the items";
   }
 };
 
 /// One of the bundled files by its name, or the path of any other file.
-struct File : Described {
-  const char* initial;
+struct File {
+  const char *name, *initial, *help;
   std::span<const Item> items;
   consteval File(const char* name_, const char* initial_, std::span<const Item> items_, const char* help_)
-      : Described(name_, help_), initial(initial_), items(items_) {
+      : name(name_), initial(initial_), help(help_), items(items_) {
+    detail::check(name, help);
     detail::check_items(items);
     bool found = false;
     for (const Item& item : items) found = found || std::string_view(item.name) == initial;
