@@ -5,10 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <optional>
 #include <sstream>
-#include <utility>
 #include <vector>
 
 #include "core/plain_text.hpp"
@@ -135,56 +132,38 @@ std::size_t after_comment(const std::string& text, std::size_t at) {
   return at;
 }
 
-/// The condition of the loop whose keyword ends at `at`, as [first, second); nothing where it cannot be
-/// found, or declares a variable.
-std::optional<std::pair<std::size_t, std::size_t>> condition(const std::string& text, std::size_t at,
-                                                             bool is_for) {
-  int depth = 0, parts = 0;
-  std::size_t begin = 0, end = 0;
-  for (; at < text.size(); ++at) {
-    if (const std::size_t next = after_comment(text, at); next > at) {
+/// Behind the parentheses that follow; 0 where they do not close.
+std::size_t after_parentheses(const std::string& text, std::size_t at) {
+  for (int depth = 0; at < text.size(); ++at) {
+    if (const std::size_t next = after_comment(text, at); next > at)
       at = next - 1;
-      continue;
-    }
-    const char c = text[at];
-    if (depth == 0 && c != '(' && std::isspace(static_cast<unsigned char>(c)) == 0) return {};
-    if (c == '(' && ++depth == 1) begin = at + 1;
-    if (c == ';' && depth == 1 && ++parts <= 2) (parts == 1 ? begin : end) = parts == 1 ? at + 1 : at;
-    if (c != ')' || --depth > 0) continue;
-    if (!is_for) end = at;
-    if (parts != (is_for ? 2 : 0)) return {};
-    const std::size_t word = text.find_first_not_of(" \t\r\n", begin);
-    if (text.compare(word, 5, "bool ") == 0) return {};
-    return std::pair(begin, end);
+    else if (text[at] == '(')
+      ++depth;
+    else if (text[at] == ')' && --depth <= 0)
+      return at + 1;
   }
-  return {};
+  return 0;
 }
 
 /// Counts the rounds of all loops. Changes no line's number. Gives whether there was a loop.
 bool guard_loops(std::string& text) {
-  std::vector<std::pair<std::size_t, std::string>> inserted;
+  std::vector<std::size_t> bodies;
+  bool has_do = false;
   for (std::size_t at = 0; at < text.size();) {
-    if (const std::size_t next = after_comment(text, at); next > at) {
-      at = next;
-      continue;
-    }
-    const std::size_t begin = at;
+    const std::size_t begin = at, next = after_comment(text, at);
     while (at < text.size() && is_word(text[at])) ++at;
-    if (at == begin) {
-      ++at;
-      continue;
-    }
     const std::string word = text.substr(begin, at - begin);
-    if (word != "for" && word != "while") continue;
-    const auto found = condition(text, at, word == "for");
-    if (!found) continue;
-    const bool is_empty = text.find_first_not_of(" \t\r\n", found->first) >= found->second;
-    inserted.emplace_back(found->first, is_empty ? "texel_goes_on()" : "texel_goes_on() && (");
-    if (!is_empty) inserted.emplace_back(found->second, ")");
+    if (word.empty()) at = std::max(at + 1, next);
+    if (word != "for" && word != "while" && word != "do") continue;
+    has_do |= word == "do";
+    const std::size_t body = word == "do" ? at : after_parentheses(text, at);
+    const std::size_t first = text.find_first_not_of(" \t\r\n", body);
+    const bool ends_do = word == "while" && has_do && first != std::string::npos && text[first] == ';';
+    if (body > 0 && !ends_do) bodies.push_back(body);
   }
-  std::sort(inserted.rbegin(), inserted.rend());  // from the end on, so that the places stay
-  for (const auto& [place, what] : inserted) text.insert(place, what);
-  return !inserted.empty();
+  std::sort(bodies.rbegin(), bodies.rend());  // from the end on, so that the places stay
+  for (const std::size_t body : bodies) text.insert(body, " if (!texel_goes_on()) break; else");
+  return !bodies.empty();
 }
 
 }  // namespace

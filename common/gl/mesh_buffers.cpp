@@ -11,21 +11,17 @@
 namespace texel::gl {
 namespace {
 
-/// The floats of one attribute and how many a vertex has; empty when the mesh does not have it.
-struct Stream {
-  std::span<const float> floats;
+/// Uploads an attribute into the bound buffer. How many floats a vertex has; 0 when the mesh has none.
+GLint upload(const mesh::Mesh& mesh, Attribute attribute) {
   GLint components = 0;
-};
-
-Stream stream(const mesh::Mesh& mesh, Attribute attribute) {
-  Stream found;
   int index = 0;
   mesh::for_each_attribute(mesh, [&]<class Vector>(const std::vector<Vector>& values) {
     if (index++ != static_cast<int>(attribute) || values.empty()) return;
-    found = {{&values.front().x, values.size() * static_cast<std::size_t>(Vector::length())},
-             Vector::length()};
+    components = Vector::length();
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(std::span(values).size_bytes()), values.data(),
+                 GL_STATIC_DRAW);
   });
-  return found;
+  return components;
 }
 
 }  // namespace
@@ -47,15 +43,15 @@ void MeshBuffers::bind(const Program& program) {
   for (const Attribute attribute : read) {
     const auto location = static_cast<GLuint>(attribute);
     if (!attributes_.contains(attribute)) {
-      const Stream values = stream(mesh_, attribute);
-      if (values.floats.empty())
+      Buffer buffer;
+      glBindBuffer(GL_ARRAY_BUFFER, buffer.id());
+      const GLint components = upload(mesh_, attribute);
+      if (components == 0)
         throw Error::failed(
             fmt::format("reads the attribute '{}', which the mesh does not have", kAttributeNames[location]),
             program.place(), "choose a method that does not need it, or add it to the mesh");
-      glBindBuffer(GL_ARRAY_BUFFER, attributes_[attribute].id());
-      glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.floats.size_bytes()), values.floats.data(),
-                   GL_STATIC_DRAW);
-      glVertexAttribPointer(location, values.components, GL_FLOAT, GL_FALSE, 0, nullptr);
+      glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, 0, nullptr);
+      attributes_.emplace(attribute, std::move(buffer));
     }
     glEnableVertexAttribArray(location);
   }

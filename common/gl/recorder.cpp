@@ -28,11 +28,10 @@ struct FormatUse {
   const char* name;
   int bytes;
 };
-constexpr FormatUse kFormats[] = {{GL_R8, "R8", 1},          {GL_RG8, "RG8", 2},
-                                  {GL_RGB8, "RGB8", 3},      {GL_SRGB8, "SRGB8", 3},
-                                  {GL_RGBA8, "RGBA8", 4},    {GL_SRGB8_ALPHA8, "SRGB8_ALPHA8", 4},
-                                  {GL_RGB16F, "RGB16F", 6},  {GL_RGBA16F, "RGBA16F", 8},
-                                  {GL_RGB32F, "RGB32F", 12}, {GL_RGBA32F, "RGBA32F", 16}};
+constexpr FormatUse kFormats[] = {{GL_R8, "R8", 1},           {GL_RG8, "RG8", 2},
+                                  {GL_RGB8, "RGB8", 3},       {GL_SRGB8, "SRGB8", 3},
+                                  {GL_RGBA8, "RGBA8", 4},     {GL_SRGB8_ALPHA8, "SRGB8_ALPHA8", 4},
+                                  {GL_RGBA32F, "RGBA32F", 16}};
 
 FormatUse use_of(GLint format) {
   for (const FormatUse& known : kFormats)
@@ -52,61 +51,25 @@ GLint integer_of_attribute(GLuint location, GLenum name) {
   return value;
 }
 
-}  // namespace
-
-Recorder::Recorder() : draw_arrays_(glad_glDrawArrays), draw_elements_(glad_glDrawElements) {
-  current = this;
-  glad_glDrawArrays = on_draw_arrays;
-  glad_glDrawElements = on_draw_elements;
+void warn(Record& record, const std::string& text) {
+  add_once(record.warnings, text);
 }
 
-Recorder::~Recorder() {
-  glad_glDrawArrays = draw_arrays_;
-  glad_glDrawElements = draw_elements_;
-  current = nullptr;
-}
-
-Record Recorder::take() {
-  if (record_.draw_calls == 0) warn("nothing is drawn");
-  return std::move(record_);
-}
-
-void Recorder::on_draw_arrays(GLenum mode, GLint first, GLsizei count) {
-  current->inspect(mode, count);
-  current->draw_arrays_(mode, first, count);
-}
-
-void Recorder::on_draw_elements(GLenum mode, GLsizei count, GLenum type, const void* indices) {
-  current->inspect(mode, count);
-  current->inspect_indices();
-  current->draw_elements_(mode, count, type, indices);
-}
-
-void Recorder::inspect(GLenum mode, GLsizei count) {
-  const Stage stage("statistics");
-  record_.draw_calls += 1;
-  record_.triangles += mode == GL_TRIANGLES ? count / 3 : std::max(count - 2, 0);
-  const auto program = static_cast<GLuint>(integer(GL_CURRENT_PROGRAM));
-  if (program == 0) return warn("a draw call without a program");
-  inspect_attributes(program);
-  inspect_samplers(program);
-}
-
-void Recorder::inspect_indices() {
+void inspect_indices(Record& record, std::set<GLint>& counted) {
   const GLint buffer = integer(GL_ELEMENT_ARRAY_BUFFER_BINDING);
   GLint bytes = 0;
-  if (buffer == 0 || !index_buffers_.insert(buffer).second) return;
+  if (buffer == 0 || !counted.insert(buffer).second) return;
   glGetBufferParameteriv(GL_ELEMENT_ARRAY_BUFFER, GL_BUFFER_SIZE, &bytes);
-  record_.index_bytes += bytes;
+  record.index_bytes += bytes;
 }
 
-void Recorder::inspect_attributes(GLuint program) {
+void inspect_attributes(Record& record, GLuint program) {
   for (const char* name : kAttributeNames) {
     const GLint at = glGetAttribLocation(program, name);
     if (at < 0) continue;
     const auto location = static_cast<GLuint>(at);
     if (integer_of_attribute(location, GL_VERTEX_ATTRIB_ARRAY_ENABLED) == 0) {
-      warn(fmt::format("the shader reads the attribute '{}', but no array is enabled for it", name));
+      warn(record, fmt::format("the shader reads the attribute '{}', but no array is enabled for it", name));
       continue;
     }
     const GLint buffer = integer_of_attribute(location, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING),
@@ -114,13 +77,13 @@ void Recorder::inspect_attributes(GLuint program) {
     GLint bytes = 0;
     glBindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(buffer));  // which nothing else uses
     glGetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &bytes);
-    if (!add_once(record_.attributes, {name, bytes})) continue;
+    if (!add_once(record.attributes, {name, bytes})) continue;
     const GLint step = components * static_cast<GLint>(sizeof(float));  // ours follow without a gap
-    if (name == std::string_view("position")) record_.vertices += bytes / step;
+    if (name == std::string_view("position")) record.vertices += bytes / step;
   }
 }
 
-void Recorder::inspect_samplers(GLuint program) {
+void inspect_samplers(Record& record, GLuint program) {
   const auto restore_unit = static_cast<GLenum>(integer(GL_ACTIVE_TEXTURE));
   GLint count = 0;
   glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
@@ -137,7 +100,7 @@ void Recorder::inspect_samplers(GLuint program) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     const GLint texture = integer(is_cube ? GL_TEXTURE_BINDING_CUBE_MAP : GL_TEXTURE_BINDING_2D);
     if (texture == 0) {
-      warn(fmt::format("the sampler '{}' reads unit {}, but no texture is bound there", name, unit));
+      warn(record, fmt::format("the sampler '{}' reads unit {}, but no texture is bound there", name, unit));
       continue;
     }
     GLint filter = 0, last = 0;
@@ -151,7 +114,7 @@ void Recorder::inspect_samplers(GLuint program) {
                            .height = integer_of_level(face, 0, GL_TEXTURE_HEIGHT),
                            .format = format.name};
     if (use.width == 0) {
-      warn(fmt::format("the texture of the sampler '{}' on unit {} has no image", name, unit));
+      warn(record, fmt::format("the texture of the sampler '{}' on unit {} has no image", name, unit));
       continue;
     }
     const int levels = 1 + static_cast<int>(std::log2(std::max(use.width, use.height)));
@@ -165,16 +128,52 @@ void Recorder::inspect_samplers(GLuint program) {
     use.levels = std::min(present, last + 1);
     const bool reads_levels = filter != GL_NEAREST && filter != GL_LINEAR;
     if (reads_levels && present < std::min(levels, last + 1))
-      warn(fmt::format(
-          "the sampler '{}' minifies with mipmaps, but its texture has only {} of {} levels: it reads black",
-          name, present, levels));
-    add_once(record_.textures, use);
+      warn(record, fmt::format("the sampler '{}' minifies with mipmaps, but its texture has only {} of {} "
+                               "levels: it reads black",
+                               name, present, levels));
+    add_once(record.textures, use);
   }
   glActiveTexture(restore_unit);
 }
 
-void Recorder::warn(const std::string& text) {
-  add_once(record_.warnings, text);
+void inspect(Record& record, GLenum mode, GLsizei count) {
+  const Stage stage("statistics");
+  record.draw_calls += 1;
+  record.triangles += mode == GL_TRIANGLES ? count / 3 : std::max(count - 2, 0);
+  const auto program = static_cast<GLuint>(integer(GL_CURRENT_PROGRAM));
+  if (program == 0) return warn(record, "a draw call without a program");
+  inspect_attributes(record, program);
+  inspect_samplers(record, program);
+}
+
+}  // namespace
+
+Recorder::Recorder() : draw_arrays_(glad_glDrawArrays), draw_elements_(glad_glDrawElements) {
+  current = this;
+  glad_glDrawArrays = on_draw_arrays;
+  glad_glDrawElements = on_draw_elements;
+}
+
+Recorder::~Recorder() {
+  glad_glDrawArrays = draw_arrays_;
+  glad_glDrawElements = draw_elements_;
+  current = nullptr;
+}
+
+Record Recorder::take() {
+  if (record_.draw_calls == 0) warn(record_, "nothing is drawn");
+  return std::move(record_);
+}
+
+void Recorder::on_draw_arrays(GLenum mode, GLint first, GLsizei count) {
+  inspect(current->record_, mode, count);
+  current->draw_arrays_(mode, first, count);
+}
+
+void Recorder::on_draw_elements(GLenum mode, GLsizei count, GLenum type, const void* indices) {
+  inspect(current->record_, mode, count);
+  inspect_indices(current->record_, current->index_buffers_);
+  current->draw_elements_(mode, count, type, indices);
 }
 
 }  // namespace texel::gl

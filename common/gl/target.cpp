@@ -39,12 +39,10 @@ Target::Target(Kind kind, int width, int height, int samples, const Target* othe
     glBindRenderbuffer(GL_RENDERBUFFER, scratch_->depth.id());
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, stored, GL_DEPTH_COMPONENT24, width, height);
     if (samples_ > 1) {
-      scratch_->multisampled = std::make_unique<Multisampled>();
-      glBindFramebuffer(GL_FRAMEBUFFER, scratch_->multisampled->framebuffer.id());
-      glBindRenderbuffer(GL_RENDERBUFFER, scratch_->multisampled->color.id());
+      glBindFramebuffer(GL_FRAMEBUFFER, scratch_->multisampled.id());
+      glBindRenderbuffer(GL_RENDERBUFFER, scratch_->color.id());
       glRenderbufferStorageMultisample(GL_RENDERBUFFER, stored, format, width, height);
-      glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                                scratch_->multisampled->color.id());
+      glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, scratch_->color.id());
     }
   }
   bind();
@@ -56,15 +54,14 @@ Target::Target(Kind kind, int width, int height, int samples, const Target* othe
 }
 
 void Target::bind() const {
-  const auto& multisampled = scratch_->multisampled;
-  glBindFramebuffer(GL_FRAMEBUFFER, multisampled ? multisampled->framebuffer.id() : resolved_.id());
+  glBindFramebuffer(GL_FRAMEBUFFER, samples_ > 1 ? scratch_->multisampled.id() : resolved_.id());
   glViewport(0, 0, width_, height_);
 }
 
 void Target::resolve() const {
-  if (!scratch_->multisampled) return;
+  if (samples_ == 1) return;
   glDisable(GL_SCISSOR_TEST);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, scratch_->multisampled->framebuffer.id());
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, scratch_->multisampled.id());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
   glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }

@@ -23,13 +23,6 @@ glm::vec3 color_of(const glm::vec3& value, const std::string& view) {
   return {0.27F + t * (-0.35F + t * 1.06F), 0.02F + t * (1.15F - t * 0.27F), 0.33F + t * (0.98F - t * 1.20F)};
 }
 
-Image8 absolute_difference(const Image8& a, const Image8& b) {
-  Image8 result(a.width, a.height, 3);
-  for (std::size_t i = 0; i < result.samples.size(); ++i)
-    result.samples[i] = static_cast<std::uint8_t>(std::abs(a.samples[i] - b.samples[i]));
-  return result;
-}
-
 /// `shown` makes of a picture what one looks at.
 template <class Picture, class Shown>
 Compared compared(const Picture& own, const Picture& expected, double least_scale, const Comparing& comparing,
@@ -38,7 +31,10 @@ Compared compared(const Picture& own, const Picture& expected, double least_scal
     throw Error::failed("your picture does not have the size of the expected one");
   Compared all{shown(own), shown(expected), {}, {}, compare(expected, own, comparing), 0};
   all.full_scale = std::max(std::isnan(comparing.told) ? all.figures.max : comparing.told, least_scale);
-  all.difference = absolute_difference(all.own, all.expected);
+  all.difference = all.own;
+  for (std::size_t i = 0; i < all.own.samples.size(); ++i)
+    all.difference.samples[i] =
+        static_cast<std::uint8_t>(std::abs(all.own.samples[i] - all.expected.samples[i]));
   all.heat_map = heatmap(all.figures, all.full_scale);
   return all;
 }

@@ -35,13 +35,10 @@ constexpr double most_forgiven = 0.1;
 
 /// The angle between two vectors in degrees; 180 where only one is zero.
 PixelDifference angle(const float* a, const float* b) {
-  const auto finite = [](float v) { return std::isfinite(v); };
-  if (!std::all_of(a, a + 3, finite) || !std::all_of(b, b + 3, finite)) return {State::non_finite};
-  const auto zero = [](const float* v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; };
-  if (zero(a) && zero(b)) return {State::left_out};
-  if (zero(a) || zero(b)) return {State::compared, 180, 180};
-  if (std::equal(a, a + 3, b)) return {State::compared, 0, 0};
-  const glm::dvec3 u(a[0], a[1], a[2]), v(b[0], b[1], b[2]), cross = glm::cross(u, v);
+  const glm::dvec3 u(a[0], a[1], a[2]), v(b[0], b[1], b[2]), zero(0), cross = glm::cross(u, v);
+  if (!std::isfinite(glm::dot(u, u) + glm::dot(v, v))) return {State::non_finite};  // no square overflows
+  if (u == zero && v == zero) return {State::left_out};
+  if (u == zero || v == zero) return {State::compared, 180, 180};
   const double degrees =
       std::atan2(std::hypot(cross.x, cross.y, cross.z), glm::dot(u, v)) * 180 / std::numbers::pi;
   return {State::compared, degrees, degrees};

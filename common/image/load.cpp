@@ -48,12 +48,6 @@ struct Bytes {
   }
 };
 
-/// A JPEG begins with the marker 0xd8; any number of 0xff may stand before a marker.
-bool is_jpeg(std::string_view bytes) {
-  const std::size_t marker = bytes.find_first_not_of('\xff');
-  return marker != 0 && marker != std::string_view::npos && bytes[marker] == '\xd8';
-}
-
 /// DHT (ITU-T T.81, B.2.4.2): tables of one byte, 16 counts and as many values as the counts say.
 bool huffman_tables_overrun(const Bytes& jpeg, std::size_t at, std::size_t end) {
   while (at < end) {
@@ -83,8 +77,10 @@ bool sampling_overruns(const Bytes& jpeg, std::size_t at) {
 template <class Visit>
 void for_each_segment(std::string_view bytes, Visit visit) {
   const Bytes jpeg{bytes};
-  std::size_t at = 0;
-  while (is_jpeg(bytes) && (at = bytes.find('\xff', at)) != std::string_view::npos) {
+  // A JPEG begins with the marker 0xd8; any number of 0xff may stand before a marker.
+  std::size_t at = bytes.find_first_not_of('\xff');
+  if (at == 0 || jpeg[at] != 0xd8) return;
+  while ((at = bytes.find('\xff', at)) != std::string_view::npos) {
     while (jpeg[at] == 0xff) ++at;
     const std::size_t marker = jpeg[at++];
     if (marker == 0xd9) return;

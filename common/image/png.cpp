@@ -54,10 +54,6 @@ Image8 picked(const Image<Sample>& rgba, int channels) {
   return result;
 }
 
-bool is_ascii(const std::string& text) {
-  return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 128; });
-}
-
 }  // namespace
 
 Size png_size(std::string_view bytes, const std::string& name) {
@@ -108,7 +104,8 @@ std::string encode_png(const Image8& image, const std::string& name, std::span<c
     spng_text chunk{};
     text.key.copy(chunk.keyword, sizeof(chunk.keyword) - 1);
     // Plain chunks hold Latin-1, international ones UTF-8.
-    chunk.type = is_ascii(text.value) ? SPNG_TEXT : SPNG_ITXT;
+    const bool is_ascii = std::all_of(text.value.begin(), text.value.end(), [](char c) { return c >= 0; });
+    chunk.type = is_ascii ? SPNG_TEXT : SPNG_ITXT;
     chunk.length = text.value.size();
     chunk.text = const_cast<char*>(text.value.c_str());  // only read: the struct serves both directions
     chunk.language_tag = const_cast<char*>("");

@@ -34,14 +34,12 @@ std::vector<glm::vec3> sum_normals(std::size_t corner_count, std::size_t key_cou
   for (std::size_t i = 0; i + 2 < corner_count; i += 3) {
     const std::array<glm::vec3, 3> p{position(i), position(i + 1), position(i + 2)};
     const glm::dvec3 normal(face_normal(p[0], p[1], p[2]));
-    if (weighting == Weighting::angle) {
-      const std::array<double, 3> angles = corner_angles(p);
-      for (std::size_t k = 0; k < 3; ++k) sums[key(i + k)] += angles[k] * normal;
-    } else {
-      const glm::dvec3 a(p[0]), b(p[1]), c(p[2]);
-      const double area = glm::length(glm::cross(c - a, b - a));  // twice: the factor cancels
-      for (std::size_t k = 0; k < 3; ++k) sums[key(i + k)] += area * normal;
-    }
+    std::array<double, 3> weights{};
+    if (weighting == Weighting::angle)
+      weights = corner_angles(p);
+    else
+      weights.fill(glm::length(newell_normal(p)));  // twice the area: the factor cancels
+    for (std::size_t k = 0; k < 3; ++k) sums[key(i + k)] += weights[k] * normal;
   }
   std::vector<glm::vec3> normals(key_count);
   for (std::size_t k = 0; k < key_count; ++k) {

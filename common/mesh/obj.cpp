@@ -244,12 +244,7 @@ class Parser {
       }
     reserve_by(data_.corners, line.size(), 3 * (face_.size() - 2));
     if (face_.size() == 3)
-      data_.corners.insert(data_.corners.end(), face_.begin(), face_.end());
-    else
-      polygon();
-  }
-
-  void polygon() {
+      return static_cast<void>(data_.corners.insert(data_.corners.end(), face_.begin(), face_.end()));
     outline_.clear();
     for (const Corner& corner : face_) outline_.push_back(data_.positions[corner.position]);
     if (!triangulate(outline_, triangles_))
@@ -372,17 +367,9 @@ void read_library(const Path& path, const Path& folder, ObjData& data) {
   }
 }
 
-/// Cuts comments off the names of materials: where `usemtl` and `newmtl` agree without them only.
+/// Cuts comments off the names after `usemtl`: where there is no material of the whole name only.
 void match_names(ObjData& data) {
-  std::set<std::string, std::less<>> used, defined;
-  for (const NamedRun& run : data.material_runs)
-    longest_known(run.name, [&](std::string_view cut) { return used.emplace(cut), false; });
-  for (const Material& material : data.materials) defined.insert(material.name);
-  for (Material& material : data.materials)
-    material.name = std::string(longest_known(material.name, [&](std::string_view cut) {
-      return used.contains(cut) && (cut == material.name || !defined.contains(cut));
-    }));
-  defined.clear();
+  std::set<std::string, std::less<>> defined;
   for (const Material& material : data.materials) defined.insert(material.name);
   std::set<std::string_view> unknown;
   for (NamedRun& run : data.material_runs) {

@@ -80,10 +80,10 @@ Mesh parse_ply(std::string_view bytes, const std::string& name) {
   const std::string_view header = bytes.substr(0, end + header_end.size());
   bytes.remove_prefix(header.size());
   const auto count = [&](std::string_view before) {
-    std::uint32_t count = 0;
+    std::uint32_t number = 0;
     if (const std::size_t at = header.find(before); at != std::string_view::npos)
-      std::from_chars(header.data() + at + before.size(), header.data() + header.size(), count);
-    return std::size_t{count};
+      std::from_chars(header.data() + at + before.size(), header.data() + header.size(), number);
+    return std::size_t{number};
   };
   const std::size_t vertices = count("element vertex "), faces = count("element face ");
   // Before anything is allocated: a header may promise more than there is.

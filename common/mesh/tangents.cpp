@@ -11,10 +11,6 @@
 namespace texel::mesh {
 namespace {
 
-std::array<std::uint32_t, 3> corners_of(const Mesh& mesh, std::size_t triangle) {
-  return {mesh.indices[3 * triangle], mesh.indices[3 * triangle + 1], mesh.indices[3 * triangle + 2]};
-}
-
 /// T and B of every triangle, zero for degenerate ones, and its turn: the sign of its texture area.
 struct Frames {
   std::vector<TriangleFrame> of_triangle;
@@ -52,8 +48,10 @@ TriangleFrame unit_frame(const TriangleFrame& frame) {
 
 std::vector<TriangleFrame> sum_by_vertex(const Mesh& mesh, const Frames& frames) {
   std::vector<TriangleFrame> sums(mesh.vertex_count());
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
-    add_to_corners(corners_of(mesh, t), frames.of_triangle[t], sums);
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    const std::uint32_t* corners = &mesh.indices[3 * t];
+    add_to_corners({corners[0], corners[1], corners[2]}, frames.of_triangle[t], sums);
+  }
   return sums;
 }
 

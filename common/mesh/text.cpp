@@ -67,19 +67,14 @@ NumberStatus parse_usual(std::string_view word, float& value) {
   return std::isfinite(value) ? NumberStatus::ok : NumberStatus::not_finite;
 }
 
-/// NaN and infinity as Microsoft's runtimes print them: 1.#QNAN and what is left of it when it was rounded to
-/// fewer digits, and the sign of infinity.
-bool names_not_finite(std::string_view word) {
-  if (word.starts_with('-')) word.remove_prefix(1);
-  return word.starts_with("1.#") || word == "\xE2\x88\x9E";
-}
-
 }  // namespace
 
 NumberStatus parse_float(std::string_view word, float& value) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   NumberStatus status = parse_usual(word, value);
-  if (status == NumberStatus::malformed && names_not_finite(word)) status = NumberStatus::not_finite;
+  // As Microsoft's runtimes print them: 1.#QNAN and what rounding leaves of it, and the sign of infinity.
+  const std::string_view positive = word.substr(word.starts_with('-') ? 1 : 0);
+  if (positive.starts_with("1.#") || positive == "\xE2\x88\x9E") status = NumberStatus::not_finite;
   if (status == NumberStatus::malformed) {
     std::string usual(word);
     for (char& c : usual) c = c == ',' ? '.' : c == 'd' || c == 'D' ? 'e' : c;

@@ -74,17 +74,18 @@ std::string guarded(const std::string& line) {
 }
 
 TEST(EsSource, EachLoopIsCountedAndWhatIsNoneStays) {
+  const std::string guard = " if (!texel_goes_on()) break; else";
   const std::pair<std::string, std::string> rows[] = {
-      {"while (a < f(b)) b++;", "while (texel_goes_on() && (a < f(b))) b++;"},
-      {"do { b++; } while(a);", "do { b++; } while(texel_goes_on() && (a));"},
-      {"for (int i = 0; i < f(4); ++i) {}", "for (int i = 0;texel_goes_on() && ( i < f(4)); ++i) {}"},
-      {"for (;;) {}", "for (;texel_goes_on();) {}"},
-      {"for (; ; ) while (a) {}", "for (;texel_goes_on() ; ) while (texel_goes_on() && (a)) {}"},
-      {"while /* ( */ (a || b) {}", "while /* ( */ (texel_goes_on() && (a || b)) {}"}};
+      {"while (a < f(b)) b++;", "while (a < f(b))" + guard + " b++;"},
+      {"while (a);", "while (a)" + guard + ";"},
+      {"do { b++; } while(a);", "do" + guard + " { b++; } while(a);"},
+      {"for (int i = 0; i < f(4); ++i) {}", "for (int i = 0; i < f(4); ++i)" + guard + " {}"},
+      {"for (;;) {}", "for (;;)" + guard + " {}"},
+      {"for (; ; ) while (a) {}", "for (; ; )" + guard + " while (a)" + guard + " {}"},
+      {"while /* ( */ (a || b) {}", "while /* ( */ (a || b)" + guard + " {}"}};
   for (const auto& [line, expected] : rows) EXPECT_EQ(guarded(line), expected);
-  for (const std::string line :
-       {"// while (a) {}", "/* for (;;) */ a;", "#define M while (a)", "forward(a; b);", "meanwhile(a);",
-        "while (bool go = f()) {}", "while (a", "for (a; b) {}"})
+  for (const std::string line : {"// while (a) {}", "/* for (;;) */ a;", "#define M while (a)",
+                                 "forward(a; b);", "meanwhile(a);", "while (a"})
     EXPECT_EQ(guarded(line), line);
   EXPECT_FALSE(has(fragment("void main() {}\n"), "texel_rounds"));
 }

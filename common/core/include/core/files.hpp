@@ -75,8 +75,7 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-/// Notices edited files by their time, and folders in which a file appeared or vanished. Also
-/// works with editors that write another file and rename it.
+/// Notices edited files by their time, and folders in which a file appeared or vanished.
 class Watcher {
  public:
   /// Which of `files` changed since the last call. A file seen for the first time is not changed.

@@ -44,8 +44,8 @@ struct ProcessLimits {
   std::size_t kept_output = 256U << 10U;      ///< how much of each stream is kept; what follows is dropped
 };
 
-/// Where a program runs, and what it may do. A sandbox holds it to all of this; run_plainly, to part of it.
-/// Folders are absolute and keep their path inside a sandbox.
+/// Where a program runs, and what it may do; run_plainly holds it to part of this. Folders are absolute and
+/// keep their path inside a sandbox.
 struct Confines {
   std::vector<std::filesystem::path> read_only;
 

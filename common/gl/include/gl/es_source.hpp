@@ -5,20 +5,18 @@
 namespace texel::gl {
 
 /// A shader in GLSL 3.30, as ShaderSource::text gives it, in the language of OpenGL ES 3.0 and WebGL 2. The
-/// only place that knows the difference. The lines keep their numbers.
+/// lines keep their numbers.
 ///
 /// OpenGL ES cannot write into an sRGB picture without encoding. So a fragment shader that writes a colour
-/// `picture` gets a uniform kKeepsBytes: where it is set, the colour is decoded first, and the picture has
-/// the values that the shader wrote. With `encodes` the target is of 8 bits as they are
-/// (Target::Kind::encoded): where the uniform is not set, the shader encodes.
+/// `picture` gets a uniform kKeepsBytes: where it is set, the colour is decoded first. With `encodes` the
+/// target is of 8 bits as they are (Target::Kind::encoded): where the uniform is not set, the shader encodes.
 ///
-/// A renderer rounds a vertex's place in the picture to so many bits of a pixel. OpenGL ES allows 4, and
-/// SwiftShader has 4; what is interpolated is then off by up to 1/32 of its change to the next pixel, and
-/// the limits of cases were measured with 8 bits. With fewer than 8 bits the vertex shader passes on by how
-/// much it was rounded (it gets the picture's size, kPictureSize), and the fragment shader moves each of its
-/// inputs back. Which triangle covers a pixel is not mended so: for that a picture can be drawn several
-/// times, each with the vertices moved by another part of a pixel (kShift), which is taken back in the same
-/// way.
+/// A renderer rounds a vertex's place in the picture to so many bits of a pixel: SwiftShader to 4, and the
+/// limits of cases were measured with 8. What is interpolated is then off by up to 1/32 of its change to the
+/// next pixel. With fewer than 8 bits the vertex shader passes on by how much it was rounded (it gets the
+/// picture's size, kPictureSize), and the fragment shader moves each of its inputs back. Which triangle
+/// covers a pixel is not mended so: for that a picture can be drawn several times, each with the vertices
+/// moved by another part of a pixel (kShift).
 ///
 /// Loops end after kMostRounds rounds, all of one vertex or pixel together. A pixel that got so far is
 /// magenta, with an alpha of one half.
@@ -28,9 +26,8 @@ inline constexpr const char* kAddedUniforms = "texel_";
 inline constexpr const char* kKeepsBytes = "texel_keeps_bytes";
 inline constexpr const char* kPictureSize = "texel_picture_size";
 inline constexpr const char* kShift = "texel_shift";
-/// Four times what a pixel of a 16x16 supersampled picture needs; llvmpipe ends a loop at 65536. On two cores
-/// SwiftShader draws 512x512 pixels with 4096 rounds of a sine in 6.4 s: with so many it stays quick enough
-/// to write on.
+/// Four times what a pixel of a 16x16 supersampled picture needs. On two cores SwiftShader draws 512x512
+/// pixels with 4096 rounds of a sine in 6.4 s.
 inline constexpr int kMostRounds = 1024;
 /// So many bits are as good as the renderers have with which the limits were measured.
 inline constexpr int kEnoughSubpixelBits = 8;

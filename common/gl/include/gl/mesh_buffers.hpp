@@ -16,8 +16,7 @@ class MeshBuffers {
   /// Draws all triangles with `program`, which must be in use. Throws Error when it reads an attribute that
   /// the mesh does not have.
   void draw(const Program& program);
-  /// Draws a closed surface: from outside only the triangles that turn their front to the camera. The others
-  /// are hidden then, and many pixels would be shaded twice with them.
+  /// Draws a closed surface: from outside only the triangles that turn their front to the camera.
   void draw_closed(const Program& program, bool is_outside);
   /// Draws one of the mesh's groups.
   void draw(const Program& program, const mesh::Group& group);

@@ -49,11 +49,6 @@ class Recorder {
  private:
   static void GLAD_API_PTR on_draw_arrays(GLenum mode, GLint first, GLsizei count);
   static void GLAD_API_PTR on_draw_elements(GLenum mode, GLsizei count, GLenum type, const void* indices);
-  void inspect(GLenum mode, GLsizei count);
-  void inspect_indices();
-  void inspect_attributes(GLuint program);
-  void inspect_samplers(GLuint program);
-  void warn(const std::string& text);
   Record record_;
   std::set<GLint> index_buffers_;  ///< that were counted
   PFNGLDRAWARRAYSPROC draw_arrays_;

@@ -16,9 +16,8 @@ class Target {
   enum class Kind { color, encoded, data };
 
   /// `samples` above 1 draws multisampled (at most the driver's maximum) and resolves. If `other` has the
-  /// same kind, size and samples, both share depth and samples, which nobody reads after resolve(): two
-  /// pictures drawn in turn then need the memory of one, and stay in the processor's caches (a fifth of lab
-  /// 1's time).
+  /// same kind, size and samples, both share depth and samples, which nobody reads after resolve(): that
+  /// saves memory, and by the processor's caches a fifth of lab 1's time.
   Target(Kind kind, int width, int height, int samples, const Target* other = nullptr);
 
   [[nodiscard]] int width() const { return width_; }
@@ -47,13 +46,9 @@ class Target {
   int width_, height_, samples_;
   Texture texture_;
   Framebuffer resolved_;
-  struct Multisampled {
-    Framebuffer framebuffer;
-    Renderbuffer color;
-  };
   struct Scratch {
-    Renderbuffer depth;
-    std::unique_ptr<Multisampled> multisampled;
+    Renderbuffer depth, color;  ///< the second, and the framebuffer, for more than one sample
+    Framebuffer multisampled;
   };
   std::shared_ptr<Scratch> scratch_;
 };

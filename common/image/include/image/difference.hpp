@@ -34,14 +34,12 @@ struct Comparing {
   /// Only pixels whose first channel here is above 0 count. It has the pictures' size.
   const Image8* mask = nullptr;
 
-  /// Allows an edge to lie one pixel off, as between two right renderers. A pixel then
-  /// counts with the smallest difference to any of the 3x3 pixels around it in the other picture, taken from
-  /// either picture. The worse of the two counts: a line in only one of the pictures is not forgiven.
-  /// This holds only at edges: where in either picture the pixel differs from one of its neighbours by more
-  /// than an eighth of the whole range, which is 32 8-bit levels, 22.5 degrees, or an eighth of the spread
-  /// of the finite values; and only for differences of more than half that much. It is an exception: when
-  /// more than a tenth of all edge pixels would be forgiven, the picture was moved, not rasterised
-  /// differently, and nothing is forgiven.
+  /// Allows an edge to lie one pixel off, as between two right renderers. A pixel then counts with the
+  /// smallest difference to any of the 3x3 pixels around it in the other picture, taken from either picture;
+  /// the worse of the two. An edge is where in either picture the pixel differs from one of its neighbours
+  /// by more than an eighth of the whole range, which is 32 8-bit levels, 22.5 degrees, or an eighth of the
+  /// spread of the finite values. Only differences of more than half that much are forgiven, and none when
+  /// they are more than a tenth of all edge pixels: then the picture was moved.
   bool edge_tolerance = false;
 
   /// Allows the picture to be moved by this part of a pixel: a difference counts as none that is at most this

@@ -13,7 +13,7 @@ namespace texel::mesh {
 /// Stands for "this corner has no vt" and the like.
 inline constexpr std::uint32_t no_index = 0xFFFFFFFFu;
 
-/// One corner of a triangle: indices from 0 into ObjData's arrays.
+/// One corner of a triangle: indices from 0 into ObjData's lists.
 struct Corner {
   std::uint32_t position = 0;
   std::uint32_t texcoord = no_index;
@@ -21,8 +21,7 @@ struct Corner {
   friend bool operator==(const Corner&, const Corner&) = default;
 };
 
-/// The part of a `newmtl` that we use. Names run to the end of their line, so may have a comment after them,
-/// and paths have '/' for '\'. load_obj cuts off the comments, and finds the color map.
+/// The part of a `newmtl` that we use. Names run to the end of their line, and paths have '/' for '\'.
 struct Material {
   std::string name;
   glm::vec3 diffuse{1.0f};  ///< Kd, as written
@@ -84,7 +83,7 @@ ObjData load_obj(const std::filesystem::path& path);
 std::vector<Material> parse_mtl(std::string_view text, const std::string& name,
                                 std::vector<std::string>& warnings);
 
-// What lab 3 teaches of it. The reader calls these functions, and files in labs/03_obj_texcoords define them.
+// What lab 3 teaches of it: files in labs/03_obj_texcoords define these functions.
 
 /// The position of a `v` line from its numbers, of which there are at least 3.
 glm::vec3 position_from(std::span<const float> numbers);

@@ -4,16 +4,14 @@
 
 #include "mesh/mesh.hpp"
 
-/// Analytic shapes with exact normals and texture coordinates; object space, right-handed, y up,
-/// counter-clockwise seen from outside. Computed in double and rounded once. Sizes are in world units, counts
-/// are clamped to the smallest that make a surface. Tangents are left empty: fill them with the exact ones
-/// below or by a method of tangents.hpp.
+/// Analytic shapes with exact normals and texture coordinates and no tangents; object space, right-handed, y
+/// up, counter-clockwise seen from outside. Computed in double and rounded once. Sizes are in world units,
+/// counts are clamped to the smallest that make a surface.
 namespace texel::mesh {
 
 /// Vertices slide along the exact surface, each by up to +-amount/2 of a cell in s and in t; below an amount
-/// of 1/2 no triangle can turn over. Texture coordinates and normals stay exact. The move is a hash of the
-/// vertex's place in the grid: the same seed gives the same mesh, and both copies of a seam's vertex move
-/// alike. A plane's border and a sphere's poles stay where they are.
+/// of 1/2 no triangle can turn over. The same seed gives the same mesh, and both copies of a seam's vertex
+/// move alike. A plane's border and a sphere's poles stay where they are.
 struct Jitter {
   float amount = 0.0f;
   std::uint32_t seed = 0;

@@ -22,12 +22,9 @@ enum class TangentMethod {
   /// is cut into triangles then does not matter (Thuermer and Wuethrich 1998, there for normals).
   angle_weighted,
   /// The rules of M. S. Mikkelsen, "Simulation of Wrinkled Surfaces Revisited" (2008), and of the MikkTSpace
-  /// reference code, to the last bit: corners of equal position, normal and texcoord are one; triangles
-  /// around it that are joined by edges and turn the texture the same way form a group; a group's tangent is
-  /// the sum of its triangles' unit T, each projected into the normal's plane, by the corner's angle there;
-  /// triangles whose T or B are exactly opposite there do not count in each other's sum (angular threshold
-  /// 180 degrees; up to 4096 triangles around a vertex); each tangent has a vertex of its own; triangles
-  /// without a texture area join any group and add nothing; what no group reaches is (1, 0, 0) with sign -1.
+  /// reference code, to the last bit: the triangles around a corner that are joined by edges and turn the
+  /// texture the same way share a tangent, the sum of their unit T in the normal's plane, by the corner's
+  /// angle there. Each tangent has a vertex of its own. What no such group reaches is (1, 0, 0) with sign -1.
   /// Unlike there, that is turned into the normal's plane where there is no texture area, and a tangent along
   /// the normal, which makes no frame, is replaced by one in the plane.
   mikktspace,
@@ -39,8 +36,7 @@ struct TriangleFrame {
   glm::vec3 bitangent{0.0f};
 };
 
-// What lab 5 teaches of it. compute_tangents calls these functions, and files in labs/05_normal_map define
-// them.
+// What lab 5 teaches of it: files in labs/05_normal_map define these functions.
 
 /// T and B of a triangle from E1 = P2 - P1, E2 = P3 - P2 and the same differences of its texture coordinates,
 /// by the inverse of the 2x2 matrix (Slides, "Normal Mapping"). The texture area must not be zero.

@@ -6,8 +6,7 @@
 
 namespace texel::mesh {
 
-/// How texture coordinates are made for a mesh that has none. All are scaled to the mesh's bounding box;
-/// "centre" is the box's, "size" its longest side.
+/// How texture coordinates are made. "Centre" is that of the mesh's bounding box, "size" its longest side.
 enum class Projection {
   planar,       ///< along z, seen from the front: (x, y) / size, so texels are square; smears the sides
   box,          ///< each triangle along the axis it faces most, upright as on a cube; (x, y) / size and so on
