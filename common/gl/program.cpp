@@ -39,7 +39,7 @@ class Shader {
 #ifdef __EMSCRIPTEN__
     log = es_message(log.substr(0, log.find('\0')));
 #endif
-    throw source.error(log, defines);
+    throw Error::failed(source.locate(log));
   }
   ~Shader() {
     glDeleteShader(id_);

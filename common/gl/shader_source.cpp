@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <iterator>
 #include <sstream>
 
 #include "core/files.hpp"
@@ -69,66 +68,13 @@ Mark first_mark(std::string_view line) {
   return {};
 }
 
-/// What the compiler calls a line with code, and the line without comments.
-using CodeLine = std::pair<int, std::string>;
-
-std::vector<CodeLine> code_lines(std::string_view text) {
-  constexpr std::string_view kMark = "#line ";
-  std::vector<CodeLine> all;
-  bool in_comment = false;
-  int next = 1;
-  for (const std::string& line : lines_of(text)) {
-    const int number = next++;
-    std::string code = without_comments(line, in_comment);
-    if (line.starts_with(kMark))
-      std::from_chars(line.data() + kMark.size(), line.data() + line.size(), next);
-    else if (!trimmed(code).empty() && !trimmed(code).starts_with('#'))
-      all.emplace_back(number, std::move(code));
-  }
-  return all;
+/// Compilers find a missing ';' at the next token. Mesa and NVIDIA say "syntax error, unexpected RETURN,
+/// expecting ',' or ';'", and ANGLE "'return' : syntax error".
+bool may_lack_semicolon(std::string_view message) {
+  const auto has = [&](std::string_view text) { return message.find(text) != std::string_view::npos; };
+  return has("syntax error") && (has("';'") || !has("expecting"));
 }
-
-/// Whether a statement may end here, and does not by itself.
-bool wants_semicolon(std::string_view code) {
-  if (code.empty()) return false;
-  for (const std::string_view head : {"if", "for", "while", "else", "do", "switch"})
-    if (code.starts_with(head) && (code.size() == head.size() || !is_word(code[head.size()])) &&
-        (code.ends_with(')') || code == head))
-      return false;
-  return is_word(code.back()) || code.ends_with(')') || code.ends_with(']') || code.ends_with('}') ||
-         code.ends_with("++") || code.ends_with("--");
-}
-
-/// Of one line of the log.
-std::string at_missing_semicolon(const std::string& line, const std::vector<CodeLine>& code) {
-  // Mesa: "0:500012(3): error: syntax error, unexpected RETURN, expecting ',' or ';'". NVIDIA: "0(500012) :
-  // error C0000: syntax error, unexpected '}', expecting ',' or ';' at token "}"". ANGLE: "ERROR: 0:500012:
-  // '}' : syntax error".
-  if (line.find("syntax error") == line.npos) return line;
-  const bool says_what = line.find("expecting") != line.npos;
-  if (says_what && (line.find("';'") == line.npos || line.find("'{'", line.find("expecting")) != line.npos))
-    return line;
-  const auto [number, behind] = first_mark(line);
-  const auto found =
-      std::find_if(code.begin(), code.end(), [n = number](const CodeLine& one) { return one.first == n; });
-  if (found == code.begin() || found == code.end()) return line;
-  // What was not expected must be the line's first: Mesa gives a column, from 0 or 1, and the others the
-  // token.
-  bool is_first = false;
-  if (line[behind] == '(') {
-    std::size_t column = 0;
-    std::from_chars(line.data() + behind + 1, line.data() + line.size(), column);
-    is_first = found->second.find_first_not_of(" \t\v\f") + 1 >= column;
-  } else {
-    const std::size_t from = line.find('\'', behind) + 1, to = line.find('\'', from);
-    is_first = from != 0 && to != line.npos && to > from &&
-               trimmed(found->second).starts_with(line.substr(from, to - from));
-  }
-  const auto& [before, code_before] = *std::prev(found);
-  if (!is_first || !wants_semicolon(trimmed(code_before))) return line;
-  return fmt::format("0:{}: error: a ';' is missing at the end of this line: {}", before,
-                     trimmed(code_before));
-}
+constexpr const char* kLacksSemicolon = " (is a ';' missing at the end of the line before?)";
 
 }  // namespace
 
@@ -225,17 +171,6 @@ void ShaderSource::include(Reading& reading, std::string_view rest, const Place&
   body_ += fmt::format("#endif  // {}\n", guard);
 }
 
-std::string at_missing_semicolons(std::string_view log, std::string_view text) {
-  const std::vector<CodeLine> code = code_lines(text);
-  std::string result;
-  for (const std::string& line : lines_of(log)) result += at_missing_semicolon(line, code) + "\n";
-  return result;
-}
-
-Error ShaderSource::error(std::string_view log, const std::vector<Define>& defines) const {
-  return Error::failed(locate(at_missing_semicolons(log, text(defines))));
-}
-
 std::string ShaderSource::text(const std::vector<Define>& defines) const {
   if (fault_) throw *fault_;
   std::string text = version_;
@@ -292,7 +227,7 @@ std::string ShaderSource::locate(std::string_view log) const {
     if (rest.starts_with("warning")) continue;
     result += fmt::format("{}:{}:", shown_name(files_[file - 1]), mark.number % kLinesPerFile);
     if (column > 0) result += fmt::format("{}:", column);
-    result += fmt::format(" {}\n", rest);
+    result += fmt::format(" {}{}\n", rest, may_lack_semicolon(rest) ? kLacksSemicolon : "");
   }
   while (result.ends_with('\n')) result.pop_back();
   return result;

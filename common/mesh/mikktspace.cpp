@@ -75,8 +75,7 @@ float float_area(const std::array<glm::vec2, 3>& st) {
   return d1.s * d2.t - d1.t * d2.s;
 }
 
-/// T and B by triangle_frame. Taken with both edges from the first corner, as in the reference; and where the
-/// result agrees with the reference's up to rounding, the reference's bits.
+/// T and B by triangle_frame; where they agree with the reference's up to rounding, the reference's bits.
 Kind find_directions(const std::array<glm::vec3, 3>& p, const std::array<glm::vec2, 3>& st,
                      TriangleFrame& directions) {
   if (p[0] == p[1] || p[0] == p[2] || p[1] == p[2]) return Kind::collapsed;
@@ -109,7 +108,7 @@ Triangles find_triangles(const Mesh& mesh, unsigned threads) {
   return triangles;
 }
 
-/// Which of the parts does the things with this hash, by its lower half: DistinctTable takes the upper one.
+/// Which part does the things with this hash, by its lower half: DistinctTable takes the upper one.
 unsigned part_of(std::uint64_t hash, unsigned parts) {
   return static_cast<unsigned>((hash & 0xFFFFFFFFu) * parts >> 32);
 }
@@ -153,9 +152,7 @@ std::vector<std::uint32_t> weld_corners(const Mesh& mesh, unsigned threads) {
 /// an edge, they are taken in the mesh's order, and each is paired with the first before it that still has no
 /// partner.
 ///
-/// The reference finds the same pairs after sorting all edges by their vertices and triangles. Its loops
-/// leave out the last vertex's edges, which stay in the order of an unstable sort: there, at one vertex of a
-/// mesh, it may miss a pair. That is left out here.
+/// The reference finds the same pairs by sorting, but at the last vertex, where it may miss a pair.
 std::vector<std::uint32_t> opposite_edges(const std::vector<std::uint32_t>& welded,
                                           const std::vector<Kind>& kinds, unsigned threads) {
   struct Edge {
@@ -308,8 +305,8 @@ struct Member {
 };
 
 /// The reference's angular threshold of 180 degrees: a triangle counts those of its group but the ones whose
-/// T or B is exactly opposite to its own, where the product of the unit vectors is -1 in float. Corners that
-/// count all keep the group's tangent; each other sum is another tangent.
+/// T or B is exactly opposite to its own (in float). Corners that count all keep the group's tangent; each
+/// other sum is another tangent.
 void divide(const std::vector<Member>& members, std::uint32_t group, Frames& frames) {
   const glm::vec4 whole = frames.tangents[group];
   std::map<std::array<float, 3>, std::uint32_t> known{{{whole.x, whole.y, whole.z}, group}};
@@ -332,8 +329,7 @@ void divide(const std::vector<Member>& members, std::uint32_t group, Frames& fra
   }
 }
 
-/// With more triangles than this around a vertex a group is not divided: it would take the square of their
-/// number, as in the reference, whose result is rounding there.
+/// With more triangles than this around a vertex a group is not divided: it would take their number squared.
 constexpr std::uint32_t most_divided = 4096;
 
 /// The groups' tangents; more where T or B of a group's triangles are opposite.
@@ -402,7 +398,7 @@ void mikktspace(Mesh& mesh, unsigned threads) {
     const bool has_none = is_along(glm::vec3(tangent), mesh.normals[v]);
     mesh.tangents[v] = has_none ? glm::vec4(any_orthogonal(mesh.normals[v]), tangent.w) : tangent;
   });
-  // Without a texture area any direction in the plane is right. With one, triangle_frame gave none: that is
+  // Without a texture area any direction in the plane is right. With one, that triangle_frame gave none is
   // seen.
   for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
     const std::uint32_t v = mesh.indices[i];

@@ -293,20 +293,16 @@ class Parser {
                       "not understood)",
                       lines_.lines_read(), data_.positions.size(), faces_, unknown_lines_),
           {name_}, "is this an OBJ file, and was it exported with its faces?");
-    std::uint64_t missing_texcoords = 0, missing_normals = 0;
-    for (const Corner& corner : data_.corners) {
-      if (corner.texcoord == no_index) ++missing_texcoords;
-      if (corner.normal == no_index) ++missing_normals;
-    }
     // A file that gives them to no corner simply has none.
-    if (missing_texcoords == data_.corners.size())
-      data_.texcoords.clear();
-    else if (missing_texcoords > 0)
-      troubles_.push_back({{}, "corners without vt, drawn with texture coordinate 0 0", missing_texcoords});
-    if (missing_normals == data_.corners.size())
-      data_.normals.clear();
-    else if (missing_normals > 0)
-      troubles_.push_back({{}, "corners without vn, with generated normals", missing_normals});
+    const auto tell_missing = [&](auto& list, std::uint32_t Corner::*index, const char* text) {
+      const auto missing = static_cast<std::size_t>(
+          std::count_if(data_.corners.begin(), data_.corners.end(),
+                        [&](const Corner& corner) { return corner.*index == no_index; }));
+      if (missing == data_.corners.size()) return list.clear();
+      if (missing > 0) troubles_.push_back({{}, text, missing});
+    };
+    tell_missing(data_.texcoords, &Corner::texcoord, "corners without vt, drawn with texture coordinate 0 0");
+    tell_missing(data_.normals, &Corner::normal, "corners without vn, with generated normals");
     for (const Trouble& trouble : troubles_)
       data_.warnings.push_back(fmt::format("{} {}", trouble.count, trouble.text));
   }
@@ -385,15 +381,12 @@ void match_names(ObjData& data) {
 void read_libraries(const Path& folder, ObjData& data) {
   std::set<Path> read;
   for (const std::string& names : data.libraries) {
-    // A line may hold several names, or one with blanks in it.
+    // A line holds one name, which may have blanks in it, or several.
     std::vector<Path> files;
     std::string_view rest = names;
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest))
       files.push_back(find_file(word, {folder}));
-    const Path whole = find_file(names, {folder});
-    if (std::none_of(files.begin(), files.end(), is_file) ||
-        (is_file(whole) && !std::all_of(files.begin(), files.end(), is_file)))
-      files = {whole};
+    if (const Path whole = find_file(names, {folder}); is_file(whole)) files = {whole};
     for (const Path& file : files)
       if (read.insert(file).second) read_library(file, folder, data);
   }

@@ -108,7 +108,7 @@ TEST_P(OpenGl, an_error_names_the_file_and_line_in_which_it_is) {
       {"#include \"one.glsl\"\n" + color + " c = vec4(one()); oops; }\n", "student.frag:4:", ""},
       {"#if 0\n#include \"one.glsl\"\n#endif\n" + color + " c = vec3(1.0); }\n", "student.frag:6:", ""},
       {color + "\n  c = vec4(1.0)\n}\n",
-       "student.frag:4: error: a ';' is missing at the end of this line: c = vec4(1.0)", ""}};
+       "student.frag:5:", "expecting ',' or ';' (is a ';' missing at the end of the line before?)"}};
   for (const Row& row : rows) {
     const std::string error = compile_error("#version 330 core\n" + row.shader);
     EXPECT_TRUE(error.starts_with(row.begins)) << error;

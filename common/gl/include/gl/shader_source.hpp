@@ -17,11 +17,6 @@ struct Define {
   std::string name, value, origin = {};
 };
 
-/// Compilers find a missing `;` at the next token. Where that begins a line, this names the line before it,
-/// after which the `;` is missing, with its text. `log` is the compiler's, and `text` what it read, as
-/// ShaderSource::text has it. All other lines of the log stay as they are.
-std::string at_missing_semicolons(std::string_view log, std::string_view text);
-
 /// One shader with its includes expanded: the text for the compiler, and the files that it came from.
 ///
 /// `#include "lib/light.glsl"` names a file beside the including file, or below the folder `shaders/`. Each
@@ -46,10 +41,8 @@ class ShaderSource {
   [[nodiscard]] bool mentions(std::string_view token) const { return words_.contains(token); }
   [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
   /// A compiler's log with our encoded lines turned into `shaders/file:line: message`, as editors open
-  /// it in the tree. Warnings are left out.
+  /// it in the tree. Warnings are left out. Asks whether a ';' is missing where one may be.
   [[nodiscard]] std::string locate(std::string_view log) const;
-  /// The same as an error (exit 3), with missing semicolons; `defines` are those of text().
-  [[nodiscard]] Error error(std::string_view log, const std::vector<Define>& defines) const;
 
  private:
   struct Reading;
