@@ -161,7 +161,7 @@ judge::CaseResult StudentRun::judged(const judge::LabPlan& plan, const Case& of,
   if (!of.hidden) result.reference = fmt::format("references/{}/{}", plan.lab.folder, of.file);
   const judge::Verdict verdict = check::judge(of, setup_.course->expected(plan, of), out / of.file);
   // A picture that changed through earlier steps does not score for a step that nobody began.
-  const bool is_untouched = !begun_.contains(of.step) && submission_.fault.empty();
+  const bool is_untouched = !begun_.contains(of.step) && (submission_.fault.empty() || submission_.is_empty);
   judge::resolve(result, verdict, fault_of(of, program, drawn), is_untouched);
   return result;
 }
@@ -172,7 +172,7 @@ std::string StudentRun::fault_of(const Case& of, const Program& program, const c
     for (const store::CompilerLog& log : program.refused)
       if (log.file == place->second.file)
         return fmt::format("{} does not compile: {}", log.file, first_error(log.text));
-  if (!submission_.fault.empty()) return submission_.fault;
+  if (!submission_.fault.empty() && !submission_.is_empty) return submission_.fault;
   const auto fault = drawn.faults.find(of.file);
   if (fault == drawn.faults.end()) return {};
   // Without the grader's own folders.

@@ -209,6 +209,8 @@ Submission unpack(const Entry& entry, const std::vector<std::string>& allowed, c
   Submission submission;
   Listing listing = list(entry, limits);
   submission.fault = listing.fault;
+  submission.is_empty = listing.items.empty() && listing.fault.empty();
+  if (submission.is_empty) submission.fault = "is empty: nothing was handed in";
   if (!submission.fault.empty()) return submission;
   const Endings endings(allowed, older_files(allowed));
   Found found = find_roots(listing.items, endings);

@@ -289,8 +289,8 @@ Listing list_archive(const Entry& entry, std::string_view bytes, const UnpackLim
   }
   listing.fault = archive.fault();
   // libarchive before 3.8 calls a zip without files broken.
-  if (position == 0 && (listing.fault.empty() || bytes.starts_with("PK\x05\x06")))
-    listing.fault = "is an archive without files";
+  if (position == 0 && bytes.starts_with("PK\x05\x06"))
+    listing.fault.clear();
   else if (position == 0 && !begins_as_zip(bytes) && !is_gzip(bytes))
     listing.fault = "is a broken archive, or none: hand in a folder, a .zip or a .tar.gz";
   return listing;
@@ -319,7 +319,6 @@ std::string refuse_archive(const Entry& entry, const UnpackLimits& limits) {
   std::error_code error;
   const std::uintmax_t size = fs::file_size(entry.path, error);
   if (error) throw Error::failed(fmt::format("cannot open: {}", error.message()), {entry.path.string()});
-  if (size == 0) return "is empty";
   if (size > limits.archive)
     return fmt::format("is larger than {} MiB; hand in only the labs' sources and shaders",
                        limits.archive >> 20U);
@@ -331,6 +330,7 @@ std::string refuse_archive(const Entry& entry, const UnpackLimits& limits) {
 Listing list(const Entry& entry, const UnpackLimits& limits) {
   if (entry.kind == Entry::Kind::folder) return list_folder(entry, limits);
   if (const std::string fault = refuse_archive(entry, limits); !fault.empty()) return {{}, fault};
+  if (fs::is_empty(entry.path)) return {};
   return list_archive(entry, MappedFile(entry.path).bytes(), limits);
 }
 

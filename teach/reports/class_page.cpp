@@ -31,12 +31,19 @@ std::string summary(const store::ClassResult& results) {
   return text;
 }
 
+bool is_nothing_begun(const store::StudentResult& student) {
+  return std::ranges::all_of(student.labs, [](const judge::LabResult& lab) {
+    return std::ranges::all_of(lab.steps, &judge::StepResult::is_untouched);
+  });
+}
+
 /// A line below a student's name in the table, and its style; or "".
 std::pair<std::string, std::string> note(const store::StudentResult& student) {
   if (!student.incident.empty()) return {"! not graded", "incident"};
   if (student.is_unfinished())
     return {fmt::format("! not finished: {} of {} cases judged", student.judged, student.planned),
             "incident"};
+  if (!student.fault.empty() && is_nothing_begun(student)) return {"nothing handed in", "skipped"};
   if (!student.fault.empty()) return {"submission " + student.fault, "failed"};
   if (student.points() == 0 && !student.ignored.empty())
     return {"! 0 points, and files were left out", "failed"};

@@ -62,7 +62,8 @@ struct Submission {
   /// The folder of the submission that stands for the tree's root, as text; "" for the top.
   std::string root;
   std::vector<store::Ignored> copies;  ///< folders with another copy of the labs, which was not taken
-  std::string fault;                   ///< why nothing was taken (broken, a bomb, too large, no step), or ""
+  std::string fault;      ///< why nothing was taken (empty, broken, a bomb, too large, no step), or ""
+  bool is_empty = false;  ///< no file was handed in
 };
 
 /// Takes the allowed files out of a submission, into memory. Whatever the bytes, this ends with a Submission:
