@@ -37,13 +37,18 @@ def code(text):
     return re.sub(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', "", text, flags=re.S)
 
 
+def without_solutions(text):
+    """A file as a starter has it."""
+    return re.sub(r"(//@step [^\n]* begin\n).*?^[^\n]*//@starter\n", r"\1", text, flags=re.S | re.M)
+
+
 def line_faults(files):
-    def count(keep):
-        return sum(text.count("\n") for path, text in files.items() if keep(path))
+    def count(keep, shown=str):
+        return sum(shown(text).count("\n") for path, text in files.items() if keep(path))
 
     rooms = sorted({room_of(path) for path in files} - {""})
     figures = [("all", count(lambda path: True), "all"), ("tests", count(lambda path: path.startswith("tests/")), "tests"),
-               ("starter", count(lambda path: not path.startswith(tuple(f"{folder}/" for folder in WITHHELD))), "starter")]
+               ("starter", count(lambda path: not path.startswith(tuple(f"{folder}/" for folder in WITHHELD)), without_solutions), "starter")]
     figures += [(room, count(lambda path, room=room: room_of(path) == room), "a room") for room in rooms]
     for name, lines, _ in figures:
         print(f"{lines:7} {name}")
