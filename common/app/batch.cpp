@@ -137,12 +137,11 @@ void draw_batch(Canvas& canvas, AnyLab& lab, const Assets& assets, const Batch& 
 
   const std::filesystem::path list = folder / course::kDrawingsFile;
   std::vector<course::Drawing> drawings;
-  std::size_t faults = 0;
   write_file(list, course::to_json(drawings));
   const auto finish = [&](std::future<course::Drawing> written) {
     if (!written.valid()) return;
     const course::Drawing& last = drawings.emplace_back(written.get());
-    if (!last.is_drawn) ++faults, std::fprintf(stderr, "%s: %s\n", last.file.c_str(), last.message.c_str());
+    if (!last.is_drawn) fmt::print(stderr, "{}: {}\n", last.file, last.message);
     write_file(list, course::to_json(drawings));
   };
   std::future<course::Drawing> before;
@@ -153,6 +152,8 @@ void draw_batch(Canvas& canvas, AnyLab& lab, const Assets& assets, const Batch& 
     if (in_turn) finish(std::move(before));
   }
   finish(std::move(before));
+  const auto faults =
+      std::count_if(drawings.begin(), drawings.end(), [](auto& one) { return !one.is_drawn; });
   if (faults > 0)
     throw Error::failed(fmt::format("{} of {} entries could not be drawn", faults, batch.size()));
 }

@@ -104,11 +104,13 @@ void Canvas::draw(View view, glm::ivec2 size, int samples, const std::optional<S
   ++present_frame;
   measured_.reset();
   if (view == View::error) {
-    draw_error(size);
-    return;
+    measured_ = lab_.answer()->measured(*this, size);
+    fit(color_, gl::Target::Kind::color, size, 1).write8(measured_->map);
+    std::swap(picture_, color_);
+  } else {
+    draw_scene(view, size, samples, split, colors);
+    finish(view, size);
   }
-  draw_scene(view, size, samples, split, colors);
-  finish(view, size);
 }
 
 gl::Record Canvas::record(View view, glm::ivec2 size, int samples) {
@@ -166,13 +168,6 @@ Legend Canvas::legend(View view) const {
   if (view == View::error) return error_legend(measured_->full_scale, lab_.answer()->measure().unit);
   const bool has_range = view == View::lod || view == View::depth;
   return legend_of(view, lab_.parameters(), has_range ? read_float() : image::ImageF());
-}
-
-void Canvas::draw_error(glm::ivec2 size) {
-  if (lab_.answer() == nullptr) throw Error::usage("this lab has no view 'error'");
-  measured_ = lab_.answer()->measured(*this, size);
-  fit(color_, gl::Target::Kind::color, size, 1).write8(measured_->map);
-  std::swap(picture_, color_);
 }
 
 void Canvas::draw_nothing(glm::ivec2 size) {

@@ -51,9 +51,9 @@ std::string Info::program() const {
   return "lab" + folder();
 }
 
-gl::Program& Frame::program(const std::string& vertex, const std::string& fragment) {
+gl::Program& Frame::program(const std::string& stem) {
   const Stage stage("parameters");
-  gl::Program& program = programs_.get(vertex, fragment, constants(parameters_, view_));
+  gl::Program& program = programs_.get(stem + ".vert", stem + ".frag", constants(parameters_, view_));
   program.use();
   if (std::find(used_.begin(), used_.end(), &program) == used_.end()) {
     program.forget_uniforms();

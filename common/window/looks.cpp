@@ -36,6 +36,12 @@ bool look_button(const Looks::Entry& entry, bool is_drawn, ImVec2 size) {
   return is_clicked;
 }
 
+/// The value right of the line of an opening; none of another look.
+std::optional<app::Canvas::Split> split_of(const course::Look& look) {
+  if (!look.right) return {};
+  return app::Canvas::Split{look.right->parameter, look.right->value};
+}
+
 }  // namespace
 
 Looks::Looks(app::AnyLab& lab, const app::Assets& assets) {
@@ -67,11 +73,6 @@ void Looks::draw_next(gl::Context& context, const app::Assets& assets, app::AnyL
   } catch (const Error& error) {
     next.fault = error.what();
   }
-}
-
-std::optional<app::Canvas::Split> split_of(const course::Look& look) {
-  if (!look.right) return {};
-  return app::Canvas::Split{look.right->parameter, look.right->value};
 }
 
 void choose_look(app::AnyLab& lab, WindowState& state, std::size_t index) {

@@ -8,8 +8,8 @@
 
 #include "app/canvas.hpp"
 #include "app/frame_lines.hpp"
+#include "course/lab_file.hpp"
 #include "history.hpp"
-#include "looks.hpp"
 #include "shader_message.hpp"
 #include "steps.hpp"
 #include "texture_view.hpp"
@@ -78,6 +78,27 @@ inline constexpr Key kKeys[] = {
     {GLFW_KEY_ESCAPE, false, Action::quit, "Esc", "close what is open, else quit"},
 };
 
+/// The gallery's looks of a lab (labs/NN_name/lab.toml), hero first, with small pictures of them.
+struct Looks {
+  static constexpr glm::ivec2 kSize{240, 160};  ///< of a small picture, in pixels
+
+  struct Entry {
+    course::Look look;
+    gl::Texture picture;  ///< bottom row first
+    std::string fault;    ///< why it could not be drawn, or ""
+  };
+  std::vector<Entry> entries;
+  std::size_t drawn = 0;  ///< so many small pictures are there; 0 has all drawn again
+  std::string fault;      ///< why the lab's file cannot be read, or ""
+
+  /// None where the lab's file is missing; those with a view that this tree does not have are left out.
+  Looks(app::AnyLab& lab, const app::Assets& assets);
+
+  [[nodiscard]] bool are_drawn() const { return drawn == entries.size(); }
+  /// Draws the next small picture that is missing; the lab keeps its parameters.
+  void draw_next(gl::Context& context, const app::Assets& assets, app::AnyLab& lab);
+};
+
 /// What the window shows beside the lab's parameters; the panel's widgets change it.
 struct WindowState {
   app::View view = app::View::color;
@@ -143,6 +164,8 @@ std::string label_of(std::string_view name);
 SavedLook save_look(const params::Set& parameters, const WindowState& state);
 void go_to(const SavedLook& look, params::Set& parameters, WindowState& state);
 
+/// Sets parameters and view. Throws Error (usage) when the lab does not have them.
+void choose(const course::Case& look, app::AnyLab& lab, app::View& view);
 /// Sets a look of the gallery, with its line. Throws as choose.
 void choose_look(app::AnyLab& lab, WindowState& state, std::size_t index);
 

@@ -61,11 +61,9 @@ Window::Window(app::AnyLab& lab, const app::Assets& assets, const WindowOptions&
     if (turn != nullptr) lab.parameters().at("turn").set_value(given);
   }
   const std::filesystem::path root = assets.shader_root().parent_path();
-  if (std::filesystem::exists(root / "labs" / lab.info().folder() / "expected")) try {
-      state_.steps.emplace(lab.info().folder(), root);
-    } catch (const Error& error) {  // a lab.toml that cannot be read
-      state_.message = error.what();
-    }
+  if (state_.looks->fault.empty() &&
+      std::filesystem::exists(root / "labs" / lab.info().folder() / "expected"))
+    state_.steps.emplace(lab.info().folder(), root);
   std::error_code unknown;
   own_program_ = std::filesystem::read_symlink("/proc/self/exe", unknown);
   // Our callbacks first: ImGui's then call them.

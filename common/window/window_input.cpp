@@ -70,11 +70,11 @@ void copy_png(const std::filesystem::path& png) {
 
 /// "lab05_normal_map-001.png": the first such name that is free.
 std::filesystem::path free_name(const app::AnyLab& lab, const std::string& ending) {
-  for (int i = 1; i < 1000; ++i) {
-    const std::filesystem::path name = fmt::format("{}-{:03}{}", lab.info().program(), i, ending);
-    if (!std::filesystem::exists(name)) return name;
-  }
-  throw Error::failed("there are already 999 snapshots here", {}, "remove some of them");
+  std::filesystem::path name;
+  int i = 0;
+  do name = fmt::format("{}-{:03}{}", lab.info().program(), ++i, ending);
+  while (std::filesystem::exists(name));
+  return name;
 }
 
 /// Sets the previous or next item of a list.
@@ -171,12 +171,11 @@ void Window::perform(Action action) {
       case Action::reload:
         if (state_.built_again) open_anew();
         return reload(/*assets=*/true);
-      case Action::open_in_editor:  // the shader error's place, else the step's
+      case Action::open_in_editor:
         if (const ErrorMessage& error = state_.shown_error(); !error.file.empty())
           open_in_editor(error.file, error.line, error.column);
-        else if (state_.case_pictures)
-          open_in_editor(state_.case_pictures->text.file,
-                         state_.case_pictures->text.line + 1);  // the student's
+        else if (const auto& picked = state_.case_pictures)
+          open_in_editor(picked->text.file, picked->text.line + 1);  // below the marker
         else
           state_.message = "pick a case of a step first";
         return;
@@ -206,8 +205,8 @@ void Window::perform(Action action) {
         for (const char* name : {"yaw", "pitch", "distance", "field_of_view", "turn"})
           if (params::Parameter* p = lab_.parameters().find(name)) {
             p->reset();
-            for (const auto& [parameter, value] :
-                 chosen_look() != nullptr ? chosen_look()->settings : app::Settings())
+            if (chosen_look() == nullptr) continue;
+            for (const auto& [parameter, value] : chosen_look()->settings)
               if (parameter == name) p->set(value);
           }
         return;

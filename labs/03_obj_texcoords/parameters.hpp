@@ -2,7 +2,6 @@
 // The parameters of lab 3. Nothing to do for you here.
 #pragma once
 #include "app/camera.hpp"
-#include "app/light.hpp"
 #include "params/set.hpp"
 
 namespace texel::obj_texcoords {

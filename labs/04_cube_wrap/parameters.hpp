@@ -2,7 +2,6 @@
 // The parameters of lab 4. Nothing to do for you here.
 #pragma once
 #include "app/camera.hpp"
-#include "app/light.hpp"
 #include "app/models.hpp"
 #include "params/set.hpp"
 

@@ -2,7 +2,6 @@
 // The parameters of lab 5. Nothing to do for you here.
 #pragma once
 #include "app/camera.hpp"
-#include "app/light.hpp"
 #include "app/models.hpp"
 #include "mesh/texcoords.hpp"
 #include "params/set.hpp"

@@ -24,10 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<judge::LabResult> check_labs(const std::vector<int>& labs, const std::string& context) {
-  return checked(chosen_labs(labs), context);
-}
-
 /// The step that comes next in the first lab that is not done.
 const judge::StepResult* next_of(const std::vector<judge::LabResult>& labs) {
   for (const judge::LabResult& lab : labs)
@@ -66,7 +62,7 @@ std::vector<judge::LabResult> check_places(const std::vector<std::string>& place
   std::vector<int> numbers;
   for (const std::string& place : places)
     numbers.push_back(std::stoi(place.find('.') == place.npos ? place : step_called(place).id));
-  std::vector<judge::LabResult> labs = check_labs(numbers, context);
+  std::vector<judge::LabResult> labs = checked(chosen_labs(numbers), context);
   const auto is_named = [&](const std::string& place) { return std::ranges::count(places, place) > 0; };
   for (judge::LabResult& lab : labs)
     if (!places.empty() && !is_named(std::to_string(lab.lab.number)))
@@ -165,19 +161,18 @@ Exit see(const std::string& wanted, fs::path out, const std::string& context) {
 }
 
 Exit progress(const std::string& context) {
-  fmt::print("{}", progress_report(check_labs({}, context)));
+  fmt::print("{}", progress_report(checked(course_labs(), context)));
   return Exit::holds;
 }
 
 Exit hint(const std::string& where, const std::string& context) {
   std::string id = where;
   if (id.find('.') == id.npos) {
-    std::vector<int> labs;
-    if (!id.empty()) labs.push_back(std::stoi(id));
-    const std::vector<judge::LabResult> results = check_labs(labs, context);
+    const std::vector<judge::LabResult> results =
+        check_places(id.empty() ? std::vector<std::string>() : std::vector{id}, context);
     const judge::StepResult* next = next_of(results);
     if (next == nullptr) {
-      fmt::print("{}", labs.empty() ? "All steps are done.\n" : "All steps of this lab are done.\n");
+      fmt::print("{}", id.empty() ? "All steps are done.\n" : "All steps of this lab are done.\n");
       return Exit::holds;
     }
     id = next->id;

@@ -47,9 +47,8 @@ void save_png(const std::filesystem::path& path, const Image8& image, std::span<
     static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
   };
   const Image8 top_first = flipped(image);
-  if (stbi_write_png_to_func(append, &bytes, image.width, image.height, image.channels,
-                             top_first.samples.data(), 0) == 0)
-    throw Error::failed("cannot make the PNG", {path.string()});
+  stbi_write_png_to_func(append, &bytes, image.width, image.height, image.channels, top_first.samples.data(),
+                         0);
   write_file(path, bytes);
 }
 

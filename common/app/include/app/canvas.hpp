@@ -82,7 +82,6 @@ class Canvas {
                                gl::Target::Kind colors);
   void finish(View view, glm::ivec2 size);
   void present(View view);
-  void draw_error(glm::ivec2 size);
   gl::Target& fit(std::unique_ptr<gl::Target>& target, gl::Target::Kind kind, glm::ivec2 size, int samples);
 
   gl::Context& context_;

@@ -66,8 +66,7 @@ class Frame {
   /// it (METHOD, METHOD_NEAREST, NORMAL_MAPPING, VIEW, VIEW_NORMAL …): what is off costs nothing;
   /// numbers are uniforms of the parameter's name, already set, angles in radians. Throws Error with the
   /// shader's file and line.
-  gl::Program& program(const std::string& stem) { return program(stem + ".vert", stem + ".frag"); }
-  gl::Program& program(const std::string& vertex, const std::string& fragment);
+  gl::Program& program(const std::string& stem);
 
   /// What the lab says of what it drew, in the panel and in --stats.
   void note(const Notes& notes) { notes_ = notes; }
