@@ -199,6 +199,7 @@ renew_docs() {
 course_command() { # command, arguments
   local command=$1
   shift
+  [[ ! $command =~ ^(accuracy|docs|format)$ ]] || (($# == 0)) || fail 2 "./run $command takes no arguments"
   case $command in
     test)
       case $* in
