@@ -21,14 +21,10 @@ constexpr const char* kHead =
     "precision highp samplerCube;\n";
 
 // View 0 is `color`; the shader that shows data views in colours has no VIEW. {} is what is done there.
-constexpr const char* kOfColors = R"(#ifdef VIEW
+constexpr const char* kOfColors = R"(#ifndef VIEW
+#define VIEW 0
+#endif
 #if VIEW == 0
-#define TEXEL_DRAWS_COLOUR
-#endif
-#else
-#define TEXEL_DRAWS_COLOUR
-#endif
-#ifdef TEXEL_DRAWS_COLOUR
 {}#endif
 )";
 constexpr const char* kDecoding = R"(  if (texel_keeps_bytes) {

@@ -35,10 +35,7 @@ std::string without_comments(std::string_view line, bool& in_comment) {
 
 /// A directive's name and the rest of its line, such as "include" and "\"lib/light.glsl\"". The name is empty
 /// for any other line.
-struct Directive {
-  std::string_view name, rest;
-};
-Directive directive(std::string_view code) {
+std::pair<std::string_view, std::string_view> directive(std::string_view code) {
   code = trimmed(code);
   if (!code.starts_with('#')) return {};
   code = trimmed(code.substr(1));
@@ -54,11 +51,7 @@ constexpr int kMostIncludes = 1000;
 
 /// The first number in a line of a compiler's log that is one of ours, and where it ends: "0:200012(5):
 /// error: …" (Mesa) and "0(200012) : error …" (others). 0 where there is none.
-struct Mark {
-  int number = 0;
-  std::size_t end = 0;
-};
-Mark first_mark(std::string_view line) {
+std::pair<int, std::size_t> first_mark(std::string_view line) {
   for (std::size_t at = 0; at < line.size(); ++at) {
     if (at > 0 && is_word(line[at - 1])) continue;
     int number = 0;
@@ -211,13 +204,13 @@ std::string ShaderSource::locate(std::string_view log) const {
     const std::string_view line = log.substr(start, end - start);
     start = end + 1;
     if (trimmed(line).empty()) continue;
-    const Mark mark = first_mark(line);
-    const auto file = static_cast<std::size_t>(mark.number / kLinesPerFile);
+    const auto [number, behind] = first_mark(line);
+    const auto file = static_cast<std::size_t>(number / kLinesPerFile);
     if (file == 0 || file > files_.size()) {
       result.append(line).append("\n");
       continue;
     }
-    std::string_view rest = line.substr(mark.end);
+    std::string_view rest = line.substr(behind);
     int column = 0;
     if (rest.starts_with('(')) {  // Mesa's column
       const char* close = std::from_chars(rest.data() + 1, rest.data() + rest.size(), column).ptr;
@@ -225,7 +218,7 @@ std::string ShaderSource::locate(std::string_view log) const {
     }
     rest.remove_prefix(std::min(rest.find_first_not_of("): "), rest.size()));
     if (rest.starts_with("warning")) continue;
-    result += fmt::format("{}:{}:", shown_name(files_[file - 1]), mark.number % kLinesPerFile);
+    result += fmt::format("{}:{}:", shown_name(files_[file - 1]), number % kLinesPerFile);
     if (column > 0) result += fmt::format("{}:", column);
     result += fmt::format(" {}{}\n", rest, may_lack_semicolon(rest) ? kLacksSemicolon : "");
   }

@@ -93,8 +93,7 @@ void for_each_segment(std::string_view bytes, Visit visit) {
 }
 
 /// What is wrong with a JPEG file, or "": a variant that stb_image does not read, or reads in wrong colours;
-/// or tables beyond which it would write or read, a Huffman table of more than 256 codes and sampling factors
-/// that do not divide the largest one. Version 2.28 refuses these two, Debian 12 has 2.27
+/// or tables beyond which it would write or read. Version 2.28 refuses these, Debian 12 has 2.27
 /// (https://github.com/nothings/stb/pull/1297).
 std::string jpeg_fault(std::string_view bytes) {
   const Bytes jpeg{bytes};
@@ -141,9 +140,9 @@ int orientation(std::string_view bytes) {
   return static_cast<int>(found);
 }
 
-/// What is wrong with a TGA file of so many pixels, or "": a variant that stb_image reads wrongly; or too few
-/// bytes where it is not run-length encoded, when stb_image would give what happens to be in memory for the
-/// last row. Only the first bytes tell a TGA: whether it has a palette, and its kind.
+/// What is wrong with a TGA file of so many pixels, or "": a variant that stb_image reads wrongly, or too few
+/// bytes where it is not run-length encoded. Only the first bytes tell a TGA: whether it has a palette, and
+/// its kind.
 std::string tga_fault(std::string_view bytes, std::size_t pixels) {
   const Bytes tga{bytes};
   const std::size_t has_palette = tga[1], kind = tga[2] & 7U;

@@ -77,21 +77,17 @@ std::vector<Material> parse_mtl(std::string_view text, const std::string& name,
     const std::string keyword = lower_case(take_word(line));
     if (keyword == "newmtl") {
       materials.push_back({.name = std::string(trimmed(line))});
+    } else if (keyword != "kd" && keyword != "map_kd") {
       continue;
-    }
-    if (keyword != "kd" && keyword != "map_kd") continue;
-    if (materials.empty()) {
+    } else if (materials.empty()) {
       lose_line(for_message(keyword) + " before any newmtl");
-      continue;
-    }
-    Material& material = materials.back();
-    if (keyword == "kd") {
-      if (!parse_color(line, material.diffuse)) lose_line("Kd needs one or three finite numbers");
+    } else if (keyword == "kd") {
+      if (!parse_color(line, materials.back().diffuse)) lose_line("Kd needs one or three finite numbers");
     } else {
       std::string option;
-      material.color_map = map_file(line, option);
+      materials.back().color_map = map_file(line, option);
       if (!option.empty() && changed++ == 0)
-        first_changed = fmt::format("{} of material {}", option, for_message(material.name));
+        first_changed = fmt::format("{} of material {}", option, for_message(materials.back().name));
     }
   }
   if (lost > 0)

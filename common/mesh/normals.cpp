@@ -51,24 +51,17 @@ std::vector<glm::vec3> sum_normals(std::size_t corner_count, std::size_t key_cou
 
 /// For each corner the number of its (position, smoothing group); in group 0 each triangle is on its own.
 std::vector<std::uint32_t> smoothing_keys(const ObjData& data, std::size_t& count) {
-  struct Key {
-    std::uint32_t position, group;
-    std::size_t flat_triangle;
-    bool operator==(const Key&) const = default;
-  };
   const std::vector<std::uint32_t> place = number_places(data.positions);
-  Distinct<Key> distinct(data.positions.size());
+  Distinct<std::pair<std::uint32_t, std::uint64_t>> distinct(data.positions.size());
   std::vector<std::uint32_t> keys(data.corners.size());
   std::size_t run = 0;
   for (std::size_t i = 0; i < data.corners.size(); ++i) {
     while (run + 1 < data.smoothing.size() && data.smoothing[run + 1].first_triangle <= i / 3) ++run;
-    Key key{place[data.corners[i].position], 0, 0};
-    if (!data.smoothing.empty()) {
-      key.group = data.smoothing[run].group;
-      if (key.group == 0) key.flat_triangle = i / 3;
-    }
-    const std::uint64_t hash = mix(mix(std::uint64_t{key.position} << 32 | key.group) ^ key.flat_triangle);
-    keys[i] = distinct.number(hash, key);
+    const std::uint32_t position = place[data.corners[i].position],
+                        group = data.smoothing.empty() ? 1 : data.smoothing[run].group;
+    // Above all groups there is one for each triangle of group 0.
+    const std::uint64_t smooth_with = group != 0 ? group : std::uint64_t{i / 3 + 1} << 32;
+    keys[i] = distinct.number(mix(mix(position) ^ smooth_with), {position, smooth_with});
   }
   count = distinct.things().size();
   return keys;

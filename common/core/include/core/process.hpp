@@ -28,9 +28,8 @@ int run_into(const std::vector<std::string>& command, int output, int errors);
 using TimeBudget = std::atomic<double>;
 
 /// What a program may use up. Sizes are in bytes. Measured on two processors: a lab's 1024x1024 snapshot on
-/// llvmpipe needs 600 MB of address space (500 fail), of which 155 MB are resident; compiling lab 5's lab.cpp
-/// less than 1000 MB and 325 MB. More processors need more, for threads. Mesa 25's software Vulkan keeps its
-/// memory in a file of 128 MiB.
+/// llvmpipe needs 600 MB of address space, of which 155 MB are resident; compiling lab 5's lab.cpp less than
+/// 1000 MB and 325 MB. Mesa 25's software Vulkan keeps its memory in a file of 128 MiB.
 struct ProcessLimits {
   double wall_seconds = 60;
   double cpu_seconds = 60;                    ///< of all processes together
@@ -85,8 +84,7 @@ struct Outcome {
   [[nodiscard]] bool succeeded() const { return exit_code == 0 && limit == Limit::none; }
 };
 
-/// "prlimit …": the words before a program that set its own limits, all but that on its time by the wall
-/// clock, on memory and on processes.
+/// "prlimit …": the words before a program that limit its own address space, time, files and output.
 std::vector<std::string> prlimit_words(const ProcessLimits& limits);
 
 /// Runs `command` (a program and its arguments, no shell) as a plain process and waits for its end: with the

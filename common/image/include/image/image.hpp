@@ -18,16 +18,10 @@ struct Image {
 
   Image() = default;
   Image(int width_, int height_, int channels_)
-      : width(width_),
-        height(height_),
-        channels(channels_),
-        samples(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) *
-                static_cast<std::size_t>(channels_)) {}
+      : width(width_), height(height_), channels(channels_), samples(index(0, height_)) {}
 
   [[nodiscard]] std::size_t index(int x, int y, int channel = 0) const {
-    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
-               static_cast<std::size_t>(channels) +
-           static_cast<std::size_t>(channel);
+    return static_cast<std::size_t>((std::int64_t{y} * width + x) * channels + channel);
   }
   [[nodiscard]] Sample& at(int x, int y, int channel = 0) { return samples[index(x, y, channel)]; }
   [[nodiscard]] const Sample& at(int x, int y, int channel = 0) const {
