@@ -23,8 +23,8 @@ namespace texel::commands {
 
 grade::CourseTree course_tree(const std::vector<int>& labs, const std::filesystem::path& cache) {
   const std::filesystem::path root = tools::course_root();
-  return {root, tools::course_build(), cache.empty() ? root / "build/grade" : cache,
-          tools::chosen_labs(labs)};
+  return {root, tools::course_build(),
+          cache.empty() ? root / "build/grade" : std::filesystem::absolute(cache), tools::chosen_labs(labs)};
 }
 
 namespace {
