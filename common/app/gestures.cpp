@@ -10,31 +10,31 @@ namespace {
 constexpr double kDegreesPerUnit = 0.35;
 constexpr double kNearer = 0.9;  // of the distance, by one step of the wheel
 
-void add(params::Set& parameters, const char* name, double summand) {
+/// Sets it to what a function makes of its value, within its range.
+template <class Function>
+void change(params::Set& parameters, const char* name, Function&& function) {
   if (params::Parameter* p = parameters.find(name))
-    p->set_value(std::clamp(p->value() + summand, p->least, p->most));
+    p->set_value(std::clamp(function(p->value()), p->least, p->most));
 }
 
-/// An angle that goes round.
-void add_round(params::Set& parameters, const char* name, double degrees) {
-  if (params::Parameter* p = parameters.find(name)) p->set_value(std::remainder(p->value() + degrees, 360));
+/// Two angles, in degrees: one goes round, the other stays between the poles.
+void turn_both(params::Set& parameters, const char* round, const char* up, glm::dvec2 degrees) {
+  change(parameters, round, [&](double angle) { return std::remainder(angle + degrees.x, 360); });
+  change(parameters, up, [&](double angle) { return angle + degrees.y; });
 }
 
 }  // namespace
 
 void orbit(params::Set& parameters, glm::vec2 moved) {
-  add_round(parameters, "yaw", -kDegreesPerUnit * static_cast<double>(moved.x));
-  add(parameters, "pitch", kDegreesPerUnit * static_cast<double>(moved.y));
+  turn_both(parameters, "yaw", "pitch", kDegreesPerUnit * glm::dvec2(-moved.x, moved.y));
 }
 
 void move_light(params::Set& parameters, glm::vec2 moved) {
-  add_round(parameters, "light_yaw", kDegreesPerUnit * static_cast<double>(moved.x));
-  add(parameters, "light_pitch", -kDegreesPerUnit * static_cast<double>(moved.y));
+  turn_both(parameters, "light_yaw", "light_pitch", kDegreesPerUnit * glm::dvec2(moved.x, -moved.y));
 }
 
 void zoom(params::Set& parameters, double steps) {
-  if (params::Parameter* p = parameters.find("distance"))
-    p->set_value(std::clamp(p->value() * std::pow(kNearer, steps), p->least, p->most));
+  change(parameters, "distance", [&](double distance) { return distance * std::pow(kNearer, steps); });
 }
 
 void fit_view(params::Set& parameters, double aspect, double made_for) {
@@ -46,10 +46,10 @@ void fit_view(params::Set& parameters, double aspect, double made_for) {
 }
 
 void turn(params::Set& parameters, double degrees) {
-  params::Parameter* p = parameters.find("turn");
-  if (p == nullptr) return;
-  const double to = p->value() + degrees;
-  p->set_value(to > p->most ? to - 360 : to < p->least ? to + 360 : to);
+  if (params::Parameter* p = parameters.find("turn")) {
+    const double to = p->value() + degrees;
+    p->set_value(to > p->most ? to - 360 : to < p->least ? to + 360 : to);
+  }
 }
 
 }  // namespace texel::app

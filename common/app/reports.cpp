@@ -8,16 +8,6 @@
 #include "core/json.hpp"
 
 namespace texel::app {
-namespace {
-
-/// A parameter's default as JSON's own type.
-Json initial(const params::Parameter& p) {
-  if (p.type == params::Parameter::Type::toggle) return p.initial() == "on";
-  return p.is_ranged() ? parse_json(p.initial()) : Json(p.initial());
-}
-
-}  // namespace
-
 std::string frame_times_as_text(std::vector<double> milliseconds, glm::ivec2 size) {
   std::sort(milliseconds.begin(), milliseconds.end());
   const auto quantile = [&](double q) {
@@ -64,11 +54,14 @@ std::string parameters_as_text(const params::Set& parameters) {
 std::string parameters_as_json(const params::Set& parameters) {
   Json list = Json::array();
   for (const params::Parameter& p : parameters) {
+    const Json initial = p.type == params::Parameter::Type::toggle ? Json(p.initial() == "on")
+                         : p.is_ranged()                           ? parse_json(p.initial())
+                                                                   : Json(p.initial());
     Json choices = Json::array();
     for (const params::Item& item : p.items) choices.push_back({{"name", item.name}, {"help", item.help}});
     list.push_back({{"name", p.name},
                     {"type", p.type_name()},
-                    {"default", initial(p)},
+                    {"default", initial},
                     {"min", p.is_ranged() ? Json(p.least) : Json()},
                     {"max", p.is_ranged() ? Json(p.most) : Json()},
                     {"choices", choices},

@@ -128,8 +128,6 @@ std::optional<CommandLine> read_command_line(app::AnyLab& lab, int argc, char** 
   return line;
 }
 
-using StageTimes = std::vector<std::pair<std::string, double>>;  ///< milliseconds
-
 constexpr glm::ivec2 kSnapshotSize(512, 512);
 /// What optimising a shader takes longer, it has saved after 7 pictures of 512x512 in labs 5 and 9, and after
 /// 20 in labs 1 and 7.
@@ -144,8 +142,8 @@ std::unique_ptr<gl::Context> headless_context(const std::string& kind, bool draw
 /// What --stats prints, a contract with scripts: what was drawn (canvas.record), and how long it took.
 /// `drawn_by` is renderer and version, without what changes no pixel.
 std::string statistics_as_json(const app::AnyLab& lab, const app::Canvas& canvas, const gl::Record& record,
-                               const StageTimes& milliseconds, long long peak_bytes) {
-  Json attributes = Json::array(), textures = Json::array(), stages = Json::object();
+                               const Json& milliseconds, long long peak_bytes) {
+  Json attributes = Json::array(), textures = Json::array();
   for (const auto& use : record.attributes) attributes.push_back({{"name", use.name}, {"bytes", use.bytes}});
   for (const auto& use : record.textures)
     textures.push_back({{"name", use.name},
@@ -153,7 +151,6 @@ std::string statistics_as_json(const app::AnyLab& lab, const app::Canvas& canvas
                         {"height", use.height},
                         {"format", use.format},
                         {"bytes", use.bytes}});
-  for (const auto& [stage, time] : milliseconds) stages[stage] = time;
   std::vector<std::string> warnings = canvas.notes().warnings;
   warnings.insert(warnings.end(), record.warnings.begin(), record.warnings.end());
   const Json json = {{"lab", lab.info().folder()},
@@ -163,7 +160,7 @@ std::string statistics_as_json(const app::AnyLab& lab, const app::Canvas& canvas
                      {"attributes", attributes},
                      {"index_bytes", record.index_bytes},
                      {"textures", textures},
-                     {"milliseconds", stages},
+                     {"milliseconds", milliseconds},
                      {"peak_bytes", peak_bytes},
                      {"notes", canvas.notes().facts},
                      {"warnings", warnings},
@@ -174,14 +171,13 @@ std::string statistics_as_json(const app::AnyLab& lab, const app::Canvas& canvas
 }
 
 /// Milliseconds by stage of everything so far; `start` is what went by before the first.
-StageTimes stages_so_far(double start) {
+Json stages_so_far(double start) {
   const double total = milliseconds_since_start();
-  StageTimes list = {{"start", start}};
-  for (const NamedStage& stage : stage_times()) list.emplace_back(stage.name, stage.time.wall);
-  double other = total;
-  for (const auto& [name, milliseconds] : list) other -= milliseconds;
-  list.insert(list.end(), {{"other", other}, {"total", total}});
-  return list;
+  Json stages = {{"start", start}};
+  double other = total - start;
+  for (const auto& [name, time] : stage_times()) stages[name] = time.wall, other -= time.wall;
+  stages["other"] = other, stages["total"] = total;
+  return stages;
 }
 
 /// Everything that needs a context but no window.
@@ -225,11 +221,11 @@ void run_headless(app::AnyLab& lab, const app::Assets& assets, const CommandLine
   }
   if (!line.snapshot.empty()) app::take_snapshot(canvas, lab, view, size, line.snapshot)();
   if (line.stats.empty()) return;
-  StageTimes stages = stages_so_far(start);
+  Json stages = stages_so_far(start);
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
   const long long peak_bytes = static_cast<long long>(usage.ru_maxrss) * 1024;
-  stages.emplace_back("draw", draw());  // all is loaded and compiled now
+  stages["draw"] = draw();  // all is loaded and compiled now
   const gl::Record record = canvas.record(view, size, line.samples);
   write_report(line.stats, statistics_as_json(lab, canvas, record, stages, peak_bytes));
 }

@@ -91,14 +91,6 @@ params::Parameter* texture_parameter(params::Set& parameters) {
   return texture != nullptr ? texture : parameters.find("cube_map");
 }
 
-/// "lab05_normal_map --method averaged --view normal": what draws the present look again.
-std::string command_line(app::AnyLab& lab, app::View view) {
-  std::string line = lab.info().program();
-  if (const std::string flags = lab.parameters().flags(); !flags.empty()) line += " " + flags;
-  if (view != app::View::color) line += fmt::format(" --view {}", name_of(view));
-  return line;
-}
-
 /// Whether a window of the last frame takes the mouse there.
 bool is_covered(glm::vec2 mouse) {
   constexpr float kEdge = 4;  // so far from its edge a window still takes the mouse, to be resized
@@ -123,7 +115,10 @@ void Window::perform(Action action) {
       case Action::none:
         return;
       case Action::copy_command_line:
-        state_.message = command_line(lab_, state_.view);
+        state_.message = lab_.info().program();
+        if (!lab_.parameters().key().empty()) state_.message += " " + lab_.parameters().flags();
+        if (state_.view != app::View::color)
+          state_.message += fmt::format(" --view {}", name_of(state_.view));
         glfwSetClipboardString(window(), state_.message.c_str());
         return;
       case Action::copy_picture:
@@ -308,12 +303,8 @@ void Window::on_drop(const std::filesystem::path& file) {
     state_.message = fmt::format("this lab takes no {}", is_model ? "model" : "picture");
     return;
   }
-  try {
-    parameter->set(file.string());
-    state_.message = fmt::format("{} is {}", parameter->name, file.string());
-  } catch (const Error& error) {
-    state_.message = error.what();
-  }
+  parameter->set(file.string());
+  state_.message = fmt::format("{} is {}", parameter->name, file.string());
 }
 
 bool Window::over_picture() const {

@@ -193,10 +193,8 @@ Exit reset(const std::string& step) {
     throw Error::usage("this is the course's own tree: its steps are solved",
                        "write a student's tree with 'texel starter --out DIR'");
   bool changed = false;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / course::kFirstTexts)) {
-    if (!entry.is_regular_file()) continue;
-    const std::string file = entry.path().lexically_relative(root / course::kFirstTexts).generic_string();
-    const std::string first = read_file(entry.path());
+  for (const std::string& file : course::step_files(root)) {
+    const std::string first = course::first_text(root, file);
     if (!course::step_texts(first).contains(step)) continue;
     const std::string own = read_file(root / file), text = course::with_step_from(own, file, step, first);
     if (text == own) continue;

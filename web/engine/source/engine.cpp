@@ -298,7 +298,7 @@ class Engine {
     const StudentFiles& files = this->files();
     const std::set<std::string> untouched = check::untouched_steps({kTree, kBuild});
     for (const course::Step& step : lab.steps) {
-      const Place place = files.place(step.id);
+      const Place& place = files.place(step.id);
       Json one{{"id", step.id},
                {"title", step.title},
                {"points", step.points},
@@ -330,7 +330,7 @@ class Engine {
   }
 
   Json write(const std::string& step, const std::string& text) {
-    return put(files().file_of(step), files().with(step, text));
+    return put(files().place(step).file, files().with(step, text));
   }
 
   Json put(const std::string& path, const std::string& text) {

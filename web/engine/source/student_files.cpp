@@ -41,13 +41,13 @@ StudentFiles::StudentFiles(std::filesystem::path tree)
 }
 
 StudentFiles::Text StudentFiles::text(const std::string& step) const {
-  const std::string file = file_of(step);
+  const std::string& file = place(step).file;
   const auto [now, line] = between_markers(read(file), step);
   return {now, between_markers(course::first_text(tree_, file), step).first, file, line};
 }
 
 std::string StudentFiles::with(const std::string& step, const std::string& text) const {
-  const std::string file = file_of(step);
+  const std::string& file = place(step).file;
   if (!is_shader(file))
     throw Error::usage(fmt::format("step {} is written in C++: do it on the desktop", step));
   std::vector<std::string> parts(1);
@@ -73,14 +73,10 @@ std::string StudentFiles::with(const std::string& step, const std::string& text)
   return course::with_step_from(own, file, step, marked);
 }
 
-Place StudentFiles::place(const std::string& step) const {
+const Place& StudentFiles::place(const std::string& step) const {
   const auto found = places_.find(step);
-  return found == places_.end() ? Place() : found->second;
-}
-
-std::string StudentFiles::file_of(const std::string& step) const {
-  if (!places_.contains(step)) throw Error::usage(fmt::format("there is no step '{}'", step));
-  return place(step).file;
+  if (found == places_.end()) throw Error::usage(fmt::format("there is no step '{}'", step));
+  return found->second;
 }
 
 std::string StudentFiles::read(const std::string& path) const {

@@ -26,10 +26,8 @@ class StudentFiles {
   /// not written yet. Throws Error where the text has markers, or too few or many places.
   [[nodiscard]] std::string with(const std::string& step, const std::string& text) const;
 
-  /// Where a step begins; nowhere if no file has it.
-  [[nodiscard]] Place place(const std::string& step) const;
-  /// The file of a step. Throws Error where there is no such step.
-  [[nodiscard]] std::string file_of(const std::string& step) const;
+  /// Where a step begins. Throws Error where there is no such step.
+  [[nodiscard]] const Place& place(const std::string& step) const;
   [[nodiscard]] std::string read(const std::string& path) const;
   /// Replaces a whole file. Throws Error where its markers are not those of the course's file.
   void write(const std::string& path, const std::string& text) const;
