@@ -4,11 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <map>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "judge/results.hpp"
@@ -20,18 +19,10 @@ using glm::dvec3;
 
 /// Positions and texture coordinates that are this close are the same: float32 keeps 1e-7 of them.
 constexpr double kSame = 1e-4;
-/// Positions are looked up in cells of this size; models are about 1 large.
-constexpr double kCell = 1e-3;
+/// A direction along which few vertices of a model lie equally far.
+constexpr dvec3 kAcross = {0.36, 0.48, 0.8};
 /// Without any weld there are up to six vertices for one.
 constexpr std::size_t kMostTooMany = 16;
-
-/// How far two vertices are apart, part by part, in degrees; 180 for another place or side.
-enum Part : std::size_t { place, side, triangles, normals, tangents };
-using Apart = std::array<double, 5>;
-
-double most_of(const Apart& apart) {
-  return std::min(180.0, *std::max_element(apart.begin(), apart.end()));
-}
 
 /// The angle between two vectors in degrees; 180 where only one is zero.
 double angle_between(const dvec3& a, const dvec3& b) {
@@ -63,58 +54,43 @@ std::vector<dvec3> angle_sums(const mesh::Mesh& mesh) {
   return sums;
 }
 
-std::uint64_t cell_of(const dvec3& position, int dx, int dy, int dz) {
-  const auto index = [](double value, int step) {
-    constexpr double far = 1e12;  // cells
-    return static_cast<std::uint64_t>(
-        static_cast<std::int64_t>(std::clamp(std::floor(value / kCell), -far, far)) + step);
-  };
-  return (index(position.x, dx) * 73856093U) ^ (index(position.y, dy) * 19349663U) ^
-         (index(position.z, dz) * 83492791U);
-}
-
 /// A mesh whose vertices can be looked up.
 struct Lookup {
   explicit Lookup(mesh::Mesh of) : mesh(std::move(of)), sums(angle_sums(mesh)) {
     for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i)
-      cells[cell_of(mesh.positions[i], 0, 0, 0)].push_back(i);
+      places.emplace(glm::dot(dvec3(mesh.positions[i]), kAcross), i);
   }
 
-  /// What is wrong with the vertex `i` of the other mesh: of those here at its place the one that fits best.
-  [[nodiscard]] Apart error_of(const Lookup& other, std::uint32_t i) const {
-    Apart least{180};  // the place
-    const dvec3 position = other.mesh.positions[i];
-    for (int dx = -1; dx <= 1; ++dx)
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dz = -1; dz <= 1; ++dz)
-          if (const auto cell = cells.find(cell_of(position, dx, dy, dz)); cell != cells.end())
-            for (const std::uint32_t j : cell->second)
-              if (const Apart found = apart(other, i, j); least[place] > 0 || most_of(found) < most_of(least))
-                least = found;
+  /// How wrong the vertex `i` of the other mesh is, in degrees: beside that of those here which fits best.
+  [[nodiscard]] double error_of(const Lookup& other, std::uint32_t i) const {
+    double least = 180;
+    const double place = glm::dot(dvec3(other.mesh.positions[i]), kAcross);
+    for (auto near = places.lower_bound(place - kSame); near != places.end(); ++near) {
+      if (near->first > place + kSame) break;
+      least = std::min(least, apart(other, i, near->second));
+    }
     return least;
   }
 
-  /// How far vertex `j` here is from vertex `i` of the other.
-  [[nodiscard]] Apart apart(const Lookup& other, std::uint32_t i, std::uint32_t j) const {
-    Apart error{};
+  /// How far vertex `j` here is from vertex `i` of the other, in degrees; 180 for another place or side.
+  [[nodiscard]] double apart(const Lookup& other, std::uint32_t i, std::uint32_t j) const {
     if (glm::distance(dvec3(other.mesh.positions[i]), dvec3(mesh.positions[j])) > kSame ||
-        (!mesh.texcoords.empty() && glm::distance(other.mesh.texcoords[i], mesh.texcoords[j]) > kSame)) {
-      error[place] = 180;
-      return error;
-    }
-    error[triangles] = glm::distance(other.sums[i], sums[j]);
-    if (!mesh.normals.empty()) error[normals] = degrees_between(other.mesh.normals[i], mesh.normals[j]);
+        (!mesh.texcoords.empty() && glm::distance(other.mesh.texcoords[i], mesh.texcoords[j]) > kSame))
+      return 180;
+    double error = glm::distance(other.sums[i], sums[j]);
+    if (!mesh.normals.empty())
+      error = std::max(error, degrees_between(other.mesh.normals[i], mesh.normals[j]));
     if (!mesh.tangents.empty()) {
       const glm::vec4 a = other.mesh.tangents[i], b = mesh.tangents[j];
-      error[tangents] = degrees_between(dvec3(a), dvec3(b));
-      if (!(std::abs(a.w - b.w) <= kSame)) error[side] = 180;
+      if (!(std::abs(a.w - b.w) <= kSame)) return 180;
+      error = std::max(error, degrees_between(dvec3(a), dvec3(b)));
     }
     return error;
   }
 
   mesh::Mesh mesh;
   std::vector<dvec3> sums;
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells;
+  std::multimap<double, std::uint32_t> places;  ///< by how far they lie along kAcross
 };
 
 bool has_same_attributes(const mesh::Mesh& a, const mesh::Mesh& b) {
@@ -135,7 +111,7 @@ Match match(const Lookup& reference, const Lookup& other, double limit) {
     return {};
   std::vector<double> errors;
   for (std::uint32_t i = 0; i < reference.mesh.vertex_count(); ++i)
-    errors.push_back(most_of(other.error_of(reference, i)));
+    errors.push_back(other.error_of(reference, i));
   std::sort(errors.begin(), errors.end());
   const auto right = std::upper_bound(errors.begin(), errors.end(), limit) - errors.begin();
   // More vertices than needed are as wrong as fewer.
