@@ -11,11 +11,11 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
+#include "course/lab_file.hpp"
 #include "course/markers.hpp"
 #include "dependencies.hpp"
 #include "image/load.hpp"
 #include "judge/mistakes.hpp"
-#include "judge/plan.hpp"
 
 namespace texel::check {
 namespace {
@@ -59,12 +59,12 @@ std::string text_at(const std::map<std::string, std::string>& texts, const std::
 /// One lab's cases.
 class LabCheck {
  public:
-  LabCheck(const OwnTree& tree, const judge::LabPlan& plan, const std::set<std::string>& untouched,
+  LabCheck(const OwnTree& tree, const course::Lab& plan, const std::set<std::string>& untouched,
            const Draws& draws)
       : plan_(plan),
         untouched_(untouched),
-        expected_(expected_folder(tree.source, plan.lab)),
-        own_(checked_folder(tree) / plan.lab.folder),
+        expected_(expected_folder(tree.source, plan)),
+        own_(checked_folder(tree) / plan.folder),
         draws_(draws) {
     if (!fs::exists(expected_))
       throw Error::failed("is missing; it contains the expected pictures", {expected_.string()},
@@ -73,7 +73,7 @@ class LabCheck {
 
   /// By so many processes side by side: nearly all of the time goes into compiling shaders.
   std::vector<judge::CaseResult> run(unsigned processes) {
-    fs::create_directories(own_.parent_path());
+    fs::create_directories(own_);
     // A window and a watch may check the same lab.
     const FileLock lock(own_.string() + ".lock");
     draw_all(processes);
@@ -81,11 +81,10 @@ class LabCheck {
     std::map<std::string, std::map<std::string, judge::Failed>> failed;  // by step and case
     for (const Case& one : plan_.cases) {
       results.push_back(judged(one));
+      if (results.back().passed() || untouched_.contains(one.step)) continue;
       judge::Failed drawn{picture_bytes(own_ / one.file), text_at(drawn_.refused, one.file),
                           read_file(expected_ / one.file), one.is_mesh() ? "" : read_file(mask_of(one))};
-      if (!results.back().passed() && !untouched_.contains(one.step) &&
-          !(drawn.picture.empty() && drawn.refused.empty()))
-        failed[one.step][one.name] = std::move(drawn);
+      if (!drawn.picture.empty() || !drawn.refused.empty()) failed[one.step][one.name] = std::move(drawn);
     }
     const std::vector<judge::Mistake> mistakes = known_mistakes(expected_);
     for (const auto& [step, of_step] : failed) {
@@ -103,41 +102,22 @@ class LabCheck {
  private:
   /// A picture of the last check stays until its new one takes its place: somebody may look at it.
   void draw_all(unsigned processes) {
-    fs::create_directories(own_);
     std::vector<std::vector<Case>> parts(std::min<std::size_t>(processes, plan_.cases.size()));
     for (std::size_t i = 0; i < plan_.cases.size(); ++i) parts[i % parts.size()].push_back(plan_.cases[i]);
     std::vector<Drawn> drawn(parts.size());
-    const auto folder_of = [&](std::size_t i) { return own_ / std::to_string(i); };
-    in_parallel(processes, parts.size(), [&](std::size_t i) {
-      fs::remove_all(folder_of(i));
-      drawn[i] = draws_(plan_.lab, parts[i], folder_of(i));
-    });
-    std::set<fs::path> all;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      drawn_.faults.merge(drawn[i].faults);
-      drawn_.refused.merge(drawn[i].refused);
-      if (!drawn[i].renderer.empty()) drawn_.renderer = drawn[i].renderer;
-      if (!fs::exists(folder_of(i))) continue;
-      for (const fs::directory_entry& file : fs::directory_iterator(folder_of(i))) {
-        const fs::path to = own_ / file.path().filename();
-        bool is_in_the_way = file.is_directory() || fs::is_directory(to);
-#ifdef __EMSCRIPTEN__
-        is_in_the_way = true;  // its file system finds a replaced file again once the new one is removed
-#endif
-        if (is_in_the_way) fs::remove_all(to);
-        fs::rename(file.path(), to);
-        all.insert(to);
-      }
+    in_parallel(processes, parts.size(), [&](std::size_t i) { drawn[i] = draws_(plan_, parts[i], own_); });
+    for (Drawn& part : drawn) {
+      drawn_.faults.merge(part.faults);
+      drawn_.refused.merge(part.refused);
+      if (!part.renderer.empty()) drawn_.renderer = part.renderer;
     }
-    std::vector<fs::path> old;
-    for (const fs::directory_entry& file : fs::directory_iterator(own_))
-      if (!all.contains(file.path())) old.push_back(file.path());
-    for (const fs::path& file : old) fs::remove_all(file);
+    for (const auto& [file, fault] : drawn_.faults)
+      while (fs::remove(own_ / file)) continue;  // Emscripten's file system may have an older one below it
   }
 
   [[nodiscard]] judge::CaseResult judged(const Case& one) const {
     judge::CaseResult result{one};
-    result.command = judge::command(plan_.lab, one);
+    result.command = course::command(plan_, one);
     result.reference = (expected_ / one.file).string();
     if (fs::exists(own_ / one.file)) result.picture = (own_ / one.file).string();
     const fs::path mask = one.is_mesh() ? fs::path() : mask_of(one);
@@ -148,11 +128,9 @@ class LabCheck {
     return result;
   }
 
-  [[nodiscard]] fs::path mask_of(const Case& one) const {
-    return expected_ / (one.name + ".mask.png");
-  }
+  [[nodiscard]] fs::path mask_of(const Case& one) const { return expected_ / (one.name + ".mask.png"); }
 
-  const judge::LabPlan& plan_;
+  const course::Lab& plan_;
   const std::set<std::string>& untouched_;
   fs::path expected_, own_;
   const Draws& draws_;
@@ -252,7 +230,8 @@ std::set<std::string> untouched_steps(const OwnTree& tree) {
 
 std::vector<judge::LabResult> check(const OwnTree& tree, const std::vector<course::Lab>& labs,
                                     const Draws& draws) {
-  const std::vector<judge::LabPlan> plans = judge::public_plan(labs);
+  std::vector<course::Lab> plans;
+  for (const course::Lab& lab : labs) plans.push_back(course::with_public_cases(lab));
   const std::set<std::string> untouched = untouched_steps(tree);
   const std::map<std::string, std::string> texts = texts_of_steps(tree.source);
   std::vector<std::vector<judge::CaseResult>> found(plans.size());
@@ -286,7 +265,7 @@ std::vector<judge::LabResult> check(const OwnTree& tree, const std::vector<cours
 
 judge::LabResult check_step(const OwnTree& tree, const course::Lab& lab, const std::string& step,
                             const Draws& draws) {
-  judge::LabPlan plan = judge::public_plan({lab}).front();
+  course::Lab plan = course::with_public_cases(lab);
   std::erase_if(plan.cases, [&](const Case& one) { return one.step != step; });
   if (plan.cases.empty()) throw Error::usage(fmt::format("this lab has no step '{}'", step));
   std::vector<judge::LabResult> results =

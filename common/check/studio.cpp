@@ -24,26 +24,14 @@ constexpr double kProcessorSeconds = 30, kWallSeconds = 120;
 /// How often a program is started: again after it died, but for those that use up their time only once.
 constexpr int kMostStarts = 4;
 
-void set_shader_cache(const Studio& studio, Confines& confines) {
-  if (studio.shader_cache.empty())
-    confines.environment.emplace_back("MESA_SHADER_CACHE_DISABLE", "true");
-  else
-    confines.environment.emplace_back("MESA_SHADER_CACHE_DIR", studio.shader_cache.string());
-}
-
 double seconds_left(const Studio& studio) {
   return studio.budget == nullptr ? kWallSeconds : studio.budget->load();
 }
 
-/// Where a program that works in this folder leaves its pictures.
-fs::path output_of(const fs::path& work) {
-  return work / "out";
-}
-
-/// Starts the program with a work folder and an output that are empty: what an earlier start left there can
-/// not be in its way.
+/// Starts the program with a work folder and an output (its folder `out`) that are empty: what an earlier
+/// start left there can not be in its way.
 Outcome run(const Studio& studio, const std::vector<Case>& cases, const fs::path& work) {
-  const fs::path folder = work / "cases", out = output_of(work);
+  const fs::path folder = work / "cases", out = work / "out";
   fs::remove_all(work);
   fs::create_directories(folder);
   fs::create_directories(out);
@@ -63,7 +51,10 @@ Outcome run(const Studio& studio, const std::vector<Case>& cases, const fs::path
       // the next is begun: the first that is missing is what a dying program was at.
       {"LP_NUM_THREADS", "0"},
       {"TEXEL_THREADS", "1"}};
-  set_shader_cache(studio, confines);
+  if (studio.shader_cache.empty())
+    confines.environment.emplace_back("MESA_SHADER_CACHE_DISABLE", "true");
+  else
+    confines.environment.emplace_back("MESA_SHADER_CACHE_DIR", studio.shader_cache.string());
   for (const auto& variable : driver_variables())
     if (studio.run == run_plainly || variable.first != "LD_PRELOAD") confines.environment.push_back(variable);
   // Where several samples of a pixel lie, and whether there are several, is the driver's choice.
@@ -121,17 +112,18 @@ std::vector<std::pair<std::string, std::string>> driver_variables() {
 Drawn draw(const Studio& studio, const std::vector<Case>& cases, const fs::path& out) {
   Drawn drawn;
   std::vector<Case> left = cases;
-  const fs::path work = out.parent_path() / (out.filename().string() + ".work");
+  if (cases.empty()) return drawn;
+  const fs::path work = fmt::format("{}.{}.work", out.string(), cases.front().name);  // others may draw there
   int timeouts = 0;
   for (int start = 0; start < kMostStarts && timeouts < studio.timeouts && !left.empty(); ++start) {
     if (seconds_left(studio) <= 0) break;
     const Outcome outcome = run(studio, left, work);
     if (studio.budget != nullptr) *studio.budget -= outcome.wall_seconds;
-    const std::map<std::string, course::Drawing> drawings = drawings_in(output_of(work));
+    const std::map<std::string, course::Drawing> drawings = drawings_in(work / "out");
     std::erase_if(left, [&](const Case& one) {
       const auto said = drawings.find(one.file);
       const bool is_said = said != drawings.end();
-      if (take(one, output_of(work), out)) {
+      if (take(one, work / "out", out)) {
         if (is_said) drawn.renderer = plain_text(said->second.drawn_by);
         return true;
       }

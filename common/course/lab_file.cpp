@@ -106,7 +106,7 @@ std::vector<Step> read_steps(Reader& head, int lab) {
     step.needs = read_needs(reader, steps);
     step.hints = reader.texts("hints");
     read_what_is_seen(reader, step.see, false);
-    step.seen_with = reader.texts("seen_with");
+    reader.find("seen_with");
     reader.reject_unknown();
     if (const std::string next = fmt::format("{}.{}", lab, steps.size() + 1); step.id != next)
       throw reader.error("id",
@@ -115,37 +115,26 @@ std::vector<Step> read_steps(Reader& head, int lab) {
       throw reader.error("hints", "a step must have one to three hints");
     steps.push_back(std::move(step));
   }
-  for (const Step& step : steps)
-    for (const std::string& later : step.seen_with)
-      if (find_step(steps, later) == steps.end() || later == step.id)
-        throw head.error("step", fmt::format("step '{}' cannot be seen with '{}'", step.id, later),
-                         "seen_with names other steps of this lab");
   return steps;
 }
 
 std::vector<Hidden> read_hidden(Reader& reader) {
   std::vector<Hidden> all;
   for (const auto& [parameter, node] : reader.entries("hidden", "[values]")) {
-    Hidden hidden{parameter, 0, 0, {}};
-    const toml::array none, &values = node->is_array() ? *node->as_array() : none;
-    const bool is_range = values.size() == 2 && values[0].is_number() && values[1].is_number();
-    if (is_range)
-      hidden.least = values[0].value_or(0.0), hidden.most = values[1].value_or(0.0);
-    else
-      for (const toml::node& value : values) hidden.values.push_back(reader.setting(value));
-    if (is_range ? !(hidden.least < hidden.most) : hidden.values.size() < 2)
-      throw reader.error(*node, fmt::format("'{}' must be a range [least, most] of numbers, or a "
-                                            "list of two texts or more",
-                                            parameter));
-    all.push_back(std::move(hidden));
+    Hidden& hidden = all.emplace_back(Hidden{parameter, {}, true});
+    if (!node->is_array()) throw reader.error(*node, fmt::format("'{}' must be a list of values", parameter));
+    for (const toml::node& value : *node->as_array()) {
+      hidden.values.push_back(reader.setting(value));
+      hidden.are_numbers &= value.is_number();
+    }
   }
   return all;
 }
 
-std::vector<GradedCase> read_cases(Reader& head, const std::string& lab, const std::vector<Step>& steps) {
-  std::vector<GradedCase> cases;
+std::vector<Case> read_cases(Reader& head, const std::string& lab, const std::vector<Step>& steps) {
+  std::vector<Case> cases;
   for (Reader& reader : head.tables("case")) {
-    GradedCase one;
+    Case one;
     one.lab = lab;
     one.name = read_name(reader, cases, "case");
     one.step = reader.text("step");
@@ -155,7 +144,7 @@ std::vector<GradedCase> read_cases(Reader& head, const std::string& lab, const s
     one.size = read_size(reader, {128, 128});
     one.file = one.name + (one.is_mesh() ? ".ply" : one.view == View::color ? ".png" : ".pfm");
     one.limit = reader.number("limit");
-    one.why = reader.text("why");
+    reader.text("why");  // where the limit comes from: for who reads the file
     one.hidden_settings = read_hidden(reader);
     one.hidden = !one.hidden_settings.empty() ||
                  std::any_of(one.settings.begin(), one.settings.end(),
@@ -164,7 +153,7 @@ std::vector<GradedCase> read_cases(Reader& head, const std::string& lab, const s
     cases.push_back(std::move(one));
   }
   for (const Step& step : steps)
-    if (std::none_of(cases.begin(), cases.end(), [&](const GradedCase& c) { return c.step == step.id; }))
+    if (std::none_of(cases.begin(), cases.end(), [&](const Case& c) { return c.step == step.id; }))
       throw head.error("step", fmt::format("no case judges step '{}'", step.id));
   return cases;
 }
@@ -196,11 +185,6 @@ Lab read_lab(const fs::path& file) {
   for (const char* of_the_benchmark : {"bench", "claim", "driver_methods"}) reader.find(of_the_benchmark);
   reader.reject_unknown();
   return lab;
-}
-
-int lab_of_step(const std::string& step) {
-  static const std::regex kStep(R"([0-9]{1,2}\.[0-9]+)");
-  return std::regex_match(step, kStep) ? std::stoi(step) : 0;
 }
 
 std::string copied_from(const fs::path& folder) {
@@ -253,13 +237,25 @@ std::string flag(const Setting& setting) {
   return fmt::format(" --{} {}", name, params::shell_quoted(setting.value));
 }
 
-std::string command(const Lab& lab, const Look& look) {
+Lab with_public_cases(Lab lab) {
+  std::erase_if(lab.cases, [](const Case& one) { return one.hidden; });
+  return lab;
+}
+
+std::string command(const Lab& lab, const Case& of) {
   const Look usual;
+  const bool is_graded = !of.step.empty();
   std::string text = fmt::format("./run lab {}", lab.number);
-  for (const Setting& setting : look.settings) text += flag(setting);
-  if (look.view != usual.view) text += fmt::format(" --view {}", name_of(look.view));
-  if (look.size != usual.size) text += fmt::format(" --size {}", as_text(look.size));
-  return text + fmt::format(" --snapshot {}", look.file);
+  for (Setting setting : of.settings) {
+    // Where the grader's own files lie is nobody's business, and is not on the student's machine.
+    if (setting.value.starts_with('/')) setting.value = fs::path(setting.value).filename();
+    text += flag(setting);
+  }
+  if (of.is_mesh()) return text + fmt::format(" --mesh {}", of.file);
+  if (of.view != usual.view) text += fmt::format(" --view {}", name_of(of.view));
+  if (of.view == usual.view && is_graded) text += " --samples 1";
+  if (of.size != usual.size || is_graded) text += fmt::format(" --size {}", as_text(of.size));
+  return text + fmt::format(" --snapshot {}", of.file);
 }
 
 }  // namespace texel::course

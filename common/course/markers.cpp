@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <regex>
 
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
@@ -27,16 +28,12 @@ std::string remedy() {
 
 /// What a line says as a marker, if it is one: the markers' own words and nothing else.
 std::optional<Line> marker_of(std::string_view line) {
-  constexpr std::string_view kSign = "//@", kStep = "step ", kBegin = " begin";
-  std::string_view word = trimmed(line);
-  if (!word.starts_with(kSign)) return {};
-  word.remove_prefix(kSign.size());
-  if (word == "starter") return Line{Kind::starter, {}};
-  if (word == "end") return Line{Kind::end, {}};
-  if (!word.starts_with(kStep) || !word.ends_with(kBegin)) return {};
-  const std::string step(word.substr(kStep.size(), word.size() - kStep.size() - kBegin.size()));
-  if (lab_of_step(step) == 0) return {};
-  return Line{Kind::begin, step};
+  static const std::regex kMarker(R"(//@(?:starter|end|step ([0-9]{1,2}\.[0-9]{1,2}) begin))");
+  const std::string word(trimmed(line));
+  std::smatch found;
+  if (!word.starts_with("//@") || !std::regex_match(word, found, kMarker)) return {};
+  if (found[1].matched) return Line{Kind::begin, found[1]};
+  return Line{word == "//@end" ? Kind::end : Kind::starter, {}};
 }
 
 /// Calls on_line(line, offset, number) for each line of a text, with its end.
@@ -83,16 +80,6 @@ std::string uncommented(std::string_view line) {
   if (rest.starts_with("//")) rest.remove_prefix(rest.starts_with("// ") ? 3 : 2);
   const bool is_blank = rest.find_first_not_of("\r\n") == rest.npos;
   return is_blank ? std::string(rest) : std::string(line.substr(0, first)) + std::string(rest);
-}
-
-/// Where each step begins in `text_of(tree, file)`.
-template <class TextOf>
-std::map<std::string, Place> places_in(const std::filesystem::path& tree, TextOf text_of) {
-  std::map<std::string, Place> places;
-  for (const std::string& file : step_files(tree))
-    for (const StepPart& part : parts_of(text_of(tree, file)))
-      places.emplace(part.step, Place{file, part.line});
-  return places;
 }
 
 }  // namespace
@@ -199,14 +186,11 @@ std::string first_text(const std::filesystem::path& tree, const std::string& fil
              : with_steps(text, file, [](const std::string&) { return false; });
 }
 
-std::map<std::string, Place> first_places(const std::filesystem::path& tree) {
-  return places_in(tree, first_text);
-}
-
 std::map<std::string, Place> step_places(const std::filesystem::path& tree) {
-  std::map<std::string, Place> places =
-      places_in(tree, [](const auto& root, const std::string& file) { return read_file(root / file); });
-  places.merge(first_places(tree));
+  std::map<std::string, Place> places;
+  for (const std::string& file : step_files(tree))
+    for (const std::string& text : {read_file(tree / file), first_text(tree, file)})
+      for (const StepPart& part : parts_of(text)) places.emplace(part.step, Place{file, part.line});
   return places;
 }
 

@@ -63,7 +63,7 @@ double number(const Json& value) {
 CaseResult parse_case(const Json& json) {
   CaseResult one;
   one.name = json.at("name"), one.message = json.at("message"), one.command = json.at("command");
-  one.status = of_name<CaseStatus>(json.at("status"));
+  one.status = status_called(json.at("status"));
   const auto view = course::find_view(json.at("view").get<std::string>());
   if (!view) throw Error::failed(fmt::format("there is no view {}", to_text(json.at("view"))));
   one.view = *view;
@@ -77,7 +77,7 @@ CaseResult parse_case(const Json& json) {
 StepResult parse_step(const Json& json) {
   StepResult step;
   step.id = json.at("id"), step.title = json.at("title"), step.points = json.at("points");
-  step.status = of_name<Status>(json.at("status")), step.message = json.at("message");
+  step.status = status_called(json.at("status")), step.message = json.at("message");
   step.mistake = json.at("looks_like"), step.mistake_says = json.at("looks_like_says");
   step.file = json.at("file"), step.line = json.at("line"), step.hints = json.at("hints");
   step.spoilt_by = json.at("spoilt_by");

@@ -130,10 +130,10 @@ Seen said(const std::vector<Difference>& from, bool has_numbers, int below) {
 
 }  // namespace
 
-std::map<std::string, Seen> explain(const std::vector<Mistake>& mistakes, const LabPlan& plan,
+std::map<std::string, Seen> explain(const std::vector<Mistake>& mistakes, const course::Lab& lab,
                                     const std::string& step, const std::map<std::string, Failed>& failed) {
   std::vector<Read> read;
-  for (const Case& of : plan.cases)
+  for (const Case& of : lab.cases)
     if (const auto one = failed.find(of.name); one != failed.end())
       read.push_back({&of, one->second.refused, parse_values(of, one->second.picture)});
   std::map<std::string, Seen> seen;

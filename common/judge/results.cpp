@@ -14,9 +14,7 @@
 namespace texel::judge {
 namespace {
 
-constexpr std::array kStatusNames = {"passed", "failed", "skipped"};
-constexpr std::array kCaseStatusNames = {"passed", "failed", "untouched"};
-constexpr std::array kJudgedNames = {"together", "alone", "markers lost"};
+constexpr std::array kStatusNames = {"passed", "failed", "skipped", "untouched"};
 
 /// The lower of the means over the public and the hidden cases; 0 without a case.
 double score_of(const std::vector<CaseResult>& cases) {
@@ -35,7 +33,7 @@ double score_of(const std::vector<CaseResult>& cases) {
 /// Public cases first, then in the lab file's order, then by name.
 void sort_cases(const course::Lab& lab, std::vector<CaseResult>& cases) {
   std::map<std::string, std::size_t> place;
-  for (const course::GradedCase& graded : lab.cases) place.emplace(graded.name, place.size());
+  for (const course::Case& graded : lab.cases) place.emplace(graded.name, place.size());
   const auto key = [&](const CaseResult& result) {
     const auto found = place.find(result.name);
     return std::tuple(result.hidden, found == place.end() ? place.size() : found->second, result.name);
@@ -50,33 +48,15 @@ const char* name_of(Status status) {
   return kStatusNames.at(static_cast<std::size_t>(status));
 }
 
-const char* name_of(CaseStatus status) {
-  return kCaseStatusNames.at(static_cast<std::size_t>(status));
-}
-
-const char* name_of(Judged judged) {
-  return kJudgedNames.at(static_cast<std::size_t>(judged));
-}
-
-template <class Enum>
-Enum of_name(const std::string& name) {
-  for (std::size_t i = 0; i < kStatusNames.size(); ++i)  // each has three
-    if (name == name_of(static_cast<Enum>(i))) return static_cast<Enum>(i);
-  throw Error::failed(
-      fmt::format("there is no status '{}'", name), {},
-      fmt::format("the statuses are {}, {} and {}", name_of(Enum{0}), name_of(Enum{1}), name_of(Enum{2})));
-}
-template Status of_name(const std::string& name);
-template CaseStatus of_name(const std::string& name);
-template Judged of_name(const std::string& name);
-
-bool StepResult::any(Judged judged) const {
-  return std::any_of(cases.begin(), cases.end(), [&](const CaseResult& one) { return one.judged == judged; });
+Status status_called(const std::string& name) {
+  const auto found = std::find(kStatusNames.begin(), kStatusNames.end(), name);
+  if (found == kStatusNames.end()) throw Error::failed(fmt::format("there is no status '{}'", name));
+  return static_cast<Status>(found - kStatusNames.begin());
 }
 
 bool StepResult::is_untouched() const {
   return std::any_of(cases.begin(), cases.end(),
-                     [](const CaseResult& one) { return one.status == CaseStatus::untouched; });
+                     [](const CaseResult& one) { return one.status == Status::untouched; });
 }
 
 const char* word_of(const StepResult& step, bool is_next) {
@@ -106,13 +86,11 @@ double LabResult::max_points() const {
 }
 
 void resolve(CaseResult& result, const Verdict& verdict, const std::string& fault, bool is_untouched) {
-  result.status = verdict.passed ? CaseStatus::passed
-                  : is_untouched ? CaseStatus::untouched
-                                 : CaseStatus::failed;
+  result.status = verdict.passed ? Status::passed : is_untouched ? Status::untouched : Status::failed;
   result.score = is_untouched && !verdict.passed ? 0 : verdict.score;
   result.error = verdict.error;
   result.message = fault.empty() ? verdict.message : fault;
-  if (result.status == CaseStatus::untouched)
+  if (result.status == Status::untouched)
     result.message = "This step is still as the starter has it. " + result.message;
 }
 

@@ -208,8 +208,8 @@ Exit cases(const CasesCommand& command) {
     grade::draw_cases(tree, command.context, std::filesystem::absolute(command.out));
   } else if (command.what == "batch") {
     make_folder(command.out);
-    for (const judge::LabPlan& plan : grade::full_plan(tree.labs, command.seed, command.out / "models"))
-      write_file(command.out / (plan.lab.folder + ".json"), course::to_batch(plan.cases));
+    for (const course::Lab& plan : grade::full_plan(tree.labs, command.seed, command.out / "models"))
+      write_file(command.out / (plan.folder + ".json"), course::to_batch(plan.cases));
   } else if (command.what == "mutants") {
     write_file(command.out, to_text(grade::wrongly_passed(tree, command.context, print_now)));
   } else if (command.what == "spreads") {

@@ -8,19 +8,19 @@
 #include <string>
 #include <vector>
 
+#include "course/lab_file.hpp"
 #include "grade/grader.hpp"
-#include "judge/plan.hpp"
 #include "references.hpp"
 #include "workshop.hpp"
 
 namespace texel::grade {
 
 struct ClassSetup {
-  std::vector<course::Lab> labs;      ///< that are asked for and have steps
-  std::vector<judge::LabPlan> plans;  ///< theirs
-  std::string seed;                   ///< the course's secret
-  std::filesystem::path models;       ///< models that nobody has seen
-  std::vector<std::string> allowed;   ///< files that a student may change
+  std::vector<course::Lab> labs;     ///< that are asked for and have steps
+  std::vector<course::Lab> plans;    ///< theirs
+  std::string seed;                  ///< the course's secret
+  std::filesystem::path models;      ///< models that nobody has seen
+  std::vector<std::string> allowed;  ///< files that a student may change
   std::map<std::string, std::uint64_t>
       given;  ///< the sizes of all files that students get, by path in small letters
   std::map<std::string, std::string> solution;                 ///< the same with all steps solved, by path

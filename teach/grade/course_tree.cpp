@@ -15,6 +15,7 @@
 #include "grade/hidden_cases.hpp"
 #include "judge/mistakes.hpp"
 #include "material/mistake_samples.hpp"
+#include "material/starter.hpp"
 #include "references.hpp"
 
 namespace texel::grade {
@@ -24,8 +25,8 @@ namespace fs = std::filesystem;
 using course::Case;
 
 /// What the mutants of a lab's steps look like.
-std::vector<judge::Mistake> mistakes_of(References& course, const judge::LabPlan& plan) {
-  std::vector<const material::Mutant*> mutants = course.mutants_of(plan.lab);
+std::vector<judge::Mistake> mistakes_of(References& course, const course::Lab& plan) {
+  std::vector<const material::Mutant*> mutants = course.mutants_of(plan);
   std::erase_if(mutants, [](const material::Mutant* mutant) { return !mutant->same.empty(); });
   std::vector<judge::Mistake> all(mutants.size());
   in_parallel(processors(), mutants.size(),
@@ -38,12 +39,12 @@ std::vector<judge::Mistake> mistakes_of(References& course, const judge::LabPlan
 
 void write_expected(const CourseTree& options, const std::function<void(const std::string&)>& say) {
   References course(options.course, options.build, options.cache, "auto");
-  for (const judge::LabPlan& plan : judge::public_plan(options.labs)) {
+  for (const course::Lab& lab : options.labs) {
+    const course::Lab plan = course::with_public_cases(lab);
     course.prepare(plan);
     const std::vector<judge::Mistake> mistakes = mistakes_of(course, plan);
     // Beside its place first, so that what is there stays whole.
-    const fs::path folder = check::expected_folder(options.course, plan.lab),
-                   fresh = folder.string() + ".part";
+    const fs::path folder = check::expected_folder(options.course, plan), fresh = folder.string() + ".part";
     fs::remove_all(fresh);
     fs::create_directories(fresh);
     for (const course::Case& one : plan.cases) {
@@ -55,7 +56,7 @@ void write_expected(const CourseTree& options, const std::function<void(const st
     write_file(fresh / check::kMistakesFile, material::to_json(mistakes));
     fs::remove_all(folder);
     fs::rename(fresh, folder);
-    say(fmt::format("lab {}: {} pictures, {} mistakes", plan.lab.number, plan.cases.size(), mistakes.size()));
+    say(fmt::format("lab {}: {} pictures, {} mistakes", plan.number, plan.cases.size(), mistakes.size()));
   }
 }
 
@@ -138,7 +139,7 @@ Json judged_solutions(const CourseTree& tree, int seeds, const fs::path& catalog
                         {"seeds", Json::array()}});
     std::vector<std::vector<judge::CaseResult>> shown(own.size());
     for (int seed = 0; seed < seeds; ++seed) {
-      judge::LabPlan plan = full_plan({lab}, fmt::format("seed {}", seed + 1), tree.cache / "models").front();
+      course::Lab plan = full_plan({lab}, fmt::format("seed {}", seed + 1), tree.cache / "models").front();
       // The public cases are the same for all seeds.
       if (seed > 0) std::erase_if(plan.cases, [](const Case& of) { return !of.hidden; });
       course.prepare(plan);
@@ -183,18 +184,17 @@ check::Studio studio(const CourseTree& tree, const course::Lab& lab, const std::
 }
 
 /// The cases of a seed; of others than the first the hidden ones alone, as the public ones are the same.
-std::vector<judge::LabPlan> plans_of(const CourseTree& tree, const std::string& seed,
-                                     const fs::path& models) {
-  std::vector<judge::LabPlan> plans = full_plan(tree.labs, seed, models);
+std::vector<course::Lab> plans_of(const CourseTree& tree, const std::string& seed, const fs::path& models) {
+  std::vector<course::Lab> plans = full_plan(tree.labs, seed, models);
   if (seed != kSeeds.front())
-    for (judge::LabPlan& one : plans)
+    for (course::Lab& one : plans)
       std::erase_if(one.cases, [](const course::Case& of) { return !of.hidden; });
   return plans;
 }
 
 /// What check compares a public case with.
-check::ExpectedFiles kept(const CourseTree& tree, const judge::LabPlan& lab, const course::Case& of) {
-  const fs::path folder = check::expected_folder(tree.course, lab.lab);
+check::ExpectedFiles kept(const CourseTree& tree, const course::Lab& lab, const course::Case& of) {
+  const fs::path folder = check::expected_folder(tree.course, lab);
   return {folder / of.file, of.is_mesh() ? fs::path() : folder / (of.name + ".mask.png")};
 }
 
@@ -206,10 +206,10 @@ std::string renderer_here(const CourseTree& tree, const std::string& context) {
 
 void draw_cases(const CourseTree& tree, const std::string& context, const fs::path& out) {
   for (const char* seed : kSeeds) {
-    const std::vector<judge::LabPlan> plans = plans_of(tree, seed, out.parent_path() / "models");
+    const std::vector<course::Lab> plans = plans_of(tree, seed, out.parent_path() / "models");
     in_parallel(processors(), plans.size(), [&](std::size_t i) {
-      const check::Studio own = studio(tree, plans[i].lab, context);
-      const fs::path to = out / seed / plans[i].lab.folder;
+      const check::Studio own = studio(tree, plans[i], context);
+      const fs::path to = out / seed / plans[i].folder;
       fs::create_directories(to);
       if (plans[i].cases.empty()) return;
       draw_all(own, plans[i].cases, to);
@@ -223,19 +223,19 @@ std::vector<std::string> wrongly_passed(const CourseTree& tree, const std::strin
   std::vector<std::string> faults;
   References course(tree.course, tree.build, tree.cache, context);
   // By what this renderer draws, as grade has it, or by what is kept, as check has it: one of them is enough.
-  const auto is_passed = [&](const judge::LabPlan& lab, const std::string& step, const fs::path& folder) {
+  const auto is_passed = [&](const course::Lab& lab, const std::string& step, const fs::path& folder) {
     return std::all_of(lab.cases.begin(), lab.cases.end(), [&](const course::Case& of) {
       const fs::path picture = folder / of.file;
       return of.step != step || check::judge(of, course.expected(lab, of), picture).passed ||
              (!of.hidden && check::judge(of, kept(tree, lab, of), picture).passed);
     });
   };
-  for (const judge::LabPlan& lab : full_plan(tree.labs, kSeeds.front(), tree.cache / "models")) {
+  for (const course::Lab& lab : full_plan(tree.labs, kSeeds.front(), tree.cache / "models")) {
     course.prepare(lab);
-    for (const course::Step& step : lab.lab.steps)
+    for (const course::Step& step : lab.steps)
       if (is_passed(lab, step.id, course.starter_folder(lab)))
         faults.push_back(fmt::format("the starter passes step {}", step.id));
-    const std::vector<const material::Mutant*> mutants = course.mutants_of(lab.lab);
+    const std::vector<const material::Mutant*> mutants = course.mutants_of(lab);
     std::vector<char> passed(mutants.size());
     in_parallel(processors(), mutants.size(), [&](std::size_t i) {
       passed[i] = is_passed(lab, mutants[i]->step, course.drawn_by(lab, *mutants[i]));
@@ -243,7 +243,7 @@ std::vector<std::string> wrongly_passed(const CourseTree& tree, const std::strin
     for (std::size_t i = 0; i < mutants.size(); ++i)
       if (passed[i] != 0)
         faults.push_back(fmt::format("mutant {} passes step {}", mutants[i]->name, mutants[i]->step));
-    say(fmt::format("lab {}, {} mutants", lab.lab.number, mutants.size()));
+    say(fmt::format("lab {}, {} mutants", lab.number, mutants.size()));
   }
   return faults;
 }
@@ -256,12 +256,12 @@ Json spreads(const CourseTree& tree, const fs::path& drawn, const std::string& r
   std::map<std::pair<int, std::string>, std::map<std::string, double>>
       errors;  // by lab and case, by renderer
   for (const course::Lab& lab : tree.labs)
-    for (const course::GradedCase& one : lab.cases) errors[{lab.number, one.name}];
+    for (const course::Case& one : lab.cases) errors[{lab.number, one.name}];
   for (const char* seed : kSeeds)
-    for (const judge::LabPlan& lab : plans_of(tree, seed, drawn / "models"))
+    for (const course::Lab& lab : plans_of(tree, seed, drawn / "models"))
       in_parallel(processors(), lab.cases.size(), [&](std::size_t i) {
         const course::Case& of = lab.cases[i];
-        const fs::path folder = fs::path(seed) / lab.lab.folder;
+        const fs::path folder = fs::path(seed) / lab.folder;
         check::ExpectedFiles expected = kept(tree, lab, of);
         if (of.hidden) {
           expected.reference = drawn / reference / folder / of.file;
@@ -269,14 +269,14 @@ Json spreads(const CourseTree& tree, const fs::path& drawn, const std::string& r
         }
         for (const std::string& renderer : renderers) {
           const double error = check::judge(of, expected, drawn / renderer / folder / of.file).error;
-          double& most = errors.at({lab.lab.number, of.name})[renderer];
+          double& most = errors.at({lab.number, of.name})[renderer];
           most = std::isnan(error) || std::isnan(most) ? std::nan("") : std::max(most, error);
         }
       });
-  const std::map<std::string, Place> places = course::first_places(tree.course);
+  const std::map<std::string, Place> places = material::first_places(tree.course);
   Json all = Json::array();
   for (const course::Lab& lab : tree.labs)
-    for (const course::GradedCase& one : lab.cases)
+    for (const course::Case& one : lab.cases)
       all.push_back({{"lab", lab.number},
                      {"case", one.name},
                      {"unit", name_of(unit_of(one.view))},

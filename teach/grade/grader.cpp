@@ -16,7 +16,7 @@
 #include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "core/stopwatch.hpp"
-#include "course/markers.hpp"
+#include "material/starter.hpp"
 #include "record.hpp"
 #include "sandbox/sandbox.hpp"
 #include "student_run.hpp"
@@ -115,12 +115,12 @@ class Student {
         left_(setup.plans.size()) {}
 
   /// Whatever happens in one lab is an incident of that lab, and never the end of the class's run.
-  void grade(const judge::LabPlan& plan) {
+  void grade(const course::Lab& plan) {
     record_.begin_lab(entry_, plan);
     std::call_once(once_, [&] { open(); });
     std::vector<course::Case> cases;
     for (const course::Case& one : plan.cases)
-      if (!done_.contains(plan.lab.folder + "/" + one.name)) cases.push_back(one);
+      if (!done_.contains(plan.folder + "/" + one.name)) cases.push_back(one);
     JudgedLab judged;
     std::string incident = incident_;
     constexpr int tries = 2;
@@ -173,7 +173,7 @@ void count_cases(store::StudentResult& student) {
   for (judge::LabResult& lab : student.labs)
     for (judge::StepResult& step : lab.steps) {
       const auto planned =
-          static_cast<std::size_t>(std::ranges::count(lab.lab.cases, step.id, &course::GradedCase::step));
+          static_cast<std::size_t>(std::ranges::count(lab.lab.cases, step.id, &course::Case::step));
       student.planned += planned;
       student.judged += std::min(step.cases.size(), planned);
       if (step.cases.size() >= planned || !step.overridden.empty()) continue;
@@ -225,7 +225,7 @@ GradeSummary grade_class(const GradeOptions& given, const std::function<void(con
   const ClassSetup setup = prepare(options, jobs);
   say(fmt::format("ready after {}", duration_text(stopwatch.milliseconds() / 1000)));
   std::size_t cases = 0;
-  for (const judge::LabPlan& plan : setup.plans) cases += plan.cases.size() * entries.size();
+  for (const course::Lab& plan : setup.plans) cases += plan.cases.size() * entries.size();
   Record record(options, setup, cases, say);
   record.expect(entries);
   fs::remove_all(options.out / "work");
@@ -242,7 +242,7 @@ store::ClassResult read_results(const fs::path& folder, const fs::path& course) 
   const store::Store store(store_file(folder));
   store::ClassResult results = store.read(course::read_labs(course / "labs"));
   const std::string chosen = " " + results.facts["labs"] + " ";
-  const std::map<std::string, Place> places = course::first_places(course);
+  const std::map<std::string, Place> places = material::first_places(course);
   for (store::StudentResult& student : results.students) {
     // Others were graded only for what theirs need.
     std::erase_if(student.labs, [&](const judge::LabResult& lab) {

@@ -20,12 +20,20 @@ namespace {
 namespace fs = std::filesystem;
 using course::Case;
 
-/// One of the values that a hidden parameter may take.
-std::string drawn(const course::Hidden& hidden, std::uint64_t number) {
-  if (!hidden.values.empty()) return hidden.values[number % hidden.values.size()];
+/// One of the values that a hidden parameter of the case may take.
+std::string drawn(const course::Hidden& hidden, const Case& of, std::uint64_t number) {
+  const std::vector<std::string>& values = hidden.values;
+  const bool is_range = values.size() == 2 && hidden.are_numbers;
+  const double least = is_range ? std::stod(values[0]) : 0, most = is_range ? std::stod(values[1]) : 1;
+  if (values.size() < 2 || !(least < most))
+    throw Error::failed(
+        fmt::format("'{}' must be a range [least, most] of numbers, or a list of two texts or more",
+                    hidden.parameter),
+        {fmt::format("the case {} of {}", of.name, of.lab)});
+  if (!is_range) return values[number % values.size()];
   // Few digits, so that the value is the same as text and as a float.
   const double share = static_cast<double>(number >> 11U) / static_cast<double>(1ULL << 53U);
-  return fmt::format("{:.4g}", hidden.least + share * (hidden.most - hidden.least));
+  return fmt::format("{:.4g}", least + share * (most - least));
 }
 
 /// An OBJ text as the bundled models' meshes are: read by the course, so that the student's reader does not
@@ -47,39 +55,28 @@ std::string write_unseen(const std::string& kind, std::uint64_t number, const fs
   return file.string();
 }
 
-Case settled(const course::Lab& lab, const course::GradedCase& graded, const std::string& seed,
-             const fs::path& models) {
-  Case one = graded;
-  for (const course::Hidden& hidden : graded.hidden_settings) {
-    const auto known = std::ranges::find(one.settings, hidden.parameter, &course::Setting::parameter);
-    const std::string value = drawn(hidden, draw({seed, lab.folder, graded.name, hidden.parameter}));
-    if (known != one.settings.end())
-      known->value = value;
-    else
-      one.settings.push_back({hidden.parameter, value});
+void settle(const course::Lab& lab, Case& one, const std::string& seed, const fs::path& models) {
+  for (const course::Hidden& hidden : one.hidden_settings) {
+    const std::string value = drawn(hidden, one, draw({seed, lab.folder, one.name, hidden.parameter}));
+    std::erase_if(one.settings, [&](const auto& setting) { return setting.parameter == hidden.parameter; });
+    one.settings.push_back({hidden.parameter, value});
   }
   for (course::Setting& setting : one.settings)
     if (setting.value.starts_with(course::kUnseen))
-      setting.value = write_unseen(setting.value.substr(std::string_view(course::kUnseen).size()),
-                                   draw({seed, lab.folder, graded.name, setting.parameter}), models);
-  return one;
+      setting.value = write_unseen(setting.value.substr(course::kUnseen.size()),
+                                   draw({seed, lab.folder, one.name, setting.parameter}), models);
 }
 
 }  // namespace
 
-std::vector<judge::LabPlan> full_plan(const std::vector<course::Lab>& labs, const std::string& seed,
-                                      const fs::path& models) {
-  std::vector<judge::LabPlan> plans;
-  for (const course::Lab& lab : labs) {
-    judge::LabPlan plan{lab, {}};
-    for (const course::GradedCase& graded : lab.cases)
-      plan.cases.push_back(settled(lab, graded, seed, models));
-    plans.push_back(std::move(plan));
-  }
-  return plans;
+std::vector<course::Lab> full_plan(std::vector<course::Lab> labs, const std::string& seed,
+                                   const fs::path& models) {
+  for (course::Lab& lab : labs)
+    for (Case& one : lab.cases) settle(lab, one, seed, models);
+  return labs;
 }
 
-std::vector<course::Case> masks_of(const judge::LabPlan& plan) {
+std::vector<course::Case> masks_of(const course::Lab& plan) {
   std::vector<course::Case> masks;
   for (course::Case one : plan.cases) {
     if (one.is_mesh()) continue;

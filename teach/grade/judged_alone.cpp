@@ -50,7 +50,7 @@ Files StudentRun::own_files(const course::Lab& lab) const {
   return files;
 }
 
-Files StudentRun::draw_spliced(const Files& spliced, const judge::LabPlan& plan,
+Files StudentRun::draw_spliced(const Files& spliced, const course::Lab& plan,
                                const std::vector<course::Case>& cases, const fs::path& out) const {
   // Whoever wrote the step as the solution has it gets what the solution drew.
   if (std::ranges::all_of(spliced, [&](const auto& file) {
@@ -61,17 +61,17 @@ Files StudentRun::draw_spliced(const Files& spliced, const judge::LabPlan& plan,
       fs::copy_file(setup_.course->expected(plan, one).reference, out / "pictures" / one.file);
     return {};
   }
-  const Program program = setup_.workshop->make(plan.lab.program(), spliced, &budget_);
+  const Program program = setup_.workshop->make(plan.program(), spliced, &budget_);
   // With the starter in place of what was refused, the pictures would be another program's.
   if (!program.refused.empty()) return {};
   make_root(setup_.starter.source, spliced, out / "root");
   return draw(studio(program, out / "root"), cases, out / "pictures").refused;
 }
 
-std::optional<Files> StudentRun::draw_alone(const judge::LabPlan& plan, const std::string& step,
+std::optional<Files> StudentRun::draw_alone(const course::Lab& plan, const std::string& step,
                                             const std::vector<course::Case>& cases,
                                             const fs::path& out) const {
-  const std::optional<Files> spliced = step_among_solutions(setup_, own_files(plan.lab), step);
+  const std::optional<Files> spliced = step_among_solutions(setup_, own_files(plan), step);
   if (!spliced) return {};
   std::string fault;
   try {
@@ -84,8 +84,8 @@ std::optional<Files> StudentRun::draw_alone(const judge::LabPlan& plan, const st
   throw Error::failed(fmt::format("the machine failed while step {} was judged alone{}", step, fault));
 }
 
-void StudentRun::judge_alone(const judge::LabPlan& plan, StepCases& cases) const {
-  const fs::path out = folder_ / (plan.lab.folder + ".alone");
+void StudentRun::judge_alone(const course::Lab& plan, StepCases& cases) const {
+  const fs::path out = folder_ / (plan.folder + ".alone");
   std::vector<course::Case> again;
   for (const judge::CaseResult& result : cases.results)
     if (!result.passed()) again.push_back(result);
@@ -106,13 +106,13 @@ void StudentRun::judge_alone(const judge::LabPlan& plan, StepCases& cases) const
     if (verdict.passed) cases.failed.erase(result.name);
     if (score <= result.score) continue;
     result.judged = judge::Judged::alone, result.score = score;
-    result.status = verdict.passed ? judge::CaseStatus::passed : judge::CaseStatus::failed;
+    result.status = verdict.passed ? judge::Status::passed : judge::Status::failed;
     result.error = verdict.passed ? 0 : coarse_error(verdict.error);
   }
   fs::remove_all(out);
 }
 
-void StudentRun::blame(const judge::LabPlan& plan, std::vector<StepCases>& steps) const {
+void StudentRun::blame(const course::Lab& plan, std::vector<StepCases>& steps) const {
   std::vector<course::Case> wrong;
   std::set<std::string> of_steps, begun;
   double sum = 0;
@@ -126,9 +126,9 @@ void StudentRun::blame(const judge::LabPlan& plan, std::vector<StepCases>& steps
   }
   if (wrong.empty()) return;
   // What is not begun may be what is wrong with the pictures: it is mended first, and stays so.
-  const fs::path out = folder_ / (plan.lab.folder + ".mended");
+  const fs::path out = folder_ / (plan.folder + ".mended");
   const auto heals = [&](const std::string& mended) {
-    Files files = own_files(plan.lab);
+    Files files = own_files(plan);
     for (auto& [path, text] : files)
       for (const auto& [step, solved] : course::step_texts(setup_.solution.at(path)))
         if (step == mended || !begun.contains(step))
@@ -149,7 +149,7 @@ void StudentRun::blame(const judge::LabPlan& plan, std::vector<StepCases>& steps
   fs::remove_all(out);
   if (healers.size() != 1) return;
   for (judge::CaseResult& result : healers.front()->results) {
-    result.status = judge::CaseStatus::failed,
+    result.status = judge::Status::failed,
     result.score = coarse_score(sum / static_cast<double>(wrong.size()));
     result.message = fmt::format(
         "This picture is right, but the step spoils pictures of {}: with it mended, and nothing else, they "

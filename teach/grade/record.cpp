@@ -26,7 +26,7 @@ store::StudentResult known(const Entry& entry) {
 std::map<std::string, std::string> facts_of(const GradeOptions& options, const ClassSetup& setup) {
   std::string labs, lists;
   for (const course::Lab& lab : setup.labs) labs += fmt::format("{}{}", labs.empty() ? "" : " ", lab.number);
-  for (const judge::LabPlan& plan : setup.plans) lists += course::to_batch(plan.cases);
+  for (const course::Lab& plan : setup.plans) lists += course::to_batch(plan.cases);
   return {{"labs", labs},
           {"seed", fingerprint({"seed", setup.seed}).substr(0, 12)},
           {"renderer", setup.course->renderer()},
@@ -59,8 +59,8 @@ Record::Record(const GradeOptions& options, const ClassSetup& setup, std::size_t
 }
 
 void Record::keep_references() const {
-  for (const judge::LabPlan& plan : setup_.plans) {
-    const fs::path folder = options_.out / "references" / plan.lab.folder;
+  for (const course::Lab& plan : setup_.plans) {
+    const fs::path folder = options_.out / "references" / plan.folder;
     make_folder(folder);
     for (const course::Case& one : plan.cases)
       if (!one.hidden) write_file(folder / one.file, read_file(setup_.course->expected(plan, one).reference));
@@ -102,20 +102,20 @@ void Record::keep(const Entry& entry, const JudgedCase& judged) {
   ++judged_, ++finished_;
 }
 
-void Record::begin_lab(const Entry& entry, const judge::LabPlan& plan) {
+void Record::begin_lab(const Entry& entry, const course::Lab& plan) {
   const std::scoped_lock lock(mutex_);
-  running_[{entry.id, plan.lab.folder}] = seconds();
+  running_[{entry.id, plan.folder}] = seconds();
 }
 
-void Record::end_lab(const Entry& entry, const judge::LabPlan& plan, const JudgedLab& judged,
+void Record::end_lab(const Entry& entry, const course::Lab& plan, const JudgedLab& judged,
                      std::size_t judged_before, const std::string& incident) {
   for (const store::CompilerLog& log : judged.logs) store_->put_log(entry.id, log);
   if (incident.empty() && judged_before < plan.cases.size())
-    store_->put_notes(entry.id, plan.lab.folder, judged.notes);
-  store_->put_incident(entry.id, plan.lab.folder, incident);
+    store_->put_notes(entry.id, plan.folder, judged.notes);
+  store_->put_incident(entry.id, plan.folder, incident);
   finished_ += judged_before;
   const std::scoped_lock lock(mutex_);
-  running_.erase({entry.id, plan.lab.folder});
+  running_.erase({entry.id, plan.folder});
   progress();
 }
 

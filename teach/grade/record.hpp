@@ -40,11 +40,11 @@ class Record {
   /// A student, and the submission where it could be opened. Returns the cases, as "05_normal_map/bumps",
   /// that were judged before.
   std::set<std::string> begin(const Entry& entry, const StudentRun* run);
-  void begin_lab(const Entry& entry, const judge::LabPlan& plan);
+  void begin_lab(const Entry& entry, const course::Lab& plan);
   void keep(const Entry& entry, const JudgedCase& judged);
   /// After a lab: of its cases, so many were judged before. `incident` is what kept it from being judged, or
   /// "".
-  void end_lab(const Entry& entry, const judge::LabPlan& plan, const JudgedLab& judged,
+  void end_lab(const Entry& entry, const course::Lab& plan, const JudgedLab& judged,
                std::size_t judged_before, const std::string& incident);
 
   /// Cases judged by this run, and students whom the machine kept from being graded in full.

@@ -75,7 +75,7 @@ References::References(const fs::path& course, const fs::path& build, fs::path c
       mutants_(material::read_mistakes(solution_.source)),
       places_(course::step_places(starter_.source)) {
   const std::vector<course::Lab> labs = course::read_labs(solution_.source / "labs");
-  renderer_ = renderer_of(studio(solution_, {labs.front(), {}}));
+  renderer_ = renderer_of(studio(solution_, labs.front()));
   std::string variables;
   for (const auto& [name, value] : check::driver_variables()) variables += name + "=" + value + "\n";
   surroundings_ = fingerprint({fingerprint_of_folder(solution_.source / "shaders"),
@@ -83,17 +83,17 @@ References::References(const fs::path& course, const fs::path& build, fs::path c
                                renderer_, variables, processor(), context_});
 }
 
-check::Studio References::studio(const BuiltTree& tree, const judge::LabPlan& plan) const {
-  return {tree.build / "bin" / plan.lab.program(), tree.source, context_};
+check::Studio References::studio(const BuiltTree& tree, const course::Lab& plan) const {
+  return {tree.build / "bin" / plan.program(), tree.source, context_};
 }
 
-void References::prepare(const judge::LabPlan& plan) {
-  const fs::path program = solution_.build / "bin" / plan.lab.program();
+void References::prepare(const course::Lab& plan) {
+  const fs::path program = solution_.build / "bin" / plan.program();
   const std::string key =
-      fingerprint({surroundings_, plan.lab.folder, read_file(program), course::to_batch(plan.cases)});
+      fingerprint({surroundings_, plan.folder, read_file(program), course::to_batch(plan.cases)});
   const fs::path folder = cache_ / "references" / key.substr(0, 32);
   if (!is_cached(folder)) {
-    const fs::path fresh = cache_ / fmt::format("references-{}-{}", ::getpid(), plan.lab.number);
+    const fs::path fresh = cache_ / fmt::format("references-{}-{}", ::getpid(), plan.number);
     fs::remove_all(fresh);
     fs::create_directories(fresh);
     draw_all(studio(solution_, plan), plan.cases, fresh / "solution");
@@ -106,11 +106,11 @@ void References::prepare(const judge::LabPlan& plan) {
     fs::remove_all(fresh);
   }
   const std::scoped_lock lock(mutex_);
-  folders_[plan.lab.folder] = folder;
+  folders_[plan.folder] = folder;
 }
 
-fs::path References::folder_of(const judge::LabPlan& plan) const {
-  return folders_.at(plan.lab.folder);
+fs::path References::folder_of(const course::Lab& plan) const {
+  return folders_.at(plan.folder);
 }
 
 std::vector<const material::Mutant*> References::mutants_of(const course::Lab& lab) const {
@@ -120,21 +120,21 @@ std::vector<const material::Mutant*> References::mutants_of(const course::Lab& l
   return own;
 }
 
-check::ExpectedFiles References::expected(const judge::LabPlan& plan, const Case& of) const {
+check::ExpectedFiles References::expected(const course::Lab& plan, const Case& of) const {
   const fs::path folder = folder_of(plan);
   return {folder / "solution" / of.file, of.is_mesh() ? fs::path() : folder / "mask" / (of.name + ".png")};
 }
 
-fs::path References::draw_changed(const judge::LabPlan& plan, const std::string& name,
-                                  const std::string& step, const std::string& file, const std::string& text) {
+fs::path References::draw_changed(const course::Lab& plan, const std::string& name, const std::string& step,
+                                  const std::string& file, const std::string& text) {
   std::unique_lock all(mutex_);
-  std::mutex& own = drawing_[name + "/" + plan.lab.folder];
+  std::mutex& own = drawing_[name + "/" + plan.folder];
   all.unlock();
   const std::scoped_lock lock(own);
   const fs::path folder =
       folder_of(plan) / "mutants" / fingerprint({name, file, text, kRefused}).substr(0, 32);
   if (fs::exists(folder)) return folder;
-  const fs::path fresh = cache_ / fmt::format("mutant-{}-{}-{}", ::getpid(), plan.lab.number, name);
+  const fs::path fresh = cache_ / fmt::format("mutant-{}-{}-{}", ::getpid(), plan.number, name);
   fs::remove_all(fresh);
   fs::create_directories(fresh);
   check::Studio studio = this->studio(solution_, plan);
@@ -142,7 +142,7 @@ fs::path References::draw_changed(const judge::LabPlan& plan, const std::string&
     studio.root = fresh / "root";
     make_root(solution_.source, {{file, text}}, studio.root);
   } else {
-    studio.program = workshop_.make(plan.lab.program(), {{file, text}}).file;
+    studio.program = workshop_.make(plan.program(), {{file, text}}).file;
   }
   // Only the cases of its step: nobody asks for the others.
   std::vector<Case> cases = plan.cases;
@@ -158,18 +158,18 @@ fs::path References::draw_changed(const judge::LabPlan& plan, const std::string&
   return folder;
 }
 
-judge::Failed References::drawn_in(const judge::LabPlan& plan, const fs::path& folder, const Case& of) const {
+judge::Failed References::drawn_in(const course::Lab& plan, const fs::path& folder, const Case& of) const {
   const check::ExpectedFiles files = expected(plan, of);
   return {check::picture_bytes(folder / of.file), refused_instead_of(folder / of.file),
           read_file(files.reference), files.mask.empty() ? "" : read_file(files.mask)};
 }
 
-fs::path References::drawn_by(const judge::LabPlan& plan, const material::Mutant& mutant) {
+fs::path References::drawn_by(const course::Lab& plan, const material::Mutant& mutant) {
   return draw_changed(plan, mutant.name, mutant.step, mutant.file,
                       material::mutated(mutant, read_file(solution_.source / mutant.file)));
 }
 
-judge::Mistake References::mistake_of(const judge::LabPlan& plan, const material::Mutant& mutant) {
+judge::Mistake References::mistake_of(const course::Lab& plan, const material::Mutant& mutant) {
   judge::Mistake mistake{mutant.name, mutant.step, mutant.says, {}};
   const fs::path drawn = drawn_by(plan, mutant);
   for (const Case& of : plan.cases) {
@@ -182,15 +182,14 @@ judge::Mistake References::mistake_of(const judge::LabPlan& plan, const material
   return mistake;
 }
 
-const std::vector<judge::Mistake>& References::known_mistakes(const judge::LabPlan& plan) {
+const std::vector<judge::Mistake>& References::known_mistakes(const course::Lab& plan) {
   const std::scoped_lock lock(mutex_);
-  const auto found = known_mistakes_.find(plan.lab.folder);
+  const auto found = known_mistakes_.find(plan.folder);
   if (found != known_mistakes_.end()) return found->second;
-  return known_mistakes_[plan.lab.folder] =
-             check::known_mistakes(check::expected_folder(solution_.source, plan.lab));
+  return known_mistakes_[plan.folder] = check::known_mistakes(check::expected_folder(solution_.source, plan));
 }
 
-const std::vector<judge::Mistake>& References::unseen_mistakes(const judge::LabPlan& plan,
+const std::vector<judge::Mistake>& References::unseen_mistakes(const course::Lab& plan,
                                                                const std::string& step) {
   {
     const std::scoped_lock lock(mutex_);
@@ -206,7 +205,7 @@ const std::vector<judge::Mistake>& References::unseen_mistakes(const judge::LabP
   return unseen_mistakes_.emplace(step, std::move(unseen)).first->second;  // of the thread that was first
 }
 
-std::map<std::string, judge::Seen> References::explain(const judge::LabPlan& plan, const std::string& step,
+std::map<std::string, judge::Seen> References::explain(const course::Lab& plan, const std::string& step,
                                                        const std::map<std::string, judge::Failed>& failed) {
   std::map<std::string, judge::Failed> seen = failed;  // by the student, as by `check`
   for (const Case& one : plan.cases)

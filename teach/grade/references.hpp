@@ -9,8 +9,8 @@
 
 #include "check/check.hpp"
 #include "check/studio.hpp"
+#include "course/lab_file.hpp"
 #include "judge/mistakes.hpp"
-#include "judge/plan.hpp"
 #include "material/mutant_file.hpp"
 #include "workshop.hpp"
 
@@ -33,37 +33,37 @@ class References {
              std::filesystem::path cache, std::string context);
 
   /// Draws what the lab's cases are judged by, unless it is there. Throws Error (exit 3).
-  void prepare(const judge::LabPlan& plan);
+  void prepare(const course::Lab& plan);
   /// The folder of what the starter draws.
-  [[nodiscard]] std::filesystem::path starter_folder(const judge::LabPlan& plan) const {
+  [[nodiscard]] std::filesystem::path starter_folder(const course::Lab& plan) const {
     return folder_of(plan) / "starter";
   }
-  [[nodiscard]] check::ExpectedFiles expected(const judge::LabPlan& plan, const course::Case& of) const;
+  [[nodiscard]] check::ExpectedFiles expected(const course::Lab& plan, const course::Case& of) const;
 
   /// What a mutant of a step draws in the cases of its step: a folder with the pictures that there are.
   /// Throws Error (exit 3).
-  std::filesystem::path drawn_by(const judge::LabPlan& plan, const material::Mutant& mutant);
+  std::filesystem::path drawn_by(const course::Lab& plan, const material::Mutant& mutant);
   /// The same for the solution with another text in one of its files; `name` is any.
-  std::filesystem::path draw_changed(const judge::LabPlan& plan, const std::string& name,
+  std::filesystem::path draw_changed(const course::Lab& plan, const std::string& name,
                                      const std::string& step, const std::string& file,
                                      const std::string& text);
   /// One of the pictures in such a folder.
-  [[nodiscard]] judge::Failed drawn_in(const judge::LabPlan& plan, const std::filesystem::path& folder,
+  [[nodiscard]] judge::Failed drawn_in(const course::Lab& plan, const std::filesystem::path& folder,
                                        const course::Case& of) const;
   /// Those of the course's steps.
   [[nodiscard]] const std::vector<material::Mutant>& mutants() const { return mutants_; }
   [[nodiscard]] std::vector<const material::Mutant*> mutants_of(const course::Lab& lab) const;
 
   /// What a mutant looks like in the cases of its step. Throws Error (exit 3).
-  judge::Mistake mistake_of(const judge::LabPlan& plan, const material::Mutant& mutant);
+  judge::Mistake mistake_of(const course::Lab& plan, const material::Mutant& mutant);
 
   /// check::known_mistakes, read once. Throws Error (exit 3).
-  const std::vector<judge::Mistake>& known_mistakes(const judge::LabPlan& plan);
+  const std::vector<judge::Mistake>& known_mistakes(const course::Lab& plan);
 
   /// judge::explain for a student's failed cases of a step. The public ones are compared with known_mistakes,
   /// as `check` does: nothing is drawn. Where no public case failed, the hidden ones are compared with what
   /// the other mutants draw. Throws Error (exit 3).
-  std::map<std::string, judge::Seen> explain(const judge::LabPlan& plan, const std::string& step,
+  std::map<std::string, judge::Seen> explain(const course::Lab& plan, const std::string& step,
                                              const std::map<std::string, judge::Failed>& failed);
 
   [[nodiscard]] const BuiltTree& starter() const { return starter_; }
@@ -73,9 +73,9 @@ class References {
   [[nodiscard]] const std::map<std::string, Place>& places() const { return places_; }
 
  private:
-  [[nodiscard]] std::filesystem::path folder_of(const judge::LabPlan& plan) const;
-  [[nodiscard]] check::Studio studio(const BuiltTree& tree, const judge::LabPlan& plan) const;
-  const std::vector<judge::Mistake>& unseen_mistakes(const judge::LabPlan& plan, const std::string& step);
+  [[nodiscard]] std::filesystem::path folder_of(const course::Lab& plan) const;
+  [[nodiscard]] check::Studio studio(const BuiltTree& tree, const course::Lab& plan) const;
+  const std::vector<judge::Mistake>& unseen_mistakes(const course::Lab& plan, const std::string& step);
 
   BuiltTree starter_, solution_;
   std::filesystem::path cache_;

@@ -11,6 +11,7 @@
 #include "core/parallel.hpp"
 #include "course/batch.hpp"
 #include "course/markers.hpp"
+#include "course/reader.hpp"
 #include "grade/course_tree.hpp"
 #include "grade/submission.hpp"
 #include "image/compared.hpp"
@@ -47,10 +48,14 @@ course::Case look_of(const course::Step& step, const char* when, const fs::path&
 
 /// Each step of the lab before and after, where those of `solved` are solved and then the earlier ones.
 Stages stages_of(const course::Lab& lab, Solved solved, const fs::path& course) {
+  const fs::path file = course / "labs" / lab.folder / "lab.toml";
+  const toml::table table = course::read_toml(file);
+  auto written = course::Reader(table, file.string()).tables("step");
   Stages stages;
-  for (const course::Step& step : lab.steps) {
+  for (std::size_t i = 0; i < lab.steps.size(); ++i) {
+    const course::Step& step = lab.steps[i];
     Solved stage = solved;
-    stage.insert(step.seen_with.begin(), step.seen_with.end());
+    for (const std::string& later : written[i].texts("seen_with")) stage.insert(later);
     stages[stage].push_back(look_of(step, "before", course));
     stage.insert(step.id);
     stages[stage].push_back(look_of(step, "after", course));

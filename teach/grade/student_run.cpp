@@ -59,7 +59,7 @@ StudentRun::StudentRun(const ClassSetup& setup, const GradeOptions& options, con
   make_root(setup.starter.source, submission_.files, folder_ / "root");
 }
 
-judge::Failed StudentRun::failed_by(const judge::LabPlan& plan, const Files& refused, const Case& of,
+judge::Failed StudentRun::failed_by(const course::Lab& plan, const Files& refused, const Case& of,
                                     const fs::path& out) const {
   const auto found = refused.find(of.file);
   const check::ExpectedFiles files = setup_.course->expected(plan, of);
@@ -110,22 +110,22 @@ std::vector<store::Ignored> StudentRun::worth_telling() const {
   return told;
 }
 
-JudgedLab StudentRun::judge(const judge::LabPlan& plan, const std::vector<Case>& cases,
+JudgedLab StudentRun::judge(const course::Lab& plan, const std::vector<Case>& cases,
                             const std::function<void(const JudgedCase&)>& keep) const {
   std::map<std::string, std::string> sources;
   for (const auto& [path, text] : submission_.files)
-    if (path.ends_with(".cpp") && path.starts_with(fmt::format("labs/{}/", plan.lab.folder)))
+    if (path.ends_with(".cpp") && path.starts_with(fmt::format("labs/{}/", plan.folder)))
       sources[path] = text;
-  const Program program = setup_.workshop->make(plan.lab.program(), sources, &budget_);
+  const Program program = setup_.workshop->make(plan.program(), sources, &budget_);
 
-  const fs::path out = folder_ / plan.lab.folder;
+  const fs::path out = folder_ / plan.folder;
   fs::remove_all(out);
   check::Drawn drawn;
   if (submission_.fault.empty()) drawn = draw(studio(program, folder_ / "root"), cases, out);
 
   // Step by step: a mistake shows in all pictures of its step.
   std::vector<StepCases> steps;
-  for (const course::Step& step : plan.lab.steps) {
+  for (const course::Step& step : plan.steps) {
     StepCases& of_step = steps.emplace_back(StepCases{step.id, {}, {}, {}});
     for (const Case& one : cases) {
       if (one.step != step.id) continue;
@@ -154,11 +154,11 @@ JudgedLab StudentRun::judge(const judge::LabPlan& plan, const std::vector<Case>&
   return {program.refused, drawn.notes};
 }
 
-judge::CaseResult StudentRun::judged(const judge::LabPlan& plan, const Case& of, const Program& program,
+judge::CaseResult StudentRun::judged(const course::Lab& plan, const Case& of, const Program& program,
                                      const check::Drawn& drawn, const fs::path& out) const {
   judge::CaseResult result{of};
-  result.command = of.hidden ? "" : judge::command(plan.lab, of);
-  if (!of.hidden) result.reference = fmt::format("references/{}/{}", plan.lab.folder, of.file);
+  result.command = of.hidden ? "" : course::command(plan, of);
+  if (!of.hidden) result.reference = fmt::format("references/{}/{}", plan.folder, of.file);
   const judge::Verdict verdict = check::judge(of, setup_.course->expected(plan, of), out / of.file);
   // A picture that changed through earlier steps does not score for a step that nobody began.
   const bool is_untouched = !begun_.contains(of.step) && (submission_.fault.empty() || submission_.is_empty);

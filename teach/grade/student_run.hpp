@@ -52,7 +52,7 @@ class StudentRun {
 
   /// Compiles the lab's program, draws the cases and judges them, step by step, what failed also alone;
   /// `keep` gets each as it is judged. Throws Error (exit 3) for faults of the machine.
-  JudgedLab judge(const judge::LabPlan& plan, const std::vector<course::Case>& cases,
+  JudgedLab judge(const course::Lab& plan, const std::vector<course::Case>& cases,
                   const std::function<void(const JudgedCase&)>& keep) const;
 
  private:
@@ -60,8 +60,8 @@ class StudentRun {
   [[nodiscard]] bool is_of_course(const std::string& path) const;
   [[nodiscard]] check::Studio studio(const Program& program, const std::filesystem::path& root) const;
   /// What was drawn of a case in the folder `out`; `refused` is Drawn::refused.
-  [[nodiscard]] judge::Failed failed_by(const judge::LabPlan& plan, const Files& refused,
-                                        const course::Case& of, const std::filesystem::path& out) const;
+  [[nodiscard]] judge::Failed failed_by(const course::Lab& plan, const Files& refused, const course::Case& of,
+                                        const std::filesystem::path& out) const;
   /// What became of the cases of one step, each judged as the student's tree draws it.
   struct StepCases {
     std::string step;
@@ -72,11 +72,11 @@ class StudentRun {
   /// Judges the failed cases again, with the solution standing in for all other steps: the better mark
   /// counts. Those that still fail are then the failed ones. Nothing changes but `judged` where it cannot be
   /// done.
-  void judge_alone(const judge::LabPlan& plan, StepCases& cases) const;
+  void judge_alone(const course::Lab& plan, StepCases& cases) const;
   /// Where pictures are wrong, but no step that was begun lost a mark: mends one of these steps after the
   /// other. If all of the pictures become right by one of them and by no other, that step loses, and has
   /// their mean mark.
-  void blame(const judge::LabPlan& plan, std::vector<StepCases>& steps) const;
+  void blame(const course::Lab& plan, std::vector<StepCases>& steps) const;
   /// All files with steps of the lab as the student has them.
   [[nodiscard]] Files own_files(const course::Lab& lab) const;
   /// Draws cases of one step into the folder `out`/pictures, where the solution stands in for all other
@@ -90,13 +90,13 @@ class StudentRun {
   /// back, for judge::explain alone. Nothing comes back where markers in the step's files are gone. Throws
   /// Error (exit 3), which says nothing of the files either, for faults of the machine. All of it counts to
   /// the student's time.
-  [[nodiscard]] std::optional<Files> draw_alone(const judge::LabPlan& plan, const std::string& step,
+  [[nodiscard]] std::optional<Files> draw_alone(const course::Lab& plan, const std::string& step,
                                                 const std::vector<course::Case>& cases,
                                                 const std::filesystem::path& out) const;
-  [[nodiscard]] Files draw_spliced(const Files& spliced, const judge::LabPlan& plan,
+  [[nodiscard]] Files draw_spliced(const Files& spliced, const course::Lab& plan,
                                    const std::vector<course::Case>& cases,
                                    const std::filesystem::path& out) const;
-  [[nodiscard]] judge::CaseResult judged(const judge::LabPlan& plan, const course::Case& of,
+  [[nodiscard]] judge::CaseResult judged(const course::Lab& plan, const course::Case& of,
                                          const Program& program, const check::Drawn& drawn,
                                          const std::filesystem::path& out) const;
   [[nodiscard]] std::string fault_of(const course::Case& of, const Program& program,

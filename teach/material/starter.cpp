@@ -99,6 +99,14 @@ void write_files(const std::vector<StarterFile>& files, const fs::path& to) {
   }
 }
 
+std::map<std::string, Place> first_places(const fs::path& course) {
+  std::map<std::string, Place> places;
+  for (const std::string& file : course::step_files(course))
+    for (const course::StepPart& part : course::parts_of(course::first_text(course, file)))
+      places.emplace(part.step, Place{file, part.line});
+  return places;
+}
+
 std::string with_step_alone(const std::string& text, const std::string& file, const std::string& step,
                             const std::string& solution) {
   if (!course::marker_faults(text, solution, file).empty())

@@ -52,8 +52,9 @@ std::pair<std::string, std::string> note(const store::StudentResult& student) {
     return step.status == judge::Status::passed || step.is_untouched();
   };
   for (const judge::LabResult& lab : student.labs)
-    if (std::ranges::all_of(lab.steps, is_right) &&
-        std::ranges::any_of(lab.steps, [](const auto& step) { return step.any(judge::Judged::alone); }))
+    if (std::ranges::all_of(lab.steps, is_right) && std::ranges::any_of(lab.steps, [](const auto& step) {
+          return store::is_any(step, judge::Judged::alone);
+        }))
       return {fmt::format("! lab {}: wrong pictures, and no step lost", lab.lab.number), "failed"};
   return student.logs.empty() ? std::pair("", "") : std::pair("does not compile", "failed");
 }

@@ -115,7 +115,7 @@ Json test_of(const judge::StepResult& step, double points, double most, const st
              const char* visibility) {
   Json tags = Json::array({name_of(step.status)});
   for (const judge::Judged judged : {judge::Judged::alone, judge::Judged::markers_lost})
-    if (step.any(judged)) tags.push_back(name_of(judged));
+    if (store::is_any(step, judged)) tags.push_back(store::name_of(judged));
   if (!step.mistake.empty()) tags.push_back(clean(step.mistake));
   return {{"number", clean(step.id)},
           {"name", clean(step.title)},

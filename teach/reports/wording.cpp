@@ -79,12 +79,12 @@ std::string distance(const judge::CaseResult& result) {
 }
 
 std::string judging(const judge::StepResult& step) {
-  if (step.any(judge::Judged::markers_lost))
+  if (store::is_any(step, judge::Judged::markers_lost))
     return fmt::format(
         "{} was not judged alone, since its line {} or its //@end is missing or changed: copy both from the "
         "folder .starter.",
         step.id, course::begin_marker(step.id));
-  if (!step.any(judge::Judged::alone)) return "";
+  if (!store::is_any(step, judge::Judged::alone)) return "";
   const std::string others = step.spoilt_by.empty() ? "the other lines" : judge::listed(step.spoilt_by);
   if (step.status == judge::Status::passed)
     return fmt::format("{} is right: with {} mended it has full marks.", step.id, others);

@@ -6,6 +6,7 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -223,6 +224,13 @@ course::View view_called(const std::string& name) {
   return *view;
 }
 
+judge::Judged judged_called(const std::string& name) {
+  using enum judge::Judged;
+  for (const judge::Judged judged : {together, alone, markers_lost})
+    if (name == name_of(judged)) return judged;
+  throw Error::failed(fmt::format("the store has a case that is judged '{}'", name));
+}
+
 constexpr const char* kCaseColumns =
     "lab, name, step, view, hidden, score, error, bound, message, mistake, mistake_says, command, picture, "
     "reference, status, judged";
@@ -237,8 +245,7 @@ std::vector<judge::CaseResult> read_cases(Database& database, const std::string&
     one.score = row.number(), one.error = row.number(), one.limit = row.number();
     one.message = row.text(), one.mistake = row.text(), one.mistake_says = row.text();
     one.command = row.text(), one.picture = row.text(), one.reference = row.text();
-    one.status = judge::of_name<judge::CaseStatus>(row.text()),
-    one.judged = judge::of_name<judge::Judged>(row.text());
+    one.status = judge::status_called(row.text()), one.judged = judged_called(row.text());
   }
   return cases;
 }
@@ -319,10 +326,19 @@ void prepare(Connection& connection) {
 
 }  // namespace
 
+const char* name_of(judge::Judged judged) {
+  constexpr std::array kNames = {"together", "alone", "markers lost"};
+  return kNames.at(static_cast<std::size_t>(judged));
+}
+
+bool is_any(const judge::StepResult& step, judge::Judged judged) {
+  return std::ranges::find(step.cases, judged, &judge::CaseResult::judged) != step.cases.end();
+}
+
 void name_spoilers(std::vector<judge::LabResult>& labs) {
   for (judge::LabResult& lab : labs)
     for (judge::StepResult& step : lab.steps) {
-      if (!step.any(judge::Judged::alone)) continue;
+      if (!is_any(step, judge::Judged::alone)) continue;
       for (const judge::StepResult& other : lab.steps) {
         const bool is_needed = std::ranges::find(step.needs, other.id) != step.needs.end();
         if (&other != &step && other.status == judge::Status::failed && (is_needed || !other.is_untouched()))

@@ -86,7 +86,7 @@ inline judge::CaseResult demo_case(const std::string& lab, const std::string& st
   judge::CaseResult result;
   result.lab = lab, result.step = step, result.name = name, result.hidden = hidden;
   result.view = course::find_view(view).value();
-  result.status = passed ? judge::CaseStatus::passed : judge::CaseStatus::failed;
+  result.status = passed ? judge::Status::passed : judge::Status::failed;
   result.score = passed ? 1 : 0;
   result.limit = view == "color" ? 2 : view == "mesh" ? 0 : 0.2;
   result.error = passed ? 0 : view == "color" ? 83 : view == "mesh" ? 12 : 106.26;
@@ -160,7 +160,7 @@ inline store::ClassResult demo_class(const std::filesystem::path& folder) {
                   "shaders/05_normal_map/decode_normal.glsl:7:3: error: operands to arithmetic operators "
                   "must be numeric"}};
   for (judge::CaseResult& each : broken.labs.back().steps[0].cases)  // 9.1 is not begun
-    each.status = judge::CaseStatus::untouched;
+    each.status = judge::Status::untouched;
   broken.ignored = {{"build/CMakeCache.txt", "no file of the labs"}, {".git/config", "in a hidden folder"}};
 
   store::StudentResult& hostile = add("script-1a2b3c4d", kHostile, "=HYPERLINK(\"http://x\")");

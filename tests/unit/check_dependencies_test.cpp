@@ -113,7 +113,7 @@ TEST(Waiting, skips_what_needs_a_step_that_did_not_pass) {
 TEST(Waiting, a_program_that_ends_is_the_fault_of_what_was_begun) {
   judge::LabResult first = lab(1, {{"1.1", true}, {"1.2", false}, {"1.3", false}});
   for (std::size_t i : {1, 2}) first.steps[i].cases.emplace_back().died = true;
-  first.steps[1].cases[0].status = judge::CaseStatus::untouched;
+  first.steps[1].cases[0].status = judge::Status::untouched;
   skip_those_that_wait(first, {});
   EXPECT_EQ(first.steps[1].status, judge::Status::skipped);
   EXPECT_EQ(first.steps[1].spoilt_by, Steps{"1.3"});
@@ -125,7 +125,7 @@ TEST(Waiting, does_not_skip_a_known_mistake_while_nothing_explains_what_it_needs
     judge::LabResult first =
         lab(1, {{"1.1", false}, {"1.2", false}, {"1.3", false}}, {{"1.2", {"1.1"}}, {"1.3", {"1.1", "1.2"}}});
     first.steps[0].mistake = mistake_of_first;
-    if (is_untouched) first.steps[0].cases.emplace_back().status = judge::CaseStatus::untouched;
+    if (is_untouched) first.steps[0].cases.emplace_back().status = judge::Status::untouched;
     first.steps[2].mistake = "flipped";
     skip_those_that_wait(first, {});
     return first.steps;

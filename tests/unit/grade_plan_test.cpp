@@ -9,6 +9,7 @@
 
 #include "../../teach/grade/student_run.hpp"
 #include "../support/picture_files.hpp"
+#include "../support/said.hpp"
 #include "core/files.hpp"
 #include "core/json.hpp"
 #include "course/batch.hpp"
@@ -21,19 +22,19 @@ namespace texel::grade {
 namespace {
 
 namespace fs = std::filesystem;
-using course::GradedCase;
+using course::Case;
 using course::Hidden;
 using course::Lab;
 
-Lab lab_of(int number, std::vector<GradedCase> cases) {
+Lab lab_of(int number, std::vector<Case> cases) {
   Lab lab;
   lab.number = number, lab.folder = fmt::format("0{}_lab", number), lab.cases = std::move(cases);
   return lab;
 }
 
-GradedCase case_of(const std::string& name, std::vector<course::Setting> settings = {},
-                   std::vector<Hidden> hidden = {}, course::View view = course::View::color) {
-  GradedCase graded;
+Case case_of(const std::string& name, std::vector<course::Setting> settings = {},
+             std::vector<Hidden> hidden = {}, course::View view = course::View::color) {
+  Case graded;
   graded.name = name, graded.step = "1.1", graded.view = view;
   graded.file = name + (view == course::View::mesh ? ".ply" : ".png"), graded.size = {128, 128};
   graded.hidden = !hidden.empty() || name == "unseen";
@@ -43,7 +44,7 @@ GradedCase case_of(const std::string& name, std::vector<course::Setting> setting
 
 class Plan : public testing::Test {
  protected:
-  std::vector<judge::LabPlan> plan_of(const Lab& lab, const std::string& seed) {
+  std::vector<course::Lab> plan_of(const Lab& lab, const std::string& seed) {
     return full_plan({lab}, seed, models_);
   }
 
@@ -51,31 +52,38 @@ class Plan : public testing::Test {
   fs::path models_ = folder_ / "models";
   const Lab lab_ = lab_of(1, {case_of("open", {{"turn", "10"}}),
                               case_of("secret", {{"turn", "10"}, {"tilt", "1"}},
-                                      {{"turn", -90, 90, {}}, {"wood", 0, 0, {"a", "b", "c"}}}),
+                                      {{"turn", {"-90", "90"}, true}, {"wood", {"a", "b", "c"}}}),
                               case_of("unseen", {{"model", "unseen:polygons"}}, {}, course::View::mesh)});
 };
 
 TEST_F(Plan, draws_hidden_values_from_the_seed_within_their_range) {
-  const judge::LabPlan plan = plan_of(lab_, "a seed").front();
+  const course::Lab plan = plan_of(lab_, "a seed").front();
   ASSERT_EQ(plan.cases.size(), 3U);
   const course::Case& secret = plan.cases[1];
   EXPECT_TRUE(secret.hidden);
   ASSERT_EQ(secret.settings.size(), 3U);
-  EXPECT_EQ(secret.settings[0].parameter, "turn");
-  EXPECT_LE(std::abs(std::stod(secret.settings[0].value)), 90);
-  EXPECT_NE(secret.settings[0].value, "10");
+  EXPECT_EQ(secret.settings[1].parameter, "turn");
+  EXPECT_LE(std::abs(std::stod(secret.settings[1].value)), 90);
+  EXPECT_NE(secret.settings[1].value, "10");
   // The text is the same as a float: it has four digits at most.
-  EXPECT_EQ(secret.settings[0].value, fmt::format("{:.4g}", std::stod(secret.settings[0].value)));
-  EXPECT_EQ(secret.settings[1].value, "1");
+  EXPECT_EQ(secret.settings[1].value, fmt::format("{:.4g}", std::stod(secret.settings[1].value)));
+  EXPECT_EQ(secret.settings[0].value, "1");
   EXPECT_NE(std::string("abc").find(secret.settings[2].value), std::string::npos);
   EXPECT_EQ(plan_of(lab_, "a seed").front().cases, plan.cases);
-  EXPECT_NE(plan_of(lab_, "another").front().cases[1].settings[0].value, secret.settings[0].value);
+  EXPECT_NE(plan_of(lab_, "another").front().cases[1].settings[1].value, secret.settings[1].value);
 }
 
 TEST_F(Plan, draws_the_same_for_a_case_whatever_others_there_are) {
   Lab fewer = lab_;
   fewer.cases.erase(fewer.cases.begin());
   EXPECT_EQ(plan_of(fewer, "s").front().cases[0].settings, plan_of(lab_, "s").front().cases[1].settings);
+}
+
+TEST_F(Plan, refuses_hidden_values_between_which_there_is_nothing_to_draw) {
+  for (const Hidden& hidden :
+       {Hidden{"turn", {"3", "3"}, true}, {"turn", {"4", "3"}, true}, {"wood", {"a"}}, {"wood", {}}})
+    EXPECT_TRUE(test::has(test::error_of([&] { plan_of(lab_of(1, {case_of("secret", {}, {hidden})}), "s"); }),
+                          "must be a range [least, most] of numbers"));
 }
 
 TEST_F(Plan, writes_models_that_nobody_has_seen) {
@@ -102,7 +110,7 @@ TEST_F(Plan, writes_the_mesh_of_such_a_model_where_a_lab_does_not_teach_the_read
 }
 
 TEST_F(Plan, lists_what_the_programs_batch_option_takes) {
-  const judge::LabPlan plan = plan_of(lab_, "s").front();
+  const course::Lab plan = plan_of(lab_, "s").front();
   const auto list = parse_json(course::to_batch(plan.cases));
   ASSERT_EQ(list.size(), 3U);
   EXPECT_EQ(to_text(list[0]), R"({"name":"open.png","view":"color","size":"128x128","set":{"turn":"10"}})");
@@ -115,8 +123,8 @@ TEST_F(Plan, lists_what_the_programs_batch_option_takes) {
 }
 
 TEST_F(Plan, shows_the_command_that_repeats_a_picture) {
-  const judge::LabPlan plan = plan_of(lab_, "s").front();
-  EXPECT_EQ(judge::command(plan.lab, plan.cases[0]),
+  const course::Lab plan = plan_of(lab_, "s").front();
+  EXPECT_EQ(course::command(plan, plan.cases[0]),
             "./run lab 1 --turn 10 --samples 1 --size 128x128 --snapshot open.png");
 }
 

@@ -36,7 +36,7 @@ class Differences : public testing::Test {
 
   [[nodiscard]] std::string said(View view, const std::function<dvec3(dvec3)>& becomes,
                                  bool is_secret = false) {
-    LabPlan plan;
+    course::Lab plan;
     course::Case& one = plan.cases.emplace_back();
     one.name = "a", one.step = "1.1", one.view = view, one.size = {kSide, kSide};
     one.limit = view == View::color ? 3 : view == View::texcoord ? 1e-4 : 0.05;
@@ -131,7 +131,7 @@ TEST(StreamDifferences, are_said_attribute_by_attribute) {
   mesh::Mesh reference = mesh::torus(0.7F, 0.3F, 24, 12), own = reference;
   for (glm::vec2& texcoord : own.texcoords) texcoord = {texcoord.x, 1 - texcoord.y};
   for (std::size_t i = 0; i < 30; ++i) own.normals[i] = -own.normals[i];
-  LabPlan plan;
+  course::Lab plan;
   course::Case& one = plan.cases.emplace_back();
   one.name = "a", one.step = "1.1", one.view = View::mesh, one.limit = 0.05;
   const auto seen = explain({}, plan, "1.1", {{"a", {mesh::to_ply(own), "", mesh::to_ply(reference)}}});

@@ -51,7 +51,7 @@ class Mistakes : public testing::Test {
   }
 
   ScratchFolder folder_;
-  LabPlan plan_;
+  course::Lab plan_;
 };
 
 TEST_F(Mistakes, are_known_by_their_pictures_and_not_by_others) {

@@ -8,7 +8,7 @@
 
 #include "../support/said.hpp"
 #include "core/error.hpp"
-#include "judge/plan.hpp"
+#include "course/lab_file.hpp"
 #include "store/class_results.hpp"
 
 namespace texel::judge {
@@ -23,7 +23,7 @@ CaseResult judged(const std::string& name, double score, bool hidden = false) {
   result.name = name;
   result.hidden = hidden;
   result.score = score;
-  result.status = score == 1 ? CaseStatus::passed : CaseStatus::failed;
+  result.status = score == 1 ? Status::passed : Status::failed;
   if (!result.passed()) result.message = "message of " + name;
   return result;
 }
@@ -55,7 +55,7 @@ course::Lab lab_with(const std::string& folder, const std::vector<course::Step>&
   lab.steps = steps;
   for (const course::Step& step : steps)
     for (const char* name : {"z of ", "a of "}) {
-      course::GradedCase graded;
+      course::Case graded;
       graded.name = name + step.id;
       graded.step = step.id;
       lab.cases.push_back(graded);
@@ -72,7 +72,7 @@ CaseResult judged_in(const std::string& lab, const std::string& step, const std:
 
 TEST(StepResult, has_the_lower_mean_and_what_the_first_failed_case_says) {
   CaseResult nearly = judged("a", 1), spoilt = alone(judged("a", 1));
-  nearly.status = CaseStatus::failed;
+  nearly.status = Status::failed;
   nearly.message = spoilt.message = "message of a";
   struct Row {
     const char* what;
@@ -109,8 +109,6 @@ TEST(StepResult, has_the_lower_mean_and_what_the_first_failed_case_says) {
     EXPECT_EQ(result.mistake, mistake);
     EXPECT_EQ(result.mistake_says, result.mistake.empty() ? "" : "this is " + result.mistake);
     EXPECT_EQ(result.cases.size(), cases.size());
-    EXPECT_EQ(result.any(Judged::alone), what == std::string("judged alone"));
-    EXPECT_FALSE(result.any(Judged::markers_lost));
   }
   const StepResult nothing = step_result(named_step("1.1", {}, 2), {});
   EXPECT_EQ(nothing.status, Status::failed);
@@ -126,14 +124,14 @@ TEST(StepResult, has_the_lower_mean_and_what_the_first_failed_case_says) {
 TEST(CaseResult, earns_nothing_in_a_step_that_is_as_the_starter_has_it_unless_it_passed) {
   CaseResult result;
   resolve(result, {false, 0.25, 1, "Off."}, "", true);
-  EXPECT_EQ(result.status, CaseStatus::untouched);
+  EXPECT_EQ(result.status, Status::untouched);
   EXPECT_EQ(result.score, 0);
   EXPECT_EQ(result.message, "This step is still as the starter has it. Off.");
   resolve(result, {false, 0.25, 1, "Off."}, "", false);
-  EXPECT_EQ(result.status, CaseStatus::failed);
+  EXPECT_EQ(result.status, Status::failed);
   EXPECT_EQ(result.score, 0.25);
   resolve(result, {true, 1, 0, ""}, "", true);
-  EXPECT_EQ(result.status, CaseStatus::passed);
+  EXPECT_EQ(result.status, Status::passed);
   EXPECT_EQ(result.score, 1);
 }
 
@@ -155,7 +153,7 @@ TEST(StepResult, is_told_by_the_failed_case_that_is_furthest_beyond_its_limit) {
 
 TEST(LabResults, name_the_steps_that_spoil_one_that_was_judged_alone) {
   CaseResult not_begun = judged("c", 0), needed = not_begun;
-  not_begun.step = "1.3", needed.step = "1.4", not_begun.status = needed.status = CaseStatus::untouched;
+  not_begun.step = "1.3", needed.step = "1.4", not_begun.status = needed.status = Status::untouched;
   std::vector<LabResult> results =
       lab_results({lab_with("01_quad", {named_step("1.1", {"1.4"}), named_step("1.2"), named_step("1.3"),
                                         named_step("1.4"), named_step("1.5"), named_step("1.6")}),
@@ -216,12 +214,12 @@ TEST(Points, are_those_of_the_steps_times_their_scores) {
   EXPECT_DOUBLE_EQ(labs[0].max_points(), 5);
 }
 
-TEST(PublicPlan, has_no_hidden_case) {
+TEST(PublicCases, are_those_that_are_not_hidden) {
   course::Lab lab = lab_with("01_quad", {named_step("1.1")});
   lab.cases[0].hidden = true;
-  const std::vector<LabPlan> plans = public_plan({lab});
-  ASSERT_EQ(plans.at(0).cases.size(), 1U);
-  EXPECT_EQ(plans[0].cases[0].name, "a of 1.1");
+  const std::vector<course::Case> cases = course::with_public_cases(lab).cases;
+  ASSERT_EQ(cases.size(), 1U);
+  EXPECT_EQ(cases[0].name, "a of 1.1");
 }
 
 TEST(ResultsJson, is_the_same_when_it_was_read_and_written) {
@@ -241,14 +239,14 @@ TEST(ResultsJson, is_the_same_when_it_was_read_and_written) {
 }
 
 TEST(Status, has_a_name_and_is_found_by_it) {
-  for (const auto& [status, name] :
-       {std::pair{Status::passed, "passed"}, {Status::failed, "failed"}, {Status::skipped, "skipped"}}) {
+  for (const auto& [status, name] : {std::pair{Status::passed, "passed"},
+                                     {Status::failed, "failed"},
+                                     {Status::skipped, "skipped"},
+                                     {Status::untouched, "untouched"}}) {
     EXPECT_STREQ(name_of(status), name);
-    EXPECT_EQ(of_name<Status>(name), status);
+    EXPECT_EQ(status_called(name), status);
   }
-  for (const Judged judged : {Judged::together, Judged::alone, Judged::markers_lost})
-    EXPECT_EQ(of_name<Judged>(name_of(judged)), judged);
-  EXPECT_TRUE(test::has(test::error_of([] { of_name<Status>("Passed"); }), "'Passed'"));
+  EXPECT_TRUE(test::has(test::error_of([] { status_called("Passed"); }), "'Passed'"));
 }
 
 }  // namespace

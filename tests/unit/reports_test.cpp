@@ -145,8 +145,7 @@ TEST_F(Reports, say_which_step_is_right_once_another_is_mended) {
   judge::StepResult& right = ada_.labs[1].steps[1];  // 5.2
   right.status = judge::Status::passed, right.score = 1, right.message = "", right.spoilt_by = {"5.1"};
   for (judge::CaseResult& one : right.cases)
-    if (!one.passed())
-      one.judged = judge::Judged::alone, one.status = judge::CaseStatus::passed, one.score = 1;
+    if (!one.passed()) one.judged = judge::Judged::alone, one.status = judge::Status::passed, one.score = 1;
   judge::StepResult& wrong = ada_.labs[1].steps[2];  // 5.3
   wrong.spoilt_by = {"5.1", "5.2"};
   wrong.cases.back().judged = judge::Judged::alone;
@@ -177,7 +176,7 @@ TEST_F(Reports, keep_a_hidden_command_until_its_reference_is_shown) {
 TEST_F(Reports, as_csv_name_the_labs_of_which_steps_were_handed_in) {
   store::StudentResult& one = results_.students[0];
   for (judge::StepResult& step : one.labs[0].steps)
-    for (judge::CaseResult& result : step.cases) result.status = judge::CaseStatus::untouched;
+    for (judge::CaseResult& result : step.cases) result.status = judge::Status::untouched;
   EXPECT_TRUE(csv_row(1).ends_with(",5 9,"));
   one.fault = "is broken";
   EXPECT_TRUE(csv_row(1).ends_with(",,the submission is broken"));
@@ -215,8 +214,7 @@ TEST_F(Reports, say_once_what_is_true_of_many_cases) {
     for (judge::LabResult& lab : ben.labs)
       for (judge::StepResult& step : lab.steps) {
         for (judge::CaseResult& each : step.cases)
-          each.status = judge::CaseStatus::failed, each.message = message, each.error = NAN,
-          each.picture = "";
+          each.status = judge::Status::failed, each.message = message, each.error = NAN, each.picture = "";
         step =
             judge::step_result(lab.lab.steps[static_cast<std::size_t>(&step - lab.steps.data())], step.cases);
       }

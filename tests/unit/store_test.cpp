@@ -57,7 +57,7 @@ judge::CaseResult case_of(const std::string& step, const std::string& name, doub
   result.lab = step == "2.1" ? "02_multi" : "01_quad";
   result.step = step, result.name = name;
   result.score = score, result.error = 1 - score;
-  result.status = score == 1 ? judge::CaseStatus::passed : judge::CaseStatus::failed;
+  result.status = score == 1 ? judge::Status::passed : judge::Status::failed;
   return result;
 }
 
@@ -139,7 +139,7 @@ TEST_F(StoreTest, gives_back_every_field) {
   judge::CaseResult result;
   result.lab = "01_quad", result.step = "1.1", result.name = "name " + nasty;
   result.view = course::View::lod, result.hidden = true;
-  result.status = judge::CaseStatus::untouched, result.judged = judge::Judged::markers_lost;
+  result.status = judge::Status::untouched, result.judged = judge::Judged::markers_lost;
   result.score = 0.1, result.error = 1.0 / 3.0;  // have no end in binary
   result.limit = 1e-300;
   result.message = "message " + nasty, result.command = "command " + nasty;

@@ -25,7 +25,6 @@
 #include "gl/context.hpp"
 #include "gl/es_source.hpp"
 #include "gl/web_context.hpp"
-#include "judge/plan.hpp"
 #include "judge/results.hpp"
 #include "opened.hpp"
 #include "student_files.hpp"
@@ -309,16 +308,15 @@ class Engine {
                {"file", place.file},
                {"line", place.line},
                {"cases", Json::array()}};
-      for (const judge::LabPlan& plan : judge::public_plan({lab}))
-        for (const course::Case& it : plan.cases)
-          if (it.step == step.id)
-            one["cases"].push_back({{"name", it.name},
-                                    {"view", name_of(it.view)},
-                                    {"size", it.is_mesh() ? "" : as_text(it.size)},
-                                    {"set", course::to_json(it.settings)},
-                                    {"limit", it.limit},
-                                    {"unit", name_of(course::unit_of(it.view))},
-                                    {"command", judge::command(lab, it)}});
+      for (const course::Case& it : course::with_public_cases(lab).cases)
+        if (it.step == step.id)
+          one["cases"].push_back({{"name", it.name},
+                                  {"view", name_of(it.view)},
+                                  {"size", it.is_mesh() ? "" : as_text(it.size)},
+                                  {"set", course::to_json(it.settings)},
+                                  {"limit", it.limit},
+                                  {"unit", name_of(course::unit_of(it.view))},
+                                  {"command", course::command(lab, it)}});
       list.push_back(one);
     }
     return list;

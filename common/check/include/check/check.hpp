@@ -60,8 +60,9 @@ image::Compared compared(const judge::CaseResult& one);
 /// The steps whose code is as it was at first (course::untouched_steps).
 std::set<std::string> untouched_steps(const OwnTree& tree);
 
-/// Draws cases of a lab into a folder: by the tree's programs, or in a browser by the labs themselves. Called
-/// by several threads at once, unless there is one processor.
+/// Draws cases of a lab into a folder, over what is there: by the tree's programs, or in a browser by the
+/// labs themselves. Each that it does not draw has a fault. Called by several threads at once, unless there
+/// is one processor.
 using Draws =
     std::function<Drawn(const course::Lab&, const std::vector<course::Case>&, const std::filesystem::path&)>;
 /// The programs of the tree, as they are built. `context` is their --context.

@@ -51,6 +51,16 @@ Size parse_size(const std::string& text);
 /// "512x512"
 std::string as_text(Size size);
 
+/// A parameter whose value is drawn from the secret seed: one of these values, or, of two numbers, any
+/// between.
+struct Hidden {
+  std::string parameter;
+  std::vector<std::string> values;
+  bool are_numbers = false;  ///< and no texts, as "2.5"
+
+  bool operator==(const Hidden&) const = default;
+};
+
 struct Case {
   std::string lab;   ///< the lab's folder, "05_normal_map"
   std::string name;  ///< unique in the lab
@@ -60,9 +70,10 @@ struct Case {
   std::vector<Setting> settings;  ///< parameters that differ from the default, in the file's order
 
   // Of a graded case:
-  std::string step;     ///< "5.1", that it judges
-  double limit = 0;     ///< full marks up to this difference, in unit_of(view)
-  bool hidden = false;  ///< some of its settings come from the secret seed
+  std::string step;                          ///< "5.1", that it judges
+  double limit = 0;                          ///< full marks up to this difference, in unit_of(view)
+  bool hidden = false;                       ///< some of its settings come from the secret seed:
+  std::vector<Hidden> hidden_settings = {};  ///< these, and models that nobody has seen
 
   [[nodiscard]] bool is_mesh() const { return view == View::mesh; }
 

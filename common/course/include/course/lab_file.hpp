@@ -9,7 +9,8 @@
 
 /// What `labs/NN_name/lab.toml` says of a lab: its title and lesson, the looks that are worth seeing, and
 /// what a student writes, with the pictures that judge it. docs/adding_a_lab.md shows one. The tables
-/// [[bench]] and [[claim]] and the list driver_methods are the benchmark's: nobody reads them here.
+/// [[bench]] and [[claim]] and the list driver_methods are the benchmark's, and seen_with of a step is for
+/// its handout's picture: nobody reads them here.
 namespace texel::course {
 
 /// A picture that is worth seeing. Its name has lower-case letters, digits, '_' and '-'.
@@ -29,25 +30,11 @@ struct Step {
   double points = 1;
   std::vector<std::string> needs;  ///< earlier steps of this lab, directly and through others, in its order
   std::vector<std::string> hints;
-  Case see = {};                            ///< the look in which one sees it: its settings and view
-  std::vector<std::string> seen_with = {};  ///< later steps of this lab, without which one does not see it
-};
-
-/// A parameter whose value is drawn from the secret seed.
-struct Hidden {
-  std::string parameter;
-  double least = 0, most = 0;       ///< between these, or
-  std::vector<std::string> values;  ///< one of these
+  Case see = {};  ///< the look in which one sees it: its settings and view
 };
 
 /// A model that nobody has seen, made from the seed: the value `unseen:polygons` of a parameter.
-inline constexpr const char* kUnseen = "unseen:";
-
-/// A picture (or vertex stream) of the student's beside the solution's.
-struct GradedCase : Case {
-  std::string why;                      ///< where the limit comes from
-  std::vector<Hidden> hidden_settings;  ///< what is drawn for it
-};
+inline constexpr std::string_view kUnseen = "unseen:";
 
 struct Lab {
   int number = 0;
@@ -58,7 +45,7 @@ struct Lab {
   std::vector<Look> looks;
   std::vector<Look> openings;  ///< none, or the look with which window and page open; the gallery has it not
   std::vector<Step> steps;
-  std::vector<GradedCase> cases;  ///< at least one for each step
+  std::vector<Case> cases;  ///< in its file at least one for each step
 
   [[nodiscard]] std::string program() const { return "lab" + folder; }
 };
@@ -67,10 +54,6 @@ struct Lab {
 /// a missing or empty text, a name that is taken or no file name, a step or case that does not fit the
 /// others, and a `lab` that is not the name of the file's folder.
 Lab read_lab(const std::filesystem::path& file);
-
-/// The lab of a step that is written as "5.1", two numbers with a point between them; 0 for a text that is
-/// none.
-int lab_of_step(const std::string& step);
 
 /// The lab's folder of which another folder below `labs` is a copy, as its lab.toml says; "" for one that is
 /// none. Throws Error (exit 3) when the file cannot be read.
@@ -88,8 +71,11 @@ std::vector<Lab> read_labs(const std::filesystem::path& folder);
 /// A setting as the programs' command line takes it, after a space: " --turn 50".
 std::string flag(const Setting& setting);
 
-/// The command, typed in the project's root, that draws the look: "./run lab 5 --model torus --snapshot
-/// bricks.png".
-std::string command(const Lab& lab, const Look& look);
+/// The lab with the cases that students can check: all but the hidden ones.
+Lab with_public_cases(Lab lab);
+
+/// The command, typed in the project's root, that draws a look or a graded case: "./run lab 5 --model torus
+/// --view normal --size 128x128 --snapshot decode.pfm".
+std::string command(const Lab& lab, const Case& of);
 
 }  // namespace texel::course

@@ -57,9 +57,9 @@ std::map<std::string, std::string> step_texts(const std::string& text);
 std::string with_steps(const std::string& text, const std::string& file,
                        const std::function<bool(const std::string&)>& solved);
 
-/// Whether two texts of GLSL or C++ differ in comments and white space alone, so that they say the same to a
-/// compiler. False where that takes more than a look: texts with a raw string, a digit separator, or a
-/// backslash outside comments and literals must be equal byte by byte.
+/// Whether two texts of GLSL or C++ differ in comments and white space alone. A line's end counts as a space.
+/// False where it takes more than a look: texts with a raw string, a digit separator, or a backslash outside
+/// literals must be equal byte by byte.
 bool is_same_code(std::string_view a, std::string_view b);
 
 /// The steps that nobody began: what a compiler reads between their markers is what the first text has
@@ -79,9 +79,6 @@ std::vector<std::string> step_files(const std::filesystem::path& tree);
 /// Where each step is written in a student's tree or in the course's, as its files are now; a step whose
 /// marker is gone, where a starter has it. Throws Error (exit 3) as step_files and first_text.
 std::map<std::string, Place> step_places(const std::filesystem::path& tree);
-
-/// Where a new starter has each step, found in a student's tree or in the course's. Errors as step_places.
-std::map<std::string, Place> first_places(const std::filesystem::path& tree);
 
 /// Where a student's tree keeps its files with steps as they were at first, by their path in the tree.
 inline constexpr const char* kFirstTexts = ".starter";

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "judge/plan.hpp"
+#include "course/lab_file.hpp"
 
 namespace texel::judge {
 
@@ -68,7 +68,7 @@ struct Seen {
 /// them; then what makes all of their pictures of the expected ones (docs/instructor.md); then for each case
 /// what it shows itself, by the catalogue or by its values. Of two explanations that fit alike both are said,
 /// of more none. A case of which nothing is known is left out.
-std::map<std::string, Seen> explain(const std::vector<Mistake>& mistakes, const LabPlan& plan,
+std::map<std::string, Seen> explain(const std::vector<Mistake>& mistakes, const course::Lab& lab,
                                     const std::string& step, const std::map<std::string, Failed>& failed);
 
 /// A lab's mistakes from a file that material::to_json wrote. Throws Error (exit 3) with its name when it is

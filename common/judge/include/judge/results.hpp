@@ -17,39 +17,28 @@ namespace texel::judge {
 enum class Status {
   passed,
   failed,
-  skipped  ///< only in check: failed, and another step comes first; not counted as a mistake of its own
-};
-
-enum class CaseStatus {
-  passed,
-  failed,
-  untouched  ///< failed, and nothing of its step was written
+  skipped,   ///< of a step, only in check: failed, and another comes first; not a mistake of its own
+  untouched  ///< of a case: failed, and nothing of its step was written
 };
 
 /// What a case's mark is of.
 enum class Judged {
   together,     ///< the student's tree
   alone,        ///< the student's step, with the solution standing in for all other steps
-  markers_lost  ///< the student's tree: the step could not be judged alone, since its markers are
-                ///< damaged
+  markers_lost  ///< the student's tree: it could not be judged alone, since its markers are damaged
 };
 
-/// "passed", "failed", "skipped".
+/// "passed", "failed", "skipped" or "untouched".
 const char* name_of(Status status);
-/// "passed", "failed", "untouched".
-const char* name_of(CaseStatus status);
-/// "together", "alone", "markers lost".
-const char* name_of(Judged judged);
-/// The Status, CaseStatus or Judged of that name. Throws Error (exit 3) for another.
-template <class Enum>
-Enum of_name(const std::string& name);
+/// The status of that name. Throws Error (exit 3) for another.
+Status status_called(const std::string& name);
 
 /// One case of one student: the student's picture or vertex stream beside the reference.
 struct CaseResult : course::Case {
   CaseResult() = default;
   explicit CaseResult(course::Case of) : Case(std::move(of)) {}
 
-  CaseStatus status = CaseStatus::failed;
+  Status status = Status::failed;
   Judged judged = Judged::together;  ///< status, score, error and mistake are of that
   double score = 0;                  ///< 0 (as wrong as the starter) to 1 (within the limit)
   double error = std::numeric_limits<double>::quiet_NaN();  ///< as `limit`; NaN: nothing can be compared
@@ -62,7 +51,7 @@ struct CaseResult : course::Case {
   std::string reference;  ///< the expected one, relative as well; "" where it stays secret
   bool died = false;      ///< the program ended before it was drawn; only in check
 
-  [[nodiscard]] bool passed() const { return status == CaseStatus::passed; }
+  [[nodiscard]] bool passed() const { return status == Status::passed; }
   [[nodiscard]] bool is_alone() const { return judged == Judged::alone; }
   [[nodiscard]] course::Unit unit() const { return course::unit_of(view); }
 
@@ -93,8 +82,6 @@ struct StepResult : course::Step {
   std::vector<std::string> spoilt_by;
   std::vector<CaseResult> cases;
 
-  /// Whether one of its cases was judged so.
-  [[nodiscard]] bool any(Judged judged) const;
   /// Whether it failed, and nothing of it was written.
   [[nodiscard]] bool is_untouched() const;
 };

@@ -2,9 +2,12 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "core/error.hpp"
 
 /// What a student gets: the tree of the course without tests, solutions and right answers.
 namespace texel::material {
@@ -32,5 +35,8 @@ void write_files(const std::vector<StarterFile>& files, const std::filesystem::p
 /// step's own markers are damaged.
 std::string with_step_alone(const std::string& text, const std::string& file, const std::string& step,
                             const std::string& solution);
+
+/// Where a new starter has each step of the course's tree. Throws Error (exit 3) as course::step_places.
+std::map<std::string, Place> first_places(const std::filesystem::path& course);
 
 }  // namespace texel::material

@@ -68,6 +68,11 @@ struct Change {
   double before = 0, after = 0;
 };
 
+/// "together", "alone" or "markers lost".
+const char* name_of(judge::Judged judged);
+/// Whether one of the step's cases was judged so.
+bool is_any(const judge::StepResult& step, judge::Judged judged);
+
 /// Says of each step that was judged alone which others can have spoilt its pictures: those of its lab that
 /// did not pass and were begun, and those that it needs.
 void name_spoilers(std::vector<judge::LabResult>& labs);
