@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <sstream>
 #include <vector>
 
@@ -67,30 +66,27 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
     text.replace(at, from.size(), to);
 }
 
-/// The name in a line "in vec3 name;" or "out vec3 name;" of a type that is interpolated, or "".
-std::string interpolated(const std::string& line, const std::string& direction, std::string& type) {
-  std::istringstream words(line);
-  std::string first, name;
-  if (!(words >> first >> type >> name) || first != direction) return {};
-  constexpr std::array kTypes = {"float", "vec2", "vec3", "vec4"};
-  if (std::find(kTypes.begin(), kTypes.end(), type) == kTypes.end()) return {};
-  const std::size_t end = name.find(';');
-  return end == std::string::npos ? std::string() : name.substr(0, end);
-}
-
-/// Each declaration of an input or output `name` becomes one of `texel_at_name` and a variable `name`. Which
-/// of them the compiler sees depends on the shader's own branches: TEXEL_HAS_name says so.
+/// Each declaration "in vec3 name;" or "out vec3 name;" of a type that is interpolated becomes one of
+/// `texel_at_name` and a variable `name`. Which of them the compiler sees depends on the shader's own
+/// branches: TEXEL_HAS_name says so.
 std::string with_copies(const std::string& body, const std::string& direction,
                         std::vector<std::string>& names) {
-  std::string result, type;
+  std::string result;
   int next = 1;
   for (const std::string& line : lines_of(body)) {
     next = line.starts_with("#line ") ? std::stoi(line.substr(6)) : next + 1;
-    const std::string name = interpolated(line, direction, type);
-    if (!name.empty()) names.push_back(name);
-    result += name.empty() ? line + "\n"
-                           : fmt::format("{0} {1} texel_at_{2}; {1} {2};\n#define TEXEL_HAS_{2}\n#line {3}\n",
-                                         direction, type, name, next);
+    std::istringstream words(line);
+    std::string first, type, name;
+    words >> first >> type >> name;
+    const bool is_smooth = type == "float" || type == "vec2" || type == "vec3" || type == "vec4";
+    const std::size_t end = name.find(';');
+    if (first != direction || !is_smooth || end == std::string::npos) {
+      result += line + "\n";
+      continue;
+    }
+    names.push_back(name.substr(0, end));
+    result += fmt::format("{0} {1} texel_at_{2}; {1} {2};\n#define TEXEL_HAS_{2}\n#line {3}\n", direction,
+                          type, names.back(), next);
   }
   return result;
 }
@@ -208,11 +204,9 @@ std::string es_message(const std::string& log) {
   std::string message = log;
   replace_all(message, "texel_at_", "");
   replace_all(message, "texel_fragment_w", "gl_FragCoord.w");
-  const bool mixes_numbers = log.find("int") != std::string::npos && log.find("float") != std::string::npos &&
-                             (log.find("wrong operand types") != std::string::npos ||
-                              log.find("cannot convert") != std::string::npos ||
-                              log.find("dimension mismatch") != std::string::npos);
-  if (mixes_numbers)
+  const auto has = [&](const char* text) { return log.find(text) != std::string::npos; };
+  if (has("int") && has("float") &&
+      (has("wrong operand types") || has("cannot convert") || has("dimension mismatch")))
     message += "\nIn the browser an int does not become a float by itself: write 2.0 in place of 2.";
   return message;
 }
