@@ -21,7 +21,7 @@ namespace {
 
 using course::View;
 using glm::dvec3;
-using namespace ways;
+using enum Way;
 using enum Quantity;
 
 // --- What is wrong, beside what is expected ----------------------------------------------------------------
@@ -285,43 +285,21 @@ Options channel_options(const Field& of, int c) {
 
 constexpr auto unit = [](const dvec3& v) { return v == dvec3(0) ? v : glm::normalize(v); };
 
-/// Expected unit vectors and own ones.
-using Directions = std::vector<std::pair<dvec3, dvec3>>;
-
-/// What `fit` makes of the wrong pairs: by least squares, three times, each time without what does not
-/// follow, as it is far away by `distance`.
-template <class Fit, class Distance>
-auto fitted_without_strays(const Field& of, Fit fit, Distance distance) {
+/// The matrix that takes expected directions to own ones, and the vector that is added before they become
+/// unit vectors: by least squares, three times, each time without what does not follow.
+template <class Sums, class Add, class Holds>
+Sums fitted_without_strays(const Field& of, Add add_to, Holds away_from) {
   std::vector<double> away(of.wrong, 0);
-  decltype(fit(Directions())) found;
+  Sums sums;
   for (int round = 0; round < 3; ++round) {
     const double most = std::max(3 * median(away), of.tolerance);
-    Directions kept;
+    sums = Sums();
     for (std::size_t i = 0; i < of.wrong; ++i)
-      if (away[i] <= most) kept.emplace_back(of.pairs[i].expected, unit(of.pairs[i].own));
-    found = fit(kept);
+      if (away[i] <= most) add_to(sums, of.pairs[i].expected, unit(of.pairs[i].own));
     for (std::size_t i = 0; i < of.wrong; ++i)
-      away[i] = distance(found, of.pairs[i].expected, unit(of.pairs[i].own));
+      away[i] = away_from(sums, of.pairs[i].expected, unit(of.pairs[i].own));
   }
-  return found;
-}
-
-/// own = A expected: A is the sum of own expected' times the inverse of that of expected expected'.
-glm::dmat3 fitted_matrix(const Directions& all) {
-  glm::dmat3 own(0), expected(1e-9);
-  for (const auto& [e, o] : all) own += glm::outerProduct(o, e), expected += glm::outerProduct(e, e);
-  return own * glm::inverse(expected);
-}
-
-/// own x (expected + v) = 0: three equations for v that are linear in it.
-dvec3 fitted_offset(const Directions& all) {
-  glm::dmat3 crosses(1e-9);
-  dvec3 right(0);
-  for (const auto& [e, o] : all) {
-    const glm::dmat3 flat = glm::dmat3(1) - glm::outerProduct(o, o);  // into o's plane
-    crosses += flat, right -= flat * e;
-  }
-  return glm::inverse(crosses) * right;
+  return sums;
 }
 
 void add_directions(Options& found, const Field& of) {
@@ -343,9 +321,20 @@ void add_directions(Options& found, const Field& of) {
       [&](const Pair& p) { return near(unit(p.own - glm::dot(p.own, p.normal) * p.normal), p.expected); });
   if (of.wrong < 60 || cells.size() < 12) return;
 
-  const glm::dmat3 map = fitted_without_strays(
-      of, fitted_matrix,
-      [](const glm::dmat3& by, const dvec3& e, const dvec3& o) { return glm::distance(by * e, o); });
+  // own = A expected: A is the sum of own expected' times the inverse of that of expected expected'.
+  struct Turn {
+    glm::dmat3 own{0}, expected{1e-9};
+    [[nodiscard]] glm::dmat3 matrix() const { return own * glm::inverse(expected); }
+  };
+  const glm::dmat3 map = fitted_without_strays<Turn>(
+                             of,
+                             [](Turn& sums, const dvec3& e, const dvec3& o) {
+                               sums.own += glm::outerProduct(o, e), sums.expected += glm::outerProduct(e, e);
+                             },
+                             [](const Turn& sums, const dvec3& e, const dvec3& o) {
+                               return glm::distance(sums.matrix() * e, o);
+                             })
+                             .matrix();
   const double side = glm::determinant(map) < 0 ? -1 : 1;  // a mirror turns what was negated
   const glm::dmat3 rotation = side * map;
   const glm::dmat3 gram = glm::transpose(rotation) * rotation - glm::dmat3(1);  // 0 of a turn
@@ -357,10 +346,23 @@ void add_directions(Options& found, const Field& of) {
   if (is_turn && glm::length(across) > 0.01)  // of half a turn it says no axis
     add(found, of, {of.quantity, turned, side < 0 ? 1 : 0, 0, unit(across) * glm::degrees(angle)}, 7,
         [&](const Pair& p) { return near(map * p.expected, unit(p.own)); });
-  const dvec3 offset =
-      fitted_without_strays(of, fitted_offset, [](const dvec3& by, const dvec3& e, const dvec3& o) {
-        return glm::length(glm::cross(o, unit(e + by)));
-      });
+  // own x (expected + v) = 0: three equations for v that are linear in it.
+  struct Offset {
+    glm::dmat3 crosses{1e-9};
+    dvec3 right{0};
+    [[nodiscard]] dvec3 vector() const { return glm::inverse(crosses) * right; }
+  };
+  const dvec3 offset = fitted_without_strays<Offset>(
+                           of,
+                           [](Offset& sums, const dvec3& e, const dvec3& o) {
+                             const glm::dmat3 flat =
+                                 glm::dmat3(1) - glm::outerProduct(o, o);  // into o's plane
+                             sums.crosses += flat, sums.right -= flat * e;
+                           },
+                           [](const Offset& sums, const dvec3& e, const dvec3& o) {
+                             return glm::length(glm::cross(o, unit(e + sums.vector())));
+                           })
+                           .vector();
   for (const int sign : {1, -1})
     add(found, of, {of.quantity, added, (1 - sign) / 2, 0, offset}, 8, [&](const Pair& p) {
       return near(static_cast<double>(sign) * unit(p.expected + offset), unit(p.own));
@@ -480,9 +482,8 @@ void add_difference(std::vector<Difference>& found, const Field& of,
   if (all.share < kExplained || all.changes.empty()) return;
   // Does what is right follow it too?
   const auto right = std::count(hits.begin() + static_cast<std::ptrdiff_t>(of.wrong), hits.end(), 1);
-  constexpr std::array kLooks = {sharper, blurred, grey, nothing, covering, outline, less, more};
-  const bool is_look = std::find(kLooks.begin(), kLooks.end(), all.changes.front().way) != kLooks.end();
-  if (!is_look && static_cast<double>(right) < 0.9 * static_cast<double>(of.pairs.size() - of.wrong))
+  if (all.changes.front().way < sharper &&
+      static_cast<double>(right) < 0.9 * static_cast<double>(of.pairs.size() - of.wrong))
     put_place(of, all), all.cost += 3;  // what holds everywhere is simpler
   found.push_back(std::move(all));
 }

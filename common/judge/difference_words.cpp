@@ -11,6 +11,42 @@
 namespace texel::judge {
 namespace {
 
+/// What is said of each Way: {c} are the channels, {e} the expected one that stands there, {k}, {b} and {v}
+/// numbers.
+constexpr std::array kWays = {
+    "",
+    "{b} everywhere for {c}",
+    "{c} negated",
+    "{e} in place of {c}",
+    "-{e} in place of {c}",
+    "1 - {e} in place of {c}",
+    "only the fraction of {c}",
+    "{c} kept between {k} and {b}",
+    "{c} times {k}",
+    "{b} added to {c}",
+    "a whole number added to {c}",
+    "{c} decoded from sRGB once more",
+    "{c} encoded as sRGB once more",
+    "the light of {c} times {k}",
+    "1 minus the light of {c}",
+    "{c} times {k} with {b} added",
+    "only {c} wrong",
+    ", but its length is about {k} and not 1",
+    ", turned by 90 degrees around the normal",
+    ", but not made perpendicular to the normal",
+    ", turned by {a} degrees around the axis ({v})",
+    ", with the vector ({v}) added before it was made a unit vector",
+    ", {placed}",
+    ", moved by {k} pixels to the right and {b} up",
+    ", but sharper: neighbouring pixels differ {k} times as much",
+    ", but blurred: neighbouring pixels differ {k} times as much",
+    ", but grey",
+    ", but nothing is drawn there",
+    ", but something is drawn where only the background should be",
+    ", but of another outline: some of the object is missing, or lies where the background should be",
+    ", but {less} by about {k} {unit}",
+    ", but {more} by about {k} {unit}",
+};
 constexpr std::array kPlaced = {"mirrored, left for right", "upside down", "turned by 180 degrees",
                                 "mirrored at its diagonal"};
 /// What quantities are called, and channels of theirs; what less and more of them is called, and in what it
@@ -57,13 +93,13 @@ std::string place(const Difference& of) {
 std::string change_text(const Change& of, const std::vector<std::string>& channels, bool has_numbers) {
   const Names& names = names_of(of.quantity);
   const double angle = glm::length(of.numbers);
-  const glm::dvec3 v = of.way == ways::turned && angle > 0 ? of.numbers / angle : of.numbers;
+  const glm::dvec3 v = of.way == Way::turned && angle > 0 ? of.numbers / angle : of.numbers;
   const auto shown = [&](const std::string& text) { return has_numbers ? text : "some number"; };
   const bool is_whole =
-      of.channel == 1 && (of.way == ways::added || of.way == ways::bitangent || of.way == ways::turned);
+      of.channel == 1 && (of.way == Way::added || of.way == Way::bitangent || of.way == Way::turned);
   return (is_whole ? ", negated" : "") +
          fmt::format(
-             fmt::runtime(of.way), fmt::arg("c", listed(channels)),
+             fmt::runtime(kWays.at(static_cast<std::size_t>(of.way))), fmt::arg("c", listed(channels)),
              fmt::arg("e", of.channel == of.from ? listed(channels)
                                                  : names.channels.at(static_cast<std::size_t>(of.from))),
              fmt::arg("k", shown(number(of.numbers.x))), fmt::arg("b", shown(number(of.numbers.y))),
@@ -72,12 +108,12 @@ std::string change_text(const Change& of, const std::vector<std::string>& channe
                                        : "some numbers"),
              fmt::arg("less", names.less), fmt::arg("more", names.more), fmt::arg("unit", names.unit),
              fmt::arg("placed",
-                      kPlaced.at(static_cast<std::size_t>(of.way == ways::placed ? of.channel : 0))));
+                      kPlaced.at(static_cast<std::size_t>(of.way == Way::placed ? of.channel : 0))));
 }
 
 /// The words of one quantity's changes: channels that changed alike are named together.
 std::string changes_text(std::vector<Change> changes, bool has_numbers) {
-  if (changes.front().way.starts_with(',')) return change_text(changes.front(), {}, has_numbers);
+  if (changes.front().way > Way::unknown) return change_text(changes.front(), {}, has_numbers);
   std::vector<std::string> terms;
   while (!changes.empty()) {
     const Change one = changes.front();
@@ -109,7 +145,7 @@ std::string words(const Difference& difference, bool has_numbers) {
     // Of a stream alone: of a picture it says nothing that all channels are wrong.
     const std::ptrdiff_t channels = first->quantity == Quantity::texcoord ? 2 : 3;
     const bool is_another = last - first == channels && std::all_of(first, last, [](const Change& one) {
-                              return one.way == ways::unknown;
+                              return one.way == Way::unknown;
                             });
     parts.push_back(is_another
                         ? fmt::format("the expected vertices with another {}", names_of(first->quantity).name)

@@ -174,7 +174,7 @@ std::map<std::string, Seen> explain(const std::vector<Mistake>& mistakes, const 
   const bool are_causes = left.empty() && std::none_of(causes.begin(), causes.end(), [&](const auto& one) {
                             const std::vector<Difference>& list = own[one.first];
                             return std::any_of(list.begin(), list.end(), [](const Difference& each) {
-                              return each.changes.front().way == ways::nothing;
+                              return each.changes.front().way == Way::nothing;
                             });
                           });
   if (are_causes) seen = std::move(causes);
