@@ -221,7 +221,16 @@ constexpr auto kRules = std::to_array<Rule>({
     {scaled, 4, 2, kLinear, false, kFit, 0},
     {shifted, 4, 3, kLinear, false, 1, kFit},
     {affine, 7, 6, kLinear, false, kFit, kFit},
+    {veiled, 8, 8, bit(color), false, kFit, kFit, light, sample},
 });
+
+/// Whether a channel is wrong by far, and not about as much as another one that passes.
+bool is_far_off(const Field& of, int channel) {
+  std::vector<double> off;
+  for (std::size_t i = 0; i < of.wrong; ++i)
+    off.push_back(std::abs(of.pairs[i].own[channel] - of.pairs[i].expected[channel]));
+  return of.quantity != color || median(std::move(off)) > 4 * of.tolerance;
+}
 
 /// How many different values a channel has where it is wrong, up to 16.
 int distinct(const Field& of, int channel) {
@@ -423,8 +432,9 @@ void add_contrast(Options& found, const Field& of) {
 }
 
 void add_pictures(Options& found, const Field& of) {
+  if (of.quantity == color || (bit(of.quantity) & kUnit) != 0) add_moved(found, of);
   if (of.quantity == color) {
-    add_moved(found, of), add_contrast(found, of);
+    add_contrast(found, of);
     add(found, of, {of.quantity, grey}, 10, [&](const Pair& p) {
       return of.is_near(p.own, dvec3(p.own.x)) && !of.is_near(p.expected, dvec3(p.expected.x));
     });
@@ -488,6 +498,33 @@ void add_difference(std::vector<Difference>& found, const Field& of,
   found.push_back(std::move(all));
 }
 
+/// Of a stream with too few or too many vertices: which of them became one, or whether some are repeated.
+std::vector<Difference> count_differences(const Failed& failed) {
+  const mesh::Mesh expected = mesh::parse_ply(failed.reference, "the reference"),
+                   own = mesh::parse_ply(failed.picture, "the stream");
+  const auto values = [](const mesh::Mesh& of, Quantity without) {
+    std::set<std::vector<long long>> all;
+    for (std::size_t i = 0; i < of.vertex_count(); ++i) {
+      std::vector<long long> one;
+      const auto put = [&](Quantity quantity, const auto& list) {
+        for (int c = 0; quantity != without && !list.empty() && c < list[i].length(); ++c)
+          one.push_back(std::llround(1e4 * double{list[i][c]}));
+      };
+      put(position, of.positions), put(texcoord, of.texcoords), put(normal, of.normals);
+      all.insert(std::move(one));
+    }
+    return all;
+  };
+  std::vector<Difference> found;
+  for (const Quantity quantity : {texcoord, normal})
+    if (own.vertex_count() < expected.vertex_count() && values(own, quantity).size() == own.vertex_count() &&
+        values(own, quantity) == values(expected, quantity))
+      found.push_back({{{quantity, merged}}, 1, 3});
+  if (own.vertex_count() > expected.vertex_count() && values(own, mask) == values(expected, mask))
+    found.push_back({{{position, repeated}}, 1, 3});
+  return found;
+}
+
 constexpr auto is_simpler = [](const Difference& a, const Difference& b) { return a.cost < b.cost; };
 
 std::vector<Difference> differences_of(const Field& of) {
@@ -497,7 +534,7 @@ std::vector<Difference> differences_of(const Field& of) {
     Options& own = channels.at(static_cast<std::size_t>(c));
     if (c < of.channels) own = channel_options(of, c);
     // Of a channel of which nothing is known it is said that it is wrong, if another is right.
-    if (own.empty())
+    if (own.empty() && (c >= of.channels || is_far_off(of, c)))
       own.push_back({{of.quantity, c < of.channels ? unknown : same, c, c},
                      c < of.channels ? kVague + 1 : 0,
                      std::vector<char>(of.pairs.size(), 1)});
@@ -525,6 +562,8 @@ std::vector<Difference> differences_of(const Field& of) {
 std::vector<Difference> differences(const course::Case& of, const Failed& failed) {
   std::vector<Difference> all;
   try {
+    if (of.is_mesh()) all = count_differences(failed);
+    if (!all.empty()) return all;
     for (const Field& field : of.is_mesh() ? stream_fields(failed) : std::vector{picture_field(of, failed)}) {
       const std::vector<Difference> before = std::move(all),
                                     own = field.wrong > 0 ? differences_of(field) : std::vector<Difference>();

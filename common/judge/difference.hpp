@@ -28,6 +28,7 @@ enum class Way : std::uint8_t {
   lit,
   inverted,
   affine,
+  veiled,
   unknown,
   longer,
   bitangent,
@@ -43,7 +44,9 @@ enum class Way : std::uint8_t {
   covering,
   outline,
   less,
-  more
+  more,
+  merged,
+  repeated
 };
 
 /// What became of a channel, or of the whole.

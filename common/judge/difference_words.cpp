@@ -30,6 +30,7 @@ constexpr std::array kWays = {
     "the light of {c} times {k}",
     "1 minus the light of {c}",
     "{c} times {k} with {b} added",
+    "the light of {c} times {k} with {b} added",
     "only {c} wrong",
     ", but its length is about {k} and not 1",
     ", turned by 90 degrees around the normal",
@@ -46,6 +47,8 @@ constexpr std::array kWays = {
     ", but of another outline: some of the object is missing, or lies where the background should be",
     ", but {less} by about {k} {unit}",
     ", but {more} by about {k} {unit}",
+    ", but vertices that differ in it alone are one",
+    ", but some vertices come more than once",
 };
 constexpr std::array kPlaced = {"mirrored, left for right", "upside down", "turned by 180 degrees",
                                 "mirrored at its diagonal"};
