@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <set>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
+#include "core/stopwatch.hpp"
 #include "mesh/polygon.hpp"
 #include "text.hpp"
 
@@ -52,6 +54,23 @@ struct Trouble {
   std::uint64_t count = 0;
 };
 
+/// Says on standard error how far a large file is read, in one line that is written over.
+class Progress {
+ public:
+  ~Progress() {
+    if (has_said_) std::fputc('\n', stderr);
+  }
+  void say(const std::string& name, double part) {
+    if (stopwatch_.milliseconds() < 500) return;
+    std::fprintf(stderr, "\r%s: %.0f %% read", name.c_str(), 100 * part);
+    has_said_ = true;
+  }
+
+ private:
+  Stopwatch stopwatch_;
+  bool has_said_ = false;
+};
+
 class Parser {
  public:
   Parser(std::string_view text, const std::string& name) : text_(text), name_(name), lines_(text) {}
@@ -59,7 +78,14 @@ class Parser {
   ObjData parse() {
     if (text_.empty()) throw Error::failed("the file is empty", {name_}, "choose an OBJ file");
     std::string_view line;
-    while (lines_.next(line)) parse_line(line);
+    {
+      Progress progress;
+      while (lines_.next(line)) {
+        parse_line(line);
+        if (lines_.lines_read() % (1U << 18U) == 0)
+          progress.say(name_, static_cast<double>(lines_.bytes_read()) / static_cast<double>(text_.size()));
+      }
+    }
     finish();
     return std::move(data_);
   }
