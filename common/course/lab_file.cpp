@@ -177,7 +177,7 @@ Lab read_lab(const fs::path& file) {
                        "rename one of them");
   lab.title = reader.text("title");
   lab.lesson = reader.text("lesson");
-  lab.choice = reader.text("choice", "");
+  reader.find("choice");
   lab.looks = read_looks(reader, lab.folder, "look");
   lab.openings = read_looks(reader, lab.folder, "opening");
   lab.steps = read_steps(reader, lab.number);

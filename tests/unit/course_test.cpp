@@ -78,7 +78,6 @@ sides = ["raw", "in the frame"]
   EXPECT_EQ(lab.program(), "lab05_normal_map");
   EXPECT_EQ(lab.title, "Normal map");
   EXPECT_EQ(lab.lesson, "Light by a picture");
-  EXPECT_EQ(lab.choice, "The first");
   ASSERT_EQ(lab.looks.size(), 2U);
   const std::vector<Setting> settings = {
       {"normal_map", "off"}, {"method", "mikktspace"}, {"turn", "30"}, {"bump_strength", "0.7"}};

@@ -9,8 +9,8 @@
 
 /// What `labs/NN_name/lab.toml` says of a lab: its title and lesson, the looks that are worth seeing, and
 /// what a student writes, with the pictures that judge it. docs/adding_a_lab.md shows one. The tables
-/// [[bench]] and [[claim]] and the list driver_methods are the benchmark's, and seen_with of a step is for
-/// its handout's picture: nobody reads them here.
+/// [[bench]] and [[claim]], the list driver_methods and the text choice are the benchmark's, and seen_with of
+/// a step is for its handout's picture: nobody reads them here.
 namespace texel::course {
 
 /// A picture that is worth seeing. Its name has lower-case letters, digits, '_' and '-'.
@@ -41,7 +41,6 @@ struct Lab {
   std::string folder;               ///< "05_normal_map"
   std::vector<std::string> copies;  ///< folders beside it whose lab.toml is this one's: they are no labs
   std::string title, lesson;
-  std::string choice;  ///< which method is the default, and why; or ""
   std::vector<Look> looks;
   std::vector<Look> openings;  ///< none, or the look with which window and page open; the gallery has it not
   std::vector<Step> steps;
