@@ -65,8 +65,7 @@ std::vector<std::string> columns_of(const store::ClassResult& results) {
     }
   std::vector<std::string> columns;
   for (const auto& [number, of_lab] : labs) columns.push_back(of_lab.front());
-  for (const auto& [number, of_lab] : labs)
-    columns.insert(columns.end(), of_lab.begin() + 1, of_lab.end());
+  for (const auto& [number, of_lab] : labs) columns.insert(columns.end(), of_lab.begin() + 1, of_lab.end());
   return columns;
 }
 

@@ -26,7 +26,7 @@ image::Image8 expand_grey(const image::Image8& image);
 
 /// Sampling state of the texture that is bound to `target`.
 void set_sampling(GLenum target, const Sampling& sampling);
-/// A 2D texture's as of a new one: what one picture sets does not help the next. No unit's binding is changed.
+/// A 2D texture's as of a new one: what one picture sets does not help the next. No unit's binding changes.
 void forget_sampling(const Texture& texture);
 
 }  // namespace texel::gl
