@@ -229,7 +229,7 @@ bool is_far_off(const Field& of, int channel) {
   std::vector<double> off;
   for (std::size_t i = 0; i < of.wrong; ++i)
     off.push_back(std::abs(of.pairs[i].own[channel] - of.pairs[i].expected[channel]));
-  return of.quantity != color || median(std::move(off)) > 4 * of.tolerance;
+  return of.quantity != color || median(std::move(off)) > 2 * of.tolerance;
 }
 
 /// How many different values a channel has where it is wrong, up to 16.

@@ -51,7 +51,10 @@ struct Read {
 /// Which part of the samples the picture has; 0 for what is no picture of that size. What it refused is the
 /// same or is not.
 double share_of_samples(const Samples& samples, const Read& failed) {
-  if (!samples.refused.empty() || !failed.refused.empty()) return samples.refused == failed.refused ? 1 : 0;
+  if (!samples.refused.empty() || !failed.refused.empty()) {
+    const bool has_line = samples.refused.find(':') != std::string::npos;  // a file alone tells no cause
+    return has_line && samples.refused == failed.refused ? 1 : 0;
+  }
   const Values& values = failed.values;
   if (values.count == 0 || values.count != samples.count) return 0;
   std::size_t same = 0;
