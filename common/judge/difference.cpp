@@ -221,7 +221,7 @@ constexpr auto kRules = std::to_array<Rule>({
     {scaled, 4, 2, kLinear, false, kFit, 0},
     {shifted, 4, 3, kLinear, false, 1, kFit},
     {affine, 7, 6, kLinear, false, kFit, kFit},
-    {veiled, 8, 8, bit(color), false, kFit, kFit, light, sample},
+    {veiled, 4, 8, bit(color), false, kFit, kFit, light, sample},
 });
 
 /// Whether a channel is wrong by far, and not about as much as another one that passes.
@@ -246,10 +246,16 @@ std::pair<double, double> fitted(const Field& of, const Rule& rule, int c, int f
   const auto o = [&](std::size_t i) {
     return rule.out == as_it_is ? of.pairs[i % of.wrong].own[c] : light(of.pairs[i % of.wrong].own[c]);
   };
-  const std::size_t far = of.wrong / 2;
+  // Not half of all: that is often the same column, some rows higher.
+  const auto far = static_cast<std::size_t>(static_cast<double>(of.wrong) / std::numbers::phi);
+  const auto apart = [&](std::size_t i) { return std::abs(e(i) - e(i + far)); };
+  double most = 0;
+  for (std::size_t i = 0; i < of.wrong; ++i) most = std::max(most, apart(i));
   for (std::size_t i = 0; i < of.wrong; ++i) {
     const double k = rule.b == kFit ? (o(i) - o(i + far)) / (e(i) - e(i + far)) : o(i) / e(i);
-    if (std::isfinite(k) && !(rule.out == sample && o(i) > 0.97)) factors.push_back(k);
+    // Of two values that are close rounding makes any slope.
+    if (std::isfinite(k) && !(rule.out == sample && o(i) > 0.97) && (rule.b != kFit || 2 * apart(i) > most))
+      factors.push_back(k);
   }
   const double k = rule.k == kFit ? median(std::move(factors)) : rule.k;
   for (std::size_t i = 0; i < of.wrong; ++i) offsets.push_back(o(i) - k * e(i));

@@ -77,7 +77,7 @@ struct Difference {
 constexpr double kExplained = 0.95;
 /// Differences that cost less say what became of each value; from kVague on they say a direction or a place
 /// alone.
-constexpr int kPlain = 12, kVague = 20, kAnyCost = 1000;
+constexpr int kPlain = 13, kVague = 20, kAnyCost = 1000;
 
 /// All ways in which the case's values follow from the expected ones, the simplest first.
 std::vector<Difference> differences(const course::Case& of, const Failed& failed);

@@ -62,8 +62,11 @@ std::optional<CommandLine> read_command_line(app::AnyLab& lab, int argc, char** 
   app.set_version_flag("--version", TEXEL_VERSION, "Print the version and exit");
   if (app::model_parameter(lab.parameters()) != nullptr)
     app.add_option("MODEL.obj", model, "An OBJ file instead of the built-in models");
-  app.add_option("--size", size,
-                 "Size of the window or picture, WxH in pixels [960x720, a snapshot 512x512]");
+  app.add_option("--size", size, "Size of the window or picture, WxH in pixels [960x720, a snapshot 512x512]")
+      ->check([](const std::string& text) {
+        return course::find_size(text) ? ""
+                                       : fmt::format("'{}' is not WIDTHxHEIGHT, each from 1 to 16384", text);
+      });
   app.add_option("--see", line.see,
                  "A step, as 5.1, or a case: the window shows your picture of it and the expected one");
   app.add_option("--snapshot", line.snapshot,

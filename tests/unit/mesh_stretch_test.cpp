@@ -16,10 +16,7 @@
 namespace texel::mesh {
 namespace {
 
-using cube_wrap::cube_before;
-using cube_wrap::cube_by_face;
-using cube_wrap::cube_shared;
-using cube_wrap::cube_stretched;
+using namespace cube_wrap;
 
 using test::icosphere;
 
