@@ -85,8 +85,12 @@ void parameter_widget(params::Parameter& p) {
   }
   if (!is_default) {
     ImGui::SameLine(ImGui::GetContentRegionMax().x - 1.5F * letter);
-    if (ImGui::SmallButton(ImGui::GetFont()->FindGlyphNoFallback(0x21BA) != nullptr ? "\u21BA" : "x"))
-      p.reset();
+#if IMGUI_VERSION_NUM >= 19200
+    const bool has_arrow = ImGui::GetFont()->IsGlyphInFont(0x21BA);
+#else
+    const bool has_arrow = ImGui::GetFont()->FindGlyphNoFallback(0x21BA) != nullptr;
+#endif
+    if (ImGui::SmallButton(has_arrow ? "\u21BA" : "x")) p.reset();
     tooltip(fmt::format("back to {}", p.initial()));
   }
   if (p.type == Type::choice && (p.name == "method" || !is_default)) {

@@ -48,9 +48,7 @@ Picture read_png(const std::string& path) {
   const std::size_t side = header.width, row = 3 * side;
   Picture picture{side, std::vector<std::uint8_t>(row * side)};
   spng_decode_image(png, nullptr, 0, SPNG_FMT_RGB8, SPNG_DECODE_PROGRESSIVE);
-  for (std::size_t y = 0; y < side; ++y) {
-    spng_decode_row(png, picture.samples.data() + (side - 1 - y) * row, row);
-  }
+  for (std::size_t y = side; y-- > 0;) spng_decode_row(png, picture.samples.data() + y * row, row);
   spng_ctx_free(png);
   return picture;
 }
