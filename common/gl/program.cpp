@@ -17,7 +17,8 @@ namespace {
 /// A compiled shader that lives until its program is linked.
 class Shader {
  public:
-  Shader(GLenum stage, const ShaderSource& source, const std::vector<Define>& defines) {
+  Shader(GLenum stage, const ShaderSource& source, const std::vector<Define>& defines)
+      : id_(glCreateShader(stage)) {
 #ifdef __EMSCRIPTEN__
     const std::string text = es_source(source.text(defines), stage == GL_FRAGMENT_SHADER,
                                        is_glance() ? kEnoughSubpixelBits : subpixel_bits(), is_glance());
@@ -25,7 +26,6 @@ class Shader {
     const std::string text = source.text(defines);
 #endif
     const char* data = text.c_str();
-    id_ = glCreateShader(stage);
     glShaderSource(id_, 1, &data, nullptr);
     glCompileShader(id_);
     GLint ok = 0;
@@ -39,7 +39,7 @@ class Shader {
 #ifdef __EMSCRIPTEN__
     log = es_message(log.substr(0, log.find('\0')));
 #endif
-    throw Error::failed(source.locate(log));
+    throw source.error(log, defines);
   }
   ~Shader() {
     glDeleteShader(id_);
@@ -50,8 +50,17 @@ class Shader {
   }
 
  private:
-  GLuint id_ = 0;
+  GLuint id_;
 };
+
+/// By what else than its files and defines a program is told from another one.
+std::string variant() {
+#ifdef __EMSCRIPTEN__
+  return is_glance() ? "\nglance" : "";
+#else
+  return {};
+#endif
+}
 
 bool is_sampler(GLenum type) {
   return type == GL_SAMPLER_2D || type == GL_SAMPLER_CUBE || type == GL_SAMPLER_2D_ARRAY ||
@@ -212,21 +221,25 @@ std::shared_ptr<const ShaderSource> ProgramCache::source(const std::string& file
 
 Program& ProgramCache::get(const std::string& vertex, const std::string& fragment,
                            const std::vector<Define>& defines) {
+  const auto key_of = [&](const std::vector<Define>& these) {
+    std::string key = vertex + "\n" + fragment + variant();
+    for (const Define& define : these) key.append("\n").append(define.name).append(" ").append(define.value);
+    return key;
+  };
+  Program*& known = by_request_[key_of(defines)];
+  if (known != nullptr) return *known;
+
   const auto vertex_source = source(vertex), fragment_source = source(fragment);
   std::vector<Define> used = defines;
   std::erase_if(used, [&](const Define& define) {
     return !vertex_source->mentions(define.name) && !fragment_source->mentions(define.name);
   });
-  std::string key = vertex + "\n" + fragment;
-#ifdef __EMSCRIPTEN__
-  if (is_glance()) key += "\nglance";  // another text is compiled then
-#endif
-  for (const Define& define : used) key.append("\n").append(define.name).append(" ").append(define.value);
-  auto& program = programs_[key];
+  auto& program = programs_[key_of(used)];
   if (program == nullptr) {
     const Stage stage("compile");
     program = std::make_unique<Program>(vertex_source, fragment_source, used);
   }
+  known = program.get();
   return *program;
 }
 
@@ -238,6 +251,7 @@ std::vector<const Program*> ProgramCache::programs() const {
 
 void ProgramCache::clear() {
   glUseProgram(0);  // a deleted program must not stay in use: the panel would restore it
+  by_request_.clear();
   programs_.clear();
   sources_.clear();
   tried_.clear();

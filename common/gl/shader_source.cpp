@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <sstream>
 
 #include "core/files.hpp"
@@ -15,27 +16,39 @@ namespace {
 
 constexpr int kLinesPerFile = 100000;
 
-/// A line with a blank for each mark of a comment in it. `in_comment` is whether it begins in a comment of
-/// several lines, and afterwards whether it ends in one.
-std::string without_comments(std::string_view line, bool& in_comment) {
+enum class Comment { none, line, block };
+
+/// A line with a blank for each comment. `open` is the comment in which it begins, and afterwards the one in
+/// which it ends.
+std::string without_comments(std::string_view line, Comment& open) {
   std::string code;
-  for (std::size_t at = 0; at < line.size(); ++at) {
-    const std::string_view two = line.substr(at, 2);
-    if (two == (in_comment ? "*/" : "/*")) {
-      in_comment = !in_comment;
+  while (!line.empty() && open != Comment::line) {
+    const bool is_name = line.starts_with('"') && trimmed(code).starts_with('#');  // "a//b.glsl"
+    std::size_t end = 1;
+    if (open == Comment::block) {
+      end = line.find("*/");
+      if (end == std::string_view::npos) break;
+      end += 2;
+      open = Comment::none;
       code += ' ';
-      ++at;
-    } else if (!in_comment) {
-      if (two == "//") break;
-      code += line[at];
+    } else if (line.starts_with("/*") || line.starts_with("//")) {
+      end = 2;
+      open = line[1] == '*' ? Comment::block : Comment::line;
+    } else {
+      if (is_name) end = std::min(line.find('"', 1), line.size() - 1) + 1;
+      code += line.substr(0, end);
     }
+    line.remove_prefix(end);
   }
   return code;
 }
 
 /// A directive's name and the rest of its line, such as "include" and "\"lib/light.glsl\"". The name is empty
 /// for any other line.
-std::pair<std::string_view, std::string_view> directive(std::string_view code) {
+struct Directive {
+  std::string_view name, rest;
+};
+Directive directive(std::string_view code) {
   code = trimmed(code);
   if (!code.starts_with('#')) return {};
   code = trimmed(code.substr(1));
@@ -44,6 +57,19 @@ std::pair<std::string_view, std::string_view> directive(std::string_view code) {
   return {code.substr(0, end), trimmed(code.substr(end))};
 }
 
+/// The file that an #include names in quotes or in <>, with '/' between its folders; "" where it names none.
+std::string included(std::string_view rest) {
+  const std::size_t end =
+      rest.size() < 2 ? std::string_view::npos : rest.find(rest.front() == '<' ? '>' : '"', 1);
+  if (end == std::string_view::npos || (rest.front() != '<' && rest.front() != '"')) return {};
+  std::string name(rest.substr(1, end - 1));
+  std::replace(name.begin(), name.end(), '\\', '/');
+  return name;
+}
+
+/// What the compiler says when it comes to an #include that cannot be followed, with the fault's number
+/// behind it. Only the compiler knows which branches it takes.
+constexpr std::string_view kFault = "texel_include_";
 /// Defined where a file was taken, with its number behind it.
 constexpr std::string_view kTaken = "TEXEL_INCLUDED_";
 /// Each may be taken in several branches, in which others are too: so many are no shader.
@@ -51,7 +77,11 @@ constexpr int kMostIncludes = 1000;
 
 /// The first number in a line of a compiler's log that is one of ours, and where it ends: "0:200012(5):
 /// error: …" (Mesa) and "0(200012) : error …" (others). 0 where there is none.
-std::pair<int, std::size_t> first_mark(std::string_view line) {
+struct Mark {
+  int number = 0;
+  std::size_t end = 0;
+};
+Mark first_mark(std::string_view line) {
   for (std::size_t at = 0; at < line.size(); ++at) {
     if (at > 0 && is_word(line[at - 1])) continue;
     int number = 0;
@@ -61,19 +91,81 @@ std::pair<int, std::size_t> first_mark(std::string_view line) {
   return {};
 }
 
-/// Compilers find a missing ';' at the next token. Mesa and NVIDIA say "syntax error, unexpected RETURN,
-/// expecting ',' or ';'", and ANGLE "'return' : syntax error".
-bool may_lack_semicolon(std::string_view message) {
-  const auto has = [&](std::string_view text) { return message.find(text) != std::string_view::npos; };
-  return has("syntax error") && (has("';'") || !has("expecting"));
+/// A line with code, without comments. `number` is what the compiler calls it.
+struct CodeLine {
+  int number = 0;
+  std::string text;
+};
+
+std::vector<CodeLine> code_lines(std::string_view text) {
+  constexpr std::string_view kMark = "#line ";
+  std::vector<CodeLine> all;
+  Comment comment = Comment::none;
+  int next = 1;
+  for (const std::string& line : lines_of(text)) {
+    const int number = next++;
+    std::string code = without_comments(line, comment);
+    if (comment == Comment::line) comment = Comment::none;
+    if (line.starts_with(kMark))
+      std::from_chars(line.data() + kMark.size(), line.data() + line.size(), next);
+    else if (!trimmed(code).empty() && !trimmed(code).starts_with('#'))
+      all.push_back({number, std::move(code)});
+  }
+  return all;
 }
-constexpr const char* kLacksSemicolon = " (is a ';' missing at the end of the line before?)";
+
+/// Whether a statement may end here, and does not by itself.
+bool wants_semicolon(std::string_view code) {
+  if (code.empty()) return false;
+  for (const std::string_view head : {"if", "for", "while", "else", "do", "switch"})
+    if (code.starts_with(head) && (code.size() == head.size() || !is_word(code[head.size()])) &&
+        (code.ends_with(')') || code == head))
+      return false;
+  return is_word(code.back()) || code.ends_with(')') || code.ends_with(']') || code.ends_with('}') ||
+         code.ends_with("++") || code.ends_with("--");
+}
+
+/// Of one line of the log.
+std::string at_missing_semicolon(const std::string& line, const std::vector<CodeLine>& code) {
+  // Mesa: "0:500012(3): error: syntax error, unexpected RETURN, expecting ',' or ';'". NVIDIA: "0(500012) :
+  // error C0000: syntax error, unexpected '}', expecting ',' or ';' at token "}"". ANGLE: "ERROR: 0:500012:
+  // '}' : syntax error".
+  if (line.find("syntax error") == line.npos) return line;
+  const bool says_what = line.find("expecting") != line.npos;
+  if (says_what && (line.find("';'") == line.npos || line.find("'{'", line.find("expecting")) != line.npos))
+    return line;
+  const auto [number, behind] = first_mark(line);
+  const auto found =
+      std::find_if(code.begin(), code.end(), [n = number](const CodeLine& one) { return one.number == n; });
+  if (found == code.begin() || found == code.end()) return line;
+  // What was not expected must be the line's first: Mesa gives a column, from 0 or 1, and the others the
+  // token.
+  bool is_first = false;
+  if (line[behind] == '(') {
+    std::size_t column = 0;
+    std::from_chars(line.data() + behind + 1, line.data() + line.size(), column);
+    is_first = found->text.find_first_not_of(" \t\v\f") + 1 >= column;
+  } else {
+    const std::size_t token = line.find("at token \"");
+    const std::size_t from = token != line.npos ? token + 10 : line.find('\'', behind) + 1;
+    const std::size_t to = line.find(token != line.npos ? '"' : '\'', from);
+    is_first = from != 0 && to != line.npos && to > from &&
+               trimmed(found->text).starts_with(line.substr(from, to - from));
+  }
+  const CodeLine& before = *std::prev(found);
+  if (!is_first || !wants_semicolon(trimmed(before.text))) return line;
+  return fmt::format("0:{}: error: a ';' is missing at the end of this line: {}", before.number,
+                     trimmed(before.text));
+}
 
 }  // namespace
 
+/// Whether a file's text stands above: not, in a branch of #if that may be left out, or surely.
+enum class Taken { never, perhaps, surely };
+
 struct ShaderSource::Reading {
   std::vector<std::size_t> open;  ///< the files that include each other, from the outermost on
-  std::vector<bool> taken;        ///< by file: whether its text stands above, and not in a branch of #if
+  std::vector<Taken> taken;       ///< by file
   int includes = 0;
 };
 
@@ -85,16 +177,11 @@ ShaderSource::ShaderSource(const std::filesystem::path& root, const std::string&
     : root_(root.lexically_normal()) {
   Reading reading;
   files_.push_back((root_ / name).lexically_normal());
-  reading.taken.push_back(true);
+  reading.taken.push_back(Taken::surely);
   expand(reading, 0, text, false);
   if (version_.empty())
     throw Error::failed("the shader has no #version", {shown_name(files_.front()), 1},
                         "start it with '#version 330 core'");
-  for (auto end = body_.cbegin(); end != body_.cend();) {
-    const auto begin = std::find_if(end, body_.cend(), is_word);
-    end = std::find_if_not(begin, body_.cend(), is_word);
-    words_.emplace(begin, end);
-  }
 }
 
 std::string ShaderSource::shown_name(const std::filesystem::path& file) const {
@@ -110,39 +197,50 @@ void ShaderSource::expand(Reading& reading, std::size_t file, std::string_view t
   // Editors of Windows put a byte-order mark before the first line; a compiler of GLSL does not know it.
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  int branches = 0, number = 0;  // of #if that are open; of the line
-  bool in_comment = false;
-  for (const std::string& line : lines_of(text)) {
-    ++number;
-    const std::string code = without_comments(line, in_comment);
+  int branches = 0;         // of #if that are open
+  std::string lines, code;  // of a directive, which goes on behind a backslash and in a comment of many lines
+  int first = 1, next = 1;
+  Comment comment = Comment::none;
+  const std::vector<std::string> all = lines_of(text);
+  for (std::string_view line : all) {
+    ++next;
+    // Only ours may begin so, even in a comment.
+    lines.append(line.starts_with("#line ") ? " " : "").append(line).append("\n");
+    const bool goes_on = line.ends_with('\\');
+    if (goes_on) line.remove_suffix(1);
+    code += without_comments(line, comment);
+    if (comment == Comment::line && !goes_on) comment = Comment::none;
+    if ((goes_on || comment != Comment::none) && next <= static_cast<int>(all.size())) continue;
+
     const auto [name, rest] = directive(code);
     if (name == "include") {
-      include(reading, rest, {shown_name(files_[file]), number}, may_be_left_out || branches > 0);
-      mark(number + 1);
+      include(reading, included(rest), {shown_name(files_[file]), first}, may_be_left_out || branches > 0);
+      mark(next);
     } else if (name == "version" || name == "line") {
       if (name == "version" && version_.empty()) version_ = fmt::format("#version {}\n", rest);
-      body_ += '\n';
+      body_.append(static_cast<std::size_t>(next - first), '\n');
     } else {
-      // Only our marks may begin so, even in a comment.
-      body_.append(line.starts_with("#line ") ? " " : "").append(line).append("\n");
+      body_ += lines;
     }
     if (name.starts_with("if")) ++branches;
     if (name == "endif") --branches;
     // In a branch that is left out the compiler skips our #line marks too.
-    if (name == "else" || name == "elif" || name == "endif") mark(number + 1);
+    if (name == "else" || name == "elif" || name == "endif") mark(next);
+    lines.clear();
+    code.clear();
+    first = next;
   }
   reading.open.pop_back();
 }
 
-void ShaderSource::include(Reading& reading, std::string_view rest, const Place& place,
+void ShaderSource::include(Reading& reading, const std::string& name, const Place& place,
                            bool may_be_left_out) {
   const auto fault = [&](const std::string& what, const std::string& remedy = {}) {
-    if (!fault_) fault_ = Error::failed(what, place, remedy);
+    body_ += fmt::format("#error {}{}\n", kFault, faults_.size());
+    faults_.push_back(Error::failed(what, place, remedy));
   };
-  const std::size_t end = rest.find('"', 1);
-  if (!rest.starts_with('"') || end == std::string_view::npos)
+  if (name.empty())
     return fault("this #include names no file", "write it like '#include \"lib/light.glsl\"'");
-  const std::string name(rest.substr(1, end - 1));
   std::filesystem::path target = (files_[reading.open.back()].parent_path() / name).lexically_normal();
   if (!std::filesystem::is_regular_file(target)) target = (root_ / name).lexically_normal();
   if (!std::filesystem::is_regular_file(target))
@@ -152,20 +250,37 @@ void ShaderSource::include(Reading& reading, std::string_view rest, const Place&
       static_cast<std::size_t>(std::find(files_.begin(), files_.end(), target) - files_.begin());
   if (std::find(reading.open.begin(), reading.open.end(), file) != reading.open.end())
     return fault(fmt::format("'{}' includes itself", name));
-  if (file == files_.size()) files_.push_back(target), reading.taken.push_back(false);
+  if (file == files_.size()) files_.push_back(target), reading.taken.push_back(Taken::never);
 
-  if (reading.taken[file]) return;
+  if (reading.taken[file] == Taken::surely) return;
   if (++reading.includes > kMostIncludes)
     throw Error::failed(fmt::format("more than {} files are included", kMostIncludes), place);
-  reading.taken[file] = !may_be_left_out;
   const std::string guard = fmt::format("{}{}", kTaken, file);
-  body_ += fmt::format("#ifndef {0}\n#define {0}\n", guard);
+  const bool again = reading.taken[file] == Taken::perhaps;
+  reading.taken[file] = may_be_left_out ? Taken::perhaps : Taken::surely;
+  if (again) body_ += fmt::format("#ifndef {}\n", guard);
+  if (again || may_be_left_out) body_ += fmt::format("#define {}\n", guard);
   expand(reading, file, read_file(target), may_be_left_out);
-  body_ += fmt::format("#endif  // {}\n", guard);
+  if (again) body_ += fmt::format("#endif  // {}\n", guard);
+}
+
+std::string at_missing_semicolons(std::string_view log, std::string_view text) {
+  const std::vector<CodeLine> code = code_lines(text);
+  std::string result;
+  for (const std::string& line : lines_of(log)) result += at_missing_semicolon(line, code) + "\n";
+  return result;
+}
+
+Error ShaderSource::error(std::string_view log, const std::vector<Define>& defines) const {
+  const std::size_t at = log.find(kFault);
+  std::size_t fault = faults_.size();
+  if (at != std::string_view::npos)
+    std::from_chars(log.data() + at + kFault.size(), log.data() + log.size(), fault);
+  return fault < faults_.size() ? faults_[fault]
+                                : Error::failed(locate(at_missing_semicolons(log, text(defines))));
 }
 
 std::string ShaderSource::text(const std::vector<Define>& defines) const {
-  if (fault_) throw *fault_;
   std::string text = version_;
   for (const Define& define : defines) text += fmt::format("#define {} {}\n", define.name, define.value);
   return text + body_;
@@ -196,6 +311,15 @@ std::string ShaderSource::readable(const std::vector<Define>& defines,
   return text;
 }
 
+bool ShaderSource::mentions(std::string_view token) const {
+  for (std::size_t at = body_.find(token); at != std::string::npos; at = body_.find(token, at + 1)) {
+    const bool starts = at == 0 || !is_word(body_[at - 1]);
+    const bool ends = at + token.size() >= body_.size() || !is_word(body_[at + token.size()]);
+    if (starts && ends) return true;
+  }
+  return false;
+}
+
 std::string ShaderSource::locate(std::string_view log) const {
   constexpr std::string_view kEnds("\n\0", 2);  // drivers end their log with a zero
   std::string result;
@@ -204,13 +328,13 @@ std::string ShaderSource::locate(std::string_view log) const {
     const std::string_view line = log.substr(start, end - start);
     start = end + 1;
     if (trimmed(line).empty()) continue;
-    const auto [number, behind] = first_mark(line);
-    const auto file = static_cast<std::size_t>(number / kLinesPerFile);
+    const Mark mark = first_mark(line);
+    const auto file = static_cast<std::size_t>(mark.number / kLinesPerFile);
     if (file == 0 || file > files_.size()) {
       result.append(line).append("\n");
       continue;
     }
-    std::string_view rest = line.substr(behind);
+    std::string_view rest = line.substr(mark.end);
     int column = 0;
     if (rest.starts_with('(')) {  // Mesa's column
       const char* close = std::from_chars(rest.data() + 1, rest.data() + rest.size(), column).ptr;
@@ -218,9 +342,9 @@ std::string ShaderSource::locate(std::string_view log) const {
     }
     rest.remove_prefix(std::min(rest.find_first_not_of("): "), rest.size()));
     if (rest.starts_with("warning")) continue;
-    result += fmt::format("{}:{}:", shown_name(files_[file - 1]), number % kLinesPerFile);
+    result += fmt::format("{}:{}:", shown_name(files_[file - 1]), mark.number % kLinesPerFile);
     if (column > 0) result += fmt::format("{}:", column);
-    result += fmt::format(" {}{}\n", rest, may_lack_semicolon(rest) ? kLacksSemicolon : "");
+    result += fmt::format(" {}\n", rest);
   }
   while (result.ends_with('\n')) result.pop_back();
   return result;

@@ -389,9 +389,17 @@ void read_library(const Path& path, const Path& folder, ObjData& data) {
   }
 }
 
-/// Cuts comments off the names after `usemtl`: where there is no material of the whole name only.
+/// Cuts comments off the names of materials: where `usemtl` and `newmtl` agree without them only.
 void match_names(ObjData& data) {
-  std::set<std::string, std::less<>> defined;
+  std::set<std::string, std::less<>> used, defined;
+  for (const NamedRun& run : data.material_runs)
+    longest_known(run.name, [&](std::string_view cut) { return used.emplace(cut), false; });
+  for (const Material& material : data.materials) defined.insert(material.name);
+  for (Material& material : data.materials)
+    material.name = std::string(longest_known(material.name, [&](std::string_view cut) {
+      return used.contains(cut) && (cut == material.name || !defined.contains(cut));
+    }));
+  defined.clear();
   for (const Material& material : data.materials) defined.insert(material.name);
   std::set<std::string_view> unknown;
   for (NamedRun& run : data.material_runs) {

@@ -61,10 +61,22 @@ namespace {
 NumberStatus parse_usual(std::string_view word, float& value) {
   const char* end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, value);
-  if (error == std::errc::invalid_argument || stop != end) return NumberStatus::malformed;
+  const bool repaired =
+      end - stop > 1 && (*stop == '+' || *stop == '-') && (stop[1] == 'e' || stop[1] == 'E');
+  if (error == std::errc::invalid_argument || (stop != end && !repaired)) return NumberStatus::malformed;
   // Too large becomes infinity, and too small 0 or a denormal.
-  if (error == std::errc::result_out_of_range) value = std::strtof(std::string(word).c_str(), nullptr);
-  return std::isfinite(value) ? NumberStatus::ok : NumberStatus::not_finite;
+  if (error == std::errc::result_out_of_range)
+    value = std::strtof(std::string(word.data(), stop).c_str(), nullptr);
+  if (!std::isfinite(value)) return NumberStatus::not_finite;
+  return repaired ? NumberStatus::repaired : NumberStatus::ok;
+}
+
+/// NaN and infinity as only some runtimes print them; of Microsoft's 1.#QNAN and 1.#INF also what is left
+/// when they were rounded to fewer digits.
+bool names_not_finite(std::string_view word) {
+  if (word.starts_with('-')) word.remove_prefix(1);
+  const std::string text = lower_case(word);
+  return text.starts_with("1.#") || text == "nanq" || text == "nans" || text == "\xE2\x88\x9E";
 }
 
 }  // namespace
@@ -72,9 +84,7 @@ NumberStatus parse_usual(std::string_view word, float& value) {
 NumberStatus parse_float(std::string_view word, float& value) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   NumberStatus status = parse_usual(word, value);
-  // As Microsoft's runtimes print them: 1.#QNAN and what rounding leaves of it, and the sign of infinity.
-  const std::string_view positive = word.substr(word.starts_with('-') ? 1 : 0);
-  if (positive.starts_with("1.#") || positive == "\xE2\x88\x9E") status = NumberStatus::not_finite;
+  if (status == NumberStatus::malformed && names_not_finite(word)) status = NumberStatus::not_finite;
   if (status == NumberStatus::malformed) {
     std::string usual(word);
     for (char& c : usual) c = c == ',' ? '.' : c == 'd' || c == 'D' ? 'e' : c;

@@ -65,9 +65,10 @@ std::string_view longest_known(std::string_view name, const std::function<bool(s
 enum class NumberStatus { ok, repaired, malformed, not_finite };
 
 /// The float32 nearest to the number that is the whole of `word`; a leading '+' is fine. Numbers too small
-/// for float32 become 0 or denormal. `repaired`: a decimal comma (1,5) or Fortran's exponent (1.5D+2).
-/// `not_finite`: NaN and infinity in every runtime's spelling (nan(ind), -1.#IND, Infinity), and what is
-/// beyond float32; the value is infinity then.
+/// for float32 become 0 or denormal. `repaired`: the sign of an exponent stands before its e (3.1+e2): the
+/// number in front of it (3.1), as programs have it that read as far as they understand; a decimal comma
+/// (1,5); Fortran's exponent (1.5D+2). `not_finite`: NaN and infinity in every runtime's spelling (nan(ind),
+/// -1.#IND, Infinity), and what is beyond float32; the value is infinity then.
 NumberStatus parse_float(std::string_view word, float& value);
 
 /// Takes a number of digits with or without a point, such as -12.345, off the front of [at, end); false, and

@@ -108,7 +108,7 @@ TEST_P(OpenGl, an_error_names_the_file_and_line_in_which_it_is) {
       {"#include \"one.glsl\"\n" + color + " c = vec4(one()); oops; }\n", "student.frag:4:", ""},
       {"#if 0\n#include \"one.glsl\"\n#endif\n" + color + " c = vec3(1.0); }\n", "student.frag:6:", ""},
       {color + "\n  c = vec4(1.0)\n}\n",
-       "student.frag:5:", "expecting ',' or ';' (is a ';' missing at the end of the line before?)"}};
+       "student.frag:4: error: a ';' is missing at the end of this line: c = vec4(1.0)", ""}};
   for (const Row& row : rows) {
     const std::string error = compile_error("#version 330 core\n" + row.shader);
     EXPECT_TRUE(error.starts_with(row.begins)) << error;
@@ -132,14 +132,19 @@ TEST_P(OpenGl, includes_are_read_as_glsl_reads_comments_and_conditions) {
   for (const std::string& text : std::vector<std::string>{
            head + "/*\n" + nowhere + "*/\n" + step,
            head + "/* no end of line\n*/ float a;\n" + step,
-           head + "#if 0\n#elif 0\n#else\n" + step + "#endif\n",
+           head + "#if 0\n" + nowhere + "#include\n#include \"student.frag\"\n#include \"lib\"\n#endif\n" +
+               step,
+           head + "#if 0\n#elif 0\n" + nowhere + "#else\n" + step + "#endif\n",
            head + "// \"\n// " + nowhere + step,
+           head + "// goes on \\\n" + nowhere + step,
            head + "#ifdef A\n" + step + "#else\n" + step + "#endif\n" + step,
            head + "#ifndef A\n" + step + "#else\n" + step + "#endif\n" + step,
            head + "#if 0\n#include \"lib/a.glsl\"\n#endif\n#include \"lib/a.glsl\"\n",
            head + "#include \"lib/a.glsl\"\n#include \"./step.glsl\"\n#include \"lib/../step.glsl\"\n" + step,
            "  # version 330 core // that of the labs\n # include \"step.glsl\"  // for one\n",
-           "/* a */ #version 330 /* c */ core\n/* a\n b */\n/* c */ #include /**/ \"step.glsl\"\n",
+           "/* a\n b */ #version 330 /* c */ core\n/* a\n b */ #include /*\n*/ \"step.glsl\" /*\n*/\n",
+           head + "#include \\\n  \"step.glsl\"\nfloat a;  // \\\n#else\n",
+           head + "#include <step.glsl>\n#include \"lib\\a.glsl\"\n#include \"lib//a.glsl\"\n",
            "\xEF\xBB\xBF#version 330 core\r\n#include \"step.glsl\"\r\n#define TWO \\\r\n  2\r\n",
            head + step + "#line 7\n/*\n#line seven\n*/\n",
            head + "#if 1\n" + step + "#version 450\n#endif\n",

@@ -283,10 +283,18 @@ TEST(SameCode, tells_apart_what_a_compiler_does) {
                              {"int/**/a;", "inta;"},
                              {"a + +b", "a ++b"},
                              {"a / *b", "a /*b"},
+                             {"x = 1 .5;", "x = 1.5;"},
+                             {"x = 1e -5;", "x = 1e-5;"},
+                             {"x = 0x1p -5;", "x = 0x1p-5;"},
+                             {"x = \"a\" s;", "x = \"a\"s;"},
+                             {"x = u \"a\";", "x = u\"a\";"},
+                             {"#define F (x)\n", "#define F(x)\n"},
+                             {"#define N 3\n+ 4", "#define N 3 + 4\n"},
                              {"a = b; // c\nd = e;", "a = b; // c d = e;"},
                              {"// /\\\nb = c;", "b = c;"},
                              {"say(\"a  b\");", "say(\"a b\");"},
                              {"say(\"a // b\");", "say(\"a \");"},
+                             {"x = u 'a';", "x = u'a';"},
                              {"it = ' ';", "it = '  ';"},
                              {"a /* b", "a"}})
     EXPECT_FALSE(is_same_code(a, b)) << a << "\nand\n" << b;
@@ -295,6 +303,7 @@ TEST(SameCode, tells_apart_what_a_compiler_does) {
 TEST(SameCode, needs_equal_bytes_where_more_than_a_look_is_needed) {
   for (const auto& [a, b] : {Pair{"// a \\\r\nb = c;", "b = c;"},
                              {"// a \\ \nb = c;", "b = c;"},
+                             {"it = 'x' ;", "it = 'x';"},
                              {"n = 1'000 ;", "n = 1'000;"},
                              {"say(R\"(a\" // b)\");", "say(R\"(a\" // c)\");"}})
     EXPECT_FALSE(is_same_code(a, b)) << a << "\nand\n" << b;

@@ -138,7 +138,7 @@ TEST_F(ObjFiles, pictures_are_found_beside_the_library_then_beside_the_model) {
   }
 }
 
-TEST_F(ObjFiles, names_run_to_the_end_of_their_line_but_for_a_comment_behind_usemtl) {
+TEST_F(ObjFiles, names_run_to_the_end_of_their_line_but_for_a_comment_that_one_side_has_alone) {
   struct Row {
     std::string defined[2], used[2];
     const char* found[2];  // materials, or nullptr
@@ -149,7 +149,8 @@ TEST_F(ObjFiles, names_run_to_the_end_of_their_line_but_for_a_comment_behind_use
       {{"Grey #1", "Grey"}, {"Grey #1 # note", "Grey"}, {"Grey #1", "Grey"}},
       {{"red", "blue"}, {"red # the roof", "blue"}, {"red", "blue"}},
       {{"red", "blue"}, {"red#2", "blue"}, {nullptr, "blue"}},
-      {{"red # the roof", "blue"}, {"red # the roof", "blue # sky"}, {"red # the roof", "blue"}},
+      {{"red # the roof", "blue"}, {"red", "blue"}, {"red", "blue"}},
+      {{"red # the roof", "blue"}, {"red # of tiles", "blue # sky"}, {"red", "blue"}},
       {{"red", "green"}, {"red", "blue # sky"}, {"red", nullptr}},
   };
   for (const Row& row : rows) {

@@ -136,6 +136,9 @@ TEST(Obj, rounds_numbers_to_the_nearest_float_and_repairs_unusual_ones) {
       {"1e-45", std::numeric_limits<float>::denorm_min()},
       {"-0", -0.0f},
       {"0." + zeros + "1e6001", 1.0f},
+      {"3.1+e2", 3.1f, true},  // the part that other programs read
+      {"-1.5-E3", -1.5f, true},
+      {"+2+e", 2.0f, true},
       {"1,5", 1.5f, true},  // of a country with a decimal comma
       {"-0,25", -0.25f, true},
       {"1,5e-2", 0.015f, true},
@@ -218,10 +221,10 @@ TEST(Obj, takes_any_smoothing_group) {
 }
 
 TEST(Obj, takes_what_is_not_finite_as_missing_in_every_spelling) {
-  for (const char* text : {"nan",     "NaN",     "-nan",          "nan(ind)",   "-nan(ind)", "nan(snan)",
-                           "1.#QNAN", "-1.#IND", "1.#QNAN0",      "1.#INF",     "-1.#INF00", "1.#J",
-                           "inf",     "-inf",    "+Inf",          "Infinity",   "-Infinity", "\xE2\x88\x9E",
-                           "1e39",    "-1e308",  "1.797693e+308", "1e999999999"}) {
+  for (const char* text : {"nan",          "NaN",     "-nan",    "nan(ind)",      "-nan(ind)",  "nan(snan)",
+                           "NaNQ",         "1.#QNAN", "-1.#IND", "1.#QNAN0",      "1.#INF",     "-1.#INF00",
+                           "1.#J",         "inf",     "-inf",    "+Inf",          "Infinity",   "-Infinity",
+                           "\xE2\x88\x9E", "1e39",    "-1e308",  "1.797693e+308", "1e999999999"}) {
     SCOPED_TRACE(text);
     const std::string bad = text;
     // A line each of v, vt and vn. First, no face uses them.
@@ -285,7 +288,7 @@ TEST(Obj, refuses_bad_input_with_the_line_and_a_remedy) {
       {"not a number",
        4,
        {"v 1.000,5 0 0\n", "v 0 0 info\n", "v 0 0 1e\n", "v 0 0 +-1\n", "v 0 0 +\n", "v 0 0 0x10\n",
-        "v 0 0 3.1e+\n", "v 0 0 3.1+e2\n", joined}},
+        "v 0 0 3.1e+\n", "v 0 0 3.1+2\n", joined}},
       {"not a number", 5, {"v 0 0 0\r\nv 1 0 x\r\n"}},
       {"needs 3", 4, {"v 0 0\n", "v 0 0 # 0\n", "vn 0 0\n"}},
       {"5 numbers", 4, {"v 0 0 0 1 1\n"}},

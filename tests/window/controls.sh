@@ -121,14 +121,14 @@ press j
 shader=$TEXEL_ROOT/shaders/05_normal_map/decode_normal.glsl
 cp "$shader" "$work/good"
 sed -i 's/return color \* 2.0 - 1.0;/return color * 2.0 - 1.0/' "$shader"
-line=$(awk '/return color \* 2.0 - 1.0$/ { seen = 1 } seen && /^}/ { print NR; exit }' "$shader")
+line=$(grep -n 'return color \* 2.0 - 1.0$' "$shader" | cut -d: -f1)
 shows_red() { look "$work/now" 620x80+340+0 && (($(pixels_of "$work/now" 255,115,102 15) > 50)); }
 check 'a shader error stands over the picture' eventually shows_red
 press e
 opened() { [[ $(cat "$work/edited" 2>/dev/null) == "+"*"$1" ]]; }
 check 'E opens its file in the editor' eventually opened "$shader"
 is_at_line() { [[ $(head -n 1 "$work/edited") == *"+$line"* ]]; }
-check 'at the line where the compiler notices that a ; is missing' is_at_line
+check 'at the line after which the ; is missing' is_at_line
 cp "$work/good" "$shader"
 
 check 'Esc quits with exit code 0' quits_with 0

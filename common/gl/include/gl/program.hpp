@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "core/error.hpp"
@@ -95,8 +96,9 @@ class ProgramCache {
   std::shared_ptr<const ShaderSource> source(const std::string& file);
   std::filesystem::path root_;
   std::map<std::string, std::shared_ptr<const ShaderSource>> sources_;
-  std::map<std::string, std::unique_ptr<Program>> programs_;
-  std::vector<std::filesystem::path> tried_;  ///< where sources were looked for
+  std::map<std::string, std::unique_ptr<Program>> programs_;  ///< by the defines that the sources mention
+  std::unordered_map<std::string, Program*> by_request_;      ///< by all defines
+  std::vector<std::filesystem::path> tried_;                  ///< where sources were looked for
 };
 
 }  // namespace texel::gl
