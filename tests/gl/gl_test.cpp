@@ -215,6 +215,13 @@ TEST_P(OpenGl, a_uniform_that_is_read_must_be_set_and_a_sampler_takes_the_number
   EXPECT_EQ(error_of([&] { fresh.check_uniforms(); }), "");
   fresh.forget_uniforms();  // as before each picture
   EXPECT_NE(error_of([&] { fresh.check_uniforms(); }), "");
+  write_file(folder_ / "number.frag",
+             "#version 330 core\nuniform float tilt;\nout vec4 c;\nvoid main() { c = vec4(tilt); }\n");
+  Program& number = use("full.vert", "number.frag");
+  number.set("tilt", 1.0F);
+  EXPECT_EQ(error_of([&] { number.check_uniforms(); }), "");
+  number.forget_uniforms();
+  EXPECT_NE(error_of([&] { number.check_uniforms(); }), "");
 }
 
 TEST_P(OpenGl, sampling_that_an_earlier_picture_set_is_forgotten) {
