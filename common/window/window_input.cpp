@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <span>
 #include <utility>
 
 #include "app/batch.hpp"
@@ -50,6 +49,8 @@ void open_in_editor(const std::filesystem::path& file, int line, int column = 0)
   const std::string place = fmt::format("{}:{}:{}", file.string(), std::max(line, 1), std::max(column, 1));
   if (editor == "code" || editor == "codium" || editor == "code-oss")
     run_beside(command + " -g \"$1\"", {place});
+  else if (editor == "subl" || editor == "zed")
+    run_beside(command + " \"$1\"", {place});
   else  // vi, emacs, kate's and nano's way
     run_beside(command + " \"$@\"", {fmt::format("+{}", std::max(line, 1)), file.string()});
 }
@@ -79,10 +80,12 @@ std::filesystem::path free_name(const app::AnyLab& lab, const std::string& endin
 
 /// Sets the previous or next item of a list.
 void step(params::Parameter* parameter, int by) {
-  if (parameter == nullptr) return;
-  const std::span items = parameter->items;
-  const auto present = std::ranges::find(items, parameter->text(), &params::Item::name) - items.begin();
-  parameter->set(items[static_cast<std::size_t>(present + by + std::ssize(items)) % items.size()].name);
+  if (parameter == nullptr || parameter->items.empty()) return;
+  const auto count = static_cast<int>(parameter->items.size());
+  int index = -1;  // of a file that was dropped
+  for (int i = 0; i < count; ++i)
+    if (parameter->text() == parameter->items[static_cast<std::size_t>(i)].name) index = i;
+  parameter->set(parameter->items[static_cast<std::size_t>((index + by + count) % count)].name);
 }
 
 /// The picture that K and L change: `texture`, else `cube_map`.
