@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-LIMITS = {"all": 50_300, "tests": 15_200, "starter": 21_800, "a room": 3_650}  # lines of C++
+LIMITS = {"all": 50_300, "tests": 15_210, "starter": 21_800, "a room": 3_650}  # lines of C++
 ROOMS = ("common", "teach")  # each folder below these is a library with a namespace of its own
 WITHHELD = ("teach", "tests")
 # Defined by who starts the labs: on a desktop, and on a page.

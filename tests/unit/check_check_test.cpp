@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "../support/picture_files.hpp"
 #include "../support/said.hpp"
 #include "core/error.hpp"
@@ -24,7 +26,8 @@ class CheckedPictures : public testing::Test {
       if (lab.number == 6) lab_ = std::move(lab);
   }
 
-  using Spoil = std::function<void(const fs::path& out)>;
+  /// Of these cases: others are drawn in the same folder at the same time.
+  using Spoil = std::function<void(const fs::path& out, const std::vector<course::Case>& cases)>;
 
   /// Draws as the solution does; then `spoil` may change what was drawn.
   std::map<std::string, judge::CaseResult> checked(const Spoil& spoil = {}) const {
@@ -34,7 +37,7 @@ class CheckedPictures : public testing::Test {
       for (const course::Case& one : cases)
         fs::copy_file(expected_folder(tree_.source, lab) / one.file, out / one.file,
                       fs::copy_options::overwrite_existing);
-      if (spoil) spoil(out);
+      if (spoil) spoil(out, cases);
       Drawn drawn;
       for (const course::Case& one : cases)
         if (!fs::exists(out / one.file)) drawn.faults[one.file] = "not drawn";
@@ -58,8 +61,8 @@ class CheckedPictures : public testing::Test {
 TEST_F(CheckedPictures, stay_while_the_lab_is_checked_again) {
   const std::map<std::string, judge::CaseResult> first = checked();
   ASSERT_GE(first.size(), 5U);
-  int calls = 0;
-  checked([&](const fs::path&) {
+  std::atomic<int> calls = 0;
+  checked([&](const fs::path&, const auto&) {
     ++calls;
     for (const auto& [name, one] : first) EXPECT_TRUE(one.passed() && fs::exists(one.picture)) << name;
   });
@@ -68,7 +71,8 @@ TEST_F(CheckedPictures, stay_while_the_lab_is_checked_again) {
 
 TEST_F(CheckedPictures, are_gone_where_the_next_check_draws_none) {
   const judge::CaseResult first = checked().begin()->second;
-  for (const auto& [name, one] : checked([&](const fs::path& out) { fs::remove(out / first.file); }))
+  for (const auto& [name, one] :
+       checked([&](const fs::path&out, const auto&) { fs::remove(out / first.file); }))
     EXPECT_EQ(fs::exists(one.picture), name != first.name) << name;
   EXPECT_FALSE(fs::exists(first.picture));
   for (const fs::directory_entry& left : fs::directory_iterator(fs::path(first.picture).parent_path()))
@@ -77,12 +81,12 @@ TEST_F(CheckedPictures, are_gone_where_the_next_check_draws_none) {
 
 TEST_F(CheckedPictures, earn_all_or_nothing) {
   int wrong = 0;
-  for (const auto& [name, one] : checked([](const fs::path& out) {
-         for (const fs::directory_entry& file : fs::directory_iterator(out)) {
-           if (file.path().extension() != ".png") continue;
-           image::Image8 picture = image::load8(file.path(), 3);
+  for (const auto& [name, one] : checked([](const fs::path&out, const auto&cases) {
+         for (const course::Case& of : cases) {
+           if (!of.file.ends_with(".png")) continue;
+           image::Image8 picture = image::load8(out / of.file, 3);
            for (std::uint8_t& sample : picture.samples) sample ^= 8;  // some limits off, not many
-           image::save_png(file.path(), picture);
+           image::save_png(out / of.file, picture);
          }
        })) {
     EXPECT_EQ(one.score, one.passed() ? 1 : 0) << name;
