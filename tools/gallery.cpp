@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <mutex>
-#include <regex>
 
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "core/json.hpp"
 #include "core/parallel.hpp"
+#include "core/pattern.hpp"
 #include "core/process.hpp"
 #include "core/terminal.hpp"
 #include "course/batch.hpp"
@@ -137,7 +137,8 @@ std::string page_of(const std::vector<course::Lab>& labs, const fs::path& out) {
     drawn["labs"].push_back(described(lab, out));
     if (!lab.looks.empty()) drawn["renderer"] = text_of(out / picture(lab, lab.looks.front()), "Renderer");
   }
-  const std::string json = std::regex_replace(to_text(drawn), std::regex("<"), "\\u003c");  // no </script>
+  const auto escaped = [](const Pattern::Groups&) { return "\\u003c"; };  // no </script>
+  const std::string json = Pattern("<").replace(to_text(drawn), escaped);
   std::string page = kGalleryPage;
   constexpr std::string_view kPlace = "{{drawn}}";
   return page.replace(page.find(kPlace), kPlace.size(), json);

@@ -6,10 +6,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <functional>
-#include <regex>
 #include <stdexcept>
 
 #include "commands.hpp"
+#include "core/pattern.hpp"
 #include "core/terminal.hpp"
 
 namespace texel::tools {
@@ -40,9 +40,9 @@ std::vector<std::pair<const CLI::App*, std::function<Exit()>>> add_commands(CLI:
     commands.emplace_back(command, std::move(run));
     return command;
   };
-  static const std::regex lab_or_step("[1-9][0-9]?(\\.[0-9]+)?");
+  static const Pattern lab_or_step("[1-9][0-9]?(\\.[0-9]+)?");
   const auto is_place = [](const std::string& text) {
-    return std::regex_match(text, lab_or_step) ? "" : fmt::format("'{}' is neither a lab nor a step", text);
+    return lab_or_step.match(text).empty() ? fmt::format("'{}' is neither a lab nor a step", text) : "";
   };
   add("list", "List the labs", list, false);
   CLI::App* command = add(

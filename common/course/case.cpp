@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <regex>
 
 #include "core/error.hpp"
+#include "core/pattern.hpp"
 
 namespace texel::course {
 namespace {
@@ -48,9 +48,9 @@ Unit unit_of(View view) {
 }
 
 std::optional<Size> find_size(const std::string& text) {
-  static const std::regex kSize("([0-9]{1,5})x([0-9]{1,5})");
-  std::smatch sides;
-  if (!std::regex_match(text, sides, kSize)) return {};
+  static const Pattern kSize("([0-9]{1,5})x([0-9]{1,5})");
+  const Pattern::Groups sides = kSize.match(text);
+  if (sides.empty()) return {};
   const auto is_side = [](int pixels) { return pixels >= 1 && pixels <= Size::kMostPixels; };
   const Size size{std::stoi(sides[1]), std::stoi(sides[2])};
   return is_side(size.width) && is_side(size.height) ? std::optional(size) : std::nullopt;

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <map>
-#include <regex>
 #include <set>
 
 #include "core/files.hpp"
+#include "core/pattern.hpp"
 #include "core/plain_text.hpp"
 #include "course/reader.hpp"
 #include "params/set.hpp"
@@ -160,8 +160,9 @@ std::vector<Case> read_cases(Reader& head, const std::string& lab, const std::ve
 
 /// "05_normal_map" is lab 5; 0 for a folder that is none.
 int lab_number(const std::string& folder) {
-  static const std::regex kLab("[0-9][0-9]_.+");
-  return std::regex_match(folder, kLab) ? std::stoi(folder) : 0;
+  static const Pattern kLab("([0-9][0-9])_.+");
+  const Pattern::Groups found = kLab.match(folder);
+  return found.empty() ? 0 : std::stoi(found[1]);
 }
 
 }  // namespace
@@ -192,10 +193,10 @@ std::string copied_from(const fs::path& folder) {
   std::error_code missing;
   if (!fs::exists(file, missing)) return {};
   // Not as TOML: check asks often.
-  static const std::regex kLab("lab *= *\"([^\"]*)\".*");
-  std::smatch found;
+  static const Pattern kLab("lab *= *\"([^\"]*)\".*");
   for (const std::string& line : lines_of(read_file(file))) {
-    if (!std::regex_match(line, found, kLab)) continue;
+    const Pattern::Groups found = kLab.match(line);
+    if (found.empty()) continue;
     const std::string of = found[1];
     const bool is_copy = of != folder.filename() && lab_number(of) > 0 &&
                          fs::exists(folder.parent_path() / of / "lab.toml", missing);
@@ -205,12 +206,12 @@ std::string copied_from(const fs::path& folder) {
 }
 
 bool is_left_over(const fs::path& file) {
-  static const std::regex kProgram(R"(.*\.(cpp|hpp|glsl|vert|frag).*)"),
+  static const Pattern kProgram(R"(.*\.(cpp|hpp|glsl|vert|frag).*)"),
       kPlain(R"([\w-]+\.(cpp|hpp|glsl|vert|frag))"),
       kMerged(R"(.*_(BACKUP|BASE|LOCAL|REMOTE)_.*)");  // by git mergetool
   const std::string name = file.filename();
-  return std::regex_match(name, kProgram) && !name.ends_with(".in") &&
-         (!std::regex_match(name, kPlain) || std::regex_match(name, kMerged));
+  return !kProgram.match(name).empty() && !name.ends_with(".in") &&
+         (kPlain.match(name).empty() || !kMerged.match(name).empty());
 }
 
 std::vector<Lab> read_labs(const fs::path& folder) {

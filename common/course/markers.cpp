@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <optional>
-#include <regex>
 
 #include "core/files.hpp"
+#include "core/pattern.hpp"
 #include "core/plain_text.hpp"
 #include "course/lab_file.hpp"
 
@@ -28,11 +28,11 @@ std::string remedy() {
 
 /// What a line says as a marker, if it is one: the markers' own words and nothing else.
 std::optional<Line> marker_of(std::string_view line) {
-  static const std::regex kMarker(R"(//@(?:starter|end|step ([0-9]{1,2}\.[0-9]{1,2}) begin))");
+  static const Pattern kMarker(R"(//@(?:starter|end|step ([0-9]{1,2}\.[0-9]{1,2}) begin))");
   const std::string word(trimmed(line));
-  std::smatch found;
-  if (!word.starts_with("//@") || !std::regex_match(word, found, kMarker)) return {};
-  if (found[1].matched) return Line{Kind::begin, found[1]};
+  const Pattern::Groups found = word.starts_with("//@") ? kMarker.match(word) : Pattern::Groups();
+  if (found.empty()) return {};
+  if (!found[1].empty()) return Line{Kind::begin, found[1]};
   return Line{word == "//@end" ? Kind::end : Kind::starter, {}};
 }
 

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <regex>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/pattern.hpp"
 #include "core/plain_text.hpp"
 
 namespace texel::course {
@@ -22,14 +22,15 @@ constexpr const char* kIndent = "   ";
 
 /// LaTeX as the handouts use it, in Unicode; where it has a wide gap begins another line.
 std::string formula(std::string text) {
-  static const std::pair<std::regex, std::string> kWords[] = {
-      {std::regex(R"(\\qquad *)"), std::string("\n") + kIndent},
-      {std::regex(R"(\\[lr]vert)"), "|"},
-      {std::regex(R"(\\(mathrm|mathbf|text) ?)"), ""},
-      {std::regex(R"(\\sqrt\{(([^{}]|\{[^{}]*\})*)\})"), "√($1)"},
-      {std::regex(R"(\^\{-)"), "⁻^"}};
-  for (const auto& [word, by] : kWords)
-    while (std::regex_search(text, word)) text = std::regex_replace(text, word, by);  // a root in a root
+  static const Pattern kRoot(R"(\\sqrt\{(([^{}]|\{[^{}]*\})*)\})");
+  static const Pattern kWords(R"(\\qquad *|\\[lr]vert|\\(?:mathrm|mathbf|text) ?|\^\{-)");
+  const auto root = [](const Pattern::Groups& found) { return "√(" + found[1] + ")"; };
+  const auto word = [](const Pattern::Groups& found) -> std::string {
+    if (found[0].starts_with("\\qquad")) return std::string("\n") + kIndent;
+    return found[0].ends_with("vert") ? "|" : found[0] == "^{-" ? "⁻^" : "";
+  };
+  text = kWords.replace(text, word);
+  for (std::string before; before != text;) text = kRoot.replace(before = text, root);  // a root in a root
   constexpr std::array kRaised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   constexpr std::array kLowered = {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
   constexpr std::string_view kDigits = "0123456789", kDropped = "\\{}";
@@ -84,19 +85,12 @@ void read_section(const std::vector<std::string>& lines, const std::string& step
 
 std::string without_markdown(const std::string& text) {
   // Code, a formula in a line of its own, another one, a link, a product, and what marks words.
-  static const std::regex kMarks(
+  static const Pattern kMarks(
       R"(`([^`]*)`|\$\$([^$]*)\$\$|\$([^$]*)\$|\[([^\]]*)\](?:\([^)]*\))?|( \* )|\*+)");
-  std::string result;
-  auto at = text.begin();
-  for (std::sregex_iterator mark(text.begin(), text.end(), kMarks), end; mark != end; ++mark) {
-    const std::smatch& found = *mark;
-    result.append(at, found[0].first).append(found[1]).append(found[5]);
-    if (found[2].matched) result += kIndent + formula(found[2]);
-    if (found[3].matched) result += formula(found[3]);
-    if (found[4].matched) result += without_markdown(found[4]);
-    at = found[0].second;
-  }
-  return result.append(at, text.end());
+  return kMarks.replace(text, [](const Pattern::Groups& found) {
+    const std::string indent = found[0].starts_with("$$") ? kIndent : "";
+    return found[1] + found[5] + indent + formula(found[2] + found[3]) + without_markdown(found[4]);
+  });
 }
 
 StepText read_step_text(const std::filesystem::path& root, const std::string& lab_folder,

@@ -2,9 +2,9 @@
 #include "shader_message.hpp"
 
 #include <algorithm>
-#include <regex>
 
 #include "core/files.hpp"
+#include "core/pattern.hpp"
 #include "core/plain_text.hpp"
 
 namespace texel::window {
@@ -14,15 +14,15 @@ namespace fs = std::filesystem;
 
 /// "shaders/05_normal_map/normal_map.frag:20:25: …" gets a place, if there is such a file.
 void find_place(ErrorMessage& message, const fs::path& root) {
-  std::smatch match;
+  static const Pattern kPlace("([^:]+):(?:([0-9]{1,9})(?::([0-9]{1,9}))?)?");
+  const Pattern::Groups found = kPlace.match_begin(message.first);
   std::error_code unknown;
-  if (!std::regex_search(message.first, match, std::regex("^([^:]+):(?:(\\d{1,9})(?::(\\d{1,9}))?)?")))
-    return;
-  const fs::path name = match[1].str();
+  if (found.empty()) return;
+  const fs::path name = found[1];
   if (!name.is_relative() || !fs::is_regular_file(root / name, unknown)) return;
   message.file = root / name;
-  if (match[2].matched) message.line = std::stoi(match[2]);
-  if (match[3].matched) message.column = std::stoi(match[3]);
+  if (!found[2].empty()) message.line = std::stoi(found[2]);
+  if (!found[3].empty()) message.column = std::stoi(found[3]);
 }
 
 /// A file's line without the blanks around it, or "".

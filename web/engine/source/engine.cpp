@@ -9,7 +9,6 @@
 #include <list>
 #include <map>
 #include <memory>
-#include <regex>
 
 #include "all_labs.inc"
 #include "app/gestures.hpp"
@@ -17,6 +16,7 @@
 #include "check/check.hpp"
 #include "core/error.hpp"
 #include "core/json.hpp"
+#include "core/pattern.hpp"
 #include "core/plain_text.hpp"
 #include "core/stopwatch.hpp"
 #include "course/batch.hpp"
@@ -414,15 +414,14 @@ class Engine {
 
 /// A compiler's lines "file:line:column: what" in an error's text.
 Json problems_of(const std::string& text) {
-  static const std::regex kProblem(R"(([^:.]*\.[^:]*):([1-9][0-9]*):(?:([1-9][0-9]*):)? *(.*))");
+  static const Pattern kProblem(R"(([^:.]*\.[^:]*):([1-9][0-9]*):(?:([1-9][0-9]*):)? *(.*))");
   Json list = Json::array();
-  std::smatch found;
   for (const std::string& line : lines_of(text))
-    if (std::regex_match(line, found, kProblem))
-      list.push_back({{"file", found.str(1)},
+    if (const Pattern::Groups found = kProblem.match(line); !found.empty())
+      list.push_back({{"file", found[1]},
                       {"line", std::stoi(found[2])},
-                      {"column", found[3].matched ? std::stoi(found[3]) : 0},
-                      {"message", found.str(4)}});
+                      {"column", found[3].empty() ? 0 : std::stoi(found[3])},
+                      {"message", found[4]}});
   return list;
 }
 

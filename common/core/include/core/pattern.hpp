@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace texel {
+
+/// A regular expression of ECMAScript, compiled in pattern.cpp alone: std::regex costs each file that names
+/// it two seconds.
+class Pattern {
+ public:
+  /// What matched, then its groups; "" for a group that took no part. Empty if nothing matched.
+  using Groups = std::vector<std::string>;
+
+  explicit Pattern(const std::string& expression);
+  ~Pattern();
+
+  [[nodiscard]] Groups match(const std::string& text) const;        ///< the whole text
+  [[nodiscard]] Groups match_begin(const std::string& text) const;  ///< its first characters
+  /// Every place that matches becomes what `by` makes of it, from the left.
+  [[nodiscard]] std::string replace(const std::string& text,
+                                    const std::function<std::string(const Groups&)>& by) const;
+
+ private:
+  struct Compiled;
+  std::unique_ptr<Compiled> compiled_;
+};
+
+}  // namespace texel
