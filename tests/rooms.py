@@ -10,11 +10,11 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-LIMITS = {"all": 50_300, "tests": 15_210, "starter": 21_800, "a room": 3_650}  # lines of C++
+LIMITS = {"all": 50_360, "tests": 15_210, "starter": 21_000, "a room": 3_650}  # lines of C++
 ROOMS = ("common", "teach")  # each folder below these is a library with a namespace of its own
 WITHHELD = ("teach", "tests")
-# Defined by who starts the labs: on a desktop, and on a page.
-ELSEWHERE = {"common/start/run.cpp", "web/engine/source/engine.cpp"}
+# Defined by who starts the labs, on a desktop and on a page, and what only a page can do for a room.
+ELSEWHERE = {"common/start/run.cpp", "teach/web/engine/source/engine.cpp", "teach/web/engine/source/png.cpp"}
 
 
 def sources():

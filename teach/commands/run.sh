@@ -18,6 +18,8 @@ course_help() {
 For teachers and makers of the course:
 ./run starter DIR      write the tree that students start with; see
                        docs/student.md
+./run web [--serve]    write the labs as pages for a browser into out/web;
+                       --serve shows them here
 ./run web --starter    the same pages with the starter's steps, without
                        solutions, into out/web_starter
 ./run grade CLASS [..] grade a class: a folder with one folder or archive per
@@ -80,7 +82,10 @@ grade_solutions() {
   texel grade "$root/out/solutions" --out "$root/out/grades" --unsafe
 }
 
-sources() { find "$root"/{cmake,common,labs,teach,tools,tests,web/engine} -name '*.?pp' -print0; }
+# shellcheck source=teach/web/run.sh
+source "$root/teach/web/run.sh"
+
+sources() { find "$root"/{cmake,common,labs,teach,tools,tests} -name '*.?pp' -print0; }
 
 # Each version of clang-format breaks some lines differently.
 check_format() {
@@ -209,6 +214,7 @@ course_command() { # command, arguments
       esac
       ;;
     bench) run_bench "$@" ;;
+    web) web "$@" ;;
     course | expected | grade | marks)
       build_programs >&2
       [[ $command != marks ]] || (($#)) || set -- --markdown "$root/docs/marks.md"

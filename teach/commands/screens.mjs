@@ -7,7 +7,7 @@ import { mkdirSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { serve } from "../../web/engine/serve.mjs";
+import { serve } from "../web/engine/serve.mjs";
 import { launch } from "../../tests/web_site/browser.mjs";
 
 const [site, grades, bin, out] = process.argv.slice(2).map((path) => resolve(path));

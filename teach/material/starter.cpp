@@ -22,9 +22,7 @@ constexpr const char* kReadme = "STARTER.md";
 constexpr const char* kGiven[] = {".devcontainer", ".gitattributes",  "CMakeLists.txt", "CMakePresets.json",
                                   "LICENSE",       "assets",          "cmake",          "common",
                                   "docs/pictures", "docs/student.md", "labs",           "run",
-                                  "shaders",       "tools",           "vcpkg.json",     "web"};
-
-constexpr const char* kInstalled = "web/site/node_modules/";  // npm ci makes it
+                                  "shaders",       "tools",           "vcpkg.json"};
 
 /// Whether markers may stand in it.
 bool has_text(const fs::path& file) {
@@ -43,7 +41,7 @@ std::vector<StarterFile> starter_files(const fs::path& root,
   const auto give = [&](const fs::path& file) {
     const std::string path = file.lexically_relative(root).generic_string();
     // What was left over may have a solution.
-    if (path.starts_with(kInstalled) || course::is_left_over(file)) return;
+    if (course::is_left_over(file)) return;
     if (!has_text(file)) {
       files.push_back({path, file, {}});
       return;

@@ -60,9 +60,8 @@ diff -r -x .git new cloned
 # Small trees: a file with a step, one without, and what the command itself needs.
 small() { # folder
   rm -rf "$1"
-  mkdir -p "$1/.starter/shaders" "$1/shaders" "$1/web" "$1/labs"
+  mkdir -p "$1/.starter/shaders" "$1/shaders" "$1/labs"
   cp "$course/run" "$1"
-  cp "$course/web/run.sh" "$1/web"
   printf '%s\n' one two three four five six seven eight >"$1/shaders/a step.glsl"
   cp "$1/shaders/a step.glsl" "$1/.starter/shaders"
   echo old >"$1/labs/README.md"
@@ -135,7 +134,7 @@ update 0 '0 files are new; 0 of'
 for tree in mine new; do
   both
   find $tree -type f -exec sed -i 's/$/\r/' {} +
-  sed -i 's/\r$//' mine/run mine/web/run.sh # else it does not start
+  sed -i 's/\r$//' mine/run # else it does not start
   printf '\0\r\n' >mine/labs/binary
   printf '\0\n' >new/labs/binary
   update 0 '1 files are new; 0 of'

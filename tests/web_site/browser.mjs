@@ -7,11 +7,11 @@ import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { serve } from "../../web/engine/serve.mjs";
+import { serve } from "../../teach/web/engine/serve.mjs";
 
-const site = join(dirname(fileURLToPath(import.meta.url)), "../../web/site");
+const site = join(dirname(fileURLToPath(import.meta.url)), "../../teach/web/site");
 if (!existsSync(join(site, "node_modules"))) {
-  console.log("skipped: the packages of web/site are not installed (npm ci)");
+  console.log("skipped: the packages of teach/web/site are not installed (npm ci)");
   process.exit(77);
 }
 const puppeteer = createRequire(join(site, "package.json"))("puppeteer-core");

@@ -4,7 +4,7 @@
 // code 77 where Firefox or the pages are missing.
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { serve } from "../../web/engine/serve.mjs";
+import { serve } from "../../teach/web/engine/serve.mjs";
 import { launch } from "./browser.mjs";
 
 const [site, ...numbers] = process.argv.slice(2);

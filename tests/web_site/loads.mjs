@@ -6,7 +6,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
-import { serve } from "../../web/engine/serve.mjs";
+import { serve } from "../../teach/web/engine/serve.mjs";
 import { launch } from "./browser.mjs";
 
 const [site, course] = process.argv.slice(2);
@@ -14,7 +14,7 @@ if (!existsSync(join(site, "engine/engine.wasm"))) {
   console.log(`skipped: there is no engine in ${site}; type ./run web`);
   process.exit(77);
 }
-const { PNG } = createRequire(join(course, "web/site/package.json"))("pngjs");
+const { PNG } = createRequire(join(course, "teach/web/site/package.json"))("pngjs");
 const kMostCode = 1.2e6;
 let wrong = 0;
 const hold = (holds, text) => { wrong += holds ? 0 : 1; console.log(`${holds ? "ok    " : "WRONG "} ${text}`); };

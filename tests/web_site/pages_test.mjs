@@ -8,12 +8,12 @@ import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { after, before, beforeEach, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { serve } from "../../web/engine/serve.mjs";
+import { serve } from "../../teach/web/engine/serve.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const site = join(here, "../../web/site");
+const site = join(here, "../../teach/web/site");
 if (!existsSync(join(site, "node_modules"))) {
-  console.log("skipped: the packages of web/site are not installed (npm ci)");
+  console.log("skipped: the packages of teach/web/site are not installed (npm ci)");
   process.exit(77);
 }
 const require = createRequire(join(site, "package.json"));

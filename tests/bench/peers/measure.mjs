@@ -14,7 +14,7 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { brotliCompressSync } from "node:zlib";
 import { enginePage, launch } from "../../web_site/browser.mjs";
-import { serve } from "../../../web/engine/serve.mjs";
+import { serve } from "../../../teach/web/engine/serve.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url)), tree = join(here, "../../..");
 const isJson = process.argv.includes("--json"), rounds = Number(process.argv.slice(2).find((word) => word !== "--json") ?? 5), kFrames = 7;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A stand-in for the engine, with the calls of web/engine/README.md that the pages use. It draws stripes. A text with "for (;;)"
+// A stand-in for the engine, with the calls of teach/web/engine/README.md that the pages use. It draws stripes. A text with "for (;;)"
 // loops for ever, one with "syntax error" does not compile, and one with "right" is right.
 class EngineError extends Error {
   constructor(fields) {

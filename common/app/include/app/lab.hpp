@@ -159,7 +159,7 @@ class LabOf final : public AnyLab {
 };
 
 /// The whole program: window or snapshot, as the arguments say. Returns its exit code. What starts the labs
-/// defines it: common/start on a desktop, web/engine/source/engine.cpp on a page.
+/// defines it: common/start on a desktop, teach/web/engine/source/engine.cpp on a page.
 int run(AnyLab& lab, int argc, char** argv);
 
 template <class TheLab>

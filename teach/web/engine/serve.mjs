@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// node web/engine/serve.mjs FOLDER [PORT]: serves a folder on this machine, compressed as most hosts do. Prints the link.
+// node teach/web/engine/serve.mjs FOLDER [PORT]: serves a folder on this machine, compressed as most hosts do. Prints the link.
 import { createReadStream, statSync } from "node:fs";
 import { createServer } from "node:http";
 import { extname, join, normalize } from "node:path";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The page of a lab: engine, picture, panel, steps and address are put together here.
-import "../../../common/core/legend.js";
+import "../../../../common/core/legend.js";
 import { contract } from "./contract.js";
 import { afterPause, download, element, figure } from "./dom.js";
 import { imageOf } from "./image.js";

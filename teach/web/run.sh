@@ -10,7 +10,7 @@ compile_engine() { # tree, build folder
   say "Compiling the labs for a browser"
   claim "${2##*/}"
   # Emscripten's own scripts need Debian's acorn, also where another node is first on the path.
-  log=$(NODE_PATH=/usr/share/nodejs emcmake cmake -G Ninja -S "$root/web/engine" -B "$2" -D CMAKE_BUILD_TYPE=Release -D TEXEL_TREE="$1" 2>&1) ||
+  log=$(NODE_PATH=/usr/share/nodejs emcmake cmake -G Ninja -S "$root/teach/web/engine" -B "$2" -D CMAKE_BUILD_TYPE=Release -D TEXEL_TREE="$1" 2>&1) ||
     fail 3 "cmake failed:"$'\n'"$log"
   NODE_PATH=/usr/share/nodejs cmake --build "$2" --parallel "$(nproc)" 2>&1 | compiler_messages ||
     fail 3 "the build failed; the messages above say why"
@@ -22,18 +22,14 @@ cpp_steps() { grep -rhoE '//@step [0-9]+\.[0-9]+' "$root/labs" --include='*.[ch]
 
 web() { # --serve [PORT], --starter
   local serve='' port=8080 kind=course tree=$root program=$root build=$root/build/web out=$root/out/web
-  is_course || kind=starter
   while (($#)); do
     case $1 in
       --serve)
         serve=yes
         [[ ! ${2:-} =~ ^[0-9]+$ ]] || { port=$2; shift; }
         ;;
-      --starter)
-        is_course || fail 2 "this tree is a starter already: type ./run web"
-        kind=starter
-        ;;
-      *) fail 2 "there is no option '$1'; ./run web takes --serve [PORT] and, in the course's tree, --starter" ;;
+      --starter) kind=starter ;;
+      *) fail 2 "there is no option '$1'; ./run web takes --serve [PORT] and --starter" ;;
     esac
     shift
   done
@@ -44,7 +40,7 @@ web() { # --serve [PORT], --starter
   need "${web_packages[@]}" "${programs[@]}"
   # The small pictures of the looks are the gallery's.
   [[ -d $root/out/gallery ]] || { build_programs && draw_gallery; }
-  if is_course && [[ $kind == starter ]]; then
+  if [[ $kind == starter ]]; then
     build_release texel
     build=$root/build/web_starter
     tree=$build/tree program=$build/program out=$root/out/web_starter
@@ -65,14 +61,14 @@ web() { # --serve [PORT], --starter
   fi
   compile_engine "$program" "$build"
   mkdir -p "$out"
-  node "$root/web/engine/pack.mjs" "$tree" "$build" "$out/engine" "$kind"
-  if [[ -e $root/web/site/package.json ]]; then
+  node "$root/teach/web/engine/pack.mjs" "$tree" "$build" "$out/engine" "$kind"
+  if [[ -e $root/teach/web/site/package.json ]]; then
     say "Making the pages"
-    (cd "$root/web/site" && { [[ node_modules/.package-lock.json -nt package-lock.json ]] || npm ci --no-audit --no-fund --loglevel=error; } &&
+    (cd "$root/teach/web/site" && { [[ node_modules/.package-lock.json -nt package-lock.json ]] || npm ci --no-audit --no-fund --loglevel=error; } &&
       npm run --silent build -- --out "$out" --tree "$tree" --gallery "$root/out/gallery" --programs "$root/build/release/bin") || fail 3 "the pages could not be made"
   fi
   say "Ready after $SECONDS s"
   printf 'static files for any web server   %s\n' "$out"
-  [[ -z $serve ]] || exec node "$root/web/engine/serve.mjs" "$out" "$port"
+  [[ -z $serve ]] || exec node "$root/teach/web/engine/serve.mjs" "$out" "$port"
   printf 'look at them here                 ./run web %s--serve\n' "$([[ $out != *_starter ]] || printf -- '--starter ')"
 }

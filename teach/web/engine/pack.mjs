@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// node web/engine/pack.mjs TREE BUILD OUT KIND: puts the engine into OUT: the program, and what the labs of TREE read.
+// node teach/web/engine/pack.mjs TREE BUILD OUT KIND: puts the engine into OUT: the program, and what the labs of TREE read.
 // Shaders, lab files and sources with steps go into files.json, since a session reads them all; pictures, models and
 // expected pictures are files, loaded when they are needed. Large pictures come as lossless WebP too (pictures.mjs).
 import { execFileSync } from "node:child_process";

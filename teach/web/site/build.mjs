@@ -17,13 +17,13 @@ const here = dirname(fileURLToPath(import.meta.url));
 
 function options() {
   const usage = (text) => {
-    console.error(`web/site: ${text}. Usage: npm run build -- --out DIR [--tree DIR] [--gallery DIR] [--programs DIR]`);
+    console.error(`teach/web/site: ${text}. Usage: npm run build -- --out DIR [--tree DIR] [--gallery DIR] [--programs DIR]`);
     process.exit(2);
   };
   try {
     const { values } = parseArgs({ options: { out: { type: "string" }, tree: { type: "string" }, gallery: { type: "string" }, programs: { type: "string" } } });
     if (!values.out) usage("where to?");
-    const tree = resolve(values.tree ?? join(here, "../.."));
+    const tree = resolve(values.tree ?? join(here, "../../.."));
     if (!existsSync(join(tree, "labs"))) usage(`${tree} is not the course's folder`);
     return { out: resolve(values.out), tree, gallery: values.gallery && resolve(values.gallery), programs: values.programs && resolve(values.programs) };
   } catch (error) {
