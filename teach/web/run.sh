@@ -21,7 +21,7 @@ compile_engine() { # tree, build folder
 cpp_steps() { grep -rhoE '//@step [0-9]+\.[0-9]+' "$root/labs" --include='*.[ch]pp' | cut -d' ' -f2 | sort -uV | paste -sd,; }
 
 web() { # --serve [PORT], --starter
-  local serve='' port=8080 kind=course tree=$root program=$root build=$root/build/web out=$root/out/web
+  local serve='' port=8080 kind=course tree=$root program=$root build=$root/build/engine out=$root/out/web
   while (($#)); do
     case $1 in
       --serve)
@@ -42,7 +42,7 @@ web() { # --serve [PORT], --starter
   [[ -d $root/out/gallery ]] || { build_programs && draw_gallery; }
   if [[ $kind == starter ]]; then
     build_release texel
-    build=$root/build/web_starter
+    build=$root/build/engine_starter
     tree=$build/tree program=$build/program out=$root/out/web_starter
     rm -rf "$tree"
     texel starter --out "$tree"
