@@ -7,9 +7,7 @@
 #include <iterator>
 
 #include "core/stages.hpp"
-#include "gl/es_source.hpp"
 #include "gl/upload.hpp"
-#include "gl/web_context.hpp"
 
 namespace texel::gl {
 namespace {
@@ -19,12 +17,7 @@ class Shader {
  public:
   Shader(GLenum stage, const ShaderSource& source, const std::vector<Define>& defines)
       : id_(glCreateShader(stage)) {
-#ifdef __EMSCRIPTEN__
-    const std::string text = es_source(source.text(defines), stage == GL_FRAGMENT_SHADER,
-                                       is_glance() ? kEnoughSubpixelBits : subpixel_bits(), is_glance());
-#else
     const std::string text = source.text(defines);
-#endif
     const char* data = text.c_str();
     glShaderSource(id_, 1, &data, nullptr);
     glCompileShader(id_);
@@ -36,31 +29,15 @@ class Shader {
     std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
     glGetShaderInfoLog(id_, length, nullptr, log.data());
     glDeleteShader(id_);
-#ifdef __EMSCRIPTEN__
-    log = es_message(log.substr(0, log.find('\0')));
-#endif
     throw source.error(log, defines);
   }
-  ~Shader() {
-    glDeleteShader(id_);
-  }
+  ~Shader() { glDeleteShader(id_); }
   Shader& operator=(Shader&&) = delete;
-  [[nodiscard]] GLuint id() const {
-    return id_;
-  }
+  [[nodiscard]] GLuint id() const { return id_; }
 
  private:
   GLuint id_;
 };
-
-/// By what else than its files and defines a program is told from another one.
-std::string variant() {
-#ifdef __EMSCRIPTEN__
-  return is_glance() ? "\nglance" : "";
-#else
-  return {};
-#endif
-}
 
 bool is_sampler(GLenum type) {
   return type == GL_SAMPLER_2D || type == GL_SAMPLER_CUBE || type == GL_SAMPLER_2D_ARRAY ||
@@ -222,7 +199,7 @@ std::shared_ptr<const ShaderSource> ProgramCache::source(const std::string& file
 Program& ProgramCache::get(const std::string& vertex, const std::string& fragment,
                            const std::vector<Define>& defines) {
   const auto key_of = [&](const std::vector<Define>& these) {
-    std::string key = vertex + "\n" + fragment + variant();
+    std::string key = vertex + "\n" + fragment + variant;
     for (const Define& define : these) key.append("\n").append(define.name).append(" ").append(define.value);
     return key;
   };

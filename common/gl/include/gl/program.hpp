@@ -21,6 +21,9 @@ inline constexpr const char* kAttributeNames[] = {"position", "normal",    "texc
                                                   "tangent",  "bitangent", "color"};
 enum class Attribute { position, normal, texcoord, tangent, bitangent, color };
 
+/// What a page's context adds to programs, and sets, begins so.
+inline constexpr const char* kAddedUniforms = "texel_";
+
 /// An active uniform of a linked program.
 struct Uniform {
   std::string name;
@@ -82,6 +85,9 @@ class Program {
 class ProgramCache {
  public:
   explicit ProgramCache(std::filesystem::path shader_root) : root_(std::move(shader_root)) {}
+
+  /// By what else than its files and defines a program is told from another one: a page sets it.
+  static inline std::string variant;
 
   Program& get(const std::string& vertex, const std::string& fragment,
                const std::vector<Define>& defines = {});

@@ -6,12 +6,12 @@
 
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
-#include "gl/es_source.hpp"
-#include "gl/web_context.hpp"
+#include "es_source.hpp"
 #include "image/load.hpp"
 #include "image/save.hpp"
 #include "mesh/ply.hpp"
 #include "opened.hpp"
+#include "web_context.hpp"
 
 namespace texel::web {
 namespace {

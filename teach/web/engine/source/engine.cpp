@@ -22,12 +22,12 @@
 #include "course/batch.hpp"
 #include "course/lab_file.hpp"
 #include "display.hpp"
+#include "es_source.hpp"
 #include "gl/context.hpp"
-#include "gl/es_source.hpp"
-#include "gl/web_context.hpp"
 #include "judge/results.hpp"
 #include "opened.hpp"
 #include "student_files.hpp"
+#include "web_context.hpp"
 
 namespace texel::app {
 namespace {

@@ -10,7 +10,7 @@
 
 // Two switches that OpenGL ES 3.0 has not. Cube maps are always filtered across their edges. Linear values
 // are always encoded when they are written into an sRGB picture: while that is off, the shader decodes them
-// first (gl/es_source.hpp), and the bytes are what the shader had.
+// first (source/es_source.hpp), and the bytes are what the shader had.
 #define GL_FRAMEBUFFER_SRGB 0x8DB9
 #define GL_TEXTURE_CUBE_MAP_SEAMLESS 0x884F
 
@@ -32,6 +32,10 @@ void set_viewport(GLint x, GLint y, GLsizei width, GLsizei height);
 /// glTexImage2D. GL_SRGB8 becomes GL_SRGB8_ALPHA8: for the first OpenGL ES makes no mipmaps.
 void upload_image(GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height, GLint border,
                   GLenum format, GLenum type, const void* data);
+/// glShaderSource of GLSL 3.30, and what the compiler says of it: see source/es_source.hpp.
+void set_shader_text(GLuint shader, const GLchar* text);
+void get_of_shader(GLuint shader, GLenum name, GLint* value);
+void get_shader_log(GLuint shader, GLsizei size, GLchar* log);
 /// glClearColor, in linear light.
 void set_clear_color(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
 }  // namespace texel::gl
@@ -41,6 +45,9 @@ void set_clear_color(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
 #define glEnable(capability) texel::gl::switch_capability(capability, true)
 #define glDisable(capability) texel::gl::switch_capability(capability, false)
 #define glClearColor(red, green, blue, alpha) texel::gl::set_clear_color(red, green, blue, alpha)
+#define glShaderSource(shader, count, texts, lengths) texel::gl::set_shader_text(shader, *(texts))
+#define glGetShaderiv(shader, name, value) texel::gl::get_of_shader(shader, name, value)
+#define glGetShaderInfoLog(shader, size, length, log) texel::gl::get_shader_log(shader, size, log)
 #define glUseProgram(program) texel::gl::use_program(program)
 
 // Every browser that has WebGL 2 has it, and the worker asks for it; without it the limit reads as 0 or 1.

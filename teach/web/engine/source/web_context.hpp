@@ -7,7 +7,7 @@ namespace texel::gl {
 /// GL_SUBPIXEL_BITS: how finely the browser's renderer rounds the places of vertices.
 int subpixel_bits();
 /// In the browser, where that is coarse: what is drawn from now on is moved by this part of a pixel before
-/// it is rounded, and back afterwards (gl/es_source.hpp).
+/// it is rounded, and back afterwards (es_source.hpp).
 void set_shift(float x, float y);
 
 /// While it lives, pictures are for the eye alone, and are drawn sooner by a renderer that rounds coarsely:
@@ -21,7 +21,4 @@ class Preview {
   Preview& operator=(Preview&&) = delete;
   [[nodiscard]] static Target::Kind kind();
 };
-/// Whether one lives that changes something.
-bool is_glance();
-
 }  // namespace texel::gl

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // GLSL 3.30 as OpenGL ES 3.0 takes it.
-#include "gl/es_source.hpp"
+#include "es_source.hpp"
 
 #include <gtest/gtest.h>
 

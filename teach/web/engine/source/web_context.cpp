@@ -3,15 +3,17 @@
 #include <fmt/format.h>
 #include <glad/gl.h>
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 #include <utility>
 #include <vector>
 
+#include "es_source.hpp"
 #include "gl/context.hpp"
-#include "gl/es_source.hpp"
-#include "gl/web_context.hpp"
+#include "gl/program.hpp"
 #include "image/color.hpp"
+#include "web_context.hpp"
 
 namespace texel::gl {
 namespace {
@@ -48,6 +50,13 @@ bool reads_floats_better(GLint internal) {
   return renderer != nullptr && name.find(renderer) != std::string::npos;
 }
 
+/// What the compiler says of a shader; its own text has so many bytes.
+std::string message_of(GLuint shader, GLint bytes) {
+  std::string log(static_cast<std::size_t>(std::max(bytes, 1)), '\0');
+  (glGetShaderInfoLog)(shader, bytes, nullptr, log.data());
+  return es_message(log.substr(0, log.find('\0')));
+}
+
 class WebContext : public Context {
  public:
   WebContext() : Context(Shaders::quick_to_draw) {}
@@ -76,15 +85,34 @@ int subpixel_bits() {
 
 Preview::Preview(bool wanted) {
   glance = wanted && subpixel_bits() < kEnoughSubpixelBits;
+  ProgramCache::variant = glance ? "\nglance" : "";
 }
 Preview::~Preview() {
   glance = false;
+  ProgramCache::variant.clear();
 }
 Target::Kind Preview::kind() {
   return glance ? Target::Kind::encoded : Target::Kind::color;
 }
-bool is_glance() {
-  return glance;
+
+void set_shader_text(GLuint shader, const GLchar* text) {
+  GLint stage = 0;
+  (glGetShaderiv)(shader, GL_SHADER_TYPE, &stage);
+  const std::string es =
+      es_source(text, stage == GL_FRAGMENT_SHADER, glance ? kEnoughSubpixelBits : subpixel_bits(), glance);
+  const char* data = es.c_str();
+  (glShaderSource)(shader, 1, &data, nullptr);
+}
+
+void get_of_shader(GLuint shader, GLenum name, GLint* value) {
+  (glGetShaderiv)(shader, name, value);
+  if (name == GL_INFO_LOG_LENGTH) *value = static_cast<GLint>(message_of(shader, *value).size()) + 1;
+}
+
+void get_shader_log(GLuint shader, GLsizei size, GLchar* log) {
+  GLint length = 0;
+  (glGetShaderiv)(shader, GL_INFO_LOG_LENGTH, &length);
+  log[message_of(shader, length).copy(log, static_cast<std::size_t>(size) - 1)] = '\0';
 }
 
 void set_clear_color(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {

@@ -20,9 +20,9 @@ namespace texel::gl {
 ///
 /// Loops end after kMostRounds rounds, all of one vertex or pixel together. A pixel that got so far is
 /// magenta, with an alpha of one half.
+///
+/// All uniforms that it adds begin with gl::kAddedUniforms.
 std::string es_source(const std::string& text, bool is_fragment, int subpixel_bits, bool encodes = false);
-/// All uniforms that it adds begin so.
-inline constexpr const char* kAddedUniforms = "texel_";
 inline constexpr const char* kKeepsBytes = "texel_keeps_bytes";
 inline constexpr const char* kPictureSize = "texel_picture_size";
 inline constexpr const char* kShift = "texel_shift";

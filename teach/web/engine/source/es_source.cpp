@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "gl/es_source.hpp"
+#include "es_source.hpp"
 
 #include <fmt/format.h>
 
