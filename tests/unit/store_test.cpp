@@ -3,7 +3,6 @@
 #include "store/store.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sched.h>
@@ -187,16 +186,15 @@ TEST_F(StoreTest, refuses_a_score_that_is_none_and_a_student_that_is_unknown) {
   Store store(file("store"));
   store.put_student(student_of("jane"), "");
   const std::string before = dump("store");
-  for (const std::function<void()>& refused :
-       std::initializer_list<std::function<void()>>{[&] { store.put("jane", case_of("1.1", "a", -0.01)); },
-                                                    [&] { store.put("jane", case_of("1.1", "a", 1.01)); },
-                                                    [&] { store.put("jane", case_of("1.1", "a", NAN)); },
-                                                    [&] { store.put("john", case_of("1.1", "a", 1)); },
-                                                    [&] { store.put_notes("john", "01_quad", {"a"}); },
-                                                    [&] { store.put_incident("john", "01_quad", "a"); },
-                                                    [&] {
-                                                      store.put_log("john", {"a", "b"});
-                                                    }}) {
+  const CompilerLog log{"a", "b"};
+  const std::function<void()> refusals[] = {[&] { store.put("jane", case_of("1.1", "a", -0.01)); },
+                                            [&] { store.put("jane", case_of("1.1", "a", 1.01)); },
+                                            [&] { store.put("jane", case_of("1.1", "a", NAN)); },
+                                            [&] { store.put("john", case_of("1.1", "a", 1)); },
+                                            [&] { store.put_notes("john", "01_quad", {"a"}); },
+                                            [&] { store.put_incident("john", "01_quad", "a"); },
+                                            [&] { store.put_log("john", log); }};
+  for (const std::function<void()>& refused : refusals) {
     const std::string error = failure_of(refused);
     EXPECT_TRUE(error.starts_with("3: ") && has(error, "a row breaks the store's rules")) << error;
     EXPECT_EQ(dump("store"), before);
@@ -437,9 +435,7 @@ TEST_F(Regrading, counts_a_submission_that_became_unreadable) {
   EXPECT_EQ(changes(), Changes{"jane 1.1: 0.25 to 0"});
 }
 
-class Merge : public StoreTest {};
-
-TEST_F(Merge, of_shards_says_what_one_store_of_all_says) {
+TEST_F(StoreTest, merged_from_shards_says_what_one_store_of_all_says) {
   Store all(file("all")), a(file("a")), b(file("b")), nobody(file("nobody")), joined(file("joined"));
   for (Store* store : {&all, &a, &b, &nobody}) store->put_facts({{"seed", "1"}});
   for (Store* store : {&all, &a, &b}) {
@@ -467,36 +463,26 @@ TEST_F(Merge, of_shards_says_what_one_store_of_all_says) {
   EXPECT_EQ(dump("joined"), dump("all"));
 }
 
-TEST_F(Merge, refuses_stores_that_contradict_each_other_and_leaves_them) {
-  using Contradict = std::function<void(Store&)>;
-  const std::vector<std::pair<std::string, Contradict>> contradictions = {
+TEST_F(StoreTest, merges_none_that_contradicts_it_and_leaves_both) {
+  const CompilerLog log{"b", "another"};
+  const Override another{"jane", "1.2", 0.5, "another"};
+  const std::map<std::string, std::string> changed = {{"seed", "2"}}, further = {{"new", ""}, {"seed", "1"}};
+  const std::pair<std::string, std::function<void(Store&)>> contradictions[] = {
       {"disagree about the student jane", [](Store& s) { s.put("jane", case_of("1.1", "a", 0.25)); }},
       {"disagree about the student jane", [](Store& s) { s.put("jane", case_of("1.2", "new", 1)); }},
       {"disagree about the student jane", [](Store& s) { s.put_student(student_of("jane"), "another"); }},
       {"disagree about the student jane", [](Store& s) { s.put_notes("jane", "01_quad", {}); }},
       {"disagree about the student jane", [](Store& s) { s.put_incident("jane", "02_multi", ""); }},
-      {"disagree about the student jane",
-       [](Store& s) {
-         s.put_log("jane", {"b", "another"});
-       }},
-      {"the override of step 1.2 of the student jane",
-       [](Store& s) {
-         s.put_override({"jane", "1.2", 0.5, "another"});
-       }},
+      {"disagree about the student jane", [&](Store& s) { s.put_log("jane", log); }},
+      {"the override of step 1.2 of the student jane", [&](Store& s) { s.put_override(another); }},
       {"the earlier score of step 1.1 of the student old",
        [](Store& s) {
          fill(s, "old", 0.25);
          s.begin_anew(two_labs());
          fill(s, "jane");
        }},
-      {"graded differently: seed is '1' in one and '2' in",
-       [](Store& s) {
-         s.put_facts({{"seed", "2"}});
-       }},
-      {"new is not given in one and '' in",
-       [](Store& s) {
-         s.put_facts({{"new", ""}, {"seed", "1"}});
-       }},
+      {"graded differently: seed is '1' in one and '2' in", [&](Store& s) { s.put_facts(changed); }},
+      {"new is not given in one and '' in", [&](Store& s) { s.put_facts(further); }},
       {"seed is '1' in one and not given in", [](Store& s) { s.put_facts({}); }}};
   int number = 0;
   for (const auto& [what, contradict] : contradictions) {
@@ -559,28 +545,21 @@ TEST_F(StoreTest, that_cannot_be_says_why_and_leaves_what_is_there) {
 
 /// What a process of its own says, which may mount disks, be another user, and be killed.
 std::string in_child(const std::function<std::string()>& work) {
-  int ends[2];
-  if (::pipe(ends) != 0) return "";
+  const test::TemporaryFolder folder;
+  std::ofstream said(folder / "said");  // opened before it is another user
   const pid_t child = ::fork();
   if (child == 0) {
-    std::string text;
     try {
-      text = work();
+      said << work() << std::flush;
     } catch (const std::exception& error) {
-      text = std::string("unexpected: ") + error.what();
+      said << "unexpected: " << error.what() << std::flush;
     }
-    const bool is_written = ::write(ends[1], text.data(), text.size()) == static_cast<ssize_t>(text.size());
-    ::_exit(is_written ? 0 : 1);
+    ::_exit(said ? 0 : 1);
   }
-  ::close(ends[1]);
-  std::string text;
-  char block[4096];
-  for (ssize_t got = 0; (got = ::read(ends[0], block, sizeof block)) > 0;)
-    text.append(block, static_cast<std::size_t>(got));
-  ::close(ends[0]);
   int status = 0;
   ::waitpid(child, &status, 0);
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? text : fmt::format("ended with {}", status);
+  const bool is_said = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  return is_said ? read_file(folder / "said") : fmt::format("ended with {}", status);
 }
 
 constexpr const char* kNoMount = "this machine lets nobody mount";
@@ -748,14 +727,13 @@ TEST_F(StoreTest, is_read_as_it_is_at_one_moment) {
 
 /// Puts cases until it is killed, and says each that is put. The case "same" is of one letter every time.
 [[noreturn]] void write_until_killed(const fs::path& file, int round, const fs::path& says) {
-  const int said = ::open(says.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
+  std::ofstream said(says);
   Store store(file);
   store.put_student(student_of("jane"), "digest");
   for (int i = 0;; ++i) {
     judge::CaseResult result = case_of("1.1", fmt::format("{}-{}", round, i), 1);
     store.put("jane", result);
-    const std::string line = fmt::format("01_quad/{}\n", result.name);
-    if (::write(said, line.data(), line.size()) < 0) ::_exit(1);
+    if (!(said << fmt::format("01_quad/{}\n", result.name) << std::flush)) ::_exit(1);
     result.name = "same";
     result.message.assign(20'000, static_cast<char>('a' + i % 26));  // takes several pages
     result.mistake = result.message.substr(0, 1);
