@@ -83,7 +83,6 @@ class ImageFile : public testing::Test {
 };
 using Png = ImageFile;
 using PngText = ImageFile;
-using Save = ImageFile;
 using Load = ImageFile;
 using Pfm = ImageFile;
 
@@ -104,25 +103,20 @@ TEST_F(Png, has_its_top_row_first_in_the_file) {
 
 TEST_F(Png, has_the_channels_of_the_file_or_three_when_asked) {
   // A palette of two colours, of which the second is clear; then grey of 1 bit, and of 16 with alpha.
-  struct Row {
-    std::string file;
-    int channels;
-    Bytes own, rgb;
-  };
   const std::string palette = test::png(2, 1, 8, 3, bytes({0, 0, 1}));
   const std::size_t data = palette.find("IDAT") - 4;
   const std::string colors =
       test::png_chunk("PLTE", bytes({1, 2, 3, 4, 5, 6})) + test::png_chunk("tRNS", bytes({255, 0}));
-  for (const Row& row : std::vector<Row>{
+  for (const auto& [file, channels, samples, rgb] : std::vector<std::tuple<std::string, int, Bytes, Bytes>>{
            {std::string(palette).insert(data, colors), 4, {1, 2, 3, 255, 4, 5, 6, 0}, {1, 2, 3, 4, 5, 6}},
            {test::png(2, 1, 1, 0, bytes({0, 0x40})), 1, {0, 255}, {0, 0, 0, 255, 255, 255}},
            {test::png(1, 1, 16, 4, bytes({0, 9, 200, 8, 0})), 2, {10, 8}, {10, 10, 10}},
            // 16 bits are rounded. A step of 8 bits is 257 of 16: 128 is just below its middle.
            {test::png(2, 1, 16, 0, bytes({0, 0x00, 0x80, 0x00, 0x81})), 1, {0, 1}, {0, 0, 0, 1, 1, 1}}}) {
-    const Image8 own = loaded(row.file);
-    EXPECT_EQ(own.channels, row.channels);
-    EXPECT_EQ(own.samples, row.own);
-    EXPECT_EQ(load8(path_, 3).samples, row.rgb);
+    const Image8 own = loaded(file);
+    EXPECT_EQ(own.channels, channels);
+    EXPECT_EQ(own.samples, samples);
+    EXPECT_EQ(load8(path_, 3).samples, rgb);
   }
 }
 
@@ -165,7 +159,7 @@ TEST_F(PngText, is_an_error_when_the_file_is_no_png) {
   EXPECT_TRUE(has(error_of([&] { read_png_text(folder_ / "none.png"); }), "none.png"));
 }
 
-TEST_F(Save, leaves_no_file_when_it_fails_and_keeps_the_old_one) {
+TEST_F(ImageFile, is_left_as_it_was_when_saving_fails) {
   const auto fail = [&] {
     EXPECT_TRUE(has(error_of([&] { save_png(path_, four_colors(), {}, 99); }), "a.png"));
     EXPECT_TRUE(has(error_of([&] { save_pfm(folder_ / "no/a.pfm", ImageF(1, 1, 1)); }), "a.pfm"));
@@ -273,45 +267,39 @@ TEST_F(Load, names_file_fault_and_remedy) {
   header[text_png.find("IHDR") + 17] ^= 1;  // in the checksum
   samples[text_png.find("IDAT") + 6] ^= 1;  // in the data
   text[text_png.find("a text")] = 'b';
-  const std::vector<std::pair<std::string, std::string>> files = {
-      {"", "is empty"},
-      {"rubbish", "cannot be read as a picture"},
-      {std::string(1000, '\0'), ""},
-      {std::string(1000, '\xff'), ""},
-      {"v 1 2 3\nf 1 2 3\n", ""},
-      {jpeg(0xc0, 12), "JPEG of 12 bits a sample"},
-      {jpeg(0xc9, 8), "lossless or hierarchical JPEG or one with arithmetic coding"},
-      {jpeg(0xc3, 8), "lossless or hierarchical JPEG or one with arithmetic coding"},
-      {jpeg(0xc5, 8), "lossless or hierarchical JPEG or one with arithmetic coding"},
-      {inks, "JPEG of four channels"},
-      {huffman, "invalid JPEG tables"},
-      {"\xff" + huffman, "invalid JPEG tables"},
-      {sampling, "invalid JPEG tables"},
-      {packed_bmp, "run-length-encoded BMP"},
-      {tga(0, 2, 0, 0, 24, 0x40) + rows, "TGA file with interleaved rows or mirrored"},
-      {tga(0, 2, 0, 0, 24, 0x10) + rows, "TGA file with interleaved rows or mirrored"},
-      {tga(1, 1, 7, 4, 8, 0) + rows + bytes({7, 8, 9, 10}), "TGA file whose palette does not begin at 0"},
-      {std::string(30, 'x') + "TRUEVISION-XFILE." + '\0', "TGA file of an unusual kind"},
-      {"RIFF1234WEBPVP8 ", "is a WebP file"},
-      {bytes({0, 0, 0, 28}) + "ftypavif", "is an AVIF file"},
-      {bytes({0, 0, 0, 28}) + "ftypheic", "is a HEIC file"},
-      {"\xabKTX 20\xbb", "is a KTX file"},
-      {"DDS |", "is a DDS file"},
-      {"#?RADIANCE\n", "is a Radiance HDR file"},
-      {bytes({'I', 'I', 42, 0}), "is a TIFF file"},
-      {"P6\n1 1\n65535\n123456", "is a PBM, PGM, PPM, PAM or PFM file"},
-      {"<!DOCTYPE html>", "is a file of text"},
-      {header, "is a damaged PNG (invalid chunk checksum)"},
-      {samples, "is a damaged PNG (invalid chunk checksum)"},
-      {text, "is a damaged PNG (invalid chunk checksum)"},
-      {test::png(0x7fffffff, 0x7fffffff, 8, 2, "rows"), "is a damaged PNG (arithmetic overflow)"},
+  const std::pair<const char*, std::vector<std::string>> faults[] = {
+      {"is empty", {""}},
+      {"cannot be read as a picture", {"rubbish"}},
+      {"", {std::string(1000, '\0'), std::string(1000, '\xff'), "v 1 2 3\nf 1 2 3\n"}},
+      {"JPEG of 12 bits a sample", {jpeg(0xc0, 12)}},
+      {"lossless or hierarchical JPEG or one with arithmetic coding",
+       {jpeg(0xc9, 8), jpeg(0xc3, 8), jpeg(0xc5, 8)}},
+      {"JPEG of four channels", {inks}},
+      {"invalid JPEG tables", {huffman, "\xff" + huffman, sampling}},
+      {"run-length-encoded BMP", {packed_bmp}},
+      {"TGA file with interleaved rows or mirrored",
+       {tga(0, 2, 0, 0, 24, 0x40) + rows, tga(0, 2, 0, 0, 24, 0x10) + rows}},
+      {"TGA file whose palette does not begin at 0", {tga(1, 1, 7, 4, 8, 0) + rows + bytes({7, 8, 9, 10})}},
+      {"TGA file of an unusual kind", {std::string(30, 'x') + "TRUEVISION-XFILE." + '\0'}},
+      {"is a WebP file", {"RIFF1234WEBPVP8 "}},
+      {"is an AVIF file", {bytes({0, 0, 0, 28}) + "ftypavif"}},
+      {"is a HEIC file", {bytes({0, 0, 0, 28}) + "ftypheic"}},
+      {"is a KTX file", {"\xabKTX 20\xbb"}},
+      {"is a DDS file", {"DDS |"}},
+      {"is a Radiance HDR file", {"#?RADIANCE\n"}},
+      {"is a TIFF file", {bytes({'I', 'I', 42, 0})}},
+      {"is a PBM, PGM, PPM, PAM or PFM file", {"P6\n1 1\n65535\n123456"}},
+      {"is a file of text", {"<!DOCTYPE html>"}},
+      {"is a damaged PNG (invalid chunk checksum)", {header, samples, text}},
+      {"is a damaged PNG (arithmetic overflow)", {test::png(0x7fffffff, 0x7fffffff, 8, 2, "rows")}},
       // A tiny file with a huge header, within the limits.
-      {test::png(16384, 16384, 8, 0, bytes({0, 1, 2, 3})), "cut short"}};
-  for (const auto& [content, fault] : files) {
-    const std::string message = load_error(content);
-    EXPECT_TRUE(has(message, fault) && has(message, "a.png: ")) << message;
-    EXPECT_TRUE(has(message, "PNG, JPEG, GIF, BMP or TGA")) << message;
-  }
+      {"cut short", {test::png(16384, 16384, 8, 0, bytes({0, 1, 2, 3}))}}};
+  for (const auto& [fault, files] : faults)
+    for (const std::string& content : files) {
+      const std::string message = load_error(content);
+      EXPECT_TRUE(has(message, fault) && has(message, "a.png: ")) << fault << " | " << message;
+      EXPECT_TRUE(has(message, "PNG, JPEG, GIF, BMP or TGA")) << message;
+    }
   EXPECT_TRUE(has(error_of([&] { load8(folder_ / "none.png"); }), "none.png"));
   EXPECT_NE(error_of([&] { load8(folder_ / "."); }), "");
 }
@@ -361,29 +349,26 @@ TEST_F(Pfm, keeps_every_value_little_endian_and_bottom_row_first) {
 TEST_F(Pfm, is_an_error_when_header_or_size_are_wrong) {
   const std::string four_bytes(4, '\0');
   EXPECT_EQ(pfm_error("Pf\n1 1\n-1.0\n" + four_bytes), "");
-  const std::pair<std::string, const char*> rows[] = {
-      {"", "is not a PFM file"},
-      {"P", "is not a PFM file"},
-      {"PF", "is not a PFM file"},
-      {std::string(1000, 'P'), "is not a PFM file"},
-      {"P6\n1 1\n-1.0\n" + four_bytes, "is not a PFM file"},
-      {"Pf\n0 1\n-1.0\n" + four_bytes, "has a size of 0x1"},
-      {"Pf\n-1 -1\n-1.0\n" + four_bytes, "has a size of -1x-1"},
-      {"Pf\n99999999999999999999 1\n-1.0\n" + four_bytes, "has no valid width"},
-      {"Pf\n1 x\n-1.0\n" + four_bytes, "has no valid height"},
-      {"Pf\n1 1\n-1.0x\n" + four_bytes, "has no valid scale"},
-      {"Pf\n1 1\n0\n" + four_bytes, "has a scale that is zero"},
-      {"Pf\n1 1\nnan\n" + four_bytes, "has a scale that is zero or not finite"},
-      {"Pf\n1 1\ninf\n" + four_bytes, "has a scale that is zero or not finite"},
-      {"Pf\n1 1\n-1.0\n", "has 0 bytes of samples, but its header says 4"},
-      {"Pf\n1 1\n-1.0\nx" + four_bytes, "has 5 bytes of samples"},
-      {"PF\n1 1\n-1.0\n" + four_bytes, "its header says 12"},
-      {"Pf\n16384 16384\n-1.0\n" + four_bytes, "its header says 1073741824"},
-      {"Pf\n100000 100000\n-1.0\n" + four_bytes, "are too large"}};
-  for (const auto& [content, fault] : rows) {
-    const std::string message = pfm_error(content);
-    EXPECT_TRUE(has(message, fault) && has(message, "a.png: ")) << message;
-  }
+  const std::pair<const char*, std::vector<std::string>> faults[] = {
+      {"is not a PFM file", {"", "P", "PF", std::string(1000, 'P'), "P6\n1 1\n-1.0\n" + four_bytes}},
+      {"has a size of 0x1", {"Pf\n0 1\n-1.0\n" + four_bytes}},
+      {"has a size of -1x-1", {"Pf\n-1 -1\n-1.0\n" + four_bytes}},
+      {"has no valid width", {"Pf\n99999999999999999999 1\n-1.0\n" + four_bytes}},
+      {"has no valid height", {"Pf\n1 x\n-1.0\n" + four_bytes}},
+      {"has no valid scale", {"Pf\n1 1\n-1.0x\n" + four_bytes}},
+      {"has a scale that is zero", {"Pf\n1 1\n0\n" + four_bytes}},
+      {"has a scale that is zero or not finite",
+       {"Pf\n1 1\nnan\n" + four_bytes, "Pf\n1 1\ninf\n" + four_bytes}},
+      {"has 0 bytes of samples, but its header says 4", {"Pf\n1 1\n-1.0\n"}},
+      {"has 5 bytes of samples", {"Pf\n1 1\n-1.0\nx" + four_bytes}},
+      {"its header says 12", {"PF\n1 1\n-1.0\n" + four_bytes}},
+      {"its header says 1073741824", {"Pf\n16384 16384\n-1.0\n" + four_bytes}},
+      {"are too large", {"Pf\n100000 100000\n-1.0\n" + four_bytes}}};
+  for (const auto& [fault, files] : faults)
+    for (const std::string& content : files) {
+      const std::string message = pfm_error(content);
+      EXPECT_TRUE(has(message, fault) && has(message, "a.png: ")) << fault << " | " << message;
+    }
 }
 
 TEST(Srgb, follows_the_standard_curve) {
@@ -401,7 +386,7 @@ TEST(Srgb, follows_the_standard_curve) {
     EXPECT_NEAR(srgb_from_linear(linear_from_srgb(i / 1000.0)), i / 1000.0, 2e-15);
 }
 
-TEST(Encoding8, gives_every_sample_back_and_rounds_as_the_curve_says_everywhere) {
+TEST(Encoding8, gives_every_sample_back_and_rounds_and_clamps_as_the_curve_says_everywhere) {
   for (int i = 0; i < 256; ++i)
     for (const Encoding encoding : {Encoding::srgb, Encoding::linear})
       EXPECT_EQ(to_encoding8(from_encoding8(static_cast<std::uint8_t>(i), encoding), encoding), i);
@@ -412,9 +397,7 @@ TEST(Encoding8, gives_every_sample_back_and_rounds_as_the_curve_says_everywhere)
     if (to_encoding8(linear) != static_cast<int>(std::floor(exact + 0.5))) ++differing;
   }
   EXPECT_EQ(differing, 0);
-}
-
-TEST(Encoding8, rounds_half_up_and_clamps) {
+  // It rounds half up, and clamps.
   EXPECT_EQ(to_encoding8(0.5F, Encoding::linear), 128);  // 127.5
   EXPECT_EQ(to_encoding8(0.5F, Encoding::srgb), 188);    // 187.516
   for (const Encoding encoding : {Encoding::srgb, Encoding::linear}) {
@@ -466,13 +449,9 @@ TEST(MipChain, has_every_level_down_to_one_texel) {
 }
 
 TEST(MipChain, averages_by_the_covered_area_and_color_in_linear_light) {
-  struct Row {
-    Image8 picture;
-    Encoding encoding;
-    Bytes next;  // the level below
-  };
   const Image8 checker = made(4, 4, [](int x, int y) { return (x + y) % 2 * 255; });
-  const Row rows[] = {
+  // A picture, and the level below it.
+  const std::tuple<Image8, Encoding, Bytes> rows[] = {
       {checker, Encoding::srgb, {188, 188, 188, 188}},    // linear 0.5 is 187.516
       {checker, Encoding::linear, {128, 128, 128, 128}},  // 127.5, half up
       // Alpha is averaged as it is, and apart from the colour.
@@ -485,8 +464,8 @@ TEST(MipChain, averages_by_the_covered_area_and_color_in_linear_light) {
       {grey(1, 7, {7, 14, 70, 0, 140, 70, 7}), Encoding::linear, {19, 60, 53}},
       // 3x3 become the plain mean of all nine.
       {grey(3, 3, {0, 10, 20, 30, 40, 50, 60, 70, 80}), Encoding::linear, {40}}};
-  for (const Row& row : rows)
-    EXPECT_EQ(mip_chain(row.picture, row.encoding)[1].samples, row.next) << row.picture.width;
+  for (const auto& [image, encoding, next] : rows)
+    EXPECT_EQ(mip_chain(image, encoding)[1].samples, next) << image.width;
 }
 
 TEST(MipChain, rounds_no_level_on_the_way) {
@@ -528,11 +507,8 @@ TEST(Difference, counts_red_green_and_blue) {
 TEST(Difference, takes_the_nearest_rank_for_percentiles) {
   // Pixel i differs by i. Of 100 the 99th in order counts, of 101 the 100th (ceil(99.99)), of 1 the first;
   // and of 2000 the 1998th for the 99.9th percentile.
-  struct Row {
-    int pixels, p99, p999;
-  };
   for (const auto& [pixels, p99, p999] :
-       {Row{100, 98, 99}, {101, 99, 100}, {200, 197, 199}, {1, 0, 0}, {2, 1, 1}, {2000, 1979, 1997}}) {
+       {std::tuple{100, 98, 99}, {101, 99, 100}, {200, 197, 199}, {1, 0, 0}, {2, 1, 1}, {2000, 1979, 1997}}) {
     ImageF ramp(pixels, 1, 1);
     for (int x = 0; x < pixels; ++x) ramp.at(x, 0) = static_cast<float>(x);
     const Difference difference = compare(ImageF(pixels, 1, 1), ramp);
@@ -580,12 +556,8 @@ TEST(FloatDifference, counts_and_leaves_out_what_is_not_finite) {
 }
 
 TEST(FloatDifference, gives_directions_in_degrees_and_tells_a_missing_one_from_background) {
-  struct Row {
-    std::vector<float> a, b;
-    double degrees, within;
-  };
   constexpr double roundings = 1e-13;  // a few of a double
-  const Row rows[] = {
+  const std::tuple<std::vector<float>, std::vector<float>, double, double> rows[] = {
       {{1, 0, 0}, {0, 2, 0}, 90, roundings},
       {{1, 1, 0}, {5, 0, 0}, 45, roundings},
       {{0, 0, 1}, {0, 0, -3}, 180, roundings},
@@ -715,12 +687,7 @@ TEST(MovedPixels, take_away_what_the_part_of_a_slope_explains) {
   b.at(15, 5) = static_cast<std::uint8_t>(b.at(15, 5) + 2);  // a quarter of the slope of 8 a pixel
   b.at(15, 9) = static_cast<std::uint8_t>(b.at(15, 9) + 3);
   b.at(5, 5) = 102;  // where the picture is flat
-  struct Row {
-    double moved_pixels;
-    int forgiven;
-    double max;
-  };
-  for (const auto& [moved_pixels, forgiven, max] : {Row{0, 0, 3}, {0.25, 1, 3}, {0.4, 2, 2}}) {
+  for (const auto& [moved_pixels, forgiven, max] : {std::tuple{0.0, 0, 3}, {0.25, 1, 3}, {0.4, 2, 2}}) {
     const Difference difference = compare(a, b, {.moved_pixels = moved_pixels});
     EXPECT_EQ(difference.forgiven, forgiven) << moved_pixels;
     EXPECT_EQ(difference.max, max) << moved_pixels;
@@ -747,21 +714,14 @@ TEST(Heatmap, colors_each_pixel_by_its_largest_difference) {
 }
 
 TEST(DataViews, are_shown_in_the_labs_colors) {
-  struct Row {
-    const char* view;
-    std::vector<float> value;
-    std::vector<std::uint8_t> color;
-  };
-  const Row rows[] = {{"normal", {0, 0, 1}, {128, 128, 255}},        {"direction", {-1, 1, 0}, {0, 255, 128}},
-                      {"texcoord", {1.25F, -0.75F, 0}, {64, 64, 0}}, {"depth", {4, 4, 4}, {128, 128, 128}},
-                      {"mask", {1, 1, 1}, {255, 255, 255}},          {"lod", {9, 0, 0}, {250, 230, 28}},
-                      {"normal", {0, 0, 0}, {51, 56, 64}},           {"lod", {nan, 0, 0}, {255, 0, 255}},
-                      {"depth", {-infinity, 0, 0}, {255, 0, 255}}};
-  for (const Row& row : rows) {
-    ImageF one(1, 1, 3);
-    one.samples = row.value;
-    EXPECT_EQ(shown(one, row.view).samples, row.color) << row.view;
-  }
+  const std::tuple<const char*, std::vector<float>, Bytes> rows[] = {
+      {"normal", {0, 0, 1}, {128, 128, 255}},        {"direction", {-1, 1, 0}, {0, 255, 128}},
+      {"texcoord", {1.25F, -0.75F, 0}, {64, 64, 0}}, {"depth", {4, 4, 4}, {128, 128, 128}},
+      {"mask", {1, 1, 1}, {255, 255, 255}},          {"lod", {9, 0, 0}, {250, 230, 28}},
+      {"normal", {0, 0, 0}, {51, 56, 64}},           {"lod", {nan, 0, 0}, {255, 0, 255}},
+      {"depth", {-infinity, 0, 0}, {255, 0, 255}}};
+  for (const auto& [view, value, color] : rows)
+    EXPECT_EQ(shown(floats(1, 3, value), view).samples, color) << view;
 }
 
 }  // namespace
