@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-#include "core/files.hpp"
+#include "../support/picture_files.hpp"
 #include "gl/upload.hpp"
 #include "image/mipmaps.hpp"
 
@@ -87,9 +87,7 @@ class TexturesAt : public testing::Test {
  protected:
   TexturesAt() {
     std::filesystem::create_directories(root_.path() / "assets");
-    std::filesystem::create_directories(root_.path() / "shaders");
-    write_file(root_.path() / "shaders/two.vert", kVertexShader);
-    write_file(root_.path() / "shaders/two.frag", kFragmentShader);
+    test::put(root_.path(), {{"shaders/two.vert", kVertexShader}, {"shaders/two.frag", kFragmentShader}});
   }
   std::vector<TextureView> at(glm::ivec2 pixel, GLenum minify = GL_LINEAR_MIPMAP_LINEAR) {
     NoParameters::minify = minify;

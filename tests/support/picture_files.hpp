@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <initializer_list>
+#include <map>
 #include <string>
 
 #include "core/files.hpp"
@@ -18,6 +19,14 @@ class TemporaryFolder : public ScratchFolder {
   [[nodiscard]] std::filesystem::path operator/(const std::string& file) const { return path() / file; }
   [[nodiscard]] bool empty() const { return std::filesystem::is_empty(path()); }
 };
+
+/// Writes these files below a folder, with the folders that they lie in.
+inline void put(const std::filesystem::path& root, const std::map<std::string, std::string>& files) {
+  for (const auto& [file, text] : files) {
+    std::filesystem::create_directories((root / file).parent_path());
+    write_file(root / file, text);
+  }
+}
 
 inline std::string bytes(std::initializer_list<int> values) {
   std::string result;

@@ -21,6 +21,8 @@ using material::with_step_alone;
 using test::error_of;
 using test::replaced;
 using Steps = std::set<std::string>;
+using test::put;
+using test::TemporaryFolder;
 
 const std::string kText =
     "int before;\n"
@@ -115,25 +117,22 @@ TEST(Markers, are_told_from_comments_of_a_students_own) {
 
 TEST(Markers, that_are_damaged_cost_their_own_step_alone) {
   const std::string solution = three("1", "2", "3"), own = three("x", "y", "z");
-  struct Damage {
-    std::string step, what, by, says;
-  };
-  for (const Damage& damage : std::vector<Damage>{
-           {"1.1", "//@step 1.1 begin", "", "f.cpp: the marker '//@step 1.1 begin' is missing"},
-           {"1.2", "//@step 1.2 begin", "//@step 1,2 begin",
-            "f.cpp: the marker '//@step 1.2 begin' is missing"},
-           {"1.2", "y\n//@end", "y", "f.cpp:6: step 1.2 has no '//@end' of its own"},
-           {"1.3", "z\n//@end", "z\n//@ende", "f.cpp:10: step 1.3 has no '//@end' of its own"},
-           {"1.2", "//@end\nc", "//@end\n//@step 1.2 begin\n//@end\nc",
-            "f.cpp: step 1.2 has its markers in 2 places"}}) {
-    SCOPED_TRACE(damage.says);
-    const std::string text = replaced(own, damage.what, damage.by);
+  const std::tuple<std::string, std::string, std::string, std::string> rows[] = {
+      {"1.1", "//@step 1.1 begin", "", "f.cpp: the marker '//@step 1.1 begin' is missing"},
+      {"1.2", "//@step 1.2 begin", "//@step 1,2 begin", "f.cpp: the marker '//@step 1.2 begin' is missing"},
+      {"1.2", "y\n//@end", "y", "f.cpp:6: step 1.2 has no '//@end' of its own"},
+      {"1.3", "z\n//@end", "z\n//@ende", "f.cpp:10: step 1.3 has no '//@end' of its own"},
+      {"1.2", "//@end\nc", "//@end\n//@step 1.2 begin\n//@end\nc",
+       "f.cpp: step 1.2 has its markers in 2 places"}};
+  for (const auto& [damaged, what, by, says] : rows) {
+    SCOPED_TRACE(says);
+    const std::string text = replaced(own, what, by);
     const std::map<std::string, std::string> faults = marker_faults(text, solution, "f.cpp");
     ASSERT_EQ(faults.size(), 1U);
-    EXPECT_TRUE(faults.at(damage.step).starts_with(damage.says)) << faults.at(damage.step);
+    EXPECT_TRUE(faults.at(damaged).starts_with(says)) << faults.at(damaged);
     EXPECT_EQ(untouched_steps(text, own).size(), 2U);
     for (const std::string& step : kAllThree) {
-      if (step == damage.step) {
+      if (step == damaged) {
         EXPECT_THROW(with_step_alone(text, "f.cpp", step, solution), Error);
         EXPECT_THROW(with_step_from(text, "f.cpp", step, solution), Error);
         continue;
@@ -185,68 +184,54 @@ TEST(Markers, that_do_not_fit_are_errors_with_their_line) {
   }
 }
 
-/// A tree of the given files, gone at the end.
-class Tree {
- public:
-  explicit Tree(const std::vector<std::pair<std::string, std::string>>& files) {
-    for (const auto& [file, text] : files) put(file, text);
-  }
-  void put(const std::string& file, const std::string& text) const {
-    fs::create_directories((root() / file).parent_path());
-    write_file(root() / file, text);
-  }
-  [[nodiscard]] fs::path root() const { return folder_ / "tree"; }
-  [[nodiscard]] fs::path out() const { return folder_ / "out"; }
-
- private:
-  test::TemporaryFolder folder_;
-};
-
 TEST(Starter, has_no_solution_no_tests_and_no_right_answers) {
-  const Tree tree({{"labs/05_x/lab.cpp", kText},
-                   {"labs/05_x/lab.toml", "lab = \"05_x\"\n"},
-                   {"common/core/core.cpp", "for all\n"},
-                   {"teach/truth/ray.cpp", "the answer\n"},
-                   {"tests/unit/a_test.cpp", "a test\n"},
-                   {"run", "#!/bin/sh\n"},
-                   {"labs/05_x/lab.cpp.orig", kText},
-                   {"labs/05_x/lab (1).cpp", kText},
-                   {"labs/05_old/lab.cpp", kText},
-                   {"labs/05_old/lab.toml", "lab = \"05_x\"\n"}});
+  const TemporaryFolder tree, folder;
+  const fs::path out = folder / "starter";
+  put(tree.path(), {{"labs/05_x/lab.cpp", kText},
+                    {"labs/05_x/lab.toml", "lab = \"05_x\"\n"},
+                    {"common/core/core.cpp", "for all\n"},
+                    {"teach/truth/ray.cpp", "the answer\n"},
+                    {"tests/unit/a_test.cpp", "a test\n"},
+                    {"run", "#!/bin/sh\n"},
+                    {"labs/05_x/lab.cpp.orig", kText},
+                    {"labs/05_x/lab (1).cpp", kText},
+                    {"labs/05_old/lab.cpp", kText},
+                    {"labs/05_old/lab.toml", "lab = \"05_x\"\n"}});
   for (const char* file : {"run", "labs/05_x/lab.cpp"})
-    fs::permissions(tree.root() / file, fs::perms::owner_exec, fs::perm_options::add);
-  const std::vector<material::StarterFile> files = material::starter_files(tree.root());
-  material::write_files(files, tree.out());
-  EXPECT_EQ(read_file(tree.out() / "labs/05_x/lab.cpp"), with_steps(kText, "", nothing));
-  EXPECT_EQ(read_file(tree.out() / "labs/05_x/lab.toml"), "lab = \"05_x\"\n");
+    fs::permissions(tree / file, fs::perms::owner_exec, fs::perm_options::add);
+  const std::vector<material::StarterFile> files = material::starter_files(tree.path());
+  material::write_files(files, out);
+  EXPECT_EQ(read_file(out / "labs/05_x/lab.cpp"), with_steps(kText, "", nothing));
+  EXPECT_EQ(read_file(out / "labs/05_x/lab.toml"), "lab = \"05_x\"\n");
   for (const char* file :
        {"teach", "tests", "labs/05_x/lab.cpp.orig", "labs/05_x/lab (1).cpp", "labs/05_old"})
-    EXPECT_FALSE(fs::exists(tree.out() / file)) << file;
-  EXPECT_EQ(step_files(tree.root()), std::vector<std::string>{"labs/05_x/lab.cpp"});
+    EXPECT_FALSE(fs::exists(out / file)) << file;
+  EXPECT_EQ(step_files(tree.path()), std::vector<std::string>{"labs/05_x/lab.cpp"});
   for (const char* file : {"run", "labs/05_x/lab.cpp"})
-    EXPECT_NE(fs::status(tree.out() / file).permissions() & fs::perms::owner_exec, fs::perms::none) << file;
-  EXPECT_THROW(material::write_files(files, tree.out()), Error) << "over what is there";
-  EXPECT_THROW(material::starter_files(tree.root() / "nowhere"), Error);
+    EXPECT_NE(fs::status(out / file).permissions() & fs::perms::owner_exec, fs::perms::none) << file;
+  EXPECT_THROW(material::write_files(files, out), Error) << "over what is there";
+  EXPECT_THROW(material::starter_files(tree / "nowhere"), Error);
 }
 
 TEST(Steps, of_a_students_tree_are_found_in_the_files_that_its_starter_had_as_they_are_now) {
   const std::string first = "//@step 5.1 begin\n//@end\n//@step 5.2 begin\n//@end\n";
-  const Tree tree({{".starter/labs/05_x/lab.cpp", first},
-                   {"labs/05_x/lab.cpp", "//@step 5.1 begin\none\ntwo\n//@end\n//@step 5.2 begin\n//@end\n"},
-                   {"labs/05_x/lab.cpp.before-reset", first}});
-  EXPECT_EQ(step_files(tree.root()), std::vector<std::string>{"labs/05_x/lab.cpp"});
-  EXPECT_EQ(step_places(tree.root()).at("5.2").line, 5);
-  tree.put("labs/05_x/lab.cpp", "//@step 5.1 begin\n//@end\n");
-  EXPECT_EQ(step_places(tree.root()).at("5.2").line, 3) << "without its marker: as at first";
+  const TemporaryFolder tree;
+  put(tree.path(), {{".starter/labs/05_x/lab.cpp", first},
+                    {"labs/05_x/lab.cpp", "//@step 5.1 begin\none\ntwo\n//@end\n//@step 5.2 begin\n//@end\n"},
+                    {"labs/05_x/lab.cpp.before-reset", first}});
+  EXPECT_EQ(step_files(tree.path()), std::vector<std::string>{"labs/05_x/lab.cpp"});
+  EXPECT_EQ(step_places(tree.path()).at("5.2").line, 5);
+  write_file(tree / "labs/05_x/lab.cpp", "//@step 5.1 begin\n//@end\n");
+  EXPECT_EQ(step_places(tree.path()).at("5.2").line, 3) << "without its marker: as at first";
 }
 
 TEST(Steps, of_the_courses_tree_have_places_of_its_own_and_those_of_a_starter) {
-  const Tree tree({});
-  tree.put("labs/05_x/lab.cpp",
-           "//@step 5.1 begin\nsolution\n//@starter\n// a\n// b\n//@end\n"
-           "//@step 5.2 begin\n//@starter\n//@end\n");
-  EXPECT_EQ(step_places(tree.root()).at("5.2").line, 7);
-  EXPECT_EQ(material::first_places(tree.root()).at("5.2").line, 5);
+  const TemporaryFolder tree;
+  put(tree.path(), {{"labs/05_x/lab.cpp",
+                     "//@step 5.1 begin\nsolution\n//@starter\n// a\n// b\n//@end\n"
+                     "//@step 5.2 begin\n//@starter\n//@end\n"}});
+  EXPECT_EQ(step_places(tree.path()).at("5.2").line, 7);
+  EXPECT_EQ(material::first_places(tree.path()).at("5.2").line, 5);
 }
 
 /// An editor that saves with other line ends or tabs, and comments alone, begin no step, in any file of the

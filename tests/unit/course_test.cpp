@@ -18,15 +18,7 @@ using test::replaced;
 /// A folder with labs/05_normal_map/lab.toml of the given text.
 class LabFile {
  public:
-  explicit LabFile(const std::string& text) {
-    std::filesystem::create_directories(path().parent_path());
-    write_file(path(), text);
-  }
-  /// Another lab beside it.
-  void add(const std::string& lab, const std::string& text) const {
-    std::filesystem::create_directories(labs() / lab);
-    write_file(labs() / lab / "lab.toml", text);
-  }
+  explicit LabFile(const std::string& text) { test::put(path().parent_path(), {{"lab.toml", text}}); }
   [[nodiscard]] std::filesystem::path path() const { return folder_ / "labs/05_normal_map/lab.toml"; }
   [[nodiscard]] std::filesystem::path labs() const { return folder_ / "labs"; }
 
@@ -184,7 +176,7 @@ TEST(Labs, are_found_below_their_folder_without_what_was_copied_or_left_beside_t
   const LabFile file(kHead);
   EXPECT_THROW(read_labs(file.path().parent_path()), Error);
   EXPECT_THROW(read_labs("no/such/folder"), Error);
-  for (const char* copy : {"05_old", "05_normal_map - Copy"}) file.add(copy, kHead);
+  test::put(file.labs(), {{"05_old/lab.toml", kHead}, {"05_normal_map - Copy/lab.toml", kHead}});
   std::filesystem::create_directories(file.labs() / "10_mine");
   write_file(file.labs() / ".DS_Store", "");
   const std::vector<Lab> labs = read_labs(file.labs());

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <clocale>
@@ -27,6 +26,7 @@ using test::Format;
 using test::has;
 using test::pack;
 using test::Packed;
+using test::put;
 using test::with_utf8_flag;
 using Texts = std::map<std::string, std::string>;
 
@@ -35,13 +35,6 @@ const std::string kQuad = "labs/01_texture_quad/lab.cpp", kLab = "labs/05_normal
                   kFrame = "shaders/05_normal_map/tangent_frame.glsl", kWeld = "labs/04_cube_wrap/weld.cpp";
 const std::vector<std::string> allowed = {kWeld, kQuad, kLab, kDecode, kFrame};
 const std::string kMebibyte(1U << 20U, '/');
-
-void put(const fs::path& root, const Texts& files) {
-  for (const auto& [path, text] : files) {
-    fs::create_directories((root / path).parent_path());
-    write_file(root / path, text);
-  }
-}
 
 /// A starter without steps.
 std::string no_step(const std::string& /*file*/) {
@@ -77,10 +70,7 @@ std::map<std::string, Entry> class_of(const std::vector<std::string>& file_names
 
 TEST(ReadClass, knows_the_names_of_canvas_moodle_and_plain_ones) {
   using Kind = Entry::Kind;
-  struct Row {
-    const char *file, *id, *name, *number;
-    Kind kind;
-  };
+  using Row = std::tuple<const char*, const char*, const char*, const char*, Kind>;
   for (const auto& [file, id, name, number, kind] : std::vector<Row>{
            {"doejane_12345_678_labs.zip", "doejane-12345", "doejane", "12345", Kind::zip},
            {"roejohn_LATE_222_333_my_labs-1.tar.gz", "roejohn-222", "roejohn", "222", Kind::tar},
@@ -369,21 +359,19 @@ TEST(Unpack, takes_allowed_files_and_says_why_not_the_others) {
 }
 
 TEST(Unpack, takes_no_path_that_leaves_the_submission_and_no_strange_name) {
-  for (const auto& [before, reason] :
-       std::vector<std::pair<std::string, std::string>>{{"/", "absolute"},
-                                                        {"C:\\", "absolute"},
-                                                        {"../", ".."},
-                                                        {"x/../", ".."},
-                                                        {"..\\", ".."},
-                                                        {"a\nb/", "control"},
-                                                        {"a\x1b[2J/", "control"},
-                                                        {std::string(1200, 'a') + "/", "too long"}}) {
-    const Submission submission = unpacked(Format::tar_gz, pack(Format::tar_gz, {{before + kLab, "x"}}));
-    EXPECT_TRUE(submission.files.empty()) << before;
-    ASSERT_EQ(submission.ignored.size(), 1U) << before;
-    EXPECT_TRUE(has(submission.ignored[0].reason, reason)) << submission.ignored[0].reason;
-    EXPECT_FALSE(has(submission.ignored[0].path, "\x1b"));
-  }
+  const std::pair<const char*, std::vector<std::string>> rows[] = {
+      {"absolute", {"/", "C:\\"}},
+      {"..", {"../", "x/../", "..\\"}},
+      {"control", {"a\nb/", "a\x1b[2J/"}},
+      {"too long", {std::string(1200, 'a') + "/"}}};
+  for (const auto& [reason, places] : rows)
+    for (const std::string& before : places) {
+      const Submission submission = unpacked(Format::tar_gz, pack(Format::tar_gz, {{before + kLab, "x"}}));
+      EXPECT_TRUE(submission.files.empty()) << before;
+      ASSERT_EQ(submission.ignored.size(), 1U) << before;
+      EXPECT_TRUE(has(submission.ignored[0].reason, reason)) << submission.ignored[0].reason;
+      EXPECT_FALSE(has(submission.ignored[0].path, "\x1b"));
+    }
 }
 
 TEST(Unpack, takes_of_two_copies_the_one_with_more_steps_begun) {

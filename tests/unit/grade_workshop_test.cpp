@@ -17,7 +17,6 @@
 namespace texel::grade {
 namespace {
 
-namespace fs = std::filesystem;
 using test::has;
 
 std::atomic<int> compiled = 0;
@@ -36,10 +35,6 @@ Outcome counting(const Confines& confines, const std::vector<std::string>& comma
 class WorkshopTest : public testing::Test {
  protected:
   WorkshopTest() : tree_{folder_ / "tree", folder_ / "tree/build", "this tree"} {
-    write("labs/03_obj/a.cpp", "int a() { return 1; }\n");
-    write("labs/03_obj/b.cpp", "int b() { return 2; }\n");
-    write("labs/one.cpp", "int a();\nint main() { return a(); }\n");
-    write("labs/two.cpp", "int b();\nint main() { return b(); }\n");
     const std::string source = tree_.source.string();
     std::string ninja =
         "rule cxx\n command = c++ -o $out -c $in\n"
@@ -49,14 +44,14 @@ class WorkshopTest : public testing::Test {
     ninja +=
         "build bin/one: link labs/one.o labs/03_obj/a.o\nbuild bin/two: link labs/two.o labs/03_obj/b.o\n"
         "build bin/both: link labs/two.o labs/03_obj/a.o labs/03_obj/b.o\n";
-    write("build/build.ninja", ninja);
+    test::put(tree_.source, {{"labs/03_obj/a.cpp", "int a() { return 1; }\n"},
+                             {"labs/03_obj/b.cpp", "int b() { return 2; }\n"},
+                             {"labs/one.cpp", "int a();\nint main() { return a(); }\n"},
+                             {"labs/two.cpp", "int b();\nint main() { return b(); }\n"},
+                             {"build/build.ninja", ninja}});
     EXPECT_EQ(run_program({"ninja", "-C", tree_.build.string()}).exit_code, 0);
     compiled = 0;
     workshop_ = std::make_unique<Workshop>(tree_, folder_ / "cache", counting);
-  }
-  void write(const std::string& path, const std::string& text) const {
-    fs::create_directories((tree_.source / path).parent_path());
-    write_file(tree_.source / path, text);
   }
   static int exit_code(const Program& program) { return run_program({program.file.string()}).exit_code; }
   static std::string refused(const Program& program) {

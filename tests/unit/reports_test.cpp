@@ -117,11 +117,10 @@ TEST_F(Reports, for_prairielearn_leave_out_pictures_beyond_a_megabyte) {
 
 TEST_F(Reports, for_gradescope_leave_an_earlier_mark_after_an_incident) {
   EXPECT_THROW(gradescope(student("dora-incident")), Error);
-  const fs::path file = folder_ / "gradescope/dora-incident/results.json";
-  fs::create_directories(file.parent_path());
-  write_file(file, "an earlier one");
+  const std::string file = "gradescope/dora-incident/results.json";
+  test::put(folder_, {{file, "an earlier one"}});
   write_format("gradescope", results_, folder_);
-  EXPECT_EQ(read_file(file), "an earlier one");
+  EXPECT_EQ(read_file(folder_ / file), "an earlier one");
 }
 
 TEST_F(Reports, give_no_mark_in_any_format_while_the_run_is_not_finished) {

@@ -2,8 +2,8 @@
 // The window's parts that need no window: a compiler's message, undo and redo, drags.
 #include <gtest/gtest.h>
 
+#include "../support/picture_files.hpp"
 #include "app/gestures.hpp"
-#include "core/files.hpp"
 #include "history.hpp"
 #include "shader_message.hpp"
 
@@ -12,14 +12,12 @@ namespace {
 
 TEST(ErrorMessage, has_the_first_message_its_line_and_how_many_follow) {
   const ScratchFolder root;
-  const std::filesystem::path shaders = root.path() / "shaders";
-  std::filesystem::create_directory(shaders);
-  write_file(shaders / "a.frag", "one\n  two two \nthree\n");
+  test::put(root.path(), {{"shaders/a.frag", "one\n  two two \nthree\n"}});
   const ErrorMessage message =
       read_message("shaders/a.frag:2:7: error: no\nshaders/a.frag:3: error: also\nend", root.path());
   EXPECT_EQ(message.first, "shaders/a.frag:2:7: error: no");
   EXPECT_EQ(message.source_line, "two two");
-  EXPECT_EQ(message.file, shaders / "a.frag");
+  EXPECT_EQ(message.file, root.path() / "shaders/a.frag");
   EXPECT_EQ(message.line, 2);
   EXPECT_EQ(message.column, 7);
   EXPECT_EQ(message.others, 2);
