@@ -9,7 +9,7 @@
 #include <cstdlib>
 
 #include "../support/picture_files.hpp"
-#include "core/error.hpp"
+#include "../support/said.hpp"
 #include "image/load.hpp"
 
 namespace texel::app {
@@ -90,13 +90,7 @@ TEST_P(BatchOfThreads, gives_each_picture_its_own_file) {
 TEST_P(BatchOfThreads, says_which_file_could_not_be_written_and_writes_the_others) {
   std::filesystem::create_directories(Grey::folder / "b.png");  // a folder stands in its way
   testing::internal::CaptureStderr();
-  std::string message;
-  try {
-    draw(batch_);
-  } catch (const Error& error) {
-    message = error.what();
-    EXPECT_EQ(error.exit_code(), Exit::failed);
-  }
+  const std::string message = test::error_of([&] { draw(batch_); });
   const std::string lines = testing::internal::GetCapturedStderr();
   EXPECT_EQ(message, "1 of 3 entries could not be drawn");
   EXPECT_TRUE(lines.starts_with("b.png: ")) << lines;

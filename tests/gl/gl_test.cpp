@@ -39,15 +39,13 @@ Image8 filled(int width, int height, std::initializer_list<int> color) {
 class OpenGl : public testing::TestWithParam<const char*> {
  protected:
   OpenGl() : context_(create_headless(Shaders::quick_to_compile, GetParam())) {
-    write_file(folder_ / "full.vert",
-               "#version 330 core\nin vec3 position;\nin vec2 texcoord;\nout vec2 st;\n"
-               "void main() { st = texcoord; gl_Position = vec4(position, 1.0); }\n");
-    write_file(folder_ / "map.frag",
-               "#version 330 core\nin vec2 st;\nuniform sampler2D map;\nout vec4 color;\n"
-               "void main() { color = texture(map, st); }\n");
-    write_file(folder_ / "plain.vert",
-               "#version 330 core\nin vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }\n");
-    write_file(folder_ / "white.frag", "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");
+    write_shader("full.vert",
+                 "in vec3 position;\nin vec2 texcoord;\nout vec2 st;\n"
+                 "void main() { st = texcoord; gl_Position = vec4(position, 1.0); }\n");
+    write_shader("map.frag",
+                 "in vec2 st;\nuniform sampler2D map;\nout vec4 c;\nvoid main() { c = texture(map, st); }\n");
+    write_shader("plain.vert", "in vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }\n");
+    write_shader("white.frag", "out vec4 c;\nvoid main() { c = vec4(1.0); }\n");
   }
   ~OpenGl() override {
     for (const std::string& error : context_->take_errors()) ADD_FAILURE() << error;
@@ -55,9 +53,16 @@ class OpenGl : public testing::TestWithParam<const char*> {
 
   [[nodiscard]] std::filesystem::path shaders() const { return folder_ / ""; }
 
+  void write(const std::string& file, const std::string& text) const {
+    test::put(folder_.path(), {{file, text}});
+  }
+  void write_shader(const std::string& file, const std::string& text) const {
+    write(file, "#version 330 core\n" + text);
+  }
+
   /// A program of full.vert and a fragment shader of this text.
   std::string compile_error(const std::string& fragment) {
-    write_file(folder_ / "student.frag", fragment);
+    write("student.frag", fragment);
     ProgramCache cache(shaders());
     return error_of([&] { cache.get("full.vert", "student.frag", {}); });
   }
@@ -92,14 +97,10 @@ TEST_P(OpenGl, is_a_core_context_of_3_3_or_later_and_reports_errors_once) {
 }
 
 TEST_P(OpenGl, an_error_names_the_file_and_line_in_which_it_is) {
-  std::filesystem::create_directories(folder_ / "lib");
-  write_file(folder_ / "lib/step.glsl", "// one\nfloat twice(float x) {\n  return undeclared * x;\n}\n");
-  write_file(folder_ / "one.glsl", "float one() { return 1.0; }\n\n\n\n");
-  struct Row {
-    std::string shader, begins, says;
-  };
+  write("lib/step.glsl", "// one\nfloat twice(float x) {\n  return undeclared * x;\n}\n");
+  write("one.glsl", "float one() { return 1.0; }\n\n\n\n");
   const std::string color = "out vec4 c;\nvoid main() {";
-  const Row rows[] = {
+  const std::tuple<std::string, std::string, std::string> rows[] = {
       {color + "\n  c = vec3(1.0);\n}\n", "student.frag:4:", ""},
       {"#include \"lib/step.glsl\"\n" + color + " c = vec4(twice(1.0)); }\n",
        "lib/step.glsl:3:", "undeclared"},
@@ -109,24 +110,22 @@ TEST_P(OpenGl, an_error_names_the_file_and_line_in_which_it_is) {
       {"#if 0\n#include \"one.glsl\"\n#endif\n" + color + " c = vec3(1.0); }\n", "student.frag:6:", ""},
       {color + "\n  c = vec4(1.0)\n}\n",
        "student.frag:4: error: a ';' is missing at the end of this line: c = vec4(1.0)", ""}};
-  for (const Row& row : rows) {
-    const std::string error = compile_error("#version 330 core\n" + row.shader);
-    EXPECT_TRUE(error.starts_with(row.begins)) << error;
-    EXPECT_TRUE(has(error, row.says) && !error.ends_with("\n")) << error;
+  for (const auto& [shader, begins, says] : rows) {
+    const std::string error = compile_error("#version 330 core\n" + shader);
+    EXPECT_TRUE(error.starts_with(begins)) << error;
+    EXPECT_TRUE(has(error, says) && !error.ends_with("\n")) << error;
   }
   // From the folder of shaders on.
-  std::filesystem::create_directories(folder_ / "shaders");
-  write_file(folder_ / "shaders/a.frag", "void main() {}\n");
+  write("shaders/a.frag", "void main() {}\n");
   EXPECT_TRUE(
       error_of([&] { ShaderSource(folder_ / "shaders", "a.frag"); }).starts_with("shaders/a.frag:1: "));
 }
 
 // Each row's shader compiles, and a mistake behind it is said to be in its own line.
 TEST_P(OpenGl, includes_are_read_as_glsl_reads_comments_and_conditions) {
-  std::filesystem::create_directories(folder_ / "lib");
-  write_file(folder_ / "step.glsl", "\xEF\xBB\xBF#define STEP\nfloat one() { return 1.0; }\n");
-  write_file(folder_ / "lib/a.glsl", "#include \"../lib/b.glsl\"\n#include \"../step.glsl\"\n");
-  write_file(folder_ / "lib/b.glsl", "#if VIEW\n#else\n#include \"./../step.glsl\"\n#endif\n");
+  write("step.glsl", "\xEF\xBB\xBF#define STEP\nfloat one() { return 1.0; }\n");
+  write("lib/a.glsl", "#include \"../lib/b.glsl\"\n#include \"../step.glsl\"\n");
+  write("lib/b.glsl", "#if VIEW\n#else\n#include \"./../step.glsl\"\n#endif\n");
   const std::string head = "#version 330 core\n", step = "#include \"step.glsl\"\n",
                     nowhere = "#include \"nowhere.glsl\"\n";
   for (const std::string& text : std::vector<std::string>{
@@ -161,14 +160,14 @@ TEST_P(OpenGl, includes_are_read_as_glsl_reads_comments_and_conditions) {
 }
 
 TEST_P(OpenGl, an_include_that_cannot_be_followed_is_one_short_message) {
-  write_file(folder_ / "a.glsl", "\n#include \"lib/.././a.glsl\"\n");
-  write_file(folder_ / "b.glsl", "#include \"c.glsl\"\n");
-  write_file(folder_ / "c.glsl", "#include \"b.glsl\"\n");
-  write_file(folder_ / "doubled.glsl", "");
+  write("a.glsl", "\n#include \"lib/.././a.glsl\"\n");
+  write("b.glsl", "#include \"c.glsl\"\n");
+  write("c.glsl", "#include \"b.glsl\"\n");
+  write("doubled.glsl", "");
   for (int i = 0; i < 30; ++i) {
     const std::string next = i == 0 ? "doubled.glsl" : fmt::format("doubled{}.glsl", i - 1);
-    write_file(folder_ / fmt::format("doubled{}.glsl", i),
-               fmt::format("#ifdef A\n#include \"{0}\"\n#else\n#include \"{0}\"\n#endif\n", next));
+    write(fmt::format("doubled{}.glsl", i),
+          fmt::format("#ifdef A\n#include \"{0}\"\n#else\n#include \"{0}\"\n#endif\n", next));
   }
   const std::vector<std::pair<std::string, std::string>> rows = {
       {"#include \"./a.glsl\"", "a.glsl:2: 'lib/.././a.glsl' includes itself"},
@@ -184,15 +183,10 @@ TEST_P(OpenGl, an_include_that_cannot_be_followed_is_one_short_message) {
   }
 }
 
-TEST_P(OpenGl, an_unknown_vertex_attribute_is_an_error) {
-  write_file(folder_ / "odd.vert",
-             "#version 330 core\nin vec4 vPosition;\nvoid main() { gl_Position = vPosition; }\n");
+TEST_P(OpenGl, an_unknown_attribute_or_a_misspelt_uniform_is_an_error_and_an_inactive_one_is_not) {
+  write_shader("odd.vert", "in vec4 vPosition;\nvoid main() { gl_Position = vPosition; }\n");
   EXPECT_TRUE(has(error_of([&] { use("odd.vert", "white.frag"); }), "'vPosition'"));
-}
-
-TEST_P(OpenGl, setting_a_misspelt_uniform_is_an_error_and_an_inactive_one_is_not) {
-  write_file(folder_ / "unused.frag",
-             "#version 330 core\nuniform float tilt;\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");
+  write_shader("unused.frag", "uniform float tilt;\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");
   Program& program = use("full.vert", "unused.frag");
   EXPECT_EQ(error_of([&] { program.set("tilt", 1.0F); }), "");
   EXPECT_NE(error_of([&] { program.set("tlit", 1.0F); }), "");
@@ -208,15 +202,14 @@ TEST_P(OpenGl, a_uniform_that_is_read_must_be_set_and_a_sampler_takes_the_number
     EXPECT_TRUE(has(error, "number of a texture unit")) << error;
   program.set("map", 0);
   EXPECT_EQ(error_of([&] { program.check_uniforms(); }), "");
-  write_file(folder_ / "same.frag", read_file(folder_ / "map.frag"));
+  write("same.frag", read_file(folder_ / "map.frag"));
   Program& fresh = use("full.vert", "same.frag");
   EXPECT_NE(error_of([&] { fresh.check_uniforms(); }), "");
   glUniform1i(glGetUniformLocation(fresh.id(), "map"), 0);  // as the slides have it
   EXPECT_EQ(error_of([&] { fresh.check_uniforms(); }), "");
   fresh.forget_uniforms();  // as before each picture
   EXPECT_NE(error_of([&] { fresh.check_uniforms(); }), "");
-  write_file(folder_ / "number.frag",
-             "#version 330 core\nuniform float tilt;\nout vec4 c;\nvoid main() { c = vec4(tilt); }\n");
+  write_shader("number.frag", "uniform float tilt;\nout vec4 c;\nvoid main() { c = vec4(tilt); }\n");
   Program& number = use("full.vert", "number.frag");
   number.set("tilt", 1.0F);
   EXPECT_EQ(error_of([&] { number.check_uniforms(); }), "");
@@ -244,9 +237,9 @@ TEST_P(OpenGl, sampling_that_an_earlier_picture_set_is_forgotten) {
 }
 
 TEST_P(OpenGl, a_variant_is_compiled_once_and_only_for_constants_that_its_source_mentions) {
-  write_file(folder_ / "variant.frag",
-             "#version 330 core\nout vec4 c;\nvoid main() {\n#if METHOD == 1\n  c = vec4(1.0);\n#else\n  c = "
-             "vec4(0.5);\n#endif\n}\n");
+  write_shader(
+      "variant.frag",
+      "out vec4 c;\nvoid main() {\n#if METHOD == 1\n  c = vec4(1.0);\n#else\n  c = vec4(0.5);\n#endif\n}\n");
   const Program& one = cache_.get("full.vert", "variant.frag", {{"METHOD", "1"}, {"OTHER", "1"}});
   EXPECT_EQ(&one, &cache_.get("full.vert", "variant.frag", {{"METHOD", "1"}, {"OTHER", "2"}}));
   EXPECT_NE(&one, &cache_.get("full.vert", "variant.frag", {{"METHOD", "2"}, {"OTHER", "1"}}));
@@ -307,9 +300,9 @@ TEST_P(OpenGl, a_data_target_keeps_values_and_nan) {
   const Target target(Target::Kind::data, 1, 1, 1);
   target.bind();
   glDisable(GL_DEPTH_TEST);
-  write_file(folder_ / "nan.frag",
-             "#version 330 core\nuniform float zero;\nout vec4 c;\nvoid main() { c = vec4(-3.25, 1e6, zero / "
-             "zero, 1.0); }\n");
+  write_shader("nan.frag",
+               "uniform float zero;\nout vec4 c;\n"
+               "void main() { c = vec4(-3.25, 1e6, zero / zero, 1.0); }\n");
   Program& program = use("plain.vert", "nan.frag");
   program.set("zero", 0.0F);
   MeshBuffers(mesh::quad(1)).draw(program);
@@ -336,7 +329,7 @@ TEST_P(OpenGl, a_mesh_without_an_attribute_that_the_program_reads_is_an_error) {
   const Target target(Target::Kind::color, 1, 1, 1);
   target.bind();
   buffers = MeshBuffers(mesh::Mesh{});
-  write_file(folder_ / "none.vert", "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n");
+  write_shader("none.vert", "void main() { gl_Position = vec4(0.0); }\n");
   EXPECT_EQ(error_of([&] { buffers.draw(use("none.vert", "white.frag")); }), "");
 }
 
@@ -372,7 +365,7 @@ TEST_P(OpenGl, a_picture_stays_when_another_is_drawn_with_its_samples_and_depth)
   }
 }
 
-TEST_P(OpenGl, only_a_picture_of_the_same_kind_size_and_samples_shares_them) {
+TEST_P(OpenGl, only_a_picture_of_the_same_kind_size_and_samples_shares_them_and_a_whole_one_is_resolved) {
   if (integer(GL_MAX_SAMPLES) < 4) GTEST_SKIP() << "this driver has one sample a pixel";
   const Target first(Target::Kind::color, 8, 8, 4);
   const auto samples_of = [](const Target& target) {
@@ -387,11 +380,7 @@ TEST_P(OpenGl, only_a_picture_of_the_same_kind_size_and_samples_shares_them) {
   const Target data(Target::Kind::data, 8, 8, 4, &first);
   fill(data, {2.5F, 0, 0, 1});  // more than a colour's samples hold
   EXPECT_EQ(data.read_float().at(3, 3, 0), 2.5F);
-}
-
-TEST_P(OpenGl, a_whole_picture_is_resolved_whatever_is_cut_off) {
-  if (integer(GL_MAX_SAMPLES) < 4) GTEST_SKIP() << "this driver has one sample a pixel";
-  const Target first(Target::Kind::color, 8, 8, 4);
+  // A whole picture is resolved, whatever is cut off.
   const Target tall(Target::Kind::color, 8, 16, 4, &first);  // shares no samples: the other is lower
   tall.bind();
   glClearColor(0, 1, 0, 1);
@@ -450,10 +439,7 @@ TEST_P(Recording, counts_what_is_drawn) {
   EXPECT_EQ(record.textures[0].name, "map");
   EXPECT_EQ(record.textures[0].bytes, (64 + 16 + 4 + 1) * 3);
   EXPECT_TRUE(record.warnings.empty()) << record.warnings.front();
-}
-
-TEST_P(Recording, counts_the_triangles_of_a_strip) {
-  draw(make_texture_2d(filled(8, 8, {9, 9, 9}), Encoding::linear, {}));
+  // And a strip.
   const VertexArray vertices;
   glBindVertexArray(vertices.id());
   Recorder recorder;
