@@ -34,18 +34,14 @@ TEST(ErrorPicture, counts_in_its_unit_and_goes_the_short_way_round_a_surface_tha
                       d = row({{0.875F, 2.5F, 0, 1}});
   Measure closed = in(Unit::texels, 512);
   closed.repeats = true;
-  struct Row {
-    image::ImageF a, b;
-    Measure measure;
-    float error;
-  };
   // Angles do not depend on lengths; 90 degrees is exact by atan2 but for the conversion from radians.
-  const Row rows[] = {
+  const std::tuple<image::ImageF, image::ImageF, Measure, float> rows[] = {
       {a, b, in(Unit::degrees), 90},      {a, b, in(Unit::texels), std::sqrt(5.0F)},
       {a, b, in(Unit::steps), 2},         {a, b, in(Unit::levels), 1},
       {a, b, in(Unit::levels, 512), 512}, {c, d, in(Unit::texels, 512), 512 * std::hypot(0.75F, 2.0F)},
       {c, d, closed, 512 * 0.25F}};
-  for (const Row& row : rows) EXPECT_FLOAT_EQ(error_picture(row.a, row.b, row.measure).at(0, 0), row.error);
+  for (const auto& [from, to, measure, error] : rows)
+    EXPECT_FLOAT_EQ(error_picture(from, to, measure).at(0, 0), error);
 }
 
 TEST(ErrorPicture, is_known_only_where_both_have_a_value) {

@@ -29,12 +29,8 @@ std::array<image::Image8, 6> plain_faces(int side) {
   return faces;
 }
 
-/// Which face each place of a picture shows.
-struct Place {
-  int x, y, face;
-};
-
-void expect_faces(const image::Image8& picture, std::initializer_list<Place> places) {
+/// Which face each place of a picture shows: x, y and the face.
+void expect_faces(const image::Image8& picture, std::initializer_list<std::tuple<int, int, int>> places) {
   for (const auto& [x, y, face] : places) EXPECT_EQ(picture.at(x, y) / 40, face) << x << " " << y;
 }
 

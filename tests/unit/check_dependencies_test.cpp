@@ -91,22 +91,19 @@ TEST(Waiting, skips_what_needs_a_step_that_did_not_pass) {
       lab(1, {{"1.1", false}, {"1.2", true}, {"1.3", false}, {"1.4", false}, {"1.5", true}, {"1.6", false}},
           {{"1.2", {"1.1"}}, {"1.3", {"1.1", "1.2"}}, {"1.5", {"1.1"}}, {"1.6", {"1.1", "1.4"}}});
   skip_those_that_wait(first, {});
-  struct Row {
-    judge::Status status;
-    const char* message;
-    Steps spoilt_by;
-  };
-  const Row rows[] = {{judge::Status::failed, "message of 1.1", {}},
-                      {judge::Status::passed, "", {}},  // although it needs 1.1
-                      {judge::Status::skipped, "It needs 1.1 first.", {"1.1"}},
-                      {judge::Status::failed, "message of 1.4", {}},  // it needs nothing
-                      {judge::Status::passed, "", {}},
-                      {judge::Status::skipped, "It needs 1.1 and 1.4 first.", {"1.1", "1.4"}}};
+  const std::tuple<judge::Status, const char*, Steps> rows[] = {
+      {judge::Status::failed, "message of 1.1", {}},
+      {judge::Status::passed, "", {}},  // although it needs 1.1
+      {judge::Status::skipped, "It needs 1.1 first.", {"1.1"}},
+      {judge::Status::failed, "message of 1.4", {}},  // it needs nothing
+      {judge::Status::passed, "", {}},
+      {judge::Status::skipped, "It needs 1.1 and 1.4 first.", {"1.1", "1.4"}}};
   for (std::size_t i = 0; i < std::size(rows); ++i) {
     const judge::StepResult& step = first.steps[i];
-    EXPECT_EQ(step.status, rows[i].status) << step.id;
-    EXPECT_EQ(step.message, rows[i].message) << step.id;
-    EXPECT_EQ(step.spoilt_by, rows[i].spoilt_by) << step.id;
+    const auto& [status, message, spoilt_by] = rows[i];
+    EXPECT_EQ(step.status, status) << step.id;
+    EXPECT_EQ(step.message, message) << step.id;
+    EXPECT_EQ(step.spoilt_by, spoilt_by) << step.id;
   }
 }
 

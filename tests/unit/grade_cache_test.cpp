@@ -29,27 +29,23 @@ class Kept : public testing::Test {
 
 TEST_F(Kept, goes_after_a_month_without_use_and_starters_after_a_week) {
   const std::string a(64, 'a'), b = "0123456789abcdef";
-  struct Row {
-    int days;
-    std::string name;
-    bool stays;
-  };
-  const std::vector<Row> rows = {{29, "objects/" + a, true},
-                                 {31, "objects/" + b, false},
-                                 {29, "solutions/programs/" + a, true},
-                                 {31, "solutions/programs/" + b, false},
-                                 {31, "solutions/objects/" + a, false},
-                                 {31, "programs/" + a, false},
-                                 {31, "references/" + std::string(32, '0'), false},
-                                 {6, "starter-" + b, true},
-                                 {8, "starter-fedcba9876543210", false},
-                                 {400, "models/" + b, true},
-                                 // --cache may name a folder that holds more than the grader's.
-                                 {4000, "programs/my_ray_tracer", true},
-                                 {4000, "references/papers_of_the_year_2020", true},
-                                 {4000, "starter-code-for-lab-1", true},
-                                 {4000, "objects/cafe", true},
-                                 {4000, "references-2024", true}};
+  const std::tuple<int, std::string, bool> rows[] = {
+      {29, "objects/" + a, true},
+      {31, "objects/" + b, false},
+      {29, "solutions/programs/" + a, true},
+      {31, "solutions/programs/" + b, false},
+      {31, "solutions/objects/" + a, false},
+      {31, "programs/" + a, false},
+      {31, "references/" + std::string(32, '0'), false},
+      {6, "starter-" + b, true},
+      {8, "starter-fedcba9876543210", false},
+      {400, "models/" + b, true},
+      // --cache may name a folder that holds more than the grader's.
+      {4000, "programs/my_ray_tracer", true},
+      {4000, "references/papers_of_the_year_2020", true},
+      {4000, "starter-code-for-lab-1", true},
+      {4000, "objects/cafe", true},
+      {4000, "references-2024", true}};
   for (const auto& [days, name, stays] : rows) used_before(days, name);
   remove_unused(cache_.path());
   for (const auto& [days, name, stays] : rows) EXPECT_EQ(fs::exists(cache_.path() / name), stays) << name;

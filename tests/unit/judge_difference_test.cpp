@@ -67,43 +67,38 @@ class Differences : public testing::Test {
 };
 
 TEST_F(Differences, are_said_channel_by_channel) {
-  struct Row {
-    View view;
-    std::function<dvec3(dvec3)> becomes;
-    const char* says;
-  };
-  for (const Row& row : std::initializer_list<Row>{
-           {View::normal, [](dvec3 n) { return n * dvec3(1, -1, 1); }, "The expected normal with y negated"},
-           {View::normal, [](dvec3 n) { return -n; }, "The expected normal with x, y and z negated"},
-           {View::normal, [](dvec3 n) { return dvec3(n.y, n.x, n.z); },
-            "The expected normal with y in place of x and x in place of y"},
-           {View::texcoord, [](dvec3 c) { return dvec3(1 - c.x, c.y, 0); },
-            "The expected texture coordinate with 1 - s (or u) in place of s (or u)"},
-           {View::texcoord, [](dvec3 c) { return c + dvec3(0.5, 0, 0); },
-            "The expected texture coordinate with 0.5 added to s (or u)"},
-           {View::texcoord, [](dvec3 c) { return dvec3(std::min(c.x, 1.0), c.y, 0); },
-            "The expected texture coordinate with s (or u) kept between 0.0312 and 1"},
-           {View::texcoord, [](dvec3 c) { return glm::fract(c); },
-            "The expected texture coordinate with only the fraction of s (or u) and t (or v)"},
-           {View::texcoord, [](dvec3 c) { return dvec3(c.x, c.y * c.y, 0); },
-            "The expected texture coordinate with only t (or v) wrong"},
-           {View::color, [](dvec3 c) { return dvec3(c.z, c.y, c.x); },
-            "The expected picture with blue in place of red and red in place of blue"},
-           {View::color,
-            [](dvec3 c) {
-              for (int i = 0; i < 3; ++i)
-                c[i] = 255 * image::srgb_from_linear(0.5 * image::linear_from_srgb(c[i] / 255));
-              return c;
-            },
-            "The expected picture with the light of red, green and blue times 0.499"},
-           {View::color,
-            [](dvec3 c) {
-              for (int i = 0; i < 3; ++i)
-                c[i] = 255 * image::srgb_from_linear(0.25 + 0.5 * image::linear_from_srgb(c[i] / 255));
-              return c;
-            },
-            "The expected picture with the light of red, green and blue times 0.499 with 0.25 added"}})
-    EXPECT_EQ(said(row.view, row.becomes), row.says);
+  const std::tuple<View, std::function<dvec3(dvec3)>, const char*> rows[] = {
+      {View::normal, [](dvec3 n) { return n * dvec3(1, -1, 1); }, "The expected normal with y negated"},
+      {View::normal, [](dvec3 n) { return -n; }, "The expected normal with x, y and z negated"},
+      {View::normal, [](dvec3 n) { return dvec3(n.y, n.x, n.z); },
+       "The expected normal with y in place of x and x in place of y"},
+      {View::texcoord, [](dvec3 c) { return dvec3(1 - c.x, c.y, 0); },
+       "The expected texture coordinate with 1 - s (or u) in place of s (or u)"},
+      {View::texcoord, [](dvec3 c) { return c + dvec3(0.5, 0, 0); },
+       "The expected texture coordinate with 0.5 added to s (or u)"},
+      {View::texcoord, [](dvec3 c) { return dvec3(std::min(c.x, 1.0), c.y, 0); },
+       "The expected texture coordinate with s (or u) kept between 0.0312 and 1"},
+      {View::texcoord, [](dvec3 c) { return glm::fract(c); },
+       "The expected texture coordinate with only the fraction of s (or u) and t (or v)"},
+      {View::texcoord, [](dvec3 c) { return dvec3(c.x, c.y * c.y, 0); },
+       "The expected texture coordinate with only t (or v) wrong"},
+      {View::color, [](dvec3 c) { return dvec3(c.z, c.y, c.x); },
+       "The expected picture with blue in place of red and red in place of blue"},
+      {View::color,
+       [](dvec3 c) {
+         for (int i = 0; i < 3; ++i)
+           c[i] = 255 * image::srgb_from_linear(0.5 * image::linear_from_srgb(c[i] / 255));
+         return c;
+       },
+       "The expected picture with the light of red, green and blue times 0.499"},
+      {View::color,
+       [](dvec3 c) {
+         for (int i = 0; i < 3; ++i)
+           c[i] = 255 * image::srgb_from_linear(0.25 + 0.5 * image::linear_from_srgb(c[i] / 255));
+         return c;
+       },
+       "The expected picture with the light of red, green and blue times 0.499 with 0.25 added"}};
+  for (const auto& [view, becomes, says] : rows) EXPECT_EQ(said(view, becomes), says);
 }
 
 TEST_F(Differences, are_said_of_directions_as_a_whole) {

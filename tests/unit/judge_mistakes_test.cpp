@@ -58,12 +58,7 @@ TEST_F(Mistakes, are_known_by_their_pictures_and_not_by_others) {
   const std::vector<Mistake> mistakes = {{"off by a half", "1.1", "", {{"a", samples(8, 0.5F)}}},
                                          {"off by a third", "1.1", "", {{"a", samples(8, 0.333F)}}},
                                          {"of another step", "1.2", "", {{"a", samples(8, 0.25F)}}}};
-  struct Row {
-    int wrong;
-    float by;
-    const char* name;
-  };
-  for (const auto& [wrong, by, name] : {Row{8, 0.5F, "off by a half"},
+  for (const auto& [wrong, by, name] : {std::tuple{8, 0.5F, "off by a half"},
                                         {8, 0.333F, "off by a third"},
                                         {8, 0.25F, ""},
                                         {16, 0.5F, ""}})  // also wrong where the mistake is right

@@ -40,13 +40,7 @@ CaseResult alone(CaseResult result) {
 }
 
 course::Step named_step(const std::string& id, const Words& needs = {}, double points = 1) {
-  course::Step step;
-  step.id = id;
-  step.title = "title of " + id;
-  step.points = points;
-  step.needs = needs;
-  step.hints = {"hint of " + id, "another"};
-  return step;
+  return {id, "title of " + id, points, needs, {"hint of " + id, "another"}};
 }
 
 course::Lab lab_with(const std::string& folder, const std::vector<course::Step>& steps) {
@@ -55,10 +49,9 @@ course::Lab lab_with(const std::string& folder, const std::vector<course::Step>&
   lab.steps = steps;
   for (const course::Step& step : steps)
     for (const char* name : {"z of ", "a of "}) {
-      course::Case graded;
+      course::Case& graded = lab.cases.emplace_back();
       graded.name = name + step.id;
       graded.step = step.id;
-      lab.cases.push_back(graded);
     }
   return lab;
 }
@@ -74,15 +67,9 @@ TEST(StepResult, has_the_lower_mean_and_what_the_first_failed_case_says) {
   CaseResult nearly = judged("a", 1), spoilt = alone(judged("a", 1));
   nearly.status = Status::failed;
   nearly.message = spoilt.message = "message of a";
-  struct Row {
-    const char* what;
-    double score;
-    const char* failed;  ///< the case whose message the step has; none where it passed
-    const char* mistake;
-    std::vector<CaseResult> cases;
-  };
   const char* const none = nullptr;
-  const Row rows[] = {
+  // `failed` is the case whose message the step has; none where it passed.
+  const std::tuple<const char*, double, const char*, const char*, std::vector<CaseResult>> rows[] = {
       {"all passed", 1, none, "", {judged("a", 1), judged("b", 1, true)}},
       {"public cases", 0.625, "a", "", {judged("a", 0.25), judged("b", 1)}},
       {"hidden cases", 0.75, "a", "", {judged("a", 0.5, true), judged("b", 1, true)}},

@@ -68,17 +68,13 @@ TEST_F(JudgeMesh, takes_every_right_cut_of_a_flat_polygon_and_no_fan_beyond_it) 
 TEST_F(JudgeMesh, sees_what_is_wrong_and_says_it) {
   Mesh reference = kTorus;
   reference.tangents.assign(reference.vertex_count(), {1, 0, 0, 1});
-  struct Row {
-    std::function<void(Mesh&)> spoil;
-    const char* says;
-  };
   const auto sign = [](float w) {
     return [w](Mesh& mesh) {
       for (std::size_t i = 0; i < 10; ++i) mesh.tangents[i].w = w;
     };
   };
   const char* const signs = "; so are 10 of 325 vertices wrong.";
-  const Row rows[] = {
+  const std::pair<std::function<void(Mesh&)>, const char*> rows[] = {
       {[](Mesh& mesh) { std::swap(mesh.indices[0], mesh.indices[1]); },
        "Triangles are wrong; 99 % of the expected vertices are there and right."},
       {[](Mesh& mesh) {
@@ -92,13 +88,13 @@ TEST_F(JudgeMesh, sees_what_is_wrong_and_says_it) {
       {sign(-1), signs},
       {sign(0.9F), signs},  // w multiplies the bitangent: it is a sign alone
       {[](Mesh& mesh) { mesh.tangents.clear(); }, "other attributes"}};
-  for (const Row& row : rows) {
+  for (const auto& [spoil, says] : rows) {
     Mesh own = reference;
-    row.spoil(own);
+    spoil(own);
     const Verdict found = verdict(reference, own);
-    EXPECT_FALSE(found.passed) << row.says;
-    EXPECT_EQ(found.score, 0) << row.says;
-    EXPECT_TRUE(test::has(found.message, row.says)) << found.message;
+    EXPECT_FALSE(found.passed) << says;
+    EXPECT_EQ(found.score, 0) << says;
+    EXPECT_TRUE(test::has(found.message, says)) << found.message;
   }
 }
 

@@ -47,13 +47,8 @@ TEST(Normals, are_those_of_the_given_function) {
 }
 
 TEST(Normals, smooth_ones_come_near_the_exact_ones) {
-  struct Row {
-    const char* name;
-    Mesh mesh;
-    Weighting weighting;
-    double limit;  // degrees, just above what was measured
-  };
-  const Row rows[] = {
+  // The limits are degrees, just above what was measured.
+  const std::tuple<const char*, Mesh, Weighting, double> rows[] = {
       {"sphere by area", sphere(32, 64), Weighting::area,
        0.95},  // next to the poles, where areas are unequal
       {"sphere by angle", sphere(32, 64), Weighting::angle, 0.09},
@@ -61,14 +56,14 @@ TEST(Normals, smooth_ones_come_near_the_exact_ones) {
       {"torus by angle", torus(1.0f, 0.4f, 64, 32), Weighting::angle, 0.18},
       {"icosphere by angle", test::icosphere(4), Weighting::angle, 0.15},
   };
-  for (const Row& row : rows) {
-    Mesh mesh = row.mesh;
-    smooth_normals(mesh, row.weighting);
+  for (const auto& [name, exact, weighting, limit] : rows) {
+    Mesh mesh = exact;
+    smooth_normals(mesh, weighting);
     double worst = 0.0;
     for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
-      worst = std::max(worst, degrees_between(mesh.normals[v], row.mesh.normals[v]));
-    EXPECT_LT(worst, row.limit) << row.name;
-    EXPECT_GT(worst, 0.0) << row.name << ": the exact normals were left as they are";
+      worst = std::max(worst, degrees_between(mesh.normals[v], exact.normals[v]));
+    EXPECT_LT(worst, limit) << name;
+    EXPECT_GT(worst, 0.0) << name << ": the exact normals were left as they are";
   }
 }
 
@@ -79,13 +74,9 @@ TEST(Normals, of_a_file_follow_weights_positions_and_smoothing_groups) {
   const std::string fold = "v 0 0 0\nv 1 0 0\nv 0 -1 0\nv 0 0 3\nv 0 0 1\nv 1 0 1\n", flat = "f 1 3 2\n";
   const glm::dvec3 up(0, 0, 1), front(0, -1, 0), between(0, -1, 1);
   const auto area = Weighting::area, angle = Weighting::angle;
-  struct Row {
-    std::string faces;
-    Weighting weighting;
-    std::vector<std::pair<std::size_t, glm::dvec3>> normals;  // of some corners
-    std::size_t vertices;                                     // after welding
-  };
-  const Row rows[] = {
+  // The normals of some corners, and the number of vertices after welding.
+  using Normals = std::vector<std::pair<std::size_t, glm::dvec3>>;
+  const std::tuple<std::string, Weighting, Normals, std::size_t> rows[] = {
       {flat + "f 1 2 4\n", area, {{0, {0, -1.5, 0.5}}}, 4},
       {flat + "f 1 2 4\n", angle, {{0, between}}, 4},  // both corners have 90 degrees
       // The second face is a square, whose diagonal ends at vertex 1: by area it counts twice.
@@ -104,16 +95,16 @@ TEST(Normals, of_a_file_follow_weights_positions_and_smoothing_groups) {
       // What stands before the first s line is off too.
       {flat + "f 1 2 5\ns 1\nf 1 2 5\n", angle, {{0, up}, {3, front}, {6, front}}, 9},
   };
-  for (const Row& row : rows) {
-    SCOPED_TRACE(row.faces);
-    ObjData data = parse_obj(fold + row.faces, "a.obj");
-    generate_missing_normals(data, row.weighting);
-    for (const auto& [corner, direction] : row.normals)
+  for (const auto& [faces, weighting, normals, vertices] : rows) {
+    SCOPED_TRACE(faces);
+    ObjData data = parse_obj(fold + faces, "a.obj");
+    generate_missing_normals(data, weighting);
+    for (const auto& [corner, direction] : normals)
       EXPECT_LT(
           glm::distance(glm::dvec3(data.normals[data.corners[corner].normal]), glm::normalize(direction)),
           1e-6)
           << "corner " << corner;
-    EXPECT_EQ(weld(data).vertex_count(), row.vertices);
+    EXPECT_EQ(weld(data).vertex_count(), vertices);
   }
 }
 

@@ -45,11 +45,7 @@ void expect_warnings(const ObjData& data, const std::vector<std::string>& parts)
 }
 
 TEST(Obj, reads_corners_and_tells_of_what_it_repairs_or_leaves_out) {
-  struct Row {
-    std::string text, corners;
-    std::vector<std::string> warnings;
-  };
-  const Row rows[] = {
+  const std::tuple<std::string, std::string, std::vector<std::string>> rows[] = {
       {lists + "f 1 2 3\n", "1 2 3", {}},
       {lists + "f 1/1 2/2 3/2\n", "1/1 2/2 3/2", {}},
       {lists + "f 1//1 2//1 3//2\n", "1//1 2//1 3//2", {}},
@@ -86,11 +82,11 @@ TEST(Obj, reads_corners_and_tells_of_what_it_repairs_or_leaves_out) {
        "1/1 2/2 3/2",
        {"1 vt beyond 16777216"}},
   };
-  for (const Row& row : rows) {
-    SCOPED_TRACE(row.text);
-    const ObjData data = parse(row.text);
-    EXPECT_EQ(corners_of(data), row.corners);
-    expect_warnings(data, row.warnings);
+  for (const auto& [text, corners, warnings] : rows) {
+    SCOPED_TRACE(text);
+    const ObjData data = parse(text);
+    EXPECT_EQ(corners_of(data), corners);
+    expect_warnings(data, warnings);
     // A list that no face uses is not there.
     const auto uses = [&](std::uint32_t Corner::*index) {
       return std::ranges::any_of(data.corners,
@@ -197,26 +193,21 @@ TEST(Obj, keeps_runs_of_materials_groups_and_smoothing) {
 }
 
 TEST(Obj, takes_any_smoothing_group) {
-  struct Row {
-    std::vector<const char*> lines;
-    bool smooth;
-    std::vector<std::string> warnings;
-  };
-  const Row rows[] = {
+  const std::tuple<std::vector<std::string>, bool, std::vector<std::string>> rows[] = {
       {{"s on", "s ON", "s 1 # a comment", "s -1", "s 2147483648", "s 4294967296", "s 18446744073709551615"},
        true,
        {}},
       {{"s off", "s Off", "s OFF", "s 0"}, false, {}},
       {{"s", "s null", "s # off"}, false, {"1 smoothing groups (s) that are no number"}}};
-  for (const Row& row : rows)
-    for (const std::string line : row.lines) {
+  for (const auto& [written, is_smooth, warnings] : rows)
+    for (const std::string& line : written) {
       SCOPED_TRACE(line);
       // After a group, so that off is seen.
       const ObjData data = parse(triangle + "s 7\nf 1 2 3\n" + line + "\nf 1 2 3\n");
       ASSERT_EQ(data.smoothing.size(), 2u);
-      EXPECT_EQ(data.smoothing[1].group != 0, row.smooth);
+      EXPECT_EQ(data.smoothing[1].group != 0, is_smooth);
       EXPECT_NE(data.smoothing[1].group, 7u);
-      expect_warnings(data, row.warnings);
+      expect_warnings(data, warnings);
     }
 }
 
@@ -261,12 +252,8 @@ TEST(Obj, refuses_bad_input_with_the_line_and_a_remedy) {
   expect_refused("", 0, "empty");
   expect_refused("hello\nworld\n", 0, "2 lines not understood");
   const std::string joined = "v 1 \\\n 0 \\\n x\n";  // counts as the first of its lines
-  struct Row {
-    const char* what;
-    int line;
-    std::vector<std::string> texts;  // after the three lines of the triangle
-  };
-  const Row rows[] = {
+  // The texts come after the three lines of the triangle.
+  const std::tuple<const char*, int, std::vector<std::string>> rows[] = {
       {"no face", 0, {"", "f 1\nf 2 3\n"}},
       {"index 0", 4, {"f 0 1 2\n"}},
       {"index 4 of v is out of range: 3 so far", 4, {"f 1 2 4\n", "f 1 2 4\nv 1 1 1\n"}},
@@ -303,8 +290,8 @@ TEST(Obj, refuses_bad_input_with_the_line_and_a_remedy) {
         std::string("v\0 \0\x31\0\n\0", 8)}},                // UTF-16
       {"binary", 5, {"f 1 2 3\n" + std::string(40, '\0')}},  // a tail of zeros
   };
-  for (const Row& row : rows)
-    for (const std::string& text : row.texts) expect_refused(triangle + text, row.line, row.what);
+  for (const auto& [what, line, texts] : rows)
+    for (const std::string& text : texts) expect_refused(triangle + text, line, what);
 }
 
 TEST(Obj, refuses_a_face_of_more_corners_than_can_be_drawn) {

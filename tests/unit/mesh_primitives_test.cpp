@@ -20,20 +20,17 @@ using cube_wrap::face_normal;
 using test::icosphere;
 
 TEST(Primitives, have_the_counts_that_their_parameters_give) {
-  struct Row {
-    Mesh mesh;
-    std::size_t vertices, triangles;
-  };
-  const Row rows[] = {{quad(), 4, 2},
-                      {quad(1.0f, 5), 36, 50},
-                      {cube_split(), 24, 12},
-                      {sphere(8, 12), 13 * 7 + 2 * 12, 2 * 12 * 7},
-                      {torus(1.0f, 0.3f, 16, 8), 17 * 9, 2 * 16 * 8},
-                      {icosphere(3), 10 * 64 + 2, 20 * 64},
-                      {sphere(-5, 0), 4 + 2 * 3, 6}};  // the least that makes a surface
-  for (const Row& row : rows) {
-    EXPECT_EQ(row.mesh.vertex_count(), row.vertices);
-    EXPECT_EQ(row.mesh.triangle_count(), row.triangles);
+  const std::tuple<Mesh, std::size_t, std::size_t> rows[] = {
+      {quad(), 4, 2},
+      {quad(1.0f, 5), 36, 50},
+      {cube_split(), 24, 12},
+      {sphere(8, 12), 13 * 7 + 2 * 12, 2 * 12 * 7},
+      {torus(1.0f, 0.3f, 16, 8), 17 * 9, 2 * 16 * 8},
+      {icosphere(3), 10 * 64 + 2, 20 * 64},
+      {sphere(-5, 0), 4 + 2 * 3, 6}};  // the least that makes a surface
+  for (const auto& [mesh, vertices, triangles] : rows) {
+    EXPECT_EQ(mesh.vertex_count(), vertices);
+    EXPECT_EQ(mesh.triangle_count(), triangles);
   }
 }
 
@@ -74,20 +71,17 @@ TEST(Primitives, face_outward_with_the_texture_upright_and_are_closed) {
 }
 
 TEST(Primitives, lie_where_their_texture_coordinates_say_jittered_or_not) {
-  struct Row {
-    Mesh mesh;
-    truth::Surface surface;
-  };
   for (const float amount : {0.0f, 0.8f}) {
-    const Row rows[] = {{sphere(10, 16, 2.0f, {amount, 11}), truth::sphere(2)},
-                        {torus(1.5f, 0.5f, 24, 12, {amount, 11}), truth::torus(1.5, 0.5)}};
-    for (const Row& row : rows)
-      for (std::size_t v = 0; v < row.mesh.vertex_count(); ++v) {
-        const truth::SurfacePoint exact = row.surface(row.mesh.texcoords[v]);
+    const std::pair<Mesh, truth::Surface> rows[] = {
+        {sphere(10, 16, 2.0f, {amount, 11}), truth::sphere(2)},
+        {torus(1.5f, 0.5f, 24, 12, {amount, 11}), truth::torus(1.5, 0.5)}};
+    for (const auto& [mesh, surface] : rows)
+      for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+        const truth::SurfacePoint exact = surface(mesh.texcoords[v]);
         // s and t are rounded to float32: 2 pi * 2^-24 of a turn, times the radius 2; of the torus both
         // count.
-        EXPECT_LT(glm::distance(glm::dvec3(row.mesh.positions[v]), exact.position), 2e-6);
-        EXPECT_LT(glm::distance(glm::dvec3(row.mesh.normals[v]), exact.normal), 1e-6);
+        EXPECT_LT(glm::distance(glm::dvec3(mesh.positions[v]), exact.position), 2e-6);
+        EXPECT_LT(glm::distance(glm::dvec3(mesh.normals[v]), exact.normal), 1e-6);
       }
   }
 }

@@ -78,31 +78,28 @@ TEST(Tangents, are_weighted_by_length_or_angle_and_lie_in_the_plane_of_the_verte
 }
 
 TEST(Tangents, follow_a_sheared_stretched_and_mirrored_texture) {
-  struct Row {
-    glm::mat2 texture;  // the columns: (s, t) along x and along y
-    dvec3 tangent, bitangent;
-    float side;
-  };
-  const Row rows[] = {{{{1, 0}, {0, 1}}, {1, 0, 0}, {0, 1, 0}, 1},
-                      {{{-1, 0}, {0, 1}}, {-1, 0, 0}, {0, 1, 0}, -1},
-                      {{{1, 0}, {1, 4}}, {1, 0, 0}, {-1, 1, 0}, 1},
-                      // The slides' triangle: 71.57 degrees between T and B.
-                      {{{0.5f, 0.5f}, {-0.5f, 1}}, {2, -1, 0}, {1, 1, 0}, 1},
-                      // A thousandth of a texture's height, as on a long thin face: as exact as the numbers.
-                      {{{1, 0}, {0, 0.001f}}, {1, 0, 0}, {0, 1, 0}, 1}};
-  for (const Row& row : rows)
+  // The texture's columns are (s, t) along x and along y.
+  const std::tuple<glm::mat2, dvec3, dvec3, float> rows[] = {
+      {{{1, 0}, {0, 1}}, {1, 0, 0}, {0, 1, 0}, 1},
+      {{{-1, 0}, {0, 1}}, {-1, 0, 0}, {0, 1, 0}, -1},
+      {{{1, 0}, {1, 4}}, {1, 0, 0}, {-1, 1, 0}, 1},
+      // The slides' triangle: 71.57 degrees between T and B.
+      {{{0.5f, 0.5f}, {-0.5f, 1}}, {2, -1, 0}, {1, 1, 0}, 1},
+      // A thousandth of a texture's height, as on a long thin face: as exact as the numbers.
+      {{{1, 0}, {0, 0.001f}}, {1, 0, 0}, {0, 1, 0}, 1}};
+  for (const auto& [texture, tangent, bitangent, side] : rows)
     for (const Method method : test::tangent_methods) {
       Mesh mesh = quad(1.0f, 4);
-      for (glm::vec2& st : mesh.texcoords) st = row.texture * st;
+      for (glm::vec2& st : mesh.texcoords) st = texture * st;
       compute_tangents(mesh, method);
       ASSERT_EQ(mesh.vertex_count(), 25u);
       EXPECT_EQ(mesh.bitangents.empty(), method != Method::averaged);
       for (std::size_t v = 0; v < 25; ++v) {
-        expect_tangent(mesh, v, row.tangent);
-        EXPECT_EQ(mesh.tangents[v].w, row.side);
+        expect_tangent(mesh, v, tangent);
+        EXPECT_EQ(mesh.tangents[v].w, side);
         // The plain average's own B keeps the shear.
         if (method == Method::averaged) {
-          EXPECT_LT(degrees_between(mesh.bitangents[v], row.bitangent), 1e-4);
+          EXPECT_LT(degrees_between(mesh.bitangents[v], bitangent), 1e-4);
         }
       }
     }

@@ -82,26 +82,23 @@ TEST(Parameters, take_the_ends_of_their_range) {
 }
 
 TEST(Parameters, keep_their_value_and_say_what_they_take_when_one_is_refused) {
-  struct Row {
-    const char *name, *value;
-    std::string message;
-  };
   const std::string choices = "--method takes one of nearest, gram-schmidt, mikktspace, not ";
-  std::vector<Row> rows = {{"tilt", "90", "--tilt takes a number from -89 to 89 degrees, not '90'"},
-                           {"count", "7.5", "--count takes a whole number from 3 to 64 segments, not '7.5'"},
-                           {"method", "gram-schmit", choices + "'gram-schmit'; did you mean 'gram-schmidt'?"},
-                           {"method", "zzz", choices + "'zzz'"},
-                           {"normal_map", "yes", "--normal-map takes on or off, not 'yes'"},
-                           {"texture", "", "--texture takes one of brick, wood, or a path"}};
+  std::vector<std::tuple<const char*, const char*, std::string>> rows = {
+      {"tilt", "90", "--tilt takes a number from -89 to 89 degrees, not '90'"},
+      {"count", "7.5", "--count takes a whole number from 3 to 64 segments, not '7.5'"},
+      {"method", "gram-schmit", choices + "'gram-schmit'; did you mean 'gram-schmidt'?"},
+      {"method", "zzz", choices + "'zzz'"},
+      {"normal_map", "yes", "--normal-map takes on or off, not 'yes'"},
+      {"texture", "", "--texture takes one of brick, wood, or a path"}};
   for (const char* bad : {"", "nan", "-nan", "inf", "1e999", "12x", " 12", "0x10", "++5", "1,5"})
-    rows.push_back({"tilt", bad, "--tilt takes a number"});
-  for (const Row& row : rows) {
+    rows.emplace_back("tilt", bad, "--tilt takes a number");
+  for (const auto& [name, value, says] : rows) {
     Look look;
-    Parameter& parameter = look.set.at(row.name);
-    const std::string message = test::error_of([&] { parameter.set(row.value); }, Exit::usage);
-    EXPECT_EQ(message.substr(0, row.message.size()), row.message) << row.value;
-    EXPECT_TRUE(row.message.ends_with("number") || message == row.message) << message;
-    EXPECT_EQ(look.set.key(), "") << row.value;
+    Parameter& parameter = look.set.at(name);
+    const std::string message = test::error_of([&, to = value] { parameter.set(to); }, Exit::usage);
+    EXPECT_EQ(message.substr(0, says.size()), says) << value;
+    EXPECT_TRUE(says.ends_with("number") || message == says) << message;
+    EXPECT_EQ(look.set.key(), "") << value;
   }
 }
 

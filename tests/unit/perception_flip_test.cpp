@@ -89,10 +89,6 @@ TEST(Flip, is_an_error_when_the_sizes_differ) {
 // ---- Double precision ----
 
 TEST(FlipPlain, agrees_with_double_precision) {
-  struct Row {
-    const char* what;
-    Image8 a, b;
-  };
   const Image8 reference = scene(72, 60);
   // The largest distance of colours and of features at once: also where it is cut off at 1.
   const auto checkers = [](std::size_t first) {
@@ -102,7 +98,7 @@ TEST(FlipPlain, agrees_with_double_precision) {
   // Measured: up to 1e-5; 6e-5 for the dot, where the colours are nearly the same, the features are not, and
   // the roots make much of the rounding of floats; 9.4e-5 for the edge, where white beside it is nearly white
   // in both.
-  const std::vector<Row> rows = {
+  const std::tuple<const char*, Image8, Image8> rows[] = {
       {"the same", reference, reference},
       {"moved", reference, scene(72, 60, 1)},
       {"mirrored", reference, mirrored(reference)},
@@ -120,15 +116,15 @@ TEST(FlipPlain, agrees_with_double_precision) {
       {"5x2", scene(5, 2), scene(5, 2, 1)},
       {"17x16", scene(17, 16), scene(17, 16, 1)},
       {"large", scene(400, 300), scene(400, 300, 1)}};
-  for (const Row& row : rows) {
-    const ImageF fast = flip_errors(row.a, row.b);
-    const std::vector<double> slow = plain_flip(row.a, row.b);
+  for (const auto& [what, a, b] : rows) {
+    const ImageF fast = flip_errors(a, b);
+    const std::vector<double> slow = plain_flip(a, b);
     double largest = 0;
     for (std::size_t i = 0; i < slow.size(); ++i) {
       largest = std::max(largest, std::abs(slow[i] - static_cast<double>(fast.samples[i])));
-      ASSERT_TRUE(fast.samples[i] >= 0 && fast.samples[i] <= 1) << row.what;
+      ASSERT_TRUE(fast.samples[i] >= 0 && fast.samples[i] <= 1) << what;
     }
-    EXPECT_LT(largest, 1e-4) << row.what;
+    EXPECT_LT(largest, 1e-4) << what;
   }
 }
 

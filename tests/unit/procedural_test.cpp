@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <glm/geometric.hpp>
-#include <vector>
 
 #include "procedural/cube_maps.hpp"
 #include "procedural/height_fields.hpp"
@@ -90,26 +88,22 @@ TEST(Textures, repeat_on_the_unit_square_and_stay_within_zero_and_one) {
 
 TEST(Cube, direction_follows_the_table_of_the_specification) {
   // OpenGL 3.3 core, table 3.17: for (rx, ry, rz) on each face, sc and tc. On a tie x goes before y before z.
-  struct Row {
-    glm::dvec3 r;
-    Face face;
-    double sc, tc;
-  };
-  const Row rows[] = {{{1, 0.25, 0.5}, Face::positive_x, -0.5, -0.25},
-                      {{-1, 0.25, 0.5}, Face::negative_x, 0.5, -0.25},
-                      {{0.25, 1, 0.5}, Face::positive_y, 0.25, 0.5},
-                      {{0.25, -1, 0.5}, Face::negative_y, 0.25, -0.5},
-                      {{0.25, 0.5, 1}, Face::positive_z, 0.25, -0.5},
-                      {{0.25, 0.5, -1}, Face::negative_z, -0.25, -0.5},
-                      {{1, 1, 1}, Face::positive_x, -1, -1},
-                      {{-1, 1, -1}, Face::negative_x, -1, -1},
-                      {{0, -1, 1}, Face::negative_y, 0, -1}};
-  for (const Row& row : rows) {
-    const FaceCoordinate at = face_coordinate(row.r);
-    EXPECT_EQ(at.face, row.face);
-    EXPECT_DOUBLE_EQ(at.s, 0.5 * (row.sc + 1));
-    EXPECT_DOUBLE_EQ(at.t, 0.5 * (row.tc + 1));
-    EXPECT_NEAR(glm::distance(direction(at.face, at.s, at.t), glm::normalize(row.r)), 0, 1e-15);
+  const std::tuple<glm::dvec3, Face, double, double> rows[] = {
+      {{1, 0.25, 0.5}, Face::positive_x, -0.5, -0.25},
+      {{-1, 0.25, 0.5}, Face::negative_x, 0.5, -0.25},
+      {{0.25, 1, 0.5}, Face::positive_y, 0.25, 0.5},
+      {{0.25, -1, 0.5}, Face::negative_y, 0.25, -0.5},
+      {{0.25, 0.5, 1}, Face::positive_z, 0.25, -0.5},
+      {{0.25, 0.5, -1}, Face::negative_z, -0.25, -0.5},
+      {{1, 1, 1}, Face::positive_x, -1, -1},
+      {{-1, 1, -1}, Face::negative_x, -1, -1},
+      {{0, -1, 1}, Face::negative_y, 0, -1}};
+  for (const auto& [r, face, sc, tc] : rows) {
+    const FaceCoordinate at = face_coordinate(r);
+    EXPECT_EQ(at.face, face);
+    EXPECT_DOUBLE_EQ(at.s, 0.5 * (sc + 1));
+    EXPECT_DOUBLE_EQ(at.t, 0.5 * (tc + 1));
+    EXPECT_NEAR(glm::distance(direction(at.face, at.s, at.t), glm::normalize(r)), 0, 1e-15);
   }
 }
 

@@ -85,14 +85,9 @@ TEST(TruthRay, first_hit_lies_on_the_surface_at_its_texture_coordinate) {
 }
 
 TEST(TruthRay, hits_where_algebra_says_or_not_at_all) {
-  struct Row {
-    const char* name;
-    MaybeHit hit;
-    std::optional<double> distance;
-  };
   const auto quad_hit = [](const Ray& r) { return hit_quad(r, 0.7); };
   const auto ring_hit = [](const Ray& r) { return hit_torus(r, 1, 0.4); };
-  const Row rows[] = {
+  const std::tuple<const char*, MaybeHit, std::optional<double>> rows[] = {
       {"square", quad_hit({{0.35, -0.7, 2}, {0, 0, -1}}), 2},
       {"square from behind", quad_hit({{0, 0, -2}, {0.1, 0, 1}}), 2},
       {"beside it", quad_hit({{0.71, 0, 2}, {0, 0, -1}}), {}},
@@ -111,13 +106,13 @@ TEST(TruthRay, hits_where_algebra_says_or_not_at_all) {
       {"away from it", ring_hit({{0, 0, 3}, {0, 0, 1}}), {}},
       {"over the top", ring_hit({{0, 0.41, 3}, {0, 0, -1}}), {}},
   };
-  for (const Row& row : rows) {
-    ASSERT_EQ(row.hit.has_value(), row.distance.has_value()) << row.name;
-    if (row.hit) {
-      EXPECT_NEAR(row.hit->distance, *row.distance, 1e-15) << row.name;  // roundings of lengths up to 3
+  for (const auto& [name, hit, distance] : rows) {
+    ASSERT_EQ(hit.has_value(), distance.has_value()) << name;
+    if (hit) {
+      EXPECT_NEAR(hit->distance, *distance, 1e-15) << name;  // roundings of lengths up to 3
     }
   }
-  EXPECT_LT(glm::distance(rows[0].hit->texcoord, dvec2(0.75, 0)), 1e-16);
+  EXPECT_LT(glm::distance(quad_hit({{0.35, -0.7, 2}, {0, 0, -1}})->texcoord, dvec2(0.75, 0)), 1e-16);
   // An edge of the cube belongs to the first axis.
   EXPECT_EQ(hit_cube({{2, 2, 0.25}, {-1, -1, 0}})->face, image::Face::positive_x);
   EXPECT_EQ(hit_cube({{0.25, -2, -2}, {0, 1, 1}})->face, image::Face::negative_y);

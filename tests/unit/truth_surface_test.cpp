@@ -40,25 +40,21 @@ TEST(TruthBasis, handedness_changes_with_every_swap_and_turn) {
   EXPECT_EQ(handedness(t, -2.0 * t, n), 0.0);
 }
 
-struct Named {
-  std::string name;
-  Surface surface;
-};
-
-std::vector<Named> surfaces() {
+std::vector<std::pair<std::string, Surface>> surfaces() {
   const Placement skewed{{dvec3(2, 0.3, 0), dvec3(-0.4, 0.5, 0.1), dvec3(0.2, 0, 1.5)}, {3, -2, 1}};
   const Placement mirror{{dvec3(-1, 0, 0), dvec3(0, 4, 0), dvec3(0, 0, 1)}, {0, 0, 0}};
-  std::vector<Named> all{{"quad", quad(0.7)},
-                         {"sphere", sphere(1.5)},
-                         {"torus", torus(1, 0.4)},
-                         {"sheared torus", reparameterized(torus(1, 0.4), sheared(pi / 4))},
-                         {"stretched torus", reparameterized(torus(1, 0.4), stretched(4))},
-                         {"mirrored sphere", reparameterized(sphere(), mirrored())},
-                         {"skewed sphere", placed(sphere(), skewed)},
-                         {"mirrored, stretched torus", placed(torus(1, 0.4), mirror)},
-                         {"both", placed(reparameterized(torus(1, 0.4), sheared(-0.6)), skewed)}};
+  std::vector<std::pair<std::string, Surface>> all{
+      {"quad", quad(0.7)},
+      {"sphere", sphere(1.5)},
+      {"torus", torus(1, 0.4)},
+      {"sheared torus", reparameterized(torus(1, 0.4), sheared(pi / 4))},
+      {"stretched torus", reparameterized(torus(1, 0.4), stretched(4))},
+      {"mirrored sphere", reparameterized(sphere(), mirrored())},
+      {"skewed sphere", placed(sphere(), skewed)},
+      {"mirrored, stretched torus", placed(torus(1, 0.4), mirror)},
+      {"both", placed(reparameterized(torus(1, 0.4), sheared(-0.6)), skewed)}};
   for (const image::Face face : procedural::faces)
-    all.push_back({fmt::format("cube {}", static_cast<int>(face)), cube_face(face, 0.5)});
+    all.emplace_back(fmt::format("cube {}", static_cast<int>(face)), cube_face(face, 0.5));
   return all;
 }
 
@@ -106,28 +102,23 @@ TEST(TruthSurface, normal_points_outward_however_the_texture_or_the_object_is_mi
 
 TEST(TruthSurface, corners_and_quarters_lie_where_the_shapes_are_documented) {
   using image::Face;
-  struct Row {
-    Surface surface;
-    dvec2 texcoord;
-    dvec3 position;
-  };
-  const Row rows[] = {{quad(0.7), {0, 0}, {-0.7, -0.7, 0}},
-                      {quad(0.7), {1, 1}, {0.7, 0.7, 0}},
-                      {sphere(), {0, 0.5}, {0, 0, 1}},
-                      {sphere(), {0.25, 0.5}, {1, 0, 0}},
-                      {sphere(), {0.7, 1}, {0, 1, 0}},
-                      {sphere(), {0.7, 0}, {0, -1, 0}},
-                      {torus(1, 0.25), {0, 0}, {0, 0, 1.25}},
-                      {torus(1, 0.25), {0.25, 0.25}, {1, 0.25, 0}},
-                      {torus(1, 0.25), {0.25, 0.5}, {0.75, 0, 0}},
-                      {cube_face(Face::positive_z), {0, 0}, {-1, -1, 1}},
-                      {cube_face(Face::negative_z), {0, 0}, {1, -1, -1}},
-                      {cube_face(Face::positive_x), {0, 0}, {1, -1, 1}},
-                      {cube_face(Face::negative_x), {0, 0}, {-1, -1, -1}},
-                      {cube_face(Face::positive_y), {0, 0}, {-1, 1, 1}},
-                      {cube_face(Face::negative_y), {0, 0}, {-1, -1, -1}},
-                      {cube_face(Face::positive_y), {1, 1}, {1, 1, -1}},
-                      {cube_face(Face::negative_y), {1, 1}, {1, -1, 1}}};
+  const std::tuple<Surface, dvec2, dvec3> rows[] = {{quad(0.7), {0, 0}, {-0.7, -0.7, 0}},
+                                                    {quad(0.7), {1, 1}, {0.7, 0.7, 0}},
+                                                    {sphere(), {0, 0.5}, {0, 0, 1}},
+                                                    {sphere(), {0.25, 0.5}, {1, 0, 0}},
+                                                    {sphere(), {0.7, 1}, {0, 1, 0}},
+                                                    {sphere(), {0.7, 0}, {0, -1, 0}},
+                                                    {torus(1, 0.25), {0, 0}, {0, 0, 1.25}},
+                                                    {torus(1, 0.25), {0.25, 0.25}, {1, 0.25, 0}},
+                                                    {torus(1, 0.25), {0.25, 0.5}, {0.75, 0, 0}},
+                                                    {cube_face(Face::positive_z), {0, 0}, {-1, -1, 1}},
+                                                    {cube_face(Face::negative_z), {0, 0}, {1, -1, -1}},
+                                                    {cube_face(Face::positive_x), {0, 0}, {1, -1, 1}},
+                                                    {cube_face(Face::negative_x), {0, 0}, {-1, -1, -1}},
+                                                    {cube_face(Face::positive_y), {0, 0}, {-1, 1, 1}},
+                                                    {cube_face(Face::negative_y), {0, 0}, {-1, -1, -1}},
+                                                    {cube_face(Face::positive_y), {1, 1}, {1, 1, -1}},
+                                                    {cube_face(Face::negative_y), {1, 1}, {1, -1, 1}}};
   // Sines and cosines of whole quarters are off by a rounding of pi.
   for (const auto& [surface, st, position] : rows)
     EXPECT_LT(glm::distance(surface(st).position, position), 1e-15) << position.x << ' ' << position.y;
