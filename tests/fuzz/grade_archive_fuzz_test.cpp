@@ -21,20 +21,11 @@ using test::Random;
 
 /// A few changes of bytes, and often a signature or number that the formats look for.
 std::string spoilt(const std::string& archive, Random& random) {
-  static const std::vector<std::string> pieces = {"PK\x03\x04",
-                                                  "PK\x01\x02",
-                                                  "PK\x05\x06",
-                                                  "PK\x07\x08",
-                                                  "\xFF\xFF\xFF\xFF",
-                                                  std::string(4, '\0'),
-                                                  "../",
-                                                  "/",
-                                                  "ustar",
-                                                  "77777777777",
-                                                  "x",
-                                                  "L",
-                                                  "S",
-                                                  "11 path=/a\n"};
+  using namespace std::string_literals;
+  static const std::vector<std::string> pieces = {
+      "PK\x03\x04", "PK\x01\x02", "PK\x05\x06", "PK\x07\x08",  "\xFF\xFF\xFF\xFF",
+      "\0\0\0\0"s,  "../",        "/",          "ustar",       "77777777777",
+      "x",          "L",          "S",          "11 path=/a\n"};
   std::string bytes = test::mutated(archive, random);
   const std::string& piece = pieces[random.below(pieces.size())];
   if (random.below(2) == 0 && bytes.size() > piece.size())

@@ -3,7 +3,6 @@
 // come from a hash of their number, so that a failure repeats.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 

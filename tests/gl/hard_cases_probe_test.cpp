@@ -45,8 +45,7 @@ Texture make_column(const Table& values, int height) {
   Texture texture;
   const ScopedBinding binding(GL_TEXTURE_2D, texture);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, kWidth, height, 0, GL_RGBA, GL_FLOAT, padded.data());
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  set_sampling(GL_TEXTURE_2D, {GL_NEAREST, GL_NEAREST});
   return texture;
 }
 
@@ -71,23 +70,22 @@ class HardCase : public testing::Test {
   /// Functions that need derivatives (dFdx) cannot be asked so: a table has no neighbours.
   static Table values_of(const std::string& file, const std::string& expression,
                          const std::vector<Define>& defines, const std::vector<Table>& columns) {
-    const std::size_t count = columns.empty() ? 0 : columns.front().size();
-    if (count == 0) return {};
-
-    std::string fragment = fmt::format("#version 330 core\n#include \"{}\"\nout vec4 result;\n", file);
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      fragment += fmt::format("uniform sampler2D column_{};\n", column_name(i));
-    fragment += "void main() {\n";
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      fragment +=
+    std::string uniforms, inputs;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      uniforms += fmt::format("uniform sampler2D column_{};\n", column_name(i));
+      inputs +=
           fmt::format("  vec4 {0} = texelFetch(column_{0}, ivec2(gl_FragCoord.xy), 0);\n", column_name(i));
-    fragment += fmt::format("  result = {};\n}}\n", expression);
+    }
+    const std::string fragment = fmt::format(
+        "#version 330 core\n#include \"{}\"\nout vec4 result;\n{}void main() {{\n{}  result = {};\n}}\n",
+        file, uniforms, inputs, expression);
 
     const auto vertex_source = std::make_shared<const ShaderSource>("shaders", "app/present.vert");
     const auto fragment_source = std::make_shared<const ShaderSource>("shaders", "probe", fragment);
     Program program(vertex_source, fragment_source, defines);
     program.use();
 
+    const std::size_t count = columns.front().size();
     const int height = static_cast<int>((count + kWidth - 1) / kWidth);
     std::vector<Texture> textures;
     for (const Table& column : columns) textures.push_back(make_column(column, height));

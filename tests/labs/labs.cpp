@@ -2,7 +2,6 @@
 #include "labs.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 

@@ -10,7 +10,6 @@
 
 #include "../../teach/grade/workshop.hpp"
 #include "../support/places.hpp"
-#include "../support/said.hpp"
 #include "core/files.hpp"
 #include "core/process.hpp"
 #include "course/batch.hpp"

@@ -8,13 +8,10 @@ namespace texel::gl {
 namespace {
 
 TEST(CompilerLog, names_the_line_after_which_a_semicolon_is_missing) {
-  struct Row {
-    const char *what, *code, *log, *expected;
-  };
   constexpr const char* kSame = "";
   // The code begins at line 500001 of what the compiler read. A log is as Mesa 22.3, NVIDIA's driver or ANGLE
   // has it.
-  constexpr Row kRows[] = {
+  constexpr std::tuple<const char*, const char*, const char*, const char*> kRows[] = {
       {"the brace", "void f() {\n  x = 1\n}\n",
        "0:500003(1): error: syntax error, unexpected '}', expecting ',' or ';'",
        "0:500002: error: a ';' is missing at the end of this line: x = 1"},
@@ -43,11 +40,10 @@ TEST(CompilerLog, names_the_line_after_which_a_semicolon_is_missing) {
       {"another error", "x = 1\n}\n", "0:500002(1): error: `y' undeclared", kSame},
       {"no place", "x = 1\n}\n", "syntax error, unexpected '}', expecting ';'", kSame},
   };
-  for (const Row& row : kRows) {
-    const std::string text = std::string("#version 330 core\n#define A 1\n#line 500001\n") + row.code;
-    const std::string expected = row.expected == kSame ? row.log : row.expected;
-    EXPECT_EQ(at_missing_semicolons(std::string(row.log) + "\nmore\n", text), expected + "\nmore\n")
-        << row.what;
+  for (const auto& [what, code, log, becomes] : kRows) {
+    const std::string text = std::string("#version 330 core\n#define A 1\n#line 500001\n") + code;
+    const std::string expected = becomes == kSame ? log : becomes;
+    EXPECT_EQ(at_missing_semicolons(std::string(log) + "\nmore\n", text), expected + "\nmore\n") << what;
   }
 }
 

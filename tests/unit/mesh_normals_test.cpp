@@ -7,6 +7,7 @@
 
 #include "../support/meshes.hpp"
 #include "mesh/primitives.hpp"
+#include "mesh/weld.hpp"
 #include "steps.hpp"
 
 namespace texel::mesh {

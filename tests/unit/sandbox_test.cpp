@@ -153,32 +153,28 @@ TEST_P(EveryWay, finds_an_empty_folder_and_leaves_files_but_no_links) {
 }
 
 TEST_P(EveryWay, is_held_to_every_limit_with_all_its_processes) {
-  struct Row {
-    const char* what;
-    std::function<void(ProcessLimits&)> set;
-    Limit limit;
-    int signal = 0;  // where it tells something
-  };
   const auto wall = [](ProcessLimits& limits) { limits.wall_seconds = 0.3; };
-  const Row rows[] = {{"fill", [](ProcessLimits&) {}, Limit::disk},
-                      {"flood", [](ProcessLimits& limits) { limits.output = 4U << 20U; }, Limit::output},
-                      {"ignore", [](ProcessLimits& limits) { limits.cpu_seconds = 0.2; }, Limit::cpu},
-                      {"team", [](ProcessLimits& limits) { limits.cpu_seconds = 0.5; }, Limit::cpu},
-                      {"spin", wall, Limit::wall, SIGKILL},
-                      {"sleep", wall, Limit::wall, SIGKILL},
-                      {"bomb", wall, Limit::wall},
-                      {"daemon", [](ProcessLimits&) {}, Limit::none},
-                      {"huge", [](ProcessLimits&) {}, Limit::none, SIGABRT}};  // std::bad_alloc
+  // The signal is 0 where it tells nothing.
+  const std::tuple<const char*, std::function<void(ProcessLimits&)>, Limit, int> rows[] = {
+      {"fill", [](ProcessLimits&) {}, Limit::disk, 0},
+      {"flood", [](ProcessLimits& limits) { limits.output = 4U << 20U; }, Limit::output, 0},
+      {"ignore", [](ProcessLimits& limits) { limits.cpu_seconds = 0.2; }, Limit::cpu, 0},
+      {"team", [](ProcessLimits& limits) { limits.cpu_seconds = 0.5; }, Limit::cpu, 0},
+      {"spin", wall, Limit::wall, SIGKILL},
+      {"sleep", wall, Limit::wall, SIGKILL},
+      {"bomb", wall, Limit::wall, 0},
+      {"daemon", [](ProcessLimits&) {}, Limit::none, 0},
+      {"huge", [](ProcessLimits&) {}, Limit::none, SIGABRT}};  // std::bad_alloc
   const ProcessLimits before = confines_.limits;
-  for (const Row& row : rows) {
-    SCOPED_TRACE(row.what);
-    row.set(confines_.limits);
-    const Outcome outcome = run(row.what, out_);
-    EXPECT_EQ(outcome.limit, row.limit);
-    if (row.signal != 0) {
-      EXPECT_EQ(outcome.signal, row.signal);
+  for (const auto& [what, set, limit, signal] : rows) {
+    SCOPED_TRACE(what);
+    set(confines_.limits);
+    const Outcome outcome = run(what, out_);
+    EXPECT_EQ(outcome.limit, limit);
+    if (signal != 0) {
+      EXPECT_EQ(outcome.signal, signal);
     }
-    if (row.limit == Limit::wall) {
+    if (limit == Limit::wall) {
       EXPECT_GE(outcome.wall_seconds, 0.3);
     }
     EXPECT_FALSE(runs());
@@ -239,15 +235,13 @@ TEST_F(SandboxTest,
   const fs::path shown = other.path(), secret = other / "reference.pfm";
   write_file(secret, "secret");
   ASSERT_EQ(::chmod(secret.c_str(), 0644), 0);
-  for (const std::string& file :
-       {secret.string(), std::string("/etc/passwd"), "/proc/1/root" + secret.string()})
+  for (const fs::path& file : std::vector<fs::path>{secret, "/etc/passwd", "/proc/1/root" + secret.string()})
     EXPECT_FALSE(can("read", file)) << file;
   confines_.read_only.push_back(shown);
   EXPECT_TRUE(can("read", secret));
-  for (const std::string& place :
-       {shown.string(), guest_.parent_path().string(), std::string("/usr"), std::string("/dev"),
-        std::string("/dev/shm"), std::string("/proc"), std::string("")})
-    EXPECT_FALSE(can("write", place + "/file")) << place;
+  for (const fs::path& place :
+       std::vector<fs::path>{shown, guest_.parent_path(), "/usr", "/dev", "/dev/shm", "/proc", "/"})
+    EXPECT_FALSE(can("write", place / "file")) << place;
   EXPECT_TRUE(can("write", "/tmp/file"));
   EXPECT_EQ(run("room", "/tmp").output, "1048576\n") << "no more than the limit on the disk";
   EXPECT_EQ(run("room", out_).output, "1048576\n");
