@@ -117,6 +117,25 @@ function desktopColours(file) {
 }
 
 const size = 256;
+/** What an experiment may begin with draws another picture than the lab, in each view, and nothing of it stays. */
+async function drawExperiments(engine) {
+  const folder = new URL("../../teach/web/site/experiments/", import.meta.url);
+  for (const [number, file, path] of [[4, "triplanar", "shaders/04_cube_wrap/cube_wrap.frag"], [5, "parallax", "shaders/05_normal_map/normal_map.frag"],
+    [8, "matcap", "shaders/08_reflection/reflection.frag"]]) {
+    if (only && !only.includes(number)) continue;
+    const { views } = await engine.call("open", number);
+    const picture = async () => Buffer.from((await engine.draw({ size: "96x96" })).data);
+    const before = await picture();
+    await engine.call("experiment", path, readFileSync(new URL(`${file}.frag`, folder), "utf8"));
+    const other = await picture();
+    for (const view of views.filter((one) => one !== "error")) await engine.draw({ view, size: "32x32" });
+    await engine.call("experiment", path, "");
+    const holds = !other.equals(before) && (await picture()).equals(before);
+    failed += holds ? 0 : 1;
+    console.log(`${holds ? "ok    " : "FAILED"} experiment ${file}`);
+  }
+}
+
 const folder = mkdtempSync(join(tmpdir(), "texel_labs_"));
 const browser = await launch();
 const rows = [];
@@ -155,6 +174,7 @@ try {
     }
   }
   await drawChoices(engine, labs);
+  await drawExperiments(engine);
   const { renderer } = await engine.call("figures");
   if (documentFile) write(documentFile, (await browser.version()).split(".")[0], renderer);
   engine.close();

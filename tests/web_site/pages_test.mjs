@@ -289,6 +289,52 @@ test("an error of the compiler stands at its line, over the last good picture", 
   assert.equal(await page.$eval(".workbench .problem", (problem) => problem.hidden), true);
 });
 
+test("an experiment is drawn and never judged, is kept, goes to others by a link, and ends", async () => {
+  const bench = ".experiment .bench", drawn = () => page.evaluate(() =>
+    [...document.querySelectorAll(".statistics dt")].find((dt) => dt.textContent === "experiment")?.nextSibling.textContent ?? "");
+  const press = (name) => page.evaluate((of, wanted) => [...document.querySelectorAll(`${of} button`)].find((b) => b.textContent === wanted).click(), bench, name);
+  const write = async (code) => {
+    await page.waitForSelector(`${bench} .cm-content`, { timeout: 20_000 });
+    await page.focus(`${bench} .cm-content`);
+    await page.keyboard.down("Control");
+    await page.keyboard.press("a");
+    await page.keyboard.up("Control");
+    await page.keyboard.type(code);
+  };
+  const isDrawn = async (wanted) => {
+    for (let i = 0; i < 100 && (await drawn()) !== wanted; ++i) await new Promise((done) => setTimeout(done, 100));
+    assert.equal(await drawn(), wanted);
+  };
+  await open("?look=default");
+  await press("Begin");
+  await until(() => document.querySelector(".experiment .cm-content")?.textContent.includes("Parallax by steps"));
+  assert.equal(await page.$eval(".experimenting", (sign) => sign.hidden), false);
+  await write("void main() { mine }");
+  await isDrawn("void main() { mine }");
+  await write("a\nsyntax error");
+  await until(() => document.querySelector(".experiment .problem").textContent.startsWith("shaders/05_normal_map/normal_map.frag:2: "));
+  assert.equal(await drawn(), "void main() { mine }");  // the last good one
+  await write("void main() { mine again }");
+  await isDrawn("void main() { mine again }");
+  assert.equal(await text(".badge"), "to do");  // no step has noticed
+  await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { value: { writeText: (given) => void (window.given = given) } }));
+  await press("Copy link");
+  await until(() => window.given);
+  const link = await page.evaluate(() => window.given);
+  await page.reload();
+  await page.evaluate(() => texel.ready);
+  await press("Begin");
+  await isDrawn("void main() { mine again }");
+  await press("End");
+  await isDrawn("");
+  assert.equal(await page.$eval(".experimenting", (sign) => sign.hidden), true);
+  await (await page.browserContext()).close();
+  page = await (await browser.createBrowserContext()).newPage();
+  await page.goto(link);
+  await page.evaluate(() => texel.ready);
+  await isDrawn("void main() { mine again }");
+});
+
 test("a case shows yours and the expected picture", async () => {
   await open("?look=default");
   await page.evaluate(() => document.querySelector(".cases button").click());

@@ -12,7 +12,7 @@ const calls = {
   open: ["lab"], parameters: [], values: [], looks: [], reset: [], view: ["name"],
   split: ["parameter", "value", "position"], resize: ["width", "height"], samples: ["count"], drag: ["dx", "dy"],
   zoom: ["steps"], turn: ["degrees"], frame: [], pixel: ["x", "y"], steps: [], steps_of: ["lab"],
-  read: ["step"], write: ["step", "text"], file: ["path"], put: ["path", "text"], check: ["step"],
+  read: ["step"], write: ["step", "text"], file: ["path"], put: ["path", "text"], experiment: ["path", "text"], check: ["step"],
   compare: ["name"], figures: [], lose: [],
 };
 /// Of calls of this kind that wait, only their sum is drawn.

@@ -45,7 +45,7 @@ async function bundle() {
     absWorkingDir: here,
     entryPoints: ["src/lab.js", "src/index.js"],
     outdir: join(out, "site"),
-    bundle: true, splitting: true, format: "esm", minify: true, target: ["es2022"], legalComments: "none", logLevel: "error",
+    bundle: true, splitting: true, format: "esm", minify: true, target: ["es2022"], legalComments: "none", logLevel: "error", loader: { ".frag": "text" },
     chunkNames: "[name]-[hash]",
     external: ["../engine/client.mjs"],
   });

@@ -20,7 +20,7 @@ const oneCase = { name: "decode_bumps", view: "normal", size: "128x96", set: { m
 
 const text = (value) => (typeof value === "boolean" ? (value ? "on" : "off") : String(value));
 const initial = () => Object.fromEntries(parameters.map((p) => [p.name, text(p.default)]));
-let canvas = null, lab = null, values = initial(), view = "color", split = null, step = first, frames = 0;
+let canvas = null, lab = null, values = initial(), view = "color", split = null, step = first, frames = 0, experiment = "";
 
 function paint(context, width, height) {
   const hue = (Number(values.yaw) + 720) % 360;
@@ -35,7 +35,7 @@ function frame() {
   ++frames;
   if (canvas) paint(canvas.getContext("2d"), canvas.width, canvas.height);
   const legend = { title: "normal of a ball", width: 2, height: 1, colors: "ff000000ff00", ball: true, ticks: [] };
-  return { ...(view === "color" ? {} : { legend }), frame_ms: 1.5, warnings: [], facts: [["triangles", 12]], key: "", flags: "", command: "" };
+  return { ...(view === "color" ? {} : { legend }), frame_ms: 1.5, warnings: [], facts: [["triangles", 12], ...(experiment ? [["experiment", experiment]] : [])], key: "", flags: "", command: "" };
 }
 function fail(message, more = {}) {
   throw { message, kind: "usage", problems: [], ...more };
@@ -113,6 +113,12 @@ const calls = {
       const problem = { file, line: line + step.split("\n").findIndex((one) => one.includes("syntax error")), column: 3, message: "'syntax' : undeclared identifier" };
       throw { ...problem, kind: "failed", problems: [problem] };
     }
+    return frame();
+  },
+  experiment([path, wanted]) {
+    const problem = { file: path, line: 2, column: 1, message: "'syntax' : undeclared identifier" };
+    if (wanted.includes("syntax error")) throw { ...problem, kind: "failed", problems: [problem] };
+    experiment = wanted;
     return frame();
   },
   file: () => around(step),

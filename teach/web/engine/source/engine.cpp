@@ -15,6 +15,7 @@
 #include "app/reports.hpp"
 #include "check/check.hpp"
 #include "core/error.hpp"
+#include "core/files.hpp"
 #include "core/json.hpp"
 #include "core/pattern.hpp"
 #include "core/plain_text.hpp"
@@ -87,6 +88,7 @@ class Engine {
     if (name == "steps") return steps(course_lab());
     if (name == "read") return read(a.at("step"));
     if (name == "write") return write(a.at("step"), a.at("text"));
+    if (name == "experiment") return experiment(a.at("path"), a.at("text"));
     if (name == "file") return files().read(a.at("path"));
     if (name == "put") return put(a.at("path"), a.at("text"));
     if (name == "check") return check(a.value("step", std::string()));
@@ -333,6 +335,21 @@ class Engine {
 
   Json put(const std::string& path, const std::string& text) {
     files().write(path, text);
+    return drawn_anew();
+  }
+
+  /// Draws with another text of a shader that has no step, and with its own again where the text is empty.
+  Json experiment(const std::string& path, const std::string& text) {
+    if (!path.starts_with("shaders/" + course_lab().folder + "/") || !path.ends_with(".frag"))
+      throw Error::usage(fmt::format("'{}' is no fragment shader of this lab", path));
+    std::string& own = own_shaders_[path];
+    if (own.empty()) own = read_file(kTree / path);
+    write_file(kTree / path, text.empty() ? own : text);
+    return drawn_anew();
+  }
+
+  /// After a shader was written.
+  Json drawn_anew() {
     for (auto& [number, one] : opened_) one->canvas.programs().clear();
     Json report = frame();
     if (shows_endless_loop())
@@ -401,6 +418,7 @@ class Engine {
   std::vector<app::AnyLab*> labs_;
   std::map<int, course::Lab> course_;  ///< by number; of one that nobody has asked for, the folder alone
   std::optional<StudentFiles> files_;
+  std::map<std::string, std::string> own_shaders_;  ///< the first texts of experiments, by path
   judge::LabResult checked_;  ///< the last
   std::map<int, std::unique_ptr<Opened>> opened_;
   Opened* current_ = nullptr;

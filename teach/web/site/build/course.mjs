@@ -33,8 +33,14 @@ function firstFiles(programs, folder) {
   return Object.fromEntries(parameters.filter((p) => p.type === "file").map((p) => [p.name, p.default]));
 }
 
+/** The fragment shader that draws a lab's object. */
+function mainShader(tree, folder) {
+  const all = readdirSync(join(tree, "shaders", folder)).filter((name) => name.endsWith(".frag") && name !== "background.frag");
+  return `shaders/${folder}/${all[0]}`;
+}
+
 /**
- * The labs in their order: {number, folder, title, lesson, files, looks, steps}. `programs`: the folder of the desktop's programs,
+ * The labs in their order: {number, folder, title, lesson, files, shader, looks, steps}. `programs`: the folder of the desktop's programs,
  * or nothing. Throws where a lab.toml cannot be read.
  */
 export function readLabs(tree, programs) {
@@ -48,6 +54,7 @@ export function readLabs(tree, programs) {
       title: toml.title,
       lesson: toml.lesson,
       files: firstFiles(programs, folder),
+      shader: mainShader(tree, folder),
       opening: toml.opening && { set: texts(toml.opening[0].set), view: toml.opening[0].view ?? "color" },
       looks: toml.look.map((look) => ({
         name: look.name,

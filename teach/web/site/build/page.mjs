@@ -70,6 +70,15 @@ const early = ({ number, files, opening, looks }) => `if (location.protocol !== 
   globalThis.texelEarly = { worker, canvas, started };
 }`.replace(/\n\s*/g, " ");
 
+/** A free place below the steps; src/experiment.js fills it. */
+const experiment = ({ shader }) => `<section class="experiment" id="experiment" data-path="${shader}">
+<h2>Experiment</h2>
+<p>A free place: change the lab&#8217;s whole shader, and see what becomes of the picture. Nothing is judged here, and your steps stay as
+they are. What you write stays in this browser. A link takes it to others.</p>
+<div class="workbench bench"></div>
+</section>
+`;
+
 /** The page of a lab. `thumbnails`: the looks' small pictures by name; a look without one is only its caption. */
 export function labPage({ lab, labs, handout, thumbnails }) {
   const at = labs.indexOf(lab);
@@ -91,6 +100,7 @@ ${bar(labs, "../", lab.number)}<main class="lab" data-lab="${lab.number}">
 <div class="tools" role="toolbar" aria-label="Picture">
 ${tools.map(([id, text, help]) => `<button type="button" data-tool="${id}" title="${help}"${id === "turn" || id === "panel" ? ' aria-pressed="false"' : ""}>${text}</button>`).join("\n")}
 <span class="followed" hidden><span></span> <button type="button" data-tool="mine">Back to mine</button></span>
+<span class="followed experimenting" hidden><span>Experiment</span> <button type="button" data-tool="end">End</button></span>
 <output class="said" aria-live="polite"></output>
 </div>
 </section>
@@ -104,7 +114,7 @@ ${looksList(lab.looks, thumbnails)}
 <article class="handout" id="handout">
 <header><p class="number" aria-hidden="true">${lab.number}</p><div><h1>${escaped(lab.title)}</h1><p>${escaped(lab.lesson)}</p></div></header>
 <div class="progress" hidden></div>
-${handout}<footer>${beside(labs[at - 1], "Lab")}${beside(labs[at + 1], "Lab")}</footer>
+${handout}${experiment(lab)}<footer>${beside(labs[at - 1], "Lab")}${beside(labs[at + 1], "Lab")}</footer>
 </article>
 </main>
 `;

@@ -29,9 +29,9 @@ const look = EditorView.theme({
 
 /**
  * Puts an editor into `host`. `numbers(text)`: the file's line numbers of the text's lines (places.js). `changed(text)`: after each
- * change by the user. Gives `{text, write(text), mark(problems)}`; `problems`: [{line, column, message}] in the file's lines.
+ * change by the user. `wraps`: long lines go on below. Gives `{text, write(text), mark(problems)}`; `problems`: [{line, column, message}] in the file's lines.
  */
-export function makeEditor({ host, text, numbers, label, changed }) {
+export function makeEditor({ host, text, numbers, label, changed, wraps = false }) {
   let quiet = false;
   const view = new EditorView({
     parent: host,
@@ -39,7 +39,7 @@ export function makeEditor({ host, text, numbers, label, changed }) {
       doc: text,
       extensions: [
         lineNumbers({ formatNumber: (n, state) => String(numbers(state.doc.toString())[n - 1] ?? "") }),
-        history(), drawSelection(), indentOnInput(), bracketMatching(), highlightActiveLine(), lintGutter(),
+        history(), drawSelection(), wraps ? EditorView.lineWrapping : [], indentOnInput(), bracketMatching(), highlightActiveLine(), lintGutter(),
         indentUnit.of("  "), StreamLanguage.define(shader), syntaxHighlighting(colours), look,
         EditorView.contentAttributes.of({ "aria-label": label, spellcheck: "false", autocapitalize: "off", autocorrect: "off" }),
         // Tab indents; Escape and then Tab leaves the editor (https://codemirror.net/examples/tab/).

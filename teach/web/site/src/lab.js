@@ -2,6 +2,7 @@
 // The page of a lab: engine, picture, panel, steps and address are put together here.
 import "../../../../common/core/legend.js";
 import { contract } from "./contract.js";
+import { buildExperiment } from "./experiment.js";
 import { afterPause, download, element, figure } from "./dom.js";
 import { imageOf } from "./image.js";
 import { keepOffline } from "./offline.js";
@@ -26,7 +27,7 @@ const ui = {
 const wanted = readState(location.search);
 const now = { looks: [], look: null, parameters: [], values: {}, view: "color", split: null, report: null, lab: null };
 let show = { parameters() {}, views() {}, compare() {} };
-let benches = new Map(), progress = null;
+let benches = new Map(), progress = null, experiment = null;
 
 const work = new Work(new URL("..", location.href).pathname);
 const picture = makePicture(ui.host, {
@@ -126,6 +127,7 @@ function restarted() {
   isCoarse = false;
   say(null);
   drawn(session.call("frame"));
+  experiment?.restarted();
 }
 
 // ---- State ----
@@ -281,19 +283,12 @@ const tools = {
   view: () => set(Object.fromEntries(now.parameters.filter((p) => p.section === "Camera").map((p) => [p.name, textOf(p.default)]))),
   look: () => setLook(opening() ?? { set: {} }),
   mine,
+  end: () => experiment.close(),
   panel(open = !ui.drawer.classList.contains("is-open")) {
     ui.drawer.classList.toggle("is-open", open);
     find("[data-tool=panel]").setAttribute("aria-pressed", String(open));
   },
-  async link() {
-    const text = new URL(address(), location.href).href;
-    try {
-      await navigator.clipboard.writeText(text);
-      said("Copied");
-    } catch {
-      said(text);
-    }
-  },
+  link: () => copy(new URL(address(), location.href).href),
   async snapshot() {
     const { width, height } = picture.size();
     const asked = { view: now.view, size: `${width}x${height}`, set: changed(now.parameters, now.values) };
@@ -305,6 +300,14 @@ const tools = {
     said("Saved");
   },
 };
+async function copy(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+    said("Copied");
+  } catch {
+    said(text);
+  }
+}
 const quietAgain = afterPause(4000, () => (ui.said.textContent = ""));
 function said(text) {
   ui.said.textContent = text;
@@ -386,6 +389,8 @@ async function startSteps() {
   benches = await buildSteps({ article: ui.article, session, work, showCase: setLook, showCompared, next, changed: () => progress?.show() });
   progress = buildProgress({ host: ui.progress, labNumbers: [...document.querySelectorAll(".bar li")].map((_, i) => i + 1), benches, session, work, checkAll: () => check() });
   for (const [id, bench] of benches) if (work.text(id) !== undefined) await bench.check().catch(complain);
+  const host = find(".experiment"), sign = find(".experimenting");
+  experiment = await buildExperiment({ host, sign, lab: session.lab, path: host.dataset.path, session, work, draw: drawn, copy });
 }
 
 /** The step to do after this one: its heading as a link, or null. */

@@ -58,6 +58,13 @@ export class Work {
   judged(step, right) {
     if (this.isRight(step) !== right) this.#put(`${this.#key(step)} right`, right ? "1" : null);
   }
+  /** A text that is no step's, by a name of its own. */
+  note(name) {
+    return this.#read(this.#key(name));
+  }
+  keep(name, text) {
+    this.#put(this.#key(name), text);
+  }
   /** A picture was drawn with this text. */
   drewWell(step, text) {
     if (this.text(step) !== undefined && this.lastGood(step) !== text) this.#put(`${this.#key(step)} good`, text);
