@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "compare_streams.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <glm/glm.hpp>
 #include <map>
 #include <string>
-#include <vector>
 
-#include "judge/results.hpp"
+#include "difference.hpp"
 
 namespace texel::judge {
 namespace {
@@ -56,7 +52,7 @@ std::vector<dvec3> angle_sums(const mesh::Mesh& mesh) {
 
 /// A mesh whose vertices can be looked up.
 struct Lookup {
-  explicit Lookup(mesh::Mesh of) : mesh(std::move(of)), sums(angle_sums(mesh)) {
+  Lookup(const mesh::Mesh& of, const std::vector<dvec3>& its_sums) : mesh(of), sums(its_sums) {
     for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i)
       places.emplace(glm::dot(dvec3(mesh.positions[i]), kAcross), i);
   }
@@ -88,8 +84,8 @@ struct Lookup {
     return error;
   }
 
-  mesh::Mesh mesh;
-  std::vector<dvec3> sums;
+  const mesh::Mesh& mesh;
+  const std::vector<dvec3>& sums;
   std::multimap<double, std::uint32_t> places;  ///< by how far they lie along kAcross
 };
 
@@ -154,26 +150,29 @@ std::string first_wrong(const char* name, const VertexPairs& both,
       wrong.size(), expected.size());
 }
 
-/// Vertex by vertex, if they come in the same order: at least half have the same place or texture coordinate.
-VertexPairs paired(const Lookup& expected, const Lookup& found) {
-  VertexPairs both{expected.mesh, found.mesh, expected.sums, found.sums};
+}  // namespace
+
+VertexPairs paired(mesh::Mesh reference, mesh::Mesh own) {
+  VertexPairs both{std::move(reference), std::move(own)};
+  both.reference_sums = angle_sums(both.reference);
+  both.own_sums = angle_sums(both.own);
+  // They come in the same order: at least half have the same place or texture coordinate.
   const auto in_order = [](const auto& a, const auto& b) {
     std::size_t same = 0;
     for (std::size_t i = 0; i < a.size() && a.size() == b.size(); ++i)
       same += glm::distance(a[i], b[i]) <= kSame ? 1U : 0U;
     return same > 0 && 2 * same >= a.size();
   };
-  both.are_pairs = has_same_attributes(expected.mesh, found.mesh) &&
-                   expected.mesh.vertex_count() == found.mesh.vertex_count() &&
-                   (in_order(expected.mesh.positions, found.mesh.positions) ||
-                    in_order(expected.mesh.texcoords, found.mesh.texcoords));
+  both.are_pairs = has_same_attributes(both.reference, both.own) &&
+                   both.reference.vertex_count() == both.own.vertex_count() &&
+                   (in_order(both.reference.positions, both.own.positions) ||
+                    in_order(both.reference.texcoords, both.own.texcoords));
   return both;
 }
 
-}  // namespace
-
 Verdict compare_streams(double limit, mesh::Mesh reference_mesh, mesh::Mesh own_mesh) {
-  const Lookup reference(std::move(reference_mesh)), own(std::move(own_mesh));
+  const VertexPairs both = paired(std::move(reference_mesh), std::move(own_mesh));
+  const Lookup reference(both.reference, both.reference_sums), own(both.own, both.own_sums);
   const Match found = match(reference, own, limit);
   const std::size_t count = own.mesh.vertex_count(), expected = reference.mesh.vertex_count();
   if (found.error <= limit && count == expected) return {true, 1, found.error, {}};
@@ -184,7 +183,6 @@ Verdict compare_streams(double limit, mesh::Mesh reference_mesh, mesh::Mesh own_
                         count, expected, 100 * found.share)};
   if (!has_same_attributes(reference.mesh, own.mesh))
     return {false, 0, found.error, "The vertex stream has other attributes than the expected one."};
-  const VertexPairs both = paired(reference, own);
   for (const std::string& text : {first_wrong("place", both, &mesh::Mesh::positions),
                                   first_wrong("texture coordinate", both, &mesh::Mesh::texcoords),
                                   first_wrong("normal", both, &mesh::Mesh::normals),
@@ -193,10 +191,6 @@ Verdict compare_streams(double limit, mesh::Mesh reference_mesh, mesh::Mesh own_
   return {false, 0, found.error,
           fmt::format("{}{:.0f} % of the expected vertices are there and right.",
                       both.are_pairs ? "Triangles are wrong; " : "", 100 * found.share)};
-}
-
-VertexPairs paired(mesh::Mesh reference, mesh::Mesh own) {
-  return paired(Lookup(std::move(reference)), Lookup(std::move(own)));
 }
 
 }  // namespace texel::judge

@@ -6,11 +6,9 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <set>
 #include <utility>
 
-#include "compare_streams.hpp"
 #include "core/error.hpp"
 #include "image/color.hpp"
 #include "image/load.hpp"
@@ -300,19 +298,46 @@ Options channel_options(const Field& of, int c) {
 
 constexpr auto unit = [](const dvec3& v) { return v == dvec3(0) ? v : glm::normalize(v); };
 
-/// The matrix that takes expected directions to own ones, and the vector that is added before they become
-/// unit vectors: by least squares, three times, each time without what does not follow.
-template <class Sums, class Add, class Holds>
-Sums fitted_without_strays(const Field& of, Add add_to, Holds away_from) {
+/// The matrix that takes expected directions to own ones: the sum of own expected' times the inverse of that
+/// of expected expected'.
+struct Turn {
+  glm::dmat3 own{0}, expected{1e-9};
+
+  [[nodiscard]] glm::dmat3 matrix() const { return own * glm::inverse(expected); }
+  void add(const dvec3& e, const dvec3& o) {
+    own += glm::outerProduct(o, e), expected += glm::outerProduct(e, e);
+  }
+  [[nodiscard]] double away(const dvec3& e, const dvec3& o) const { return glm::distance(matrix() * e, o); }
+};
+
+/// The vector that is added to expected directions before they become unit vectors, own x (expected + v) = 0:
+/// three equations for v that are linear in it.
+struct Offset {
+  glm::dmat3 crosses{1e-9};
+  dvec3 right{0};
+
+  [[nodiscard]] dvec3 vector() const { return glm::inverse(crosses) * right; }
+  void add(const dvec3& e, const dvec3& o) {
+    const glm::dmat3 flat = glm::dmat3(1) - glm::outerProduct(o, o);  // into o's plane
+    crosses += flat, right -= flat * e;
+  }
+  [[nodiscard]] double away(const dvec3& e, const dvec3& o) const {
+    return glm::length(glm::cross(o, unit(e + vector())));
+  }
+};
+
+/// A Turn or Offset by least squares, three times, each time without what does not follow.
+template <class Sums>
+Sums fitted_without_strays(const Field& of) {
   std::vector<double> away(of.wrong, 0);
   Sums sums;
   for (int round = 0; round < 3; ++round) {
     const double most = std::max(3 * median(away), of.tolerance);
     sums = Sums();
     for (std::size_t i = 0; i < of.wrong; ++i)
-      if (away[i] <= most) add_to(sums, of.pairs[i].expected, unit(of.pairs[i].own));
+      if (away[i] <= most) sums.add(of.pairs[i].expected, unit(of.pairs[i].own));
     for (std::size_t i = 0; i < of.wrong; ++i)
-      away[i] = away_from(sums, of.pairs[i].expected, unit(of.pairs[i].own));
+      away[i] = sums.away(of.pairs[i].expected, unit(of.pairs[i].own));
   }
   return sums;
 }
@@ -336,20 +361,7 @@ void add_directions(Options& found, const Field& of) {
       [&](const Pair& p) { return near(unit(p.own - glm::dot(p.own, p.normal) * p.normal), p.expected); });
   if (of.wrong < 60 || cells.size() < 12) return;
 
-  // own = A expected: A is the sum of own expected' times the inverse of that of expected expected'.
-  struct Turn {
-    glm::dmat3 own{0}, expected{1e-9};
-    [[nodiscard]] glm::dmat3 matrix() const { return own * glm::inverse(expected); }
-  };
-  const glm::dmat3 map = fitted_without_strays<Turn>(
-                             of,
-                             [](Turn& sums, const dvec3& e, const dvec3& o) {
-                               sums.own += glm::outerProduct(o, e), sums.expected += glm::outerProduct(e, e);
-                             },
-                             [](const Turn& sums, const dvec3& e, const dvec3& o) {
-                               return glm::distance(sums.matrix() * e, o);
-                             })
-                             .matrix();
+  const glm::dmat3 map = fitted_without_strays<Turn>(of).matrix();
   const double side = glm::determinant(map) < 0 ? -1 : 1;  // a mirror turns what was negated
   const glm::dmat3 rotation = side * map;
   const glm::dmat3 gram = glm::transpose(rotation) * rotation - glm::dmat3(1);  // 0 of a turn
@@ -361,23 +373,7 @@ void add_directions(Options& found, const Field& of) {
   if (is_turn && glm::length(across) > 0.01)  // of half a turn it says no axis
     add(found, of, {of.quantity, turned, side < 0 ? 1 : 0, 0, unit(across) * glm::degrees(angle)}, 7,
         [&](const Pair& p) { return near(map * p.expected, unit(p.own)); });
-  // own x (expected + v) = 0: three equations for v that are linear in it.
-  struct Offset {
-    glm::dmat3 crosses{1e-9};
-    dvec3 right{0};
-    [[nodiscard]] dvec3 vector() const { return glm::inverse(crosses) * right; }
-  };
-  const dvec3 offset = fitted_without_strays<Offset>(
-                           of,
-                           [](Offset& sums, const dvec3& e, const dvec3& o) {
-                             const glm::dmat3 flat =
-                                 glm::dmat3(1) - glm::outerProduct(o, o);  // into o's plane
-                             sums.crosses += flat, sums.right -= flat * e;
-                           },
-                           [](const Offset& sums, const dvec3& e, const dvec3& o) {
-                             return glm::length(glm::cross(o, unit(e + sums.vector())));
-                           })
-                           .vector();
+  const dvec3 offset = fitted_without_strays<Offset>(of).vector();
   for (const int sign : {1, -1})
     add(found, of, {of.quantity, added, (1 - sign) / 2, 0, offset}, 8, [&](const Pair& p) {
       return near(static_cast<double>(sign) * unit(p.expected + offset), unit(p.own));

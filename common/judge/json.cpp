@@ -6,19 +6,19 @@
 
 #include "core/error.hpp"
 #include "core/json.hpp"
+#include "course/batch.hpp"
 #include "judge/mistakes.hpp"
 #include "judge/results.hpp"
 
 namespace texel::judge {
-namespace {
 
-Json json_of(const CaseResult& result) {
-  Json set = Json::object();
-  for (const course::Setting& setting : result.settings) set[setting.parameter] = setting.value;
-  return {{"name", result.name},
+// How nlohmann's library writes a case, a step and a lab, and lists of them.
+
+static void to_json(Json& json, const CaseResult& result) {
+  json = {{"name", result.name},
           {"status", name_of(result.status)},
           {"view", name_of(result.view)},
-          {"set", set},
+          {"set", course::to_json(result.settings)},
           {"error", result.error},  // NaN becomes null
           {"unit", name_of(result.unit())},
           {"limit", result.limit},
@@ -28,32 +28,30 @@ Json json_of(const CaseResult& result) {
           {"expected", result.reference}};
 }
 
-Json json_of(const StepResult& step) {
+static void to_json(Json& json, const StepResult& step) {
   const CaseResult* telling = clearest_case(step);
-  Json one{{"id", step.id},
-           {"status", name_of(step.status)},
-           {"error", telling != nullptr ? Json(telling->error) : Json()},
-           {"unit", telling != nullptr ? name_of(telling->unit()) : ""},
-           {"limit", telling != nullptr ? telling->limit : 0},
-           {"message", step.message},
-           {"title", step.title},
-           {"points", step.points},
-           {"file", step.file},
-           {"line", step.line},
-           {"looks_like", step.mistake},
-           {"looks_like_says", step.mistake_says},
-           {"spoilt_by", step.spoilt_by},
-           {"hints", step.hints},
-           {"cases", Json::array()}};
-  for (const CaseResult& result : step.cases) one["cases"].push_back(json_of(result));
-  return one;
+  json = {{"id", step.id},
+          {"status", name_of(step.status)},
+          {"error", telling != nullptr ? Json(telling->error) : Json()},
+          {"unit", telling != nullptr ? name_of(telling->unit()) : ""},
+          {"limit", telling != nullptr ? telling->limit : 0},
+          {"message", step.message},
+          {"title", step.title},
+          {"points", step.points},
+          {"file", step.file},
+          {"line", step.line},
+          {"looks_like", step.mistake},
+          {"looks_like_says", step.mistake_says},
+          {"spoilt_by", step.spoilt_by},
+          {"hints", step.hints},
+          {"cases", step.cases}};
 }
 
-Json json_of(const LabResult& lab) {
-  Json json{{"lab", lab.lab.folder}, {"title", lab.lab.title}, {"steps", Json::array()}};
-  for (const StepResult& step : lab.steps) json["steps"].push_back(json_of(step));
-  return json;
+static void to_json(Json& json, const LabResult& lab) {
+  json = {{"lab", lab.lab.folder}, {"title", lab.lab.title}, {"steps", lab.steps}};
 }
+
+namespace {
 
 /// A number; JSON has none that are not finite.
 double number(const Json& value) {
@@ -88,13 +86,11 @@ StepResult parse_step(const Json& json) {
 }  // namespace
 
 std::string to_json(const LabResult& lab) {
-  return to_text(json_of(lab), 1);
+  return to_text(lab, 1);
 }
 
 std::string to_json(const std::vector<LabResult>& labs) {
-  Json list = Json::array();
-  for (const LabResult& lab : labs) list.push_back(json_of(lab));
-  return to_text(list, 1);
+  return to_text(labs, 1);
 }
 
 std::vector<StepResult> parse_steps(const std::string& json) {

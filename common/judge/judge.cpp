@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "compare_streams.hpp"
 #include "core/error.hpp"
 #include "core/plain_text.hpp"
+#include "difference.hpp"
 #include "image/difference.hpp"
 #include "image/load.hpp"
 #include "mesh/ply.hpp"
@@ -31,20 +31,11 @@ constexpr double kMostOfWrong = 0.5;
 /// those by llvmpipe moved by at most 1/256 of a pixel, but for one pixel in a thousand.
 constexpr double kMovedPixels = 1.0 / 64;
 
-image::Unit compared_as(Unit unit) {
-  return unit == Unit::degrees ? image::Unit::degrees : image::Unit::own;
-}
-
-template <class Picture>
-Picture parse(std::string_view bytes, const std::string& name, Size size);
-
-template <>
-Image8 parse(std::string_view bytes, const std::string& name, Size size) {
+Image8 parse_color(std::string_view bytes, const std::string& name, Size size) {
   return image::parse_png(bytes, name, size.width, size.height);
 }
 
-template <>
-ImageF parse(std::string_view bytes, const std::string& name, Size size) {
+ImageF parse_data(std::string_view bytes, const std::string& name, Size size) {
   // A float picture is as large as its file; more than this is no picture of that size.
   const auto most = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) * 12 + 100;
   if (bytes.size() > most) throw Error::failed("is larger than a picture of this size can be", {name});
@@ -57,12 +48,6 @@ ImageF parse(std::string_view bytes, const std::string& name, Size size) {
   if (picture.channels != 3)
     throw Error::failed(fmt::format("has {} channel, not 3", picture.channels), {name});
   return picture;
-}
-
-mesh::Mesh parse_stream(std::string_view bytes, const std::string& name) {
-  constexpr std::size_t most = 64U << 20U;
-  if (bytes.size() > most) throw Error::failed("is larger than 64 MiB", {name});
-  return mesh::parse_ply(bytes, name);
 }
 
 /// Whether the mask is the same in the 3x3 pixels around one. Where the object's edge passes between others
@@ -92,19 +77,21 @@ std::string short_number(double value) {
 /// Whether a picture that can be read has no NaN and no infinity.
 bool is_finite(const Case& of, std::string_view bytes) {
   if (of.view == View::color) return true;
-  const ImageF picture = parse<ImageF>(bytes, "the reference", of.size);
+  const ImageF picture = parse_data(bytes, "the reference", of.size);
   return std::all_of(picture.samples.begin(), picture.samples.end(),
                      [](float value) { return std::isfinite(value); });
 }
 
 template <class Picture>
-Verdict judge_picture(const Case& of, const Expected& expected, std::string_view bytes) {
+Verdict judge_picture(const Case& of, const Expected& expected, std::string_view bytes,
+                      Picture (*parse)(std::string_view, const std::string&, Size)) {
   const Unit unit = unit_of(of.view);
-  const auto reference = parse<Picture>(expected.reference, "the reference", of.size);
+  const auto compared_as = unit == Unit::degrees ? image::Unit::degrees : image::Unit::own;
+  const Picture reference = parse(expected.reference, "the reference", of.size);
   Verdict verdict;
   Picture picture;
   try {
-    picture = parse<Picture>(bytes, "picture", of.size);
+    picture = parse(bytes, "picture", of.size);
   } catch (const Error& error) {
     return unreadable("picture", error);
   }
@@ -112,13 +99,13 @@ Verdict judge_picture(const Case& of, const Expected& expected, std::string_view
   const long long non_finite = image::compare(reference, picture).non_finite;
   verdict.passed = non_finite == 0;
   std::string place;
-  const Image8 mask = image::parse_png(expected.mask, "the mask", of.size.width, of.size.height);
+  const Image8 mask = parse_color(expected.mask, "the mask", of.size);
   for (const bool is_object : {true, false}) {
     const Image8 part = part_of(mask, is_object);
     if (std::find(part.samples.begin(), part.samples.end(), 255) == part.samples.end()) continue;
     const image::Difference difference = image::compare(
         reference, picture,
-        {.mask = &part, .edge_tolerance = true, .moved_pixels = kMovedPixels, .unit = compared_as(unit)});
+        {.mask = &part, .edge_tolerance = true, .moved_pixels = kMovedPixels, .unit = compared_as});
     if (difference.p999 > verdict.error || place.empty()) {
       verdict.error = std::max(verdict.error, difference.p999);
       const auto in_part = std::count(part.samples.begin(), part.samples.end(), 255);
@@ -141,9 +128,11 @@ Verdict judge_picture(const Case& of, const Expected& expected, std::string_view
 }
 
 Verdict judge_stream(const Case& of, const Expected& expected, std::string_view bytes) {
+  constexpr std::size_t most = 64U << 20U;
   mesh::Mesh reference = mesh::parse_ply(expected.reference, "the reference"), own;
   try {
-    own = parse_stream(bytes, "vertex stream");
+    if (bytes.size() > most) throw Error::failed("is larger than 64 MiB", {"vertex stream"});
+    own = mesh::parse_ply(bytes, "vertex stream");
   } catch (const Error& error) {
     return unreadable("vertex stream", error);
   }
@@ -167,8 +156,8 @@ Verdict judge(const Case& of, const Expected& expected, std::optional<std::strin
   if (of.is_mesh()) return judge_stream(of, expected, *picture);
   // Most right pictures have the same bytes.
   if (expected.reference == *picture && is_finite(of, *picture)) return {true, 1, 0, {}};
-  if (of.view != View::color) return judge_picture<ImageF>(of, expected, *picture);
-  return judge_picture<Image8>(of, expected, *picture);
+  if (of.view != View::color) return judge_picture(of, expected, *picture, parse_data);
+  return judge_picture(of, expected, *picture, parse_color);
 }
 
 double score(double times_limit) {

@@ -31,11 +31,9 @@ Values values_of(const Picture& picture) {
 Values values_of(const mesh::Mesh& mesh) {
   Values values{mesh.vertex_count(), 0, {}};
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
-    const auto add = [&](const auto& vectors) {
-      if (!vectors.empty())
-        for (int c = 0; c < vectors[i].length(); ++c) values.all.push_back(vectors[i][c]);
-    };
-    add(mesh.positions), add(mesh.normals), add(mesh.texcoords), add(mesh.tangents);
+    mesh::for_each_attribute(mesh, [&](const auto& vectors) {
+      for (int c = 0; !vectors.empty() && c < vectors[i].length(); ++c) values.all.push_back(vectors[i][c]);
+    });
   }
   values.each = values.count > 0 ? values.all.size() / values.count : 0;
   return values;
@@ -63,6 +61,43 @@ double share_of_samples(const Samples& samples, const Read& failed) {
         are_same(sample.values, values.at(sample.index), tolerance(*failed.of)))
       ++same;
   return static_cast<double>(same) / static_cast<double>(samples.samples.size());
+}
+
+/// The mistake of the step that has most of what its cases show, all of them failed ones; of those that show
+/// in `all` failed cases, or in some. And the names of the cases that it shows in.
+std::pair<const Mistake*, std::set<std::string>> best_of(const std::vector<Mistake>& mistakes,
+                                                         const std::string& step,
+                                                         const std::vector<Read>& read, bool all) {
+  std::pair<const Mistake*, std::set<std::string>> best;
+  double most = 0;
+  for (const Mistake& mistake : mistakes) {
+    if (mistake.step != step || mistake.cases.empty()) continue;
+    double sum = 0;
+    std::set<std::string> own;
+    for (const Read& one : read) {
+      const auto samples = mistake.cases.find(one.of->name);
+      const double part = samples == mistake.cases.end() ? 0 : share_of_samples(samples->second, one);
+      sum += part;
+      if (part >= kPart) own.insert(one.of->name);
+    }
+    // A mistake that would have spoilt other cases too is another one.
+    const double fit = sum / static_cast<double>(mistake.cases.size());
+    if (fit < kPart || own.empty() || (all && own.size() < read.size())) continue;
+    const std::size_t shown = best.second.size();
+    if (own.size() > shown || (own.size() == shown && fit > most)) best = {&mistake, own}, most = fit;
+  }
+  return best;
+}
+
+/// The sentence of the simplest of these differences; of two that are as simple both, of more none.
+Seen said(const std::vector<Difference>& from, bool has_numbers, int below) {
+  if (from.empty() || from.front().cost >= below) return {};
+  const auto alike = std::count_if(from.begin(), from.end(),
+                                   [&](const Difference& one) { return one.cost == from.front().cost; });
+  if (alike > 2) return {};
+  std::string text = words(from[0], has_numbers);
+  if (alike == 2) text += " Or: " + words(from[1], has_numbers);
+  return {{}, text};
 }
 
 }  // namespace
@@ -93,46 +128,6 @@ bool are_same(std::span<const double> a, std::span<const double> b, double most)
   return true;
 }
 
-namespace {
-
-/// The mistake of the step that has most of what its cases show, all of them failed ones; of those that show
-/// in `all` failed cases, or in some. `shows` gets the names of these.
-const Mistake* best_of(const std::vector<Mistake>& mistakes, const std::string& step,
-                       const std::vector<Read>& read, bool all, std::set<std::string>& shows) {
-  const Mistake* best = nullptr;
-  double most = 0;
-  for (const Mistake& mistake : mistakes) {
-    if (mistake.step != step || mistake.cases.empty()) continue;
-    double sum = 0;
-    std::set<std::string> own;
-    for (const Read& one : read) {
-      const auto samples = mistake.cases.find(one.of->name);
-      const double part = samples == mistake.cases.end() ? 0 : share_of_samples(samples->second, one);
-      sum += part;
-      if (part >= kPart) own.insert(one.of->name);
-    }
-    // A mistake that would have spoilt other cases too is another one.
-    const double fit = sum / static_cast<double>(mistake.cases.size());
-    if (fit < kPart || own.empty() || (all && own.size() < read.size())) continue;
-    if (own.size() > shows.size() || (own.size() == shows.size() && fit > most))
-      best = &mistake, most = fit, shows = own;
-  }
-  return best;
-}
-
-/// The sentence of the simplest of these differences; of two that are as simple both, of more none.
-Seen said(const std::vector<Difference>& from, bool has_numbers, int below) {
-  if (from.empty() || from.front().cost >= below) return {};
-  const auto alike = std::count_if(from.begin(), from.end(),
-                                   [&](const Difference& one) { return one.cost == from.front().cost; });
-  if (alike > 2) return {};
-  std::string text = words(from[0], has_numbers);
-  if (alike == 2) text += " Or: " + words(from[1], has_numbers);
-  return {{}, text};
-}
-
-}  // namespace
-
 std::map<std::string, Seen> explain(const std::vector<Mistake>& mistakes, const course::Lab& lab,
                                     const std::string& step, const std::map<std::string, Failed>& failed) {
   std::vector<Read> read;
@@ -140,8 +135,7 @@ std::map<std::string, Seen> explain(const std::vector<Mistake>& mistakes, const 
     if (const auto one = failed.find(of.name); one != failed.end())
       read.push_back({&of, one->second.refused, parse_values(of, one->second.picture)});
   std::map<std::string, Seen> seen;
-  std::set<std::string> shows;
-  if (const Mistake* known = best_of(mistakes, step, read, true, shows)) {
+  if (const auto [known, shows] = best_of(mistakes, step, read, true); known != nullptr) {
     for (const std::string& name : shows) seen[name] = {known->name, known->says};
     return seen;
   }
@@ -168,11 +162,10 @@ std::map<std::string, Seen> explain(const std::vector<Mistake>& mistakes, const 
   std::map<std::string, Seen> causes;
   std::vector<Read> left = read;
   while (!left.empty()) {
-    shows.clear();
-    const Mistake* known = best_of(mistakes, step, left, false, shows);
+    const auto [known, shows] = best_of(mistakes, step, left, false);
     if (known == nullptr) break;
     for (const std::string& name : shows) causes[name] = {known->name, known->says};
-    std::erase_if(left, [&](const Read& one) { return shows.contains(one.of->name); });
+    std::erase_if(left, [&](const Read& one) { return causes.contains(one.of->name); });
   }
   const bool are_causes = left.empty() && std::none_of(causes.begin(), causes.end(), [&](const auto& one) {
                             const std::vector<Difference>& list = own[one.first];

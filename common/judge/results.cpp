@@ -7,9 +7,6 @@
 #include <array>
 #include <cmath>
 #include <tuple>
-#include <utility>
-
-#include "core/error.hpp"
 
 namespace texel::judge {
 namespace {
@@ -102,15 +99,14 @@ void put_places(std::vector<LabResult>& labs, const std::map<std::string, Place>
 }
 
 const CaseResult* clearest_case(const StepResult& step) {
-  const auto share = [](const CaseResult& one) {
-    return std::isnan(one.error) ? HUGE_VAL : one.error / std::max(one.limit, 1e-12);
+  const auto key = [](const CaseResult& one) {
+    const double share = std::isnan(one.error) ? HUGE_VAL : one.error / std::max(one.limit, 1e-12);
+    return std::pair(!one.passed(), share);
   };
-  const CaseResult* worst = nullptr;
-  for (const CaseResult& one : step.cases)
-    if (worst == nullptr || (worst->passed() && !one.passed()) ||
-        (worst->passed() == one.passed() && share(one) > share(*worst)))
-      worst = &one;
-  return worst;
+  const auto worst =
+      std::max_element(step.cases.begin(), step.cases.end(),
+                       [&](const CaseResult& a, const CaseResult& b) { return key(a) < key(b); });
+  return worst == step.cases.end() ? nullptr : &*worst;
 }
 
 StepResult step_result(const course::Step& step, std::vector<CaseResult> cases) {
@@ -141,8 +137,7 @@ std::vector<LabResult> lab_results(const std::vector<course::Lab>& labs, std::ve
 
   std::vector<LabResult> results;
   for (const course::Lab& lab : labs) {
-    LabResult& result = results.emplace_back();
-    result.lab = lab;
+    LabResult& result = results.emplace_back(LabResult{lab, {}, {}});
     for (const course::Step& step : lab.steps) {
       std::vector<CaseResult>& its_cases = by_step[{lab.folder, step.id}];
       sort_cases(lab, its_cases);
