@@ -90,16 +90,8 @@ double linear_from_srgb(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-float linear_from_srgb(float encoded) {
-  return static_cast<float>(linear_from_srgb(static_cast<double>(encoded)));
-}
-
 double srgb_from_linear(double linear) {
   return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
-float srgb_from_linear(float linear) {
-  return static_cast<float>(srgb_from_linear(static_cast<double>(linear)));
 }
 
 float from_encoding8(std::uint8_t sample, Encoding encoding) {

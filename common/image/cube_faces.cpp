@@ -19,12 +19,8 @@ const glm::dmat3& axes(Face face) {
 
 FaceCoordinate face_coordinate(const dvec3& d) {
   const dvec3 size = glm::abs(d);
-  Face face = d.z < 0 ? Face::negative_z : Face::positive_z;
-  if (size.x >= size.y && size.x >= size.z) {
-    face = d.x < 0 ? Face::negative_x : Face::positive_x;
-  } else if (size.y >= size.z) {
-    face = d.y < 0 ? Face::negative_y : Face::positive_y;
-  }
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const auto face = static_cast<Face>(2 * axis + (d[axis] < 0 ? 1 : 0));
   const dvec3 coordinate = d * axes(face);  // the dot products with the columns: sc, tc, |ma|
   return {face, 0.5 * (coordinate.x / coordinate.z + 1), 0.5 * (coordinate.y / coordinate.z + 1)};
 }

@@ -10,11 +10,15 @@ namespace texel::image {
 /// Linear light of an sRGB-encoded value, both 0..1, by the exact piecewise curve (IEC 61966-2-1); values
 /// below 0 follow the straight part.
 double linear_from_srgb(double encoded);
-float linear_from_srgb(float encoded);
+inline float linear_from_srgb(float encoded) {
+  return static_cast<float>(linear_from_srgb(double{encoded}));
+}
 
 /// The inverse of `linear_from_srgb`.
 double srgb_from_linear(double linear);
-float srgb_from_linear(float linear);
+inline float srgb_from_linear(float linear) {
+  return static_cast<float>(srgb_from_linear(double{linear}));
+}
 
 /// The linear value 0..1 of an 8-bit sample, from a table.
 float from_encoding8(std::uint8_t sample, Encoding encoding = Encoding::srgb);
