@@ -16,9 +16,9 @@ namespace {
 
 using Type = Parameter::Type;
 
-std::vector<std::string> names(std::span<const Item> items) {
+std::vector<std::string> names(const auto& list) {
   std::vector<std::string> names;
-  for (const Item& item : items) names.emplace_back(item.name);
+  for (const auto& one : list) names.emplace_back(one.name);
   return names;
 }
 
@@ -36,16 +36,10 @@ std::string shell_quoted(const std::string& text) {
 }
 
 std::string Parameter::text() const {
-  switch (type) {
-    case Type::toggle:
-      return value() != 0 ? "on" : "off";
-    case Type::choice:
-      return items[static_cast<std::size_t>(value())].name;
-    case Type::file:
-      return *static_cast<const std::string*>(variable_);
-    default:
-      return fmt::format("{}", static_cast<float>(value()));
-  }
+  if (type == Type::toggle) return value() != 0 ? "on" : "off";
+  if (type == Type::choice) return items[static_cast<std::size_t>(value())].name;
+  if (type == Type::file) return *static_cast<const std::string*>(variable_);
+  return fmt::format("{}", static_cast<float>(value()));
 }
 
 void Parameter::set(std::string_view text) {
@@ -141,10 +135,8 @@ const Parameter* Set::find(std::string_view name) const {
 
 Parameter& Set::at(std::string_view name) {
   if (Parameter* found = find(name)) return *found;
-  std::vector<std::string> known;
-  for (const Parameter& p : parameters_) known.emplace_back(p.name);
   throw Error::usage(fmt::format("there is no parameter '{}'", name),
-                     did_you_mean(name, known, "see --list-parameters"));
+                     did_you_mean(name, names(parameters_), "see --list-parameters"));
 }
 
 void Set::reset() {

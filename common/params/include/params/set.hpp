@@ -31,15 +31,11 @@ struct Item {
 
 namespace detail {
 
-consteval bool is_snake_case(std::string_view name) {
-  if (name.empty() || name.front() < 'a' || name.front() > 'z' || name.back() == '_') return false;
-  for (const char c : name)
-    if (!((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_')) return false;
-  return true;
-}
-
 consteval void check(std::string_view name, std::string_view help) {
-  if (!is_snake_case(name)) throw "a parameter's name is snake_case: lower-case letters, digits, underscores";
+  constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyz0123456789_";
+  if (name.empty() || name.front() < 'a' || name.back() == '_' ||
+      name.find_first_not_of(allowed) != name.npos)
+    throw "a parameter's name is snake_case: lower-case letters, digits, underscores";
   if (help.empty()) throw "a parameter needs a line of help";
 }
 
