@@ -134,9 +134,7 @@ std::vector<std::filesystem::path> Watcher::changed(const std::vector<std::files
     if (!error && !std::filesystem::is_directory(file)) stamp.size = std::filesystem::file_size(file, error);
     if (error) stamp = {};  // missing for the moment between an editor's delete and rename
     const auto [known, is_new] = stamps_.try_emplace(file, stamp);
-    if (is_new || known->second == stamp) continue;
-    known->second = stamp;
-    result.push_back(file);
+    if (!is_new && std::exchange(known->second, stamp) != stamp) result.push_back(file);
   }
   return result;
 }
