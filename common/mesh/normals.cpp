@@ -10,7 +10,6 @@
 #include "newell.hpp"
 
 namespace texel::mesh {
-
 namespace {
 
 std::uint64_t hash_of(const glm::vec3& v) {
@@ -50,7 +49,7 @@ std::vector<glm::vec3> sum_normals(std::size_t corner_count, std::size_t key_cou
 }
 
 /// For each corner the number of its (position, smoothing group); in group 0 each triangle is on its own.
-std::vector<std::uint32_t> smoothing_keys(const ObjData& data, std::size_t& count) {
+std::vector<std::uint32_t> smoothing_keys(const ObjData& data) {
   const std::vector<std::uint32_t> place = number_places(data.positions);
   Distinct<std::pair<std::uint32_t, std::uint64_t>> distinct(data.positions.size());
   std::vector<std::uint32_t> keys(data.corners.size());
@@ -63,7 +62,6 @@ std::vector<std::uint32_t> smoothing_keys(const ObjData& data, std::size_t& coun
     const std::uint64_t smooth_with = group != 0 ? group : std::uint64_t{i / 3 + 1} << 32;
     keys[i] = distinct.number(mix(mix(position) ^ smooth_with), {position, smooth_with});
   }
-  count = distinct.things().size();
   return keys;
 }
 
@@ -105,8 +103,8 @@ void generate_missing_normals(ObjData& data, Weighting weighting) {
     return corner.normal == no_index || is_zero(unit_or_zero(data.normals[corner.normal]));
   };
   if (std::none_of(data.corners.begin(), data.corners.end(), is_missing)) return;
-  std::size_t key_count = 0;
-  const std::vector<std::uint32_t> keys = smoothing_keys(data, key_count);
+  const std::vector<std::uint32_t> keys = smoothing_keys(data);
+  const std::size_t key_count = std::size_t{*std::max_element(keys.begin(), keys.end())} + 1;
   const std::vector<glm::vec3> generated = sum_normals(
       data.corners.size(), key_count, weighting, newell_unit,
       [&](std::size_t i) { return data.positions[data.corners[i].position]; },

@@ -11,7 +11,6 @@
 #include "newell.hpp"
 
 namespace texel::mesh {
-
 namespace {
 
 using TriangleTexcoords = std::array<glm::vec2, 3>;

@@ -33,7 +33,7 @@ TEST(Distinct, numbers_things_by_first_appearance_however_they_hash) {
       EXPECT_EQ(n, thing);
       if (n == things.size()) things.push_back(thing);
     }
-    EXPECT_EQ(table.size(), 1000u);
+    EXPECT_EQ(things.size(), 1000u);
   }
 }
 

@@ -27,9 +27,7 @@ class DistinctTable {
  public:
   explicit DistinctTable(std::size_t expected = 0) { resize(std::bit_ceil(2 * expected + 16)); }
 
-  [[nodiscard]] std::uint32_t size() const { return size_; }
-
-  /// The number of the thing with this hash for which `same(number)` is true; a new thing gets size().
+  /// The number of the thing with this hash for which `same(number)` is true; a new thing gets the next.
   template <class Same>
   std::uint32_t number(std::uint64_t hash, Same same) {
     if (2 * (std::size_t{size_} + 1) > slots_.size()) grow();

@@ -20,12 +20,11 @@ struct Group {
 /// sampled, t up.
 struct Mesh {
   std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> normals;    ///< unit length
-  std::vector<glm::vec2> texcoords;  ///< s to the right, t up
-  std::vector<glm::vec4> tangents;   ///< xyz: direction of growing s; w: sign of the bitangent, +1 or -1
-  std::vector<glm::vec3>
-      bitangents;                 ///< only for methods that keep their own instead of the sign in tangents.w
-  std::vector<glm::vec3> colors;  ///< linear RGB
+  std::vector<glm::vec3> normals;      ///< unit length
+  std::vector<glm::vec2> texcoords;    ///< s to the right, t up
+  std::vector<glm::vec4> tangents;     ///< xyz: direction of growing s; w: sign of the bitangent, +1 or -1
+  std::vector<glm::vec3> bitangents;   ///< only of methods that keep their own, not a sign in tangents.w
+  std::vector<glm::vec3> colors;       ///< linear RGB
   std::vector<std::uint32_t> indices;  ///< three a triangle
   std::vector<Group> groups;           ///< empty: one group with no material
 
