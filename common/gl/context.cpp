@@ -40,10 +40,10 @@ class Library {
                           fmt::format("install {} or choose another --context", package));
   }
   template <class Function>
-  Function* function(const char* name) const {
+  Function function(const char* name) const {
     void* address = ::dlsym(handle_, name);
     if (address == nullptr) throw Error::failed(fmt::format("the library has no function {}", name));
-    return reinterpret_cast<Function*>(address);
+    return reinterpret_cast<Function>(address);
   }
 
  private:
@@ -58,26 +58,23 @@ class OsmesaContext : public Context {
  public:
   explicit OsmesaContext(Shaders shaders) : Context(shaders) {
     const auto create =
-        library().function<void*(const int* attributes, void* share)>("OSMesaCreateContextAttribs");
+        library_.function<void* (*)(const int* attributes, void* share)>("OSMesaCreateContextAttribs");
     const int attributes[][2] = {{kFormat, GL_RGBA}, {kDepthBits, 24},   {kProfile, kCoreProfile},
                                  {kMajorVersion, 3}, {kMinorVersion, 3}, {0, 0}};
     context_ = create(*attributes, nullptr);
     if (context_ == nullptr) throw Error::failed("OSMesa gives no OpenGL 3.3 core context");
     const auto make_current =
-        library().function<GLboolean(void*, void* buffer, GLenum type, GLsizei, GLsizei)>(
+        library_.function<GLboolean (*)(void*, void* buffer, GLenum type, GLsizei, GLsizei)>(
             "OSMesaMakeCurrent");
     // We draw into framebuffer objects; the default framebuffer is one unused pixel.
     if (make_current(context_, pixel_, GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE)
       throw Error::failed("cannot make the OSMesa context current");
-    load(library().function<void*(const char*)>("OSMesaGetProcAddress"));
+    load(library_.function<void* (*)(const char*)>("OSMesaGetProcAddress"));
   }
-  ~OsmesaContext() override { library().function<void(void*)>("OSMesaDestroyContext")(context_); }
+  ~OsmesaContext() override { library_.function<void (*)(void*)>("OSMesaDestroyContext")(context_); }
 
  private:
-  static const Library& library() {
-    static const Library osmesa("libOSMesa.so.8", "libosmesa6");
-    return osmesa;
-  }
+  Library library_{"libOSMesa.so.8", "libosmesa6"};
   void* context_;
   unsigned char pixel_[4] = {};
 };
@@ -85,38 +82,33 @@ class OsmesaContext : public Context {
 class EglContext : public Context {
  public:
   explicit EglContext(Shaders shaders) : Context(shaders) {
-    const auto get_platform_display =
-        library().function<EGLDisplay(EGLenum, void*, const EGLAttrib*)>("eglGetPlatformDisplay");
-    display_ = get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
-    const auto initialize = library().function<EGLBoolean(EGLDisplay, EGLint*, EGLint*)>("eglInitialize");
+    display_ = library_.function<PFNEGLGETPLATFORMDISPLAYPROC>("eglGetPlatformDisplay")(
+        EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
+    const auto initialize = library_.function<PFNEGLINITIALIZEPROC>("eglInitialize");
     if (display_ == EGL_NO_DISPLAY || initialize(display_, nullptr, nullptr) == EGL_FALSE)
       throw Error::failed("EGL cannot draw without a surface on this machine", {}, "try --context osmesa");
-    library().function<EGLBoolean(EGLenum)>("eglBindAPI")(EGL_OPENGL_API);
+    library_.function<PFNEGLBINDAPIPROC>("eglBindAPI")(EGL_OPENGL_API);
     const EGLint attributes[][2] = {{EGL_CONTEXT_MAJOR_VERSION, 3},
                                     {EGL_CONTEXT_MINOR_VERSION, 3},
                                     {EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT},
                                     {EGL_NONE, EGL_NONE}};
-    const auto create =
-        library().function<EGLContext(EGLDisplay, EGLConfig, EGLContext, const EGLint*)>("eglCreateContext");
+    const auto create = library_.function<PFNEGLCREATECONTEXTPROC>("eglCreateContext");
     context_ = create(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, *attributes);
     if (context_ == EGL_NO_CONTEXT) throw Error::failed("EGL gives no OpenGL 3.3 core context");
     if (bind(context_) == EGL_FALSE) throw Error::failed("cannot make the EGL context current");
-    load(library().function<void*(const char*)>("eglGetProcAddress"));
+    load(library_.function<void* (*)(const char*)>("eglGetProcAddress"));
   }
   ~EglContext() override {
     bind(EGL_NO_CONTEXT);
-    library().function<EGLBoolean(EGLDisplay, EGLContext)>("eglDestroyContext")(display_, context_);
-    library().function<EGLBoolean(EGLDisplay)>("eglTerminate")(display_);
+    library_.function<PFNEGLDESTROYCONTEXTPROC>("eglDestroyContext")(display_, context_);
+    library_.function<PFNEGLTERMINATEPROC>("eglTerminate")(display_);
   }
 
  private:
-  static const Library& library() {
-    static const Library egl("libEGL.so.1", "libegl1");
-    return egl;
-  }
+  Library library_{"libEGL.so.1", "libegl1"};
   EGLBoolean bind(EGLContext context) {
-    return library().function<EGLBoolean(EGLDisplay, EGLSurface, EGLSurface, EGLContext)>("eglMakeCurrent")(
-        display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
+    const auto make_current = library_.function<PFNEGLMAKECURRENTPROC>("eglMakeCurrent");
+    return make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
   }
   EGLDisplay display_;
   EGLContext context_;

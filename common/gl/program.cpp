@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 #include "core/stages.hpp"
 #include "gl/upload.hpp"
@@ -101,10 +102,6 @@ Program::Program(std::shared_ptr<const ShaderSource> vertex, std::shared_ptr<con
 
   forget_uniforms();
   glUseProgram(0);
-}
-
-Program::~Program() {
-  glDeleteProgram(id_);
 }
 
 void Program::forget_uniforms() {
@@ -235,12 +232,10 @@ void ProgramCache::clear() {
 }
 
 std::vector<std::filesystem::path> ProgramCache::files() const {
-  std::vector<std::filesystem::path> files = tried_;
+  std::set<std::filesystem::path> files(tried_.begin(), tried_.end());
   for (const auto& [name, source] : sources_)
-    if (source != nullptr) files.insert(files.end(), source->files().begin(), source->files().end());
-  std::sort(files.begin(), files.end());
-  files.erase(std::unique(files.begin(), files.end()), files.end());
-  return files;
+    if (source != nullptr) files.insert(source->files().begin(), source->files().end());
+  return {files.begin(), files.end()};
 }
 
 }  // namespace texel::gl

@@ -34,9 +34,8 @@ constexpr FormatUse kFormats[] = {{GL_R8, "R8", 1},           {GL_RG8, "RG8", 2}
                                   {GL_RGBA32F, "RGBA32F", 16}};
 
 FormatUse use_of(GLint format) {
-  for (const FormatUse& known : kFormats)
-    if (known.format == format) return known;
-  return {format, "other", 4};
+  const auto* known = std::ranges::find(kFormats, format, &FormatUse::format);
+  return known != std::end(kFormats) ? *known : FormatUse{format, "other", 4};
 }
 
 GLint integer_of_level(GLenum face, GLint level, GLenum name) {

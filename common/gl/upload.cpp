@@ -21,10 +21,9 @@ image::Image8 expand_grey(const image::Image8& image) {
   if (image.channels > 2) return image;
   image::Image8 color(image.width, image.height, image.channels + 2);
   for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x) {
-      for (int c = 0; c < 3; ++c) color.at(x, y, c) = image.at(x, y);
-      if (image.channels == 2) color.at(x, y, 3) = image.at(x, y, 1);
-    }
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < color.channels; ++c)
+        color.at(x, y, c) = image.at(x, y, c / 3);  // alpha is the second
   return color;
 }
 
@@ -62,10 +61,6 @@ ScopedBinding::ScopedBinding(GLenum target, GLuint texture)
     : target_(target),
       before_(integer(target == GL_TEXTURE_2D ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_CUBE_MAP)) {
   glBindTexture(target, texture);
-}
-
-ScopedBinding::~ScopedBinding() {
-  glBindTexture(target_, static_cast<GLuint>(before_));
 }
 
 void upload_level(GLenum target, int level, const image::Image8& image, image::Encoding encoding) {

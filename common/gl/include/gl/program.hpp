@@ -38,7 +38,7 @@ class Program {
   /// Throws Error (exit 3) with the compiler's messages.
   Program(std::shared_ptr<const ShaderSource> vertex, std::shared_ptr<const ShaderSource> fragment,
           const std::vector<Define>& defines);
-  ~Program();
+  ~Program() { glDeleteProgram(id_); }
   Program& operator=(Program&&) = delete;
 
   [[nodiscard]] GLuint id() const { return id_; }

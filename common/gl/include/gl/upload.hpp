@@ -13,7 +13,7 @@ class ScopedBinding {
  public:
   ScopedBinding(GLenum target, GLuint texture);
   ScopedBinding(GLenum target, const Texture& texture) : ScopedBinding(target, texture.id()) {}
-  ~ScopedBinding();
+  ~ScopedBinding() { glBindTexture(target_, static_cast<GLuint>(before_)); }
   ScopedBinding& operator=(ScopedBinding&&) = delete;
 
  private:
