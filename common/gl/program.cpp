@@ -62,19 +62,16 @@ Program::Program(std::shared_ptr<const ShaderSource> vertex, std::shared_ptr<con
   glAttachShader(id_, fragment_shader.id());
   for (GLuint i = 0; i < std::size(kAttributeNames); ++i) glBindAttribLocation(id_, i, kAttributeNames[i]);
   glLinkProgram(id_);
-  GLint ok = 0;
-  glGetProgramiv(id_, GL_LINK_STATUS, &ok);
-  if (ok == 0) {
+  if (value_of(glGetProgramiv, id_, GL_LINK_STATUS) == 0) {
     char log[4096] = "";
     glGetProgramInfoLog(id_, sizeof log, nullptr, log);
     glDeleteProgram(id_);
     throw Error::failed(fmt::format("does not link: {}", fragment_->locate(log)), place());
   }
 
-  GLint count = 0;
   char text[256];
   GLint size = 0;
-  glGetProgramiv(id_, GL_ACTIVE_UNIFORMS, &count);
+  GLint count = value_of(glGetProgramiv, id_, GL_ACTIVE_UNIFORMS);
   for (GLint i = 0; i < count; ++i) {
     Uniform uniform;
     glGetActiveUniform(id_, static_cast<GLuint>(i), sizeof text, nullptr, &size, &uniform.type, text);
@@ -83,7 +80,7 @@ Program::Program(std::shared_ptr<const ShaderSource> vertex, std::shared_ptr<con
     uniform.location = glGetUniformLocation(id_, text);
     if (uniform.location >= 0) uniforms_.push_back(std::move(uniform));
   }
-  glGetProgramiv(id_, GL_ACTIVE_ATTRIBUTES, &count);
+  count = value_of(glGetProgramiv, id_, GL_ACTIVE_ATTRIBUTES);
   for (GLint i = 0; i < count; ++i) {
     GLenum type = 0;
     glGetActiveAttrib(id_, static_cast<GLuint>(i), sizeof text, nullptr, &size, &type, text);
@@ -175,9 +172,8 @@ Error Program::no_unit(std::string_view name, const std::string& value) const {
 void Program::check_uniforms() const {
   for (const Uniform& uniform : uniforms_) {
     if (uniform.is_set) continue;
-    GLint unit = unset_unit();  // glUniform1i sets a sampler too
-    if (is_sampler(uniform.type)) glGetUniformiv(id_, uniform.location, &unit);
-    if (unit == unset_unit())
+    // glUniform1i sets a sampler too.
+    if (!is_sampler(uniform.type) || value_of(glGetUniformiv, id_, uniform.location) == unset_unit())
       throw Error::failed(fmt::format("the uniform '{}' is read but never set", uniform.name), place(),
                           "set it in the lab, or give it the name of one of the lab's parameters");
   }

@@ -44,22 +44,14 @@ GLint integer_of_level(GLenum face, GLint level, GLenum name) {
   return value;
 }
 
-GLint integer_of_attribute(GLuint location, GLenum name) {
-  GLint value = 0;
-  glGetVertexAttribiv(location, name, &value);
-  return value;
-}
-
 void warn(Record& record, const std::string& text) {
   add_once(record.warnings, text);
 }
 
 void inspect_indices(Record& record, std::set<GLint>& counted) {
   const GLint buffer = integer(GL_ELEMENT_ARRAY_BUFFER_BINDING);
-  GLint bytes = 0;
   if (buffer == 0 || !counted.insert(buffer).second) return;
-  glGetBufferParameteriv(GL_ELEMENT_ARRAY_BUFFER, GL_BUFFER_SIZE, &bytes);
-  record.index_bytes += bytes;
+  record.index_bytes += value_of(glGetBufferParameteriv, GL_ELEMENT_ARRAY_BUFFER, GL_BUFFER_SIZE);
 }
 
 void inspect_attributes(Record& record, GLuint program) {
@@ -67,15 +59,14 @@ void inspect_attributes(Record& record, GLuint program) {
     const GLint at = glGetAttribLocation(program, name);
     if (at < 0) continue;
     const auto location = static_cast<GLuint>(at);
-    if (integer_of_attribute(location, GL_VERTEX_ATTRIB_ARRAY_ENABLED) == 0) {
+    if (value_of(glGetVertexAttribiv, location, GL_VERTEX_ATTRIB_ARRAY_ENABLED) == 0) {
       warn(record, fmt::format("the shader reads the attribute '{}', but no array is enabled for it", name));
       continue;
     }
-    const GLint buffer = integer_of_attribute(location, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING),
-                components = integer_of_attribute(location, GL_VERTEX_ATTRIB_ARRAY_SIZE);
-    GLint bytes = 0;
+    const GLint buffer = value_of(glGetVertexAttribiv, location, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING),
+                components = value_of(glGetVertexAttribiv, location, GL_VERTEX_ATTRIB_ARRAY_SIZE);
     glBindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(buffer));  // which nothing else uses
-    glGetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &bytes);
+    const GLint bytes = value_of(glGetBufferParameteriv, GL_COPY_READ_BUFFER, GL_BUFFER_SIZE);
     if (!add_once(record.attributes, {name, bytes})) continue;
     const GLint step = components * static_cast<GLint>(sizeof(float));  // ours follow without a gap
     if (name == std::string_view("position")) record.vertices += bytes / step;
@@ -84,27 +75,25 @@ void inspect_attributes(Record& record, GLuint program) {
 
 void inspect_samplers(Record& record, GLuint program) {
   const auto restore_unit = static_cast<GLenum>(integer(GL_ACTIVE_TEXTURE));
-  GLint count = 0;
-  glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
+  const GLint count = value_of(glGetProgramiv, program, GL_ACTIVE_UNIFORMS);
   for (GLint i = 0; i < count; ++i) {
     char name[256];
-    GLint size = 0, unit = 0;
+    GLint size = 0;
     GLenum type = 0;
     glGetActiveUniform(program, static_cast<GLuint>(i), sizeof name, nullptr, &size, &type, name);
     if (type != GL_SAMPLER_2D && type != GL_SAMPLER_CUBE) continue;
     const bool is_cube = type == GL_SAMPLER_CUBE;
     const GLenum target = is_cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
     const GLenum face = is_cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : GL_TEXTURE_2D;
-    glGetUniformiv(program, glGetUniformLocation(program, name), &unit);
+    const GLint unit = value_of(glGetUniformiv, program, glGetUniformLocation(program, name));
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     const GLint texture = integer(is_cube ? GL_TEXTURE_BINDING_CUBE_MAP : GL_TEXTURE_BINDING_2D);
     if (texture == 0) {
       warn(record, fmt::format("the sampler '{}' reads unit {}, but no texture is bound there", name, unit));
       continue;
     }
-    GLint filter = 0, last = 0;
-    glGetTexParameteriv(target, GL_TEXTURE_MIN_FILTER, &filter);
-    glGetTexParameteriv(target, GL_TEXTURE_MAX_LEVEL, &last);
+    const GLint filter = value_of(glGetTexParameteriv, target, GL_TEXTURE_MIN_FILTER),
+                last = value_of(glGetTexParameteriv, target, GL_TEXTURE_MAX_LEVEL);
     const FormatUse format = use_of(integer_of_level(face, 0, GL_TEXTURE_INTERNAL_FORMAT));
     Record::TextureUse use{.name = name,
                            .id = static_cast<GLuint>(texture),

@@ -2,9 +2,19 @@
 #pragma once
 #include <glad/gl.h>
 
+#include <type_traits>
 #include <utility>
 
 namespace texel::gl {
+
+/// What a function of OpenGL says of an object: value_of(glGetProgramiv, program, GL_LINK_STATUS).
+template <class Object, class Name>
+GLint value_of(void(GLAD_API_PTR* query)(Object, Name, GLint*), std::type_identity_t<Object> object,
+               std::type_identity_t<Name> name) {
+  GLint value = 0;
+  query(object, name, &value);
+  return value;
+}
 
 /// What the context has by this name, as GL_MAX_SAMPLES.
 inline GLint integer(GLenum name) {
