@@ -2,7 +2,6 @@
 #include "app/batch.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -82,15 +81,14 @@ Batch read_batch(AnyLab& lab, const std::filesystem::path& list) {
 
 double pixels_per_program(const Batch& batch, const params::Set& parameters) {
   double pixels = 0;
-  std::set<std::string> programs;
+  std::set<std::set<std::string>> programs;  // each by its constants
   for (const course::Case& one : batch) {
     if (one.is_mesh()) continue;
     pixels += static_cast<double>(one.size.width) * one.size.height;
     std::set<std::string> constants = {name_of(one.view)};
-    for (const auto& [name, value] : one.settings) {
+    for (const auto& [name, value] : one.settings)
       if (parameters.find(name)->is_constant()) constants.insert(name + "=" + value);
-    }
-    programs.insert(fmt::format("{}", fmt::join(constants, " ")));
+    programs.insert(std::move(constants));
   }
   return pixels / static_cast<double>(std::max<std::size_t>(programs.size(), 1));
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "app/settings.hpp"
 #include "core/error.hpp"
@@ -144,24 +145,20 @@ const gl::Target& Canvas::draw_scene(View view, glm::ivec2 size, int samples,
 
 void Canvas::finish(View view, glm::ivec2 size) {
   if (view != View::color) {
-    fit(color_, gl::Target::Kind::color, size, 1);
-    present(view);
+    const gl::Target& shown = fit(color_, gl::Target::Kind::color, size, 1);
+    gl::Program& program = programs_.get("app/present.vert", "app/present.frag");
+    shown.bind();
+    program.use();
+    gl::bind(0, GL_TEXTURE_2D, data_->texture());
+    program.set("values", 0);
+    program.set("view", static_cast<int>(view));
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    glDisable(GL_FRAMEBUFFER_SRGB);  // the colours of present.frag are encoded already
+    glBindVertexArray(no_attributes_.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
   }
   std::swap(picture_, color_);
-}
-
-void Canvas::present(View view) {
-  gl::Program& program = programs_.get("app/present.vert", "app/present.frag");
-  color_->bind();
-  program.use();
-  gl::bind(0, GL_TEXTURE_2D, data_->texture());
-  program.set("values", 0);
-  program.set("view", static_cast<int>(view));
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_BLEND);
-  glDisable(GL_FRAMEBUFFER_SRGB);  // the colours of present.frag are encoded already
-  glBindVertexArray(no_attributes_.id());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 Legend Canvas::legend(View view) const {
@@ -211,9 +208,7 @@ image::ImageF Canvas::values_of(View view, glm::ivec2 size) {
 }
 
 glm::vec4 Canvas::value_at(View view, glm::ivec2 size, glm::ivec2 pixel) {
-  const image::ImageF all = values_of(view, size);
-  const float* value = &all.at(pixel.x, pixel.y);
-  return {value[0], value[1], value[2], value[3]};
+  return glm::make_vec4(&values_of(view, size).at(pixel.x, pixel.y));
 }
 
 std::vector<gl::Record::TextureUse> Canvas::textures(glm::ivec2 size) {

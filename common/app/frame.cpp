@@ -25,30 +25,27 @@ std::string constant(std::string_view name) {
 
 std::vector<gl::Define> constants(const params::Set& parameters, View view) {
   std::vector<gl::Define> defines;
+  const auto add = [&](const std::string& name, int value, std::string_view flag, std::string_view text) {
+    defines.push_back({name, fmt::to_string(value), fmt::format("--{} {}", flag, text)});
+  };
   for (const params::Parameter& p : parameters) {
     if (!p.is_constant()) continue;
     const std::string name = constant(p.name);
-    defines.push_back(
-        {name, fmt::format("{}", static_cast<int>(p.value())), fmt::format("--{} {}", p.flag(), p.text())});
-    for (std::size_t i = 0; i < p.items.size(); ++i)
-      defines.push_back({fmt::format("{}_{}", name, constant(p.items[i].name)), fmt::format("{}", i),
-                         fmt::format("--{} {}", p.flag(), p.items[i].name)});
+    add(name, static_cast<int>(p.value()), p.flag(), p.text());
+    int index = 0;
+    for (const params::Item& item : p.items)
+      add(name + "_" + constant(item.name), index++, p.flag(), item.name);
   }
-  defines.push_back(
-      {"VIEW", fmt::format("{}", static_cast<int>(view)), fmt::format("--view {}", name_of(view))});
+  add("VIEW", static_cast<int>(view), "view", name_of(view));
   for (int i = 0; i <= static_cast<int>(View::error); ++i) {
     const char* name = name_of(static_cast<View>(i));
-    defines.push_back(
-        {fmt::format("VIEW_{}", constant(name)), fmt::format("{}", i), fmt::format("--view {}", name)});
+    add("VIEW_" + constant(name), i, "view", name);
   }
   return defines;
 }
 
 std::string Info::folder() const {
   return fmt::format("{:02}_{}", number, name);
-}
-std::string Info::program() const {
-  return "lab" + folder();
 }
 
 gl::Program& Frame::program(const std::string& stem) {

@@ -22,8 +22,7 @@ void KeptValues::set(const Settings& settings) const {
 }
 
 void check_settings(params::Set& parameters, const Settings& settings) {
-  const KeptValues before(parameters);
-  before.set(settings);
+  KeptValues(parameters).set(settings);
 }
 
 void apply_settings(params::Set& parameters, const Settings& settings) {

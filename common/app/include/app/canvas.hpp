@@ -81,7 +81,6 @@ class Canvas {
   const gl::Target& draw_scene(View view, glm::ivec2 size, int samples, const std::optional<Split>& split,
                                gl::Target::Kind colors);
   void finish(View view, glm::ivec2 size);
-  void present(View view);
   gl::Target& fit(std::unique_ptr<gl::Target>& target, gl::Target::Kind kind, glm::ivec2 size, int samples);
 
   gl::Context& context_;

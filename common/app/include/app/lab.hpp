@@ -42,8 +42,8 @@ struct Info {
   const char* lesson;           ///< one line for --help and the panel
   std::span<const View> views;  ///< without `error`
 
-  [[nodiscard]] std::string folder() const;   ///< "05_normal_map"
-  [[nodiscard]] std::string program() const;  ///< "lab05_normal_map"
+  [[nodiscard]] std::string folder() const;                               ///< "05_normal_map"
+  [[nodiscard]] std::string program() const { return "lab" + folder(); }  ///< "lab05_normal_map"
 };
 
 /// The constants in a lab's shaders: of all choices and toggles, and of the view.
@@ -57,7 +57,6 @@ class Frame {
         gl::ProgramCache& programs)
       : size_(size), view_(view), parameters_(parameters), assets_(assets), programs_(programs) {}
 
-  [[nodiscard]] glm::ivec2 size() const { return size_; }  ///< pixels
   [[nodiscard]] float aspect() const { return static_cast<float>(size_.x) / static_cast<float>(size_.y); }
   [[nodiscard]] View view() const { return view_; }
   [[nodiscard]] const Assets& assets() const { return assets_; }
