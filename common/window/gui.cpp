@@ -29,7 +29,6 @@ const Theme kLight{.good = {0.05F, 0.40F, 0.13F, 1},
                    .field = {0.93F, 0.92F, 0.89F, 1},
                    .accent = {0.64F, 0.25F, 0.12F, 1}};
 bool is_light = false;
-ImFont* fixed = nullptr;
 
 /// DejaVu Sans with the letters and signs of formulas where the system has it, else ImGui's own font.
 void load_font(float scale) {
@@ -47,7 +46,7 @@ void load_font(float scale) {
     return fonts.AddFontDefault(&config);
   };
   load("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", 14);
-  fixed = load("/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf", 13);
+  Gui::code_font = load("/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf", 13);
 }
 
 /// The text with its lines' ends instead of the blanks there. A word that is too long has a line of its own.
@@ -70,10 +69,6 @@ std::string broken(const std::string& text, float width) {
 }
 
 }  // namespace
-
-ImFont* code_font() {
-  return fixed;
-}
 
 const Theme& theme() {
   return is_light ? kLight : kDark;
@@ -156,9 +151,7 @@ void tooltip(std::string_view help, std::string_view more) {
 }
 
 gl::Texture picture_texture(const image::Image8& picture, GLenum wrap_s, GLenum wrap_t) {
-  const gl::Sampling sampling = {
-      .minify = GL_LINEAR, .magnify = GL_NEAREST, .wrap_s = wrap_s, .wrap_t = wrap_t};
-  return gl::make_texture_2d(picture, image::Encoding::linear, sampling);
+  return gl::make_texture_2d(picture, image::Encoding::linear, {GL_LINEAR, GL_NEAREST, wrap_s, wrap_t});
 }
 
 void draw_texture(const gl::Texture& texture, ImVec2 from, ImVec2 to, ImVec2 upper_left, ImVec2 lower_right) {

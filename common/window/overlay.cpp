@@ -16,12 +16,10 @@ namespace {
 constexpr ImGuiWindowFlags kPlate = kPlaced | ImGuiWindowFlags_NoDecoration |
                                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
 
+// By FrameLine::Axis.
+constexpr const char* kAxisNames[] = {"T", "B", "N"};
 constexpr ImU32 kAxisColors[] = {IM_COL32(255, 80, 80, 255), IM_COL32(90, 230, 90, 255),
-                                 IM_COL32(110, 150, 255, 255)};  // of T, B and N
-
-ImU32 color_of(app::FrameLine::Axis axis) {
-  return kAxisColors[static_cast<std::size_t>(axis)];
-}
+                                 IM_COL32(110, 150, 255, 255)};
 
 void wrapped_to(float width, const ImVec4& color, const std::string& text) {
   ImGui::PushTextWrapPos(width);
@@ -103,17 +101,15 @@ void draw_overlay(app::AnyLab& lab, WindowState& state, glm::vec2 size, float pi
     name(left, 1);
     name(right, 0);
   }
-  for (const app::FrameLine& line : state.frame_lines) {
+  for (const FrameLine& line : state.frame_lines) {
     const auto at = [&](glm::vec2 place) { return ImVec2(origin + place.x * size.x, place.y * size.y); };
     canvas.AddLine(at(line.from), at(line.to), IM_COL32(0, 0, 0, 160), 3.5F * scale);
-    canvas.AddLine(at(line.from), at(line.to), color_of(line.axis), 2 * scale);
+    canvas.AddLine(at(line.from), at(line.to), kAxisColors[static_cast<int>(line.axis)], 2 * scale);
   }
-  for (const auto& [axis, name] : {std::pair(app::FrameLine::Axis::tangent, "T"),
-                                   {app::FrameLine::Axis::bitangent, "B"},
-                                   {app::FrameLine::Axis::normal, "N"}})
-    if (std::ranges::find(state.frame_lines, axis, &app::FrameLine::axis) != state.frame_lines.end())
-      canvas.AddText({origin + (12 + 16 * static_cast<float>(axis)) * scale, 10 * scale}, color_of(axis),
-                     name);
+  for (int i = 0; i < 3; ++i)
+    if (std::ranges::count(state.frame_lines, FrameLine::Axis(i), &FrameLine::axis) > 0)
+      canvas.AddText({origin + (12 + 16 * static_cast<float>(i)) * scale, 10 * scale}, kAxisColors[i],
+                     kAxisNames[i]);
   if (state.inspected && state.error.first.empty()) {  // the last good picture may have another size
     const glm::vec2 pixel = glm::vec2(state.inspected->pixel) + 0.5F;
     const ImVec2 at(origin + pixel.x / pixels_per_unit, size.y - pixel.y / pixels_per_unit);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -7,11 +8,13 @@
 #include <vector>
 
 #include "app/canvas.hpp"
-#include "app/frame_lines.hpp"
+#include "app/legend.hpp"
 #include "course/lab_file.hpp"
+#include "course/step_text.hpp"
 #include "history.hpp"
+#include "image/compared.hpp"
+#include "judge/results.hpp"
 #include "shader_message.hpp"
-#include "steps.hpp"
 #include "texture_view.hpp"
 #include "window/gui.hpp"
 #include "window/more_section.hpp"
@@ -99,6 +102,71 @@ struct Looks {
   void draw_next(gl::Context& context, const app::Assets& assets, app::AnyLab& lab);
 };
 
+/// A case's pictures: the student's, the expected one, and how they differ; beside them the step's text.
+struct CasePictures {
+  std::string step, title;  ///< of the step
+  judge::CaseResult result;
+  course::StepText text;
+  std::string fault;  ///< why there is nothing to be seen, or ""
+  enum class Shown { split, difference, heat_map } shown = Shown::split;
+  std::size_t chosen = 0;  ///< answer to the step's question, from 1
+  float position = 0.5F;   ///< of the split line, 0 to 1; the expected picture is right of it
+  image::Compared compared;
+  gl::Texture own, expected, difference, heat_map;  ///< its pictures, bottom row first
+  app::Legend legend;                               ///< of the heat map
+  gl::Texture legend_picture;
+
+  /// Height by width of the pictures, which are there without a fault.
+  [[nodiscard]] float aspect() const {
+    return static_cast<float>(compared.own.height) / static_cast<float>(compared.own.width);
+  }
+};
+
+/// Has the steps of a lab checked, one check after the other, in the background. The figures are those of
+/// `texel check`, which runs beside the window and draws as the grader does, whatever graphics card shows the
+/// window.
+class StepsCheck {
+ public:
+  /// What a check found.
+  struct Found {
+    std::vector<judge::StepResult> steps;
+    std::string fault;          ///< why there are no steps, or ""
+    std::string compile_error;  ///< what the compiler said of what was saved last, or ""
+  };
+
+  /// `root` is the tree whose labs and shaders are checked, by the `texel` beside this program.
+  StepsCheck(const std::string& lab_folder, std::filesystem::path root);
+
+  /// Asks for a check of what is saved now, and to build the lab's program first. During a check: for another
+  /// one after it.
+  void request(bool build = false);
+  /// Takes over what the last check found; whether there is something new.
+  bool poll();
+  [[nodiscard]] const Found& found() const { return found_; }
+
+  /// "building", "checking your steps" or "".
+  [[nodiscard]] std::string progress() const;
+  /// The C++ files that a student edits; none where this program was not built from this tree.
+  [[nodiscard]] const std::vector<std::filesystem::path>& program_texts() const { return program_texts_; }
+  /// The look in which one sees a step of this lab best, as its handout shows it.
+  [[nodiscard]] const course::Case& look_of(const std::string& step) const;
+  /// A case's pictures, and its step's text. Files that are missing or broken are said so in `fault`.
+  [[nodiscard]] CasePictures load_case(const judge::StepResult& step, const judge::CaseResult& one) const;
+
+ private:
+  struct Shared;
+  std::shared_ptr<Shared> shared_;
+  Found found_;
+  std::vector<std::filesystem::path> program_texts_;
+};
+
+/// One axis of a surface's tangent frame, as a line over the picture: places from (0, 0), the picture's upper
+/// left corner, to (1, 1).
+struct FrameLine {
+  enum class Axis { tangent, bitangent, normal } axis;
+  glm::vec2 from, to;
+};
+
 /// What the window shows beside the lab's parameters; the panel's widgets change it.
 struct WindowState {
   app::View view = app::View::color;
@@ -152,13 +220,15 @@ struct WindowState {
   std::unique_ptr<MoreSection> more;  ///< or null
   bool more_is_open = false, statistics_open = false;
   bool looks_open = false, keys_open = false, light_theme = false, wireframe = false, axes = false;
-  std::vector<app::FrameLine> frame_lines;  ///< while `axes` is on
-  std::string progress;                     ///< what goes on for longer than a frame, or ""
+  std::vector<FrameLine> frame_lines;  ///< while `axes` is on
+  std::string progress;                ///< what goes on for longer than a frame, or ""
   std::string config_file;
 };
 
 /// "bump_strength" → "bump strength"
 std::string label_of(std::string_view name);
+/// "off by 12.3 degrees (limit 0.05)".
+std::string off_by(const judge::CaseResult& one);
 
 /// The present look, and back to one: parameters (the model stays turned as it is), view and gallery's look.
 SavedLook save_look(const params::Set& parameters, const WindowState& state);
@@ -179,6 +249,11 @@ void pick_case(app::AnyLab& lab, WindowState& state, const judge::StepResult& st
                const judge::CaseResult& one);
 /// Sets the look of the step's case that says most, and shows that case's pictures.
 void pick_step(app::AnyLab& lab, WindowState& state, const judge::StepResult& step);
+
+/// T, B and N on a grid over the visible surface, of those that the lab draws as views. They are the
+/// surface's own: without the normal map. B stands at right angles to N and T, on the side to which t grows.
+/// Throws Error as Canvas::draw.
+std::vector<FrameLine> frame_lines(app::Canvas& canvas, app::AnyLab& lab, glm::ivec2 size);
 
 /// How wide the panel is until it is resized, in units of a window so wide.
 float default_panel_width(float window, float scale);

@@ -29,18 +29,12 @@ void pixel_row(const char* name, const glm::dvec3& value, int components, const 
 
 /// How a value of the view is written; 8-bit steps for colours.
 void pixel_row(const char* name, app::View view, const glm::dvec3& value) {
-  switch (view) {
-    case app::View::texcoord:
-      return pixel_row(name, value, 2, "%.5f");
-    case app::View::color:
-      return pixel_row(name, value, 3, "%.1f");
-    case app::View::normal:
-    case app::View::tangent:
-    case app::View::direction:
-      return pixel_row(name, value, 3, "%+.4f");
-    default:
-      return pixel_row(name, value, 1, "%.5g");
-  }
+  using app::View;
+  if (view == View::texcoord) return pixel_row(name, value, 2, "%.5f");
+  if (view == View::color) return pixel_row(name, value, 3, "%.1f");
+  if (view == View::normal || view == View::tangent || view == View::direction)
+    return pixel_row(name, value, 3, "%+.4f");
+  pixel_row(name, value, 1, "%.5g");
 }
 
 /// The pixels around, each as a square, and the middle one marked.
@@ -84,9 +78,9 @@ struct Area {
   }
 };
 
-/// A rectangle at the cursor.
-Area area_here(glm::vec2 size, bool is_upwards) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
+/// A rectangle at the cursor, or so far from it.
+Area area_here(glm::vec2 size, bool is_upwards, glm::vec2 moved = glm::vec2(0)) {
+  const ImVec2 cursor = ImGui::GetCursorScreenPos(), at(cursor.x + moved.x, cursor.y + moved.y);
   return {.from = at, .to = {at.x + size.x, at.y + size.y}, .is_upwards = is_upwards};
 }
 
@@ -131,11 +125,7 @@ void whole_texture(const TextureView& view, float side, float scale) {
 void faces(const TextureView& view, float side, float scale) {
   constexpr glm::ivec2 kPlaces[] = {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}};
   const auto area_of = [&](int face) {
-    Area area = area_here({side, side}, false);
-    const ImVec2 moved(side * static_cast<float>(kPlaces[face].x),
-                       side * static_cast<float>(kPlaces[face].y));
-    for (ImVec2* corner : {&area.from, &area.to}) corner->x += moved.x, corner->y += moved.y;
-    return area;
+    return area_here({side, side}, false, side * glm::vec2(kPlaces[face]));
   };
   for (int face = 0; face < 6; ++face) {
     const Area area = area_of(face);
@@ -241,11 +231,10 @@ void draw_pixel(WindowState& state, glm::vec2 size, float pixels_per_unit, float
   ImGui::SameLine();
   ImGui::BeginGroup();
   for (const auto& [view, value] : inspected.values) {
-    const char* name = name_of(view);
     if (value.w <= 0)
-      pixel_row(name, "background");
+      pixel_row(name_of(view), "background");
     else
-      pixel_row(name, view, glm::dvec3(value));
+      pixel_row(name_of(view), view, glm::dvec3(value));
   }
   if (inspected.comparison) {
     const app::Comparison& c = *inspected.comparison;

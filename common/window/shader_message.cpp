@@ -25,13 +25,6 @@ void find_place(ErrorMessage& message, const fs::path& root) {
   if (!found[3].empty()) message.column = std::stoi(found[3]);
 }
 
-/// A file's line without the blanks around it, or "".
-std::string line_of(const fs::path& file, int number) {
-  const std::vector<std::string> lines = lines_of(read_file(file));
-  const auto index = static_cast<std::size_t>(number) - 1;
-  return index < lines.size() ? std::string(trimmed(lines[index])) : "";
-}
-
 }  // namespace
 
 ErrorMessage read_message(const std::string& text, const fs::path& root) {
@@ -41,7 +34,11 @@ ErrorMessage read_message(const std::string& text, const fs::path& root) {
   if (end != std::string::npos) message.rest = text.substr(end + 1);
   if (!message.rest.empty()) message.others = 1 + static_cast<int>(std::ranges::count(message.rest, '\n'));
   find_place(message, root);
-  if (message.line > 0) message.source_line = line_of(message.file, message.line);
+  if (message.line > 0) {
+    const std::vector<std::string> lines = lines_of(read_file(message.file));
+    const auto index = static_cast<std::size_t>(message.line) - 1;
+    if (index < lines.size()) message.source_line = trimmed(lines[index]);
+  }
   if (message.first.ends_with(": " + message.source_line)) message.source_line.clear();  // said already
   return message;
 }

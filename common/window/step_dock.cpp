@@ -41,7 +41,7 @@ void text_part(WindowState& state) {
   wrapped_text(theme().text, text.task);
   if (text.lines.empty()) return;
   ImGui::Separator();
-  ImGui::PushFont(code_font());
+  ImGui::PushFont(Gui::code_font);
   for (std::size_t i = 0; i < text.lines.size(); ++i) {
     const int number = text.first_line + static_cast<int>(i);
     const std::string& line = text.lines[i];

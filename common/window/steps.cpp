@@ -13,14 +13,14 @@
 #include "check/check.hpp"
 #include "core/error.hpp"
 #include "core/process.hpp"
-#include "judge/results.hpp"
 #include "panel.hpp"
 
 namespace texel::window {
 
-namespace fs = std::filesystem;
-
 namespace {
+
+namespace fs = std::filesystem;
+using judge::Status;
 
 /// The folder where this program was built from the tree, or "".
 fs::path build_folder_of(const fs::path& root) {
@@ -31,6 +31,54 @@ fs::path build_folder_of(const fs::path& root) {
   for (std::string line; std::getline(cache, line);)
     if (line.starts_with(kHome) && fs::equivalent(line.substr(kHome.size()), root, unknown)) return build;
   return {};
+}
+
+/// A text that marks code with `, without these marks.
+void wrapped_plain(const ImVec4& color, const std::string& text) {
+  wrapped_text(color, course::without_markdown(text));
+}
+
+std::string figure(const judge::StepResult& step) {
+  const judge::CaseResult* telling = judge::clearest_case(step);
+  return telling == nullptr || std::isnan(telling->error) ? "nothing to compare" : off_by(*telling);
+}
+
+void set_look(app::AnyLab& lab, WindowState& state, const course::Case& look) {
+  try {
+    choose(look, lab, state.view);
+    state.split.reset();
+    state.look.reset();
+    state.paused = true;
+    state.message.clear();
+  } catch (const Error& error) {
+    state.message = error.what();
+  }
+}
+
+void step_details(app::AnyLab& lab, WindowState& state, const judge::StepResult& step) {
+  wrapped_plain(theme().dim, fmt::format("{}:{}", step.file, step.line));
+  const auto picked = std::ranges::find_if(step.cases, [&](const judge::CaseResult& one) {
+    return state.case_pictures && state.case_pictures->result.name == one.name;
+  });
+  const std::string& message = picked != step.cases.end() ? picked->message : step.message;
+  if (step.status != Status::passed && state.shown_error().first.empty())
+    wrapped_plain(theme().text, message);
+  if (!step.mistake_says.empty()) wrapped_plain(theme().next, "This looks like: " + step.mistake_says);
+  std::size_t& shown = state.hints[step.id];
+  for (std::size_t i = 0; i < std::min(shown, step.hints.size()); ++i)
+    wrapped_plain(theme().dim, fmt::format("{}. {}", i + 1, step.hints[i]));
+  if (shown < step.hints.size() && step.status != Status::passed &&
+      ImGui::SmallButton(fmt::format("hint {} of {}", shown + 1, step.hints.size()).c_str()))
+    ++shown;
+  for (const judge::CaseResult& one : step.cases) {
+    ImGui::PushStyleColor(ImGuiCol_Text, one.passed() ? theme().good : theme().next);
+    if (ImGui::Selectable(fmt::format("{} {}", one.passed() ? "right" : "wrong", one.name).c_str(),
+                          picked != step.cases.end() && &*picked == &one))
+      pick_case(lab, state, step, one);
+    ImGui::PopStyleColor();
+    if (ImGui::IsItemHovered())
+      ImGui::SetTooltip("Click to set this look and show the expected picture beside yours");
+  }
 }
 
 }  // namespace
@@ -120,10 +168,6 @@ std::string StepsCheck::progress() const {
   return shared_->is_running ? shared_->progress : "";
 }
 
-const fs::path& StepsCheck::root() const {
-  return shared_->tree.source;
-}
-
 const course::Case& StepsCheck::look_of(const std::string& step) const {
   const std::vector<course::Step>& all = shared_->lab.steps;
   const auto found = std::ranges::find(all, step, &course::Step::id);
@@ -135,11 +179,11 @@ std::string off_by(const judge::CaseResult& one) {
   return fmt::format("off by {:.3g} {} (limit {:g})", one.error, name_of(one.unit()), one.limit);
 }
 
-CasePictures load_case(const fs::path& root, const std::string& lab, const judge::StepResult& step,
-                       const judge::CaseResult& one) {
+CasePictures StepsCheck::load_case(const judge::StepResult& step, const judge::CaseResult& one) const {
   CasePictures pictures;
   pictures.step = step.id, pictures.title = step.title, pictures.result = one;
-  pictures.text = course::read_step_text(root, lab, step.id, step.file, step.line);
+  pictures.text =
+      course::read_step_text(shared_->tree.source, shared_->lab.folder, step.id, step.file, step.line);
   if (step.status != judge::Status::passed) pictures.text.after.clear();
   try {
     const image::Compared& all = pictures.compared = check::compared(one);
@@ -154,63 +198,9 @@ CasePictures load_case(const fs::path& root, const std::string& lab, const judge
   return pictures;
 }
 
-namespace {
-
-using judge::Status;
-
-/// A text that marks code with `, without these marks.
-void wrapped_plain(const ImVec4& color, const std::string& text) {
-  wrapped_text(color, course::without_markdown(text));
-}
-
-std::string figure(const judge::StepResult& step) {
-  const judge::CaseResult* telling = judge::clearest_case(step);
-  return telling == nullptr || std::isnan(telling->error) ? "nothing to compare" : off_by(*telling);
-}
-
-void set_look(app::AnyLab& lab, WindowState& state, const course::Case& look) {
-  try {
-    choose(look, lab, state.view);
-    state.split.reset();
-    state.look.reset();
-    state.paused = true;
-    state.message.clear();
-  } catch (const Error& error) {
-    state.message = error.what();
-  }
-}
-
-void step_details(app::AnyLab& lab, WindowState& state, const judge::StepResult& step) {
-  wrapped_plain(theme().dim, fmt::format("{}:{}", step.file, step.line));
-  const auto picked = std::ranges::find_if(step.cases, [&](const judge::CaseResult& one) {
-    return state.case_pictures && state.case_pictures->result.name == one.name;
-  });
-  const std::string& message = picked != step.cases.end() ? picked->message : step.message;
-  if (step.status != Status::passed && state.shown_error().first.empty())
-    wrapped_plain(theme().text, message);
-  if (!step.mistake_says.empty()) wrapped_plain(theme().next, "This looks like: " + step.mistake_says);
-  std::size_t& shown = state.hints[step.id];
-  for (std::size_t i = 0; i < std::min(shown, step.hints.size()); ++i)
-    wrapped_plain(theme().dim, fmt::format("{}. {}", i + 1, step.hints[i]));
-  if (shown < step.hints.size() && step.status != Status::passed &&
-      ImGui::SmallButton(fmt::format("hint {} of {}", shown + 1, step.hints.size()).c_str()))
-    ++shown;
-  for (const judge::CaseResult& one : step.cases) {
-    ImGui::PushStyleColor(ImGuiCol_Text, one.passed() ? theme().good : theme().next);
-    if (ImGui::Selectable(fmt::format("{} {}", one.passed() ? "right" : "wrong", one.name).c_str(),
-                          picked != step.cases.end() && &*picked == &one))
-      pick_case(lab, state, step, one);
-    ImGui::PopStyleColor();
-    if (ImGui::IsItemHovered())
-      ImGui::SetTooltip("Click to set this look and show the expected picture beside yours");
-  }
-}
-
-}  // namespace
-
 void steps_section(app::AnyLab& lab, WindowState& state) {
   if (!state.steps) return;
-  const std::vector<judge::StepResult>& steps = state.steps->steps();
+  const std::vector<judge::StepResult>& steps = state.steps->found().steps;
   const auto done = std::ranges::count(steps, Status::passed, &judge::StepResult::status);
   const bool are_all = done > 0 && done == std::ssize(steps);
   // They fold when the last one is done, and open when one no longer is.
@@ -226,11 +216,10 @@ void steps_section(app::AnyLab& lab, WindowState& state) {
     wrapped_plain(theme().next, "Not checked: " + fault);
   else if (steps.empty())
     ImGui::TextColored(theme().dim, "checking");
-  bool has_next = false;
+  const auto next = std::ranges::find(steps, Status::failed, &judge::StepResult::status);
   for (const judge::StepResult& step : steps) {
     const bool is_done = step.status == Status::passed, is_wrong = step.status == Status::failed;
-    const bool is_next = is_wrong && !has_next;
-    has_next = has_next || is_next;
+    const bool is_next = is_wrong && &step == &*next;
     const ImVec4& color = is_done ? theme().good : is_next ? theme().next : theme().dim;
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     if (state.step_to_open == step.id) {
@@ -261,7 +250,7 @@ void steps_section(app::AnyLab& lab, WindowState& state) {
 void pick_case(app::AnyLab& lab, WindowState& state, const judge::StepResult& step,
                const judge::CaseResult& one) {
   set_look(lab, state, one.is_mesh() ? state.steps->look_of(step.id) : one);
-  state.case_pictures = load_case(state.steps->root(), lab.info().folder(), step, one);
+  state.case_pictures = state.steps->load_case(step, one);
   state.case_is_new = true;
 }
 

@@ -12,12 +12,6 @@ namespace {
 
 constexpr int kWhole = 256, kSmall = 64;  // texels a side that are enough for the pictures
 
-GLint parameter_of(GLenum target, GLenum name) {
-  GLint value = 0;
-  glGetTexParameteriv(target, name, &value);
-  return value;
-}
-
 /// A level of the bound texture, as it is stored.
 image::Image8 read_level(GLenum face, int level) {
   GLint width = 0, height = 0;
@@ -33,7 +27,7 @@ image::Image8 read_level(GLenum face, int level) {
 void find_levels(TextureView& view, GLenum target) {
   GLfloat anisotropy = 1;
   glGetTexParameterfv(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, &anisotropy);
-  const GLint filter = parameter_of(target, GL_TEXTURE_MIN_FILTER);
+  const GLint filter = gl::value_of(glGetTexParameteriv, target, GL_TEXTURE_MIN_FILTER);
   view.is_mipmapped = filter != GL_NEAREST && filter != GL_LINEAR;
   view.level_of_detail = view.footprint.level(view.size_of(0), view.is_mipmapped ? anisotropy : 1);
   const double level = std::clamp(view.level_of_detail, 0.0, view.levels - 1.0);
@@ -125,8 +119,8 @@ std::vector<TextureView> textures_at(app::Canvas& canvas, app::AnyLab& lab, glm:
     const GLenum target = texture.is_cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
     const gl::ScopedBinding binding(target, texture.id);
     TextureView view(texture);
-    view.wrap_s = static_cast<unsigned>(parameter_of(target, GL_TEXTURE_WRAP_S));
-    view.wrap_t = static_cast<unsigned>(parameter_of(target, GL_TEXTURE_WRAP_T));
+    view.wrap_s = static_cast<unsigned>(gl::value_of(glGetTexParameteriv, target, GL_TEXTURE_WRAP_S));
+    view.wrap_t = static_cast<unsigned>(gl::value_of(glGetTexParameteriv, target, GL_TEXTURE_WRAP_T));
     view.footprint = *footprint;
     find_levels(view, target);
     read_pictures(view);

@@ -29,8 +29,6 @@ constexpr double kTruthMilliseconds = 80;   // a frame may work so long on the e
 /// third has that in its place.
 constexpr int kFramesToSettle = 2;
 
-constexpr int kFrameSpacing = 40;  // pixels from one T, B and N to the next
-
 /// Of the main thread: on a software renderer its rasteriser wants the same processors.
 double plumbing_milliseconds() {
   double sum = 0;
@@ -81,8 +79,7 @@ Window::Window(app::AnyLab& lab, const app::Assets& assets, const WindowOptions&
     for (int i = 0; i < count; ++i) self(w).on_drop(paths[i]);
   });
   glfwSetFramebufferSizeCallback(window(), [](GLFWwindow* w, int, int) { self(w).frame(); });
-  float scale_y = 1;
-  glfwGetWindowContentScale(window(), &scale_, &scale_y);
+  glfwGetWindowContentScale(window(), &scale_, nullptr);
 }
 
 void Window::run() {
@@ -131,8 +128,7 @@ void Window::time_frames(int count) {
 
 void Window::wait_until_shown() const {
   glFinish();
-  double x = 0, y = 0;
-  glfwGetCursorPos(window(), &x, &y);
+  glfwGetCursorPos(window(), nullptr, nullptr);
 }
 
 bool Window::turning() {
@@ -237,8 +233,9 @@ void Window::watch() {
 
 void Window::follow_steps() {
   if (!state_.steps || !state_.steps->poll()) return;
-  state_.compile_error = read_message(state_.steps->found().compile_error, state_.steps->root());
-  for (const judge::StepResult& step : state_.steps->steps()) {
+  const StepsCheck::Found& found = state_.steps->found();
+  state_.compile_error = read_message(found.compile_error, assets_.shader_root().parent_path());
+  for (const judge::StepResult& step : found.steps) {
     const auto one = std::ranges::find(step.cases, options_.see, &judge::CaseResult::name);
     if (step.id == options_.see)
       pick_step(lab_, state_, step);
@@ -249,13 +246,13 @@ void Window::follow_steps() {
     state_.step_to_open = step.id;
     options_.see.clear();
   }
-  if (!options_.see.empty() && !state_.steps->steps().empty())
+  if (!options_.see.empty() && !found.steps.empty())
     state_.message = fmt::format("this lab has no step or case {}", std::exchange(options_.see, {}));
   if (!state_.case_pictures) return;
-  for (const judge::StepResult& step : state_.steps->steps())
+  for (const judge::StepResult& step : found.steps)
     for (const judge::CaseResult& one : step.cases)
       if (one.name == state_.case_pictures->result.name) {
-        CasePictures fresh = load_case(state_.steps->root(), lab_.info().folder(), step, one);
+        CasePictures fresh = state_.steps->load_case(step, one);
         const CasePictures& before = *state_.case_pictures;
         fresh.shown = before.shown, fresh.position = before.position, fresh.chosen = before.chosen;
         state_.case_pictures = std::move(fresh);
@@ -330,8 +327,7 @@ void Window::draw_picture() {
     state_.error = {};
     if (!reloaded_.empty()) state_.message = std::exchange(reloaded_, {});
     inspect();
-    state_.frame_lines =
-        state_.axes ? app::frame_lines(canvas_, lab_, size, kFrameSpacing) : std::vector<app::FrameLine>();
+    state_.frame_lines = state_.axes ? frame_lines(canvas_, lab_, size) : std::vector<FrameLine>();
   } catch (const Error& error) {
     state_.error = read_message(error.what(), assets_.shader_root().parent_path());
     state_.frame_lines.clear();  // the last good picture may have another size

@@ -331,14 +331,12 @@ void Window::on_button(int button, int action) {
   }
   if (button != GLFW_MOUSE_BUTTON_LEFT) return;
   if (action == GLFW_PRESS && over_picture()) {
-    drag_ = Drag::picture;
-    if (over_line()) drag_ = Drag::split_line;
+    drag_ = over_line() ? Drag::split_line : Drag::picture;
     pressed_at_ = mouse_;
   } else if (action == GLFW_RELEASE) {
     if (drag_ == Drag::picture && glm::distance(pressed_at_, mouse_) <= kClickTolerance) {
       const glm::ivec2 pixel(in_picture(mouse_) * pixels_per_unit());
-      state_.inspected.emplace();
-      state_.inspected->pixel = {pixel.x, picture_pixels().y - 1 - pixel.y};
+      state_.inspected.emplace().pixel = {pixel.x, picture_pixels().y - 1 - pixel.y};
       drawn_.clear();
     }
     drag_ = Drag::none;

@@ -24,9 +24,6 @@ struct Theme {
 /// Of the present theme.
 const Theme& theme();
 
-/// For lines of code: all letters are as wide.
-ImFont* code_font();
-
 /// Dark or light, for all of ImGui. `scale` is the display's: 2 at twice the density.
 void set_theme(bool light, float scale);
 
@@ -40,6 +37,8 @@ class Gui {
   Gui(GLFWwindow* window, float scale);
   ~Gui();
   Gui& operator=(Gui&&) = delete;
+
+  static inline ImFont* code_font = nullptr;  ///< all letters are as wide
 
   /// Panels are drawn between these two, into a framebuffer of so many pixels.
   static void begin_frame();

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
-#include "app/frame_lines.hpp"
-
+// T, B and N over the picture.
 #include <algorithm>
 #include <cmath>
 
 #include "app/camera.hpp"
 #include "app/settings.hpp"
+#include "panel.hpp"
 
-namespace texel::app {
+namespace texel::window {
 namespace {
 
+using app::View;
+
+constexpr int kSpacing = 40;  // pixels from one T, B and N to the next
+
 /// The camera that the parameters describe.
-OrbitCamera camera_of(params::Set& parameters) {
+app::OrbitCamera camera_of(params::Set& parameters) {
   const auto value = [&](const char* name) { return static_cast<float>(parameters.at(name).value()); };
-  OrbitCamera camera;
-  camera.yaw = value("yaw"), camera.pitch = value("pitch");
-  camera.distance = value("distance"), camera.field_of_view = value("field_of_view");
-  return camera;
+  return {value("yaw"), value("pitch"), value("field_of_view"), value("distance")};
 }
 
 /// What the data views have at a pixel.
@@ -52,10 +53,10 @@ struct Views {
 
 }  // namespace
 
-std::vector<FrameLine> frame_lines(Canvas& canvas, AnyLab& lab, glm::ivec2 size, int spacing) {
-  const auto has = [&](View view) { return std::count(lab.views().begin(), lab.views().end(), view) > 0; };
+std::vector<FrameLine> frame_lines(app::Canvas& canvas, app::AnyLab& lab, glm::ivec2 size) {
+  const auto has = [&](View view) { return std::ranges::count(lab.views(), view) > 0; };
   if (!has(View::depth) || !has(View::normal)) return {};
-  const OrbitCamera camera = camera_of(lab.parameters());
+  const app::OrbitCamera camera = camera_of(lab.parameters());
   const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
   Views views;
   views.size = size, views.aspect = aspect;
@@ -66,15 +67,15 @@ std::vector<FrameLine> frame_lines(Canvas& canvas, AnyLab& lab, glm::ivec2 size,
   if (has(View::texcoord)) views.texcoord = canvas.values_of(View::texcoord, size);
   if (has(View::tangent)) views.tangent = canvas.values_of(View::tangent, size);
   {
-    const KeptValues before(lab.parameters());
+    const app::KeptValues before(lab.parameters());
     if (params::Parameter* mapping = lab.parameters().find("normal_mapping")) mapping->set_value(0);
     views.normal = canvas.values_of(View::normal, size);
   }
 
   std::vector<FrameLine> lines;
   const float length = 0.06F * camera.distance;  // world units
-  for (int y = spacing / 2; y + 1 < size.y; y += spacing)
-    for (int x = spacing / 2; x + 1 < size.x; x += spacing) {
+  for (int y = kSpacing / 2; y + 1 < size.y; y += kSpacing)
+    for (int x = kSpacing / 2; x + 1 < size.x; x += kSpacing) {
       const glm::ivec2 p(x, y);
       if (!views.is_object(p) || !views.is_object(p + glm::ivec2(1, 0)) ||
           !views.is_object(p + glm::ivec2(0, 1)))
@@ -95,4 +96,4 @@ std::vector<FrameLine> frame_lines(Canvas& canvas, AnyLab& lab, glm::ivec2 size,
   return lines;
 }
 
-}  // namespace texel::app
+}  // namespace texel::window
