@@ -8,11 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
-#include <variant>
 
 #include "connection.hpp"
 #include "core/error.hpp"
@@ -62,112 +60,56 @@ CREATE TABLE earlier (
   student TEXT, step TEXT, score REAL NOT NULL, PRIMARY KEY (student, step)) STRICT, WITHOUT ROWID;
 )";
 
-struct Table {
-  const char* name;
-  std::string_view of_step = {};  ///< what a row is of a student's step; else it is part of the student
-};
-
 /// All tables; a student's come after the students.
-constexpr Table kTables[] = {{"facts"},
-                             {"students"},
-                             {"ignored"},
-                             {"logs"},
-                             {"notes"},
-                             {"incidents"},
-                             {"cases"},
-                             {"overrides", "the override"},
-                             {"earlier", "the earlier score"}};
-constexpr const Table *kFacts = &kTables[0], *kStudents = &kTables[1];
+constexpr std::array kTables = {"facts",     "students", "ignored",   "logs",   "notes",
+                                "incidents", "cases",    "overrides", "earlier"};
 
-/// A row with its table; where NULL is, there is no value.
-struct Row {
-  const Table* table;
-  std::vector<std::variant<std::monostate, std::string, double>> values;
-
-  [[nodiscard]] const std::string& text(std::size_t column) const {
-    return std::get<std::string>(values[column]);
-  }
-  auto operator<=>(const Row&) const = default;
-};
-
-/// Every row of some tables.
-std::vector<Row> rows_of(Database& database, std::span<const Table> tables = kTables) {
-  std::vector<Row> rows;
-  for (const Table& table : tables) {
-    Query query(database, fmt::format("SELECT * FROM {}", table.name));
-    while (query.next()) {
-      Row& row = rows.emplace_back(Row{&table, {}});
-      for (int i = 0; i < query.getColumnCount(); ++i) {
-        const SQLite::Column column = query.getColumn(i);
-        if (column.isText())
-          row.values.emplace_back(column.getString());
-        else if (column.isNull())
-          row.values.emplace_back();
-        else
-          row.values.emplace_back(column.getDouble());
-      }
-    }
-  }
-  return rows;
-}
-
-std::vector<Row> rows_at_one_moment(Database& database) {
-  const Transaction transaction(database);
-  return rows_of(database);
-}
-
-Facts facts_in(const std::vector<Row>& rows) {
+Facts facts_of(Database& database) {
   Facts facts;
-  for (const Row& row : rows)
-    if (row.table == kFacts) facts[row.text(0)] = row.text(1);
+  for (Query row(database, "SELECT name, value FROM facts"); row.next();)
+    facts.insert({row.text(), row.text()});
   return facts;
 }
 
-Facts facts_of(Database& database) {
-  return facts_in(rows_of(database, {kFacts, 1}));
+/// Of the database `main` and the copy `theirs` of another store: the first fact that is not the same in
+/// both, with its values as people read them. A store without facts and students has none to differ in.
+constexpr const char* kOtherFact = R"(
+SELECT name, coalesce('''' || a.value || '''', 'not given'), coalesce('''' || b.value || '''', 'not given')
+FROM (SELECT name FROM main.facts UNION SELECT name FROM theirs.facts)
+  LEFT JOIN main.facts a USING (name) LEFT JOIN theirs.facts b USING (name)
+WHERE a.value IS NOT b.value
+  AND EXISTS (SELECT name FROM main.facts UNION SELECT student FROM main.students)
+  AND EXISTS (SELECT name FROM theirs.facts UNION SELECT student FROM theirs.students)
+ORDER BY name)";
+
+/// What is in both stores, but not the same: where one of them alone has a row of `table`, as `name` and the
+/// student say it. `key` finds a row of the table `whole` for each that there is.
+std::string different(const std::string& table, const char* whole, const char* key, const std::string& name) {
+  return fmt::format(R"(
+SELECT {3} || student AS matter
+FROM (SELECT * FROM main.{0} UNION SELECT * FROM theirs.{0}
+  EXCEPT SELECT * FROM (SELECT * FROM main.{0} INTERSECT SELECT * FROM theirs.{0}))
+WHERE ({2}) IN (SELECT {2} FROM main.{1} INTERSECT SELECT {2} FROM theirs.{1}))",
+                     table, whole, key, name);
 }
 
-/// All rows of a store but its facts, those together that are about the same.
-std::map<std::string, std::set<Row>> rows_by_matter(const std::vector<Row>& rows) {
-  std::map<std::string, std::set<Row>> by_matter;
-  for (const Row& row : rows) {
-    if (row.table == kFacts) continue;
-    std::string matter = "the student " + row.text(0);
-    if (!row.table->of_step.empty())
-      matter = fmt::format("{} of step {} of {}", row.table->of_step, row.text(1), matter);
-    by_matter[matter].insert(row);
+/// Throws Error (exit 2) that names the first thing in which the database and the copy `theirs` differ.
+void expect_no_difference(Database& database, const std::string& ours, const std::string& theirs) {
+  if (Query fact(database, kOtherFact); fact.next()) {
+    const std::string name = fact.text(), our_value = fact.text(), their_value = fact.text();
+    throw Error::usage(fmt::format("{} and {} were graded differently: {} is {} in one and {} in the other",
+                                   ours, theirs, name, our_value, their_value),
+                       "merge only stores with the same course, labs, seed and renderer");
   }
-  return by_matter;
-}
-
-/// Whether it has facts or students: else it has no facts to differ in.
-bool is_begun(const std::vector<Row>& rows) {
-  return std::any_of(rows.begin(), rows.end(),
-                     [](const Row& row) { return row.table == kFacts || row.table == kStudents; });
-}
-
-/// Throws Error (exit 2) that names the first thing in which two stores differ.
-void expect_no_difference(const std::vector<Row>& our_rows, const std::string& ours,
-                          const std::vector<Row>& their_rows, const std::string& theirs) {
-  Facts a, b;
-  if (is_begun(our_rows) && is_begun(their_rows)) a = facts_in(our_rows), b = facts_in(their_rows);
-  const auto value_in = [](const Facts& facts, const std::string& name) {
-    const auto found = facts.find(name);
-    return found == facts.end() ? std::string("not given") : fmt::format("'{}'", found->second);
-  };
-  Facts all = a;
-  all.insert(b.begin(), b.end());
-  for (const auto& [name, value] : all)
-    if (value_in(a, name) != value_in(b, name))
-      throw Error::usage(fmt::format("{} and {} were graded differently: {} is {} in one and {} in the other",
-                                     ours, theirs, name, value_in(a, name), value_in(b, name)),
-                         "merge only stores with the same course, labs, seed and renderer");
-  const auto ours_by_matter = rows_by_matter(our_rows);
-  for (const auto& [matter, rows] : rows_by_matter(their_rows))
-    if (const auto found = ours_by_matter.find(matter);
-        found != ours_by_matter.end() && found->second != rows)
-      throw Error::usage(fmt::format("{} and {} disagree about {}", ours, theirs, matter),
-                         "leave one of them out, or grade this student again");
+  constexpr const char* of_step = "'the {} of step ' || step || ' of the student '";
+  std::vector<std::string> all = {
+      different("overrides", "overrides", "student, step", fmt::format(of_step, "override")),
+      different("earlier", "earlier", "student, step", fmt::format(of_step, "earlier score"))};
+  for (const char* table : {"students", "ignored", "logs", "notes", "incidents", "cases"})
+    all.push_back(different(table, "students", "student", "'the student '"));
+  if (Query first(database, fmt::format("{} ORDER BY matter", fmt::join(all, " UNION ALL "))); first.next())
+    throw Error::usage(fmt::format("{} and {} disagree about {}", ours, theirs, first.text()),
+                       "leave one of them out, or grade this student again");
 }
 
 /// The place of so many values in a statement.
@@ -464,21 +406,23 @@ void Store::merge(const Store& other) {
   const std::string &ours = connection_->file(), &theirs = other.connection_->file();
   std::error_code gone;
   if (this == &other || fs::equivalent(ours, theirs, gone)) return;
-  const std::vector<Row> their_rows = other.connection_->use(rows_at_one_moment);
-  connection_->change([&](Database& database) {
-    expect_no_difference(rows_of(database), ours, their_rows, theirs);
-    for (const Row& row : their_rows) {
-      // What both have is the same.
-      Query copy(database, fmt::format("INSERT OR IGNORE INTO {} VALUES {}", row.table->name,
-                                       marks(row.values.size())));
-      int place = 0;
-      for (const auto& value : row.values)
-        if (++place; const auto* text = std::get_if<std::string>(&value))
-          copy.bind(place, *text);
-        else if (const auto* number = std::get_if<double>(&value))
-          copy.bind(place, *number);
-      copy.exec();
-    }
+  Store joined(ours);  // closes what it attaches
+  joined.connection_->use([&](Database& database) {
+    // What cannot be read is the other's fault. The copy in memory is of one moment, and locks nobody out.
+    other.connection_->use([&](Database&) {
+      Query(database, "ATTACH ? AS other", theirs).exec();
+      database.exec("PRAGMA temp_store = MEMORY; ATTACH ':memory:' AS theirs");
+      Transaction transaction(database);
+      for (const char* table : kTables)
+        database.exec(fmt::format("CREATE TABLE theirs.{0} AS SELECT * FROM other.{0}", table));
+      transaction.commit();
+      database.exec("DETACH other");
+    });
+  });
+  joined.connection_->change([&](Database& database) {
+    expect_no_difference(database, ours, theirs);
+    for (const char* table : kTables)  // what both have is the same
+      database.exec(fmt::format("INSERT OR IGNORE INTO main.{0} SELECT * FROM theirs.{0}", table));
   });
 }
 
