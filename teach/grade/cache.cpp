@@ -22,16 +22,15 @@ namespace fs = std::filesystem;
 using Digest = std::array<unsigned char, 32>;
 
 Digest digest_of(std::initializer_list<std::string_view> texts) {
-  crypto_generichash_state state{};
-  // It fails only where the system has no source of random numbers; hashing needs none.
-  crypto_generichash_init(&state, nullptr, 0, Digest().size());
+  std::string all;
   for (const std::string_view text : texts) {
     const std::uint64_t size = text.size();
-    crypto_generichash_update(&state, reinterpret_cast<const unsigned char*>(&size), sizeof size);
-    crypto_generichash_update(&state, reinterpret_cast<const unsigned char*>(text.data()), text.size());
+    all.append(reinterpret_cast<const char*>(&size), sizeof size).append(text);
   }
   Digest digest{};
-  crypto_generichash_final(&state, digest.data(), digest.size());
+  // It fails only where the system has no source of random numbers; hashing needs none.
+  crypto_generichash(digest.data(), digest.size(), reinterpret_cast<const unsigned char*>(all.data()),
+                     all.size(), nullptr, 0);
   return digest;
 }
 

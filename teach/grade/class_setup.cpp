@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "class_setup.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <sodium.h>
@@ -9,6 +7,7 @@
 #include <array>
 
 #include "cache.hpp"
+#include "class_run.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"

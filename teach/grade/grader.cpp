@@ -11,15 +11,13 @@
 #include <mutex>
 
 #include "cache.hpp"
-#include "class_setup.hpp"
+#include "class_run.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "core/stopwatch.hpp"
 #include "material/starter.hpp"
-#include "record.hpp"
 #include "sandbox/sandbox.hpp"
-#include "student_run.hpp"
 
 namespace texel::grade {
 namespace {
@@ -105,57 +103,46 @@ std::string incident_of(const std::exception& exception) {
 
 /// A student whose labs are graded. The submission is opened with the first of them, and closed after the
 /// last.
-class Student {
- public:
-  Student(const ClassSetup& setup, const GradeOptions& options, Record& record, Entry entry)
-      : setup_(setup),
-        options_(options),
-        record_(record),
-        entry_(std::move(entry)),
-        left_(setup.plans.size()) {}
+struct Student {
+  Student(Entry entry_, std::size_t labs) : entry(std::move(entry_)), left(labs) {}
 
-  /// Whatever happens in one lab is an incident of that lab, and never the end of the class's run.
-  void grade(const course::Lab& plan) {
-    record_.begin_lab(entry_, plan);
-    std::call_once(once_, [&] { open(); });
-    std::vector<course::Case> cases;
-    for (const course::Case& one : plan.cases)
-      if (!done_.contains(plan.folder + "/" + one.name)) cases.push_back(one);
-    JudgedLab judged;
-    std::string incident = incident_;
-    constexpr int tries = 2;
-    for (int i = 0; i < tries && run_ && !cases.empty() && (i == 0 || !incident.empty()); ++i) try {
-        incident.clear();
-        judged = run_->judge(plan, cases, [&](const JudgedCase& one) { record_.keep(entry_, one); });
-      } catch (const std::exception& exception) {
-        incident = incident_of(exception);
-      }
-    record_.end_lab(entry_, plan, judged, plan.cases.size() - cases.size(), incident);
-    if (--left_ == 0) run_.reset();
-  }
-
- private:
-  void open() {
-    try {
-      run_ = std::make_unique<StudentRun>(setup_, options_, entry_, options_.out / "work" / entry_.id);
-      done_ = record_.begin(entry_, run_.get());
-    } catch (const std::exception& exception) {
-      incident_ = incident_of(exception);
-      run_.reset();
-      record_.begin(entry_, nullptr);
-    }
-  }
-
-  const ClassSetup& setup_;
-  const GradeOptions& options_;
-  Record& record_;
-  Entry entry_;
-  std::atomic<std::size_t> left_;  ///< labs
-  std::once_flag once_;
-  std::unique_ptr<StudentRun> run_;
-  std::set<std::string> done_;  ///< cases that were judged before
-  std::string incident_;        ///< why the submission could not be opened
+  Entry entry;
+  std::atomic<std::size_t> left;  ///< labs
+  std::once_flag once;
+  std::unique_ptr<StudentRun> run;
+  std::set<std::string> done;  ///< cases that were judged before
+  std::string incident;        ///< why the submission could not be opened
 };
+
+void open_submission(const GradeOptions& options, const ClassSetup& setup, Record& record, Student& student) {
+  try {
+    student.run =
+        std::make_unique<StudentRun>(setup, options, student.entry, options.out / "work" / student.entry.id);
+    student.done = record.begin(student.entry, student.run.get());
+  } catch (const std::exception& exception) {
+    student.incident = incident_of(exception);
+    student.run.reset();
+    record.begin(student.entry, nullptr);
+  }
+}
+
+/// Whatever happens in one lab is an incident of that lab, and never the end of the class's run.
+void grade_lab(const course::Lab& plan, Record& record, Student& student) {
+  std::vector<course::Case> cases;
+  for (const course::Case& one : plan.cases)
+    if (!student.done.contains(plan.folder + "/" + one.name)) cases.push_back(one);
+  JudgedLab judged;
+  std::string incident = student.incident;
+  constexpr int tries = 2;
+  for (int i = 0; i < tries && student.run && !cases.empty() && (i == 0 || !incident.empty()); ++i) try {
+      incident.clear();
+      judged = student.run->judge(plan, cases, std::bind_front(&Record::keep, &record, student.entry));
+    } catch (const std::exception& exception) {
+      incident = incident_of(exception);
+    }
+  record.end_lab(student.entry, plan, judged, plan.cases.size() - cases.size(), incident);
+  if (--student.left == 0) student.run.reset();
+}
 
 /// The students one after the other, each one's labs side by side: all processors are busy to the end, and
 /// only few submissions are open at a time.
@@ -163,9 +150,14 @@ void grade_students(const GradeOptions& options, const ClassSetup& setup, Record
                     const std::vector<Entry>& entries, unsigned jobs) {
   const std::size_t labs = setup.plans.size();
   std::deque<Student> students;
-  for (const Entry& entry : entries) students.emplace_back(setup, options, record, entry);
-  in_parallel(jobs, entries.size() * labs,
-              [&](std::size_t i) { students[i / labs].grade(setup.plans[i % labs]); });
+  for (const Entry& entry : entries) students.emplace_back(entry, labs);
+  in_parallel(jobs, entries.size() * labs, [&](std::size_t i) {
+    Student& student = students[i / labs];
+    const course::Lab& plan = setup.plans[i % labs];
+    record.begin_lab(student.entry, plan);
+    std::call_once(student.once, [&] { open_submission(options, setup, record, student); });
+    grade_lab(plan, record, student);
+  });
 }
 
 /// Counts a student's cases, and takes the marks from steps whose cases are not all judged.
@@ -224,10 +216,7 @@ GradeSummary grade_class(const GradeOptions& given, const std::function<void(con
   say("preparing: starter, solution and references");
   const ClassSetup setup = prepare(options, jobs);
   say(fmt::format("ready after {}", duration_text(stopwatch.milliseconds() / 1000)));
-  std::size_t cases = 0;
-  for (const course::Lab& plan : setup.plans) cases += plan.cases.size() * entries.size();
-  Record record(options, setup, cases, say);
-  record.expect(entries);
+  Record record(options, setup, entries, say);
   fs::remove_all(options.out / "work");
   if (as_another_user) check_access(options);
   grade_students(options, setup, record, entries, jobs);

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "cache.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"

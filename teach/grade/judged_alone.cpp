@@ -9,11 +9,11 @@
 #include <system_error>
 
 #include "check/check.hpp"
+#include "class_run.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "course/markers.hpp"
 #include "material/starter.hpp"
-#include "student_run.hpp"
 
 namespace texel::grade {
 namespace {
@@ -153,8 +153,7 @@ void StudentRun::blame(const course::Lab& plan, std::vector<StepCases>& steps) c
     result.score = coarse_score(sum / static_cast<double>(wrong.size()));
     result.message = fmt::format(
         "This picture is right, but the step spoils pictures of {}: with it mended, and nothing else, they "
-        "are "
-        "right.",
+        "are right.",
         judge::listed({of_steps.begin(), of_steps.end()}));
   }
 }

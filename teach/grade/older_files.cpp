@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "older_files.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "course/markers.hpp"
+#include "unpack.hpp"
 
 namespace texel::grade {
 namespace {

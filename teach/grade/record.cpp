@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "record.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 
 #include "cache.hpp"
+#include "class_run.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "course/batch.hpp"
@@ -36,11 +35,10 @@ std::map<std::string, std::string> facts_of(const GradeOptions& options, const C
 
 }  // namespace
 
-Record::Record(const GradeOptions& options, const ClassSetup& setup, std::size_t cases,
+Record::Record(const GradeOptions& options, const ClassSetup& setup, const std::vector<Entry>& entries,
                std::function<void(const std::string&)> say)
     : options_(options),
       setup_(setup),
-      cases_(cases),
       say_(std::move(say)),
       store_(std::make_unique<store::Store>(store_file(options.out))) {
   const std::map<std::string, std::string> facts = facts_of(options, setup), before = store_->facts();
@@ -56,6 +54,8 @@ Record::Record(const GradeOptions& options, const ClassSetup& setup, std::size_t
   }
   store_->put_facts(facts);
   keep_references();
+  for (const Entry& entry : entries) store_->expect_student(known(entry));
+  for (const course::Lab& plan : setup.plans) cases_ += plan.cases.size() * entries.size();
 }
 
 void Record::keep_references() const {
@@ -65,10 +65,6 @@ void Record::keep_references() const {
     for (const course::Case& one : plan.cases)
       if (!one.hidden) write_file(folder / one.file, read_file(setup_.course->expected(plan, one).reference));
   }
-}
-
-void Record::expect(const std::vector<Entry>& entries) {
-  for (const Entry& entry : entries) store_->expect_student(known(entry));
 }
 
 std::set<std::string> Record::begin(const Entry& entry, const StudentRun* run) {
@@ -88,14 +84,13 @@ std::set<std::string> Record::begin(const Entry& entry, const StudentRun* run) {
   return store_->judged(student.id);
 }
 
-void Record::keep(const Entry& entry, const JudgedCase& judged) {
+void Record::keep(const Entry& entry, judge::CaseResult result, const fs::path& picture) {
   // What is larger than any sound picture of the cases is a stranger's joke.
   constexpr std::uintmax_t most = 8U << 20U;
-  judge::CaseResult result = judged.result;
-  if (!judged.picture.empty() && fs::file_size(judged.picture) <= most) {
+  if (!picture.empty() && fs::file_size(picture) <= most) {
     const fs::path place = fs::path("pictures") / entry.id / result.lab / result.file;
     fs::create_directories((options_.out / place).parent_path());
-    fs::copy_file(judged.picture, options_.out / place, fs::copy_options::overwrite_existing);
+    fs::copy_file(picture, options_.out / place, fs::copy_options::overwrite_existing);
     result.picture = place.generic_string();
   }
   store_->put(entry.id, result);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "student_run.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 
 #include "cache.hpp"
 #include "check/check.hpp"
+#include "class_run.hpp"
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
 #include "course/markers.hpp"
@@ -110,8 +109,7 @@ std::vector<store::Ignored> StudentRun::worth_telling() const {
   return told;
 }
 
-JudgedLab StudentRun::judge(const course::Lab& plan, const std::vector<Case>& cases,
-                            const std::function<void(const JudgedCase&)>& keep) const {
+JudgedLab StudentRun::judge(const course::Lab& plan, const std::vector<Case>& cases, const Keep& keep) const {
   std::map<std::string, std::string> sources;
   for (const auto& [path, text] : submission_.files)
     if (path.ends_with(".cpp") && path.starts_with(fmt::format("labs/{}/", plan.folder)))
@@ -148,7 +146,7 @@ JudgedLab StudentRun::judge(const course::Lab& plan, const std::vector<Case>& ca
   for (const StepCases& of_step : steps)
     for (const judge::CaseResult& result : of_step.results) {
       const bool is_wrong = of_step.wrong.contains(result.name) && fs::exists(out / result.file);
-      keep({result, is_wrong ? out / result.file : fs::path()});
+      keep(result, is_wrong ? out / result.file : fs::path());
     }
   fs::remove_all(out);
   return {program.refused, drawn.notes};

@@ -12,8 +12,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
-#include "older_files.hpp"
-#include "submission_source.hpp"
+#include "unpack.hpp"
 
 namespace texel::grade {
 namespace {
@@ -30,27 +29,20 @@ std::vector<std::string_view> endings_of(std::string_view path) {
   return endings;
 }
 
-/// Which allowed files end in a path, whatever its capitals: all of them, so that a file of a common name
+/// The allowed files that end in a path, by it in small letters: all of them, so that a file of a common name
 /// stands for none.
-class Endings {
- public:
-  /// An older file needs its folder: by its name alone it may be one of today.
-  Endings(const std::vector<std::string>& allowed, const std::set<std::string>& older) {
-    for (const std::string& file : allowed)
-      for (const std::string_view ending : endings_of(file)) files_[lower_case(ending)].push_back(file);
-    for (const std::string& file : older)
-      for (const std::string_view ending : endings_of(file))
-        if (ending.find('/') != ending.npos) files_[lower_case(ending)].push_back(file);
-  }
-  [[nodiscard]] const std::vector<std::string>& find(std::string_view ending) const {
-    static const std::vector<std::string> none;
-    const auto found = files_.find(lower_case(ending));
-    return found == files_.end() ? none : found->second;
-  }
+using Endings = std::map<std::string, std::vector<std::string>>;
 
- private:
-  std::map<std::string, std::vector<std::string>> files_;
-};
+/// An older file needs its folder: by its name alone it may be one of today.
+Endings endings_of(const std::vector<std::string>& allowed, const std::set<std::string>& older) {
+  Endings endings;
+  for (const std::string& file : allowed)
+    for (const std::string_view ending : endings_of(file)) endings[lower_case(ending)].push_back(file);
+  for (const std::string& file : older)
+    for (const std::string_view ending : endings_of(file))
+      if (ending.find('/') != ending.npos) endings[lower_case(ending)].push_back(file);
+  return endings;
+}
 
 /// A folder of the submission as the tree's root: for each allowed file the items that stand for it. Several
 /// differ in capitals alone, so that nobody knows which is meant.
@@ -102,13 +94,14 @@ Found find_roots(const std::vector<Item>& items, const Endings& endings) {
   for (const Item& item : items) {
     if (!item.refused.empty()) continue;
     for (const std::string_view ending : endings_of(item.path)) {
-      const std::vector<std::string>& files = endings.find(ending);
-      if (files.size() != 1) continue;
+      const auto files = endings.find(lower_case(ending));
+      if (files == endings.end() || files->second.size() != 1) continue;
+      const std::string& file = files->second[0];
       const std::string folder = item.path.substr(0, item.path.size() - ending.size());
       Root& root = found.roots[folder];
       root.folder = folder;
-      stand(root, item, files[0]);
-      found.meanings[&item] = {files[0], folder};
+      stand(root, item, file);
+      found.meanings[&item] = {file, folder};
     }
     const auto own = found.meanings.find(&item);
     if (own == found.meanings.end()) continue;
@@ -154,9 +147,10 @@ std::string reason(const Item& item, const Root& root, const Found& found, const
                        named(root.folder));
   }
   for (const std::string_view ending : endings_of(item.path))
-    if (const std::vector<std::string>& files = endings.find(ending); files.size() > 1)
+    if (const auto files = endings.find(lower_case(ending));
+        files != endings.end() && files->second.size() > 1)
       return fmt::format("could be any of {}; hand in the folder that contains labs and shaders",
-                         fmt::join(files, ", "));
+                         fmt::join(files->second, ", "));
   for (const char* ending : {".zip", ".gz", ".tgz", ".tar", ".rar", ".7z", ".xz", ".bz2", ".zst"})
     if (lower_case(item.path).ends_with(ending))
       return "is an archive inside the submission; it is not opened";
@@ -212,7 +206,7 @@ Submission unpack(const Entry& entry, const std::vector<std::string>& allowed, c
   submission.is_empty = listing.items.empty() && listing.fault.empty();
   if (submission.is_empty) submission.fault = "is empty: nothing was handed in";
   if (!submission.fault.empty()) return submission;
-  const Endings endings(allowed, older_files(allowed));
+  const Endings endings = endings_of(allowed, older_files(allowed));
   Found found = find_roots(listing.items, endings);
   count_begun(entry, limits, first_text, found);
   Root root;

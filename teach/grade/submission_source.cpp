@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "submission_source.hpp"
-
 #include <archive.h>
 #include <archive_entry.h>
 #include <fcntl.h>
@@ -19,6 +17,7 @@
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
 #include "sandbox/descriptor.hpp"
+#include "unpack.hpp"
 
 namespace texel::grade {
 namespace {
@@ -75,52 +74,36 @@ Descriptor open_folder(const Entry& entry) {
   return folder;
 }
 
-/// Walks a folder in the order of names.
-class FolderList {
- public:
-  explicit FolderList(const UnpackLimits& limits) : limits_(limits) {}
+std::string refuse_kind(const struct stat& status, const UnpackLimits& limits) {
+  if (S_ISLNK(status.st_mode)) return "is a symbolic link";
+  if (!S_ISREG(status.st_mode)) return "is a device, pipe or socket";
+  return static_cast<std::uint64_t>(status.st_size) > limits.file ? too_large(limits) : "";
+}
 
-  /// `prefix` is the folder's path as text, `place` as the disk has it; both are "" or end in '/'.
-  void walk(const Descriptor& folder, const std::string& prefix, const std::string& place, int depth) {
-    for (const std::string& name : sandbox::names_in(folder, limits_.entries + 1)) {
-      if (count_++ == limits_.entries) listing.fault = too_many(limits_);
-      if (!listing.fault.empty()) return;
-      add(folder, name, {.path = prefix + name, .place = place + name}, depth);
-    }
-  }
-
-  Listing listing;
-
- private:
-  void add(const Descriptor& folder, const std::string& name, Item item, int depth) {
+/// Lists a folder in the order of names. `prefix` is its path as text, `place` as the disk has it; both are
+/// "" or end in '/'. `room`: for so many more files and folders.
+void list_folder(const Descriptor& folder, const std::string& prefix, const std::string& place, int depth,
+                 const UnpackLimits& limits, std::size_t& room, Listing& listing) {
+  for (const std::string& name : sandbox::names_in(folder, limits.entries + 1)) {
+    if (room == 0) listing.fault = too_many(limits);
+    if (!listing.fault.empty()) return;
+    --room;
+    Item item{.path = prefix + name, .place = place + name};
     struct stat status {};
     const bool is_known = ::fstatat(folder.get(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
     item.refused = refuse_or_clean(item.path);
     if (is_known && S_ISDIR(status.st_mode) && item.refused.empty()) {
-      if (depth < deepest)
-        return walk(sandbox::open_in(folder, name), item.path + '/', item.place + '/', depth + 1);
+      if (depth < deepest) {
+        list_folder(sandbox::open_in(folder, name), item.path + '/', item.place + '/', depth + 1, limits,
+                    room, listing);
+        continue;
+      }
       item.refused = "is in too many nested folders";
     }
-    if (item.refused.empty()) item.refused = refuse_kind(is_known, status);
+    if (item.refused.empty()) item.refused = is_known ? refuse_kind(status, limits) : "cannot be read";
     item.size = static_cast<std::uint64_t>(status.st_size);
     listing.items.push_back(std::move(item));
   }
-
-  [[nodiscard]] std::string refuse_kind(bool is_known, const struct stat& status) const {
-    if (!is_known) return "cannot be read";
-    if (S_ISLNK(status.st_mode)) return "is a symbolic link";
-    if (!S_ISREG(status.st_mode)) return "is a device, pipe or socket";
-    return static_cast<std::uint64_t>(status.st_size) > limits_.file ? too_large(limits_) : "";
-  }
-
-  const UnpackLimits& limits_;
-  std::size_t count_ = 0;
-};
-
-Listing list_folder(const Entry& entry, const UnpackLimits& limits) {
-  FolderList list(limits);
-  list.walk(open_folder(entry), "", "", 0);
-  return std::move(list.listing);
 }
 
 void read_folder(const Entry& entry, const std::set<const Item*>& wanted, std::size_t most,
@@ -328,7 +311,12 @@ std::string refuse_archive(const Entry& entry, const UnpackLimits& limits) {
 }  // namespace
 
 Listing list(const Entry& entry, const UnpackLimits& limits) {
-  if (entry.kind == Entry::Kind::folder) return list_folder(entry, limits);
+  if (entry.kind == Entry::Kind::folder) {
+    Listing listing;
+    std::size_t room = limits.entries;
+    list_folder(open_folder(entry), "", "", 0, limits, room, listing);
+    return listing;
+  }
   if (const std::string fault = refuse_archive(entry, limits); !fault.empty()) return {{}, fault};
   if (fs::is_empty(entry.path)) return {};
   return list_archive(entry, MappedFile(entry.path).bytes(), limits);

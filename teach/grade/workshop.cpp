@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <sstream>
-#include <string_view>
 
 #include "cache.hpp"
 #include "core/error.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "../../teach/grade/student_run.hpp"
+#include "../../teach/grade/class_run.hpp"
 #include "../support/picture_files.hpp"
 #include "../support/said.hpp"
 #include "core/files.hpp"

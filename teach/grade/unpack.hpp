@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The steps of unpack().
 #pragma once
 #include <functional>
 #include <set>
@@ -32,5 +33,21 @@ using Take = std::function<void(const Item& item, std::string bytes)>;
 /// ignored by `submission`; its fault is set when the archive is broken.
 void read(const Entry& entry, const std::set<const Item*>& wanted, const UnpackLimits& limits,
           Submission& submission, const Take& take);
+
+// --- Older files -------------------------------------------------------------------------------------------
+// Those that held steps in starters before steps lay in labs and shaders alone. Students may still hand them
+// in.
+
+/// The older files of which a step lies in one of these files now.
+std::set<std::string> older_files(const std::vector<std::string>& allowed);
+
+/// The steps that a student began in the text of an allowed or older file: those whose markers the text has
+/// and whose code is not the starter's. One without a marker may be another file of that name.
+std::set<std::string> begun_steps(const std::string& file, const std::string& text,
+                                  const FirstText& first_text);
+
+/// Takes the steps that were begun in older files into the files that have them now, and the older files out
+/// of `files`. What is begun in a file of today stays. Says in `ignored` what became of each older file.
+void take_older_steps(Submission& submission, const FirstText& first_text);
 
 }  // namespace texel::grade
