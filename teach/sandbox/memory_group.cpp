@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "memory_group.hpp"
-
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>

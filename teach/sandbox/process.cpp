@@ -336,10 +336,10 @@ Limit Process::limit_behind(const Outcome& outcome) const {
 
 bool Process::is_disk_full() const {
   if (user_ != 0)
-    return std::any_of(confines_.writable.begin(), confines_.writable.end(), [&](const auto& folder) {
+    return std::ranges::any_of(confines_.writable, [&](const auto& folder) {
       return size_of(folder, confines_.limits.files) > confines_.limits.disk;
     });
-  return std::any_of(disks_.begin(), disks_.end(), [&](const Descriptor& disk) {
+  return std::ranges::any_of(disks_, [&](const Descriptor& disk) {
     struct statfs status {};
     return ::fstatfs(disk.get(), &status) == 0 &&
            (status.f_bavail == 0 || status.f_files - status.f_ffree > confines_.limits.files);

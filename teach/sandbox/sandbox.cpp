@@ -7,7 +7,6 @@
 #include <atomic>
 #include <fstream>
 #include <memory>
-#include <string_view>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
