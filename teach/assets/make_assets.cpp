@@ -11,7 +11,6 @@
 #include <glm/vec4.hpp>
 #include <string>
 
-#include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "core/terminal.hpp"
 #include "image/color.hpp"
@@ -103,14 +102,6 @@ constexpr struct {
 };
 
 constexpr struct {
-  const char* file;
-  HeightField field;
-} kNormalMaps[] = {{"brick", HeightField::brick},
-                   {"wood", HeightField::wood},
-                   {"scales", HeightField::scales},
-                   {"bump", HeightField::bump}};
-
-constexpr struct {
   const char* name;
   int size, samples;
   glm::dvec3 (*color)(glm::dvec3 direction);
@@ -130,8 +121,8 @@ void make_all(const fs::path& folder) {
     save(fs::path("textures") / (std::string(made.file) + ".png"),
          render(made.width, made.height, made.channels, made.samples,
                 [&](double u, double v) { return procedural::color(made.texture, u, v); }));
-  for (const auto& made : kNormalMaps)
-    save(fs::path("normal_maps") / (std::string(made.file) + ".png"), bake(made.field, 512));
+  for (const auto& [file, field] : procedural::height_fields)
+    save(fs::path("normal_maps") / (std::string(file) + ".png"), bake(field, 512));
   image::Image8 flat(4, 4, 3);
   for (std::size_t i = 0; i < flat.samples.size(); ++i)
     flat.samples[i] = encode_component(i % 3 == 2 ? 1 : 0);

@@ -32,12 +32,8 @@ inline const char* name_of(ReliefTruth truth) {
 /// widths. Nothing for other files: only their pixels are known.
 using HeightGradient = std::function<glm::dvec2(glm::dvec2 texcoord)>;
 inline std::optional<HeightGradient> height_gradient(const std::string& normal_map) {
-  using procedural::HeightField;
   if (normal_map == "flat") return [](glm::dvec2) { return glm::dvec2(0); };
-  for (const auto& [name, relief] : {std::pair("brick", HeightField::brick),
-                                     {"wood", HeightField::wood},
-                                     {"scales", HeightField::scales},
-                                     {"bump", HeightField::bump}})
+  for (const auto& [name, relief] : procedural::height_fields)
     if (name == normal_map)
       return [field = relief](glm::dvec2 texcoord) {
         const procedural::Dual height = procedural::height(field, texcoord.s, texcoord.t);

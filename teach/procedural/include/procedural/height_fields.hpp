@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <glm/vec3.hpp>
+#include <utility>
 
 #include "procedural/dual.hpp"
 
@@ -11,6 +12,11 @@
 namespace texel::procedural {
 
 enum class HeightField { brick, wood, scales, bump };
+/// All of them, by the names of their files in assets/normal_maps.
+inline constexpr std::pair<const char*, HeightField> height_fields[] = {{"brick", HeightField::brick},
+                                                                        {"wood", HeightField::wood},
+                                                                        {"scales", HeightField::scales},
+                                                                        {"bump", HeightField::bump}};
 
 /// The height at (u, v) with its exact derivatives by u and v.
 Dual height(HeightField field, double u, double v);
