@@ -129,19 +129,17 @@ glm::dvec3 exact_light(const app::Light& light, glm::dvec3 albedo, glm::dvec3 no
   return everywhere + (1.0 - light.ambient) * cosine * albedo + light.specular * std::pow(facing, 48);
 }
 
-struct Answer final : answers::Answer<ObjTexcoordsParameters> {
-  void declare(params::Set& set) override {
-    set.section("Error");
-    set.add(quantity_,
-            {"truth", Quantity::color, kQuantities, "What the view error compares with the exact answer"});
-  }
+struct Answer final : answers::ChosenAnswer<ObjTexcoordsParameters, Quantity> {
+  Answer()
+      : ChosenAnswer(
+            {"truth", Quantity::color, kQuantities, "What the view error compares with the exact answer"}) {}
   [[nodiscard]] std::vector<std::string_view> methods() const override {
     return {"method", "normals", "linear_light"};
   }
   /// Degrees, texels or 8-bit levels, as the parameter `truth` says.
   [[nodiscard]] app::Measure measure(const ObjTexcoordsParameters& p) const override {
     constexpr double texels = 512;  // in the width and height of each bundled picture
-    switch (quantity_) {
+    switch (chosen_) {
       case Quantity::color:
         return {app::View::color, app::Unit::steps, "the picture's function on the exact surface, lit"};
       case Quantity::texcoord:
@@ -155,7 +153,7 @@ struct Answer final : answers::Answer<ObjTexcoordsParameters> {
   /// What the measure's view should show. Empty for models and pictures that have no formula, and for the
   /// texture coordinate of triplanar, of which there are three, and for the vertices' colours.
   [[nodiscard]] answers::Truth truth(const ObjTexcoordsParameters& p, glm::ivec2 size) const override {
-    const Quantity quantity = quantity_;
+    const Quantity quantity = chosen_;
     const auto model = exact_model(p.model);
     const auto texture = answers::texture_of(p.texture == "material" ? "label_grid" : p.texture);
     if (!model) return {};
@@ -184,9 +182,6 @@ struct Answer final : answers::Answer<ObjTexcoordsParameters> {
       return glm::dvec4(exact_light(p.light, albedo, place.linear * at->normal, -ray.direction), 1);
     });
   }
-
- private:
-  Quantity quantity_{};
 };
 
 const bool known = answers::know<ObjTexcoordsParameters, Answer>();

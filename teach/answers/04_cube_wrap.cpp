@@ -15,24 +15,22 @@ constexpr params::Item kQuantities[] = {
     {"texcoord", "The texture coordinate, in texels; right means a copy of the picture on each face"},
     {"normal", "The normal, in degrees from the face's normal"}};
 
-struct Answer final : answers::Answer<CubeWrapParameters> {
-  void declare(params::Set& set) override {
-    set.section("Error");
-    set.add(quantity_,
-            {"truth", Quantity::texcoord, kQuantities, "What the view error compares with the exact answer"});
-  }
+struct Answer final : answers::ChosenAnswer<CubeWrapParameters, Quantity> {
+  Answer()
+      : ChosenAnswer({"truth", Quantity::texcoord, kQuantities,
+                      "What the view error compares with the exact answer"}) {}
   [[nodiscard]] std::vector<std::string_view> methods() const override { return {"method", "normals"}; }
   /// Texels or degrees, as the parameter `truth` says.
   [[nodiscard]] app::Measure measure(const CubeWrapParameters& p) const override {
     constexpr double texels = 512;  // in the width and height of each bundled picture
     const bool closes = p.model == "sphere" || p.model == "torus";
-    if (quantity_ == Quantity::texcoord)
+    if (chosen_ == Quantity::texcoord)
       return {app::View::texcoord, app::Unit::texels, "a copy of the picture on each face", texels, closes};
     return {app::View::normal, app::Unit::degrees, "the normal of the exact surface"};
   }
   /// What the measure's view should show. Empty for models from files: their formulas are not known.
   [[nodiscard]] answers::Truth truth(const CubeWrapParameters& p, glm::ivec2 size) const override {
-    const Quantity quantity = quantity_;
+    const Quantity quantity = chosen_;
     const auto shape = answers::model_shape(p.model);
     if (!shape) return {};
     const truth::Camera camera = answers::camera_of(p.camera, size);
@@ -44,9 +42,6 @@ struct Answer final : answers::Answer<CubeWrapParameters> {
       return glm::dvec3(double{repeats} * hit->texcoord, 0);
     };
   }
-
- private:
-  Quantity quantity_{};
 };
 
 const bool known = answers::know<CubeWrapParameters, Answer>();

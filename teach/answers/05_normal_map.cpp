@@ -22,17 +22,15 @@ truth::TexcoordMap texcoord_map(const NormalMapParameters& p) {
           .offset = repeats * glm::dvec2(p.layout.mirror ? 1 : 0, 0)};
 }
 
-struct Answer final : answers::Answer<NormalMapParameters> {
-  void declare(params::Set& set) override {
-    set.section("Error");
-    set.add(relief_, {"truth", answers::ReliefTruth::baked_map, answers::kReliefTruths,
-                      "What the view error compares with"});
-  }
+struct Answer final : answers::ChosenAnswer<NormalMapParameters, answers::ReliefTruth> {
+  Answer()
+      : ChosenAnswer({"truth", answers::ReliefTruth::baked_map, answers::kReliefTruths,
+                      "What the view error compares with"}) {}
   [[nodiscard]] std::vector<std::string_view> methods() const override {
     return {"method", "decode", "filter", "segments", "jitter"};
   }
   [[nodiscard]] app::Measure measure(const NormalMapParameters& /*parameters*/) const override {
-    return {app::View::normal, app::Unit::degrees, answers::name_of(relief_)};
+    return {app::View::normal, app::Unit::degrees, answers::name_of(chosen_)};
   }
   /// Unit vectors in the world, as the view `normal` has them. Empty for models and normal maps from files:
   /// their formulas are not known.
@@ -47,7 +45,7 @@ struct Answer final : answers::Answer<NormalMapParameters> {
     // The relief is made for a texture that is as long as this one is along t: on all these models the same
     // everywhere.
     const double width = glm::length(shape->surface(image::Face::positive_z)(glm::dvec2(0.5)).dt);
-    const answers::Relief relief{relief_, *gradient, p.bump_strength, width / p.texture_scale};
+    const answers::Relief relief{chosen_, *gradient, p.bump_strength, width / p.texture_scale};
 
     return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
       const truth::PixelRay pixel = truth::pixel_ray(camera, window);
@@ -70,9 +68,6 @@ struct Answer final : answers::Answer<NormalMapParameters> {
                               mesh::compute_tangents(mesh, *method);
                             }};
   }
-
- private:
-  answers::ReliefTruth relief_{};
 };
 
 const bool known = answers::know<NormalMapParameters, Answer>();

@@ -83,25 +83,18 @@ answers::Truth color_truth(const CubeMapParameters& p, glm::ivec2 size) {
   });
 }
 
-struct Answer final : answers::Answer<CubeMapParameters> {
-  void declare(params::Set& set) override {
-    set.section("Error");
-    set.add(truth_of_, {"truth", TruthOf::color, kTruths, "What the view error compares with"});
-  }
+struct Answer final : answers::ChosenAnswer<CubeMapParameters, TruthOf> {
+  Answer() : ChosenAnswer({"truth", TruthOf::color, kTruths, "What the view error compares with"}) {}
   [[nodiscard]] std::vector<std::string_view> methods() const override {
     return {"method", "faces", "seam_method", "rings", "segments"};
   }
   [[nodiscard]] app::Measure measure(const CubeMapParameters& /*parameters*/) const override {
-    if (truth_of_ == TruthOf::level)
-      return {app::View::lod, app::Unit::levels, "the formula's own derivative"};
+    if (chosen_ == TruthOf::level) return {app::View::lod, app::Unit::levels, "the formula's own derivative"};
     return {app::View::color, app::Unit::steps, "the mean of the pictures' function over the pixel"};
   }
   [[nodiscard]] answers::Truth truth(const CubeMapParameters& p, glm::ivec2 size) const override {
-    return truth_of_ == TruthOf::level ? level_truth(p, size) : color_truth(p, size);
+    return chosen_ == TruthOf::level ? level_truth(p, size) : color_truth(p, size);
   }
-
- private:
-  TruthOf truth_of_{};
 };
 
 const bool known = answers::know<CubeMapParameters, Answer>();

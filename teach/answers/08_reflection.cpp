@@ -38,16 +38,13 @@ std::optional<Seen> see(const truth::PixelRay& pixel, const truth::Placement& ba
               truth::reflectance(incident, normal, here, beyond)};
 }
 
-struct Answer final : answers::Answer<ReflectionParameters> {
-  void declare(params::Set& set) override {
-    set.section("Error");
-    set.add(truth_of_, {"truth", TruthOf::direction, kTruths, "What the view error compares with"});
-  }
+struct Answer final : answers::ChosenAnswer<ReflectionParameters, TruthOf> {
+  Answer() : ChosenAnswer({"truth", TruthOf::direction, kTruths, "What the view error compares with"}) {}
   [[nodiscard]] std::vector<std::string_view> methods() const override {
     return {"method", "normal_method", "evaluate", "normal_matrix", "lookup", "rings", "segments"};
   }
   [[nodiscard]] app::Measure measure(const ReflectionParameters& /*parameters*/) const override {
-    if (truth_of_ == TruthOf::color)
+    if (chosen_ == TruthOf::color)
       return {app::View::color, app::Unit::steps, "the mean of what the exact ball shows over the pixel"};
     return {app::View::direction, app::Unit::degrees, "the ray of the exact ball"};
   }
@@ -61,7 +58,7 @@ struct Answer final : answers::Answer<ReflectionParameters> {
     const auto see_at = [=](glm::dvec2 window) {
       return see(truth::pixel_ray(camera, window), ball, p.index);
     };
-    if (truth_of_ == TruthOf::direction)
+    if (chosen_ == TruthOf::direction)
       return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
         const auto seen = see_at(window);
         if (!seen) return std::nullopt;
@@ -78,9 +75,6 @@ struct Answer final : answers::Answer<ReflectionParameters> {
       return glm::dvec4(glm::mix(refracted, reflected, seen->reflectance), 1);
     });
   }
-
- private:
-  TruthOf truth_of_{};
 };
 
 const bool known = answers::know<ReflectionParameters, Answer>();

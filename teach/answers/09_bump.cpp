@@ -48,16 +48,13 @@ app::Preparation bases_around(Method method) {
           }};
 }
 
-struct Answer final : answers::Answer<BumpParameters> {
-  void declare(params::Set& set) override {
-    set.section("Error");
-    set.add(truth_of_, {"truth", TruthOf::baked_map, kTruths, "What the view error compares with"});
-  }
+struct Answer final : answers::ChosenAnswer<BumpParameters, TruthOf> {
+  Answer() : ChosenAnswer({"truth", TruthOf::baked_map, kTruths, "What the view error compares with"}) {}
   [[nodiscard]] std::vector<std::string_view> methods() const override {
     return {"method", "mip_filter", "incident", "rings", "segments"};
   }
   [[nodiscard]] app::Measure measure(const BumpParameters& /*parameters*/) const override {
-    if (truth_of_ == TruthOf::color)
+    if (chosen_ == TruthOf::color)
       return {app::View::color, app::Unit::steps, "the mean of what the exact relief shows over the pixel"};
     return {app::View::direction, app::Unit::degrees, answers::name_of(relief())};
   }
@@ -86,7 +83,7 @@ struct Answer final : answers::Answer<BumpParameters> {
       if (!normal) return std::nullopt;
       return truth::reflected(pixel.ray.direction, *normal);
     };
-    if (truth_of_ != TruthOf::color) return [=](glm::dvec2 window) { return see(window, true); };
+    if (chosen_ != TruthOf::color) return [=](glm::dvec2 window) { return see(window, true); };
     const auto environment = answers::cube_map_color(p.cube_map);
     if (!environment) return {};
     return answers::mean_in_steps([=](glm::dvec2 window) {
@@ -101,10 +98,9 @@ struct Answer final : answers::Answer<BumpParameters> {
 
  private:
   [[nodiscard]] answers::ReliefTruth relief() const {
-    return truth_of_ == TruthOf::height_field ? answers::ReliefTruth::height_field
-                                              : answers::ReliefTruth::baked_map;
+    return chosen_ == TruthOf::height_field ? answers::ReliefTruth::height_field
+                                            : answers::ReliefTruth::baked_map;
   }
-  TruthOf truth_of_{};
 };
 
 const bool known = answers::know<BumpParameters, Answer>();

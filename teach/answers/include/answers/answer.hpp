@@ -83,6 +83,23 @@ class Answer : public Measuring {
   params::Set* set_ = nullptr;
 };
 
+/// One with a parameter `truth`, which says what the view `error` compares.
+template <class Parameters, class Choice>
+class ChosenAnswer : public Answer<Parameters> {
+ public:
+  void declare(params::Set& set) final {
+    set.section("Error");
+    set.add(chosen_, truths_);
+  }
+
+ protected:
+  explicit ChosenAnswer(params::Choice<Choice> truths) : truths_(truths) {}
+  Choice chosen_{};
+
+ private:
+  params::Choice<Choice> truths_;
+};
+
 /// Gives the lab with these parameters its answer, before main begins: `const bool known = know<…>();`
 template <class Parameters, class TheAnswer>
 bool know() {
