@@ -15,8 +15,8 @@ namespace {
 std::string cell(const std::string& text) {
   constexpr std::array<std::string_view, 11> formulas = {
       "=", "+", "-", "@", "\t", "\r", "\n", "\xEF\xBC\x9D", "\xEF\xBC\x8B", "\xEF\xBC\x8D", "\xEF\xBC\xA0"};
-  const bool is_formula = std::any_of(formulas.begin(), formulas.end(),
-                                      [&](std::string_view begin) { return text.starts_with(begin); });
+  const bool is_formula =
+      std::ranges::any_of(formulas, [&](std::string_view begin) { return text.starts_with(begin); });
   std::string safe = (is_formula ? "'" : "") + text;
   if (safe.find_first_of(",;\"\r\n\t") == std::string::npos) return safe;
   std::string quoted = "\"";
@@ -27,7 +27,7 @@ std::string cell(const std::string& text) {
 /// Text in one line, as a spreadsheet shows it.
 std::string line(const std::string& text) {
   std::string result = clean(text);
-  std::replace(result.begin(), result.end(), '\n', ' ');
+  std::ranges::replace(result, '\n', ' ');
   return result;
 }
 
@@ -39,7 +39,7 @@ std::string row(const std::vector<std::string>& cells) {
 
 /// Whether a step of the lab was handed in, or has a score by hand.
 bool is_begun(const store::StudentResult& student, const judge::LabResult& lab) {
-  return std::any_of(lab.steps.begin(), lab.steps.end(), [&](const judge::StepResult& step) {
+  return std::ranges::any_of(lab.steps, [&](const judge::StepResult& step) {
     return (student.fault.empty() && !step.is_untouched()) || !step.overridden.empty();
   });
 }
@@ -56,7 +56,7 @@ std::string column_of(const judge::StepResult& step) {
 std::vector<std::string> columns_of(const store::ClassResult& results) {
   std::map<int, std::vector<std::string>> labs;  // by number: the lab's column and its steps'
   const auto add = [](std::vector<std::string>& columns, const std::string& name) {
-    if (std::find(columns.begin(), columns.end(), name) == columns.end()) columns.push_back(name);
+    if (std::ranges::count(columns, name) == 0) columns.push_back(name);
   };
   for (const store::StudentResult& student : results.students)
     for (const judge::LabResult& lab : student.labs) {

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "page.hpp"
-#include "reports/reports.hpp"
 #include "wording.hpp"
 
 namespace texel::reports {
@@ -77,8 +76,7 @@ class StudentPage {
       return "";
     std::set<std::string> names;
     for (const judge::CaseResult& result : step.cases) {
-      const auto graded = std::find_if(lab.lab.cases.begin(), lab.lab.cases.end(),
-                                       [&](const auto& one) { return one.name == result.name; });
+      const auto graded = std::ranges::find(lab.lab.cases, result.name, &course::Case::name);
       if (result.passed() || graded == lab.lab.cases.end()) continue;
       for (const course::Setting& setting : graded->settings) names.insert(setting.parameter);
       for (const course::Hidden& hidden : graded->hidden_settings) names.insert(hidden.parameter);
@@ -96,8 +94,7 @@ class StudentPage {
     data["place"] = place(step);
     data["hint"] = step.hints.empty() ? "" : step.hints.front();
     // The message is the first failed case's, which has it again with its picture.
-    const bool said_below = std::any_of(step.cases.begin(), step.cases.end(),
-                                        [](const judge::CaseResult& c) { return !c.passed(); });
+    const bool said_below = !std::ranges::all_of(step.cases, &judge::CaseResult::passed);
     data["message"] = said_below ? "" : step.message;
     for (const char* list : {"wrong", "same", "passed", "spoilt"}) data[list] = Json::array();
     const judge::CaseResult* nothing = nullptr;  // the first of which nothing can be compared

@@ -101,10 +101,9 @@ std::string command(const judge::CaseResult& result) {
 }
 
 std::size_t count(const std::vector<judge::CaseResult>& cases, bool hidden, bool only_failed) {
-  return static_cast<std::size_t>(
-      std::count_if(cases.begin(), cases.end(), [&](const judge::CaseResult& result) {
-        return result.hidden == hidden && !(only_failed && result.passed());
-      }));
+  return static_cast<std::size_t>(std::ranges::count_if(cases, [&](const judge::CaseResult& result) {
+    return result.hidden == hidden && !(only_failed && result.passed());
+  }));
 }
 
 }  // namespace texel::reports
