@@ -63,19 +63,14 @@ Comparison compare_colors(const CompareOptions& options, const image::Comparing&
 
 void print_json(const Comparison& result) {
   const image::Difference& d = result.difference;
-  std::string flip_mean = "null", flip_p99 = "null", ssim = "null";
-  if (result.perceived) {
-    const perception::FlipFigures& flip = result.perceived->flip;
-    flip_mean = fmt::format("{}", flip.mean);
-    flip_p99 = fmt::format("{}", flip.p99);
-    ssim = fmt::format("{}", result.perceived->ssim);
-  }
+  const auto& [flip, ssim] = result.perceived.value_or(Perceived());
+  const auto number = [&](double figure) { return result.perceived ? fmt::format("{}", figure) : "null"; };
   fmt::print(
       "{{\"width\": {}, \"height\": {}, \"max\": {}, \"mean\": {}, \"p99\": {}, \"flip_mean\": {}, "
       "\"flip_p99\": {}, \"ssim\": {}, \"non_finite\": {}, "
       "\"forgiven\": {}, \"unit\": \"{}\"}}\n",
-      d.width, d.height, d.max, d.mean, d.p99, flip_mean, flip_p99, ssim, d.non_finite, d.forgiven,
-      result.unit);
+      d.width, d.height, d.max, d.mean, d.p99, number(flip.mean), number(flip.p99), number(ssim),
+      d.non_finite, d.forgiven, result.unit);
 }
 
 void print_text(const Comparison& result, bool edge_tolerance) {

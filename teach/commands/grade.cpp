@@ -60,9 +60,8 @@ std::size_t write_reports(const fs::path& out, const std::vector<std::string>& f
   print_class(results);
   fmt::print("look at the page   file://{}\n",
              fs::absolute(out / "report/index.html").lexically_normal().string());
-  return static_cast<std::size_t>(
-      std::count_if(results.students.begin(), results.students.end(),
-                    [](const store::StudentResult& student) { return !student.unmarked().empty(); }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      results.students, [](const auto& student) { return !student.unmarked().empty(); }));
 }
 
 }  // namespace
