@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 
-#include "app/reports.hpp"
 #include "app/settings.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"

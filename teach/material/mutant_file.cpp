@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <regex>
 
-#include "course/lab_file.hpp"
 #include "course/reader.hpp"
 
 namespace texel::material {

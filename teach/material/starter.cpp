@@ -26,8 +26,8 @@ constexpr const char* kGiven[] = {".devcontainer", ".gitattributes",  "CMakeList
 
 /// Whether markers may stand in it.
 bool has_text(const fs::path& file) {
-  static constexpr const char* kTexts[] = {".cpp", ".hpp", ".glsl", ".vert", ".frag"};
-  return std::find(std::begin(kTexts), std::end(kTexts), file.extension()) != std::end(kTexts);
+  constexpr const char* kTexts[] = {".cpp", ".hpp", ".glsl", ".vert", ".frag"};
+  return std::ranges::count(kTexts, file.extension()) > 0;
 }
 
 }  // namespace
