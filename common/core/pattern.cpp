@@ -11,17 +11,15 @@ struct Pattern::Compiled {
 
 Pattern::Pattern(const std::string& expression) : compiled_(new Compiled{std::regex(expression)}) {}
 
-Pattern::~Pattern() = default;
-
 Pattern::Groups Pattern::match(const std::string& text) const {
   std::smatch found;
-  if (!std::regex_match(text, found, compiled_->regex)) return {};
+  std::regex_match(text, found, compiled_->regex);
   return {found.begin(), found.end()};
 }
 
 Pattern::Groups Pattern::match_begin(const std::string& text) const {
   std::smatch found;
-  if (!std::regex_search(text, found, compiled_->regex, std::regex_constants::match_continuous)) return {};
+  std::regex_search(text, found, compiled_->regex, std::regex_constants::match_continuous);
   return {found.begin(), found.end()};
 }
 

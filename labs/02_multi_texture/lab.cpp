@@ -52,7 +52,7 @@ struct MultiTexture : app::Lab<MultiTextureParameters> {
     gl::Program& program = frame.program("02_multi_texture/multi_texture");
     const glm::mat4 world_from_object = glm::rotate(glm::mat4(1), glm::radians(-p.tilt), glm::vec3(1, 0, 0));
     program.set("clip_from_object", p.camera.clip_from_world(frame.aspect()) * world_from_object);
-    const int second = second_unit(p);
+    const int second = std::min(p.second_unit, gl::texture_units() - 1);  // at most the driver's highest
 
     // A picture whose unit is off is not even loaded.
     const gl::Texture* object0 = p.unit0_on ? &texture_object(p, p.texture0, false) : nullptr;
@@ -97,9 +97,6 @@ struct MultiTexture : app::Lab<MultiTextureParameters> {
   }
 
  private:
-  /// The unit that the parameter names, at most the driver's highest.
-  static int second_unit(const Parameters& p) { return std::min(p.second_unit, gl::texture_units() - 1); }
-
   /// A texture object with its levels.
   const gl::Texture& texture_object(const Parameters& p, const std::string& name, bool premultiply) {
     const bool is_linear = p.method != Method::encoded;

@@ -9,6 +9,8 @@
 
 namespace texel::cube_wrap {
 
+constexpr float kHalfSize = 0.577F;  // the corners at distance 1
+
 /// In the order of CubeTexcoords.
 inline constexpr std::array<glm::vec3, 8> kCubeCorners{
     {{-1, -1, 1}, {-1, 1, 1}, {1, 1, 1}, {1, -1, 1}, {-1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {1, -1, -1}}};

@@ -20,6 +20,10 @@ extern const CubeTexcoords cube_before;
 /// back mirrored, and one triangle of each other face is mirrored.
 extern const CubeTexcoords cube_stretched;
 
+/// The cube with separate vertices for each face. Where the two triangles of a face have equal corners, they
+/// share a vertex; other triangles do not.
+mesh::Mesh split_cube();
+
 /// Merges vertices that are equal in every attribute (by value: -0 is +0), in order of first use; vertices
 /// that no triangle uses are removed. Expected linear time.
 mesh::Mesh weld(const mesh::Mesh& mesh);

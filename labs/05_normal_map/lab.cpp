@@ -9,6 +9,7 @@
 #include "app/lab.hpp"
 #include "gl/upload.hpp"
 #include "model.hpp"
+#include "normal_matrix.hpp"
 #include "parameters.hpp"
 
 namespace texel::normal_map {
@@ -31,17 +32,10 @@ struct NormalMap : app::Lab<NormalMapParameters> {
       return gl::make_texture_2d(assets_.texture(p.texture), image::Encoding::srgb, sampling);
     });
     const glm::mat4 world_from_object = glm::scale(app::turn_about_y(p.turn), glm::vec3(1, p.stretch, 1));
-    //@step 5.7 begin
-    // Under the inverse transpose of the surface's matrix a normal stays perpendicular to the surface.
-    const glm::mat3 normal_from_object = glm::transpose(glm::inverse(glm::mat3(world_from_object)));
-    //@starter
-    // const glm::mat3 normal_from_object = glm::mat3(world_from_object);
-    //@end
-
     gl::Program& program = frame.program("05_normal_map/normal_map");
     program.set("clip_from_world", p.camera.clip_from_world(frame.aspect()));
     program.set("world_from_object", world_from_object);
-    program.set("normal_from_object", normal_from_object);
+    program.set("normal_from_object", normal_matrix(world_from_object));
     program.set("eye", p.camera.eye());
     program.set("light", p.light.direction());
     gl::bind(0, GL_TEXTURE_2D, color_map);

@@ -6,9 +6,9 @@
 
 #include "app/lab.hpp"
 #include "gl/upload.hpp"
-#include "image/mipmaps.hpp"
 #include "mesh/primitives.hpp"
 #include "parameters.hpp"
+#include "upload_faces.hpp"
 
 namespace texel::cube_map {
 
@@ -55,31 +55,11 @@ struct CubeMap : app::Lab<CubeMapParameters> {
       if (swap) std::swap(faces[0], faces[1]);
       if (flip)
         for (image::Image8& face : faces) face = image::flipped(face);
-      return upload(faces, mipmapped);
+      gl::Texture texture;
+      glBindTexture(GL_TEXTURE_CUBE_MAP, texture.id());
+      upload_faces(faces, mipmapped);
+      return texture;
     });
-  }
-
-  /// A cube map of six pictures, +X -X +Y -Y +Z -Z. In the specification each face is seen from
-  /// outside the cube, top row first. 2D textures begin at the bottom.
-  static gl::Texture upload(const std::array<image::Image8, 6>& faces, bool mipmapped) {
-    gl::Texture texture;
-    glBindTexture(GL_TEXTURE_CUBE_MAP, texture.id());
-    //@step 6.3 begin
-    for (GLuint i = 0; i < 6; ++i) {
-      const GLenum face = GL_TEXTURE_CUBE_MAP_POSITIVE_X + i;  // the six constants follow each other
-      gl::upload_level(face, 0, faces[i], image::Encoding::srgb);
-      if (!mipmapped) continue;
-      const std::vector<image::Image8> levels = image::mip_chain(faces[i], image::Encoding::srgb);
-      for (std::size_t level = 1; level < levels.size(); ++level)
-        gl::upload_level(face, static_cast<int>(level), levels[level], image::Encoding::srgb);
-    }
-    //@starter
-    // // The picture of +Z, called BACK, on every face, and only its full size.
-    // for (GLenum face = GL_TEXTURE_CUBE_MAP_POSITIVE_X; face <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z; ++face)
-    //   gl::upload_level(face, 0, faces[4], image::Encoding::srgb);
-    // glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, 0);
-    //@end
-    return texture;
   }
 
   /// How the bound cube map is read between its texels, and whether across the edges of its faces.

@@ -25,16 +25,17 @@ constexpr struct MovedStep {
     {"4.1", "common/mesh/cube.cpp", "labs/04_cube_wrap/cube_texcoords.cpp"},
     {"4.2", "common/mesh/weld.cpp", "labs/04_cube_wrap/weld.cpp"},
     {"4.3", "common/mesh/normals.cpp", "labs/04_cube_wrap/face_normal.cpp"},
+    {"4.4", "labs/04_cube_wrap/lab.cpp", "labs/04_cube_wrap/split_cube.cpp"},
     {"5.2", "common/mesh/tangents.cpp", "labs/05_normal_map/triangle_frame.cpp"},
     {"5.3", "common/mesh/tangents.cpp", "labs/05_normal_map/add_to_corners.cpp"},
     {"5.4", "common/mesh/tangents.cpp", "labs/05_normal_map/orthonormalize.cpp"},
+    {"5.7", "labs/05_normal_map/lab.cpp", "labs/05_normal_map/normal_matrix.cpp"},
+    {"6.3", "labs/06_cube_map/lab.cpp", "labs/06_cube_map/upload_faces.cpp"},
     {"6.1", "shaders/lib/sphere_coordinates.glsl", "shaders/06_cube_map/sphere_texcoord.glsl"}};
 
 /// A file of today, and what only its older text includes.
-constexpr struct OlderText {
-  const char *file, *include;
-} kOlderTexts[] = {{"labs/04_cube_wrap/lab.cpp", "#include \"mesh/cube.hpp\""},
-                   {"shaders/06_cube_map/seam.glsl", "#include \"lib/sphere_coordinates.glsl\""}};
+constexpr const char *kSeam = "shaders/06_cube_map/seam.glsl",
+                     *kSeamIncluded = "#include \"lib/sphere_coordinates.glsl\"";
 
 /// Lab 4's cube was the library's.
 std::string with_names_of_today(const std::string& text) {
@@ -43,21 +44,20 @@ std::string with_names_of_today(const std::string& text) {
 }
 
 /// The starter's text with the steps of an older one.
-void renew(Submission& submission, const FirstText& first_text, const OlderText& older) {
-  const auto found = submission.files.find(older.file);
-  if (found == submission.files.end() || found->second.find(older.include) == std::string::npos) return;
-  const std::string text = with_names_of_today(found->second);
+void renew_seam(Submission& submission, const FirstText& first_text) {
+  const auto found = submission.files.find(kSeam);
+  if (found == submission.files.end() || found->second.find(kSeamIncluded) == std::string::npos) return;
   std::vector<std::string> taken;
-  std::string fresh = first_text(older.file);
-  for (const auto& [step, ignored] : course::step_texts(text)) try {
-      fresh = course::with_step_from(fresh, older.file, step, text);
+  std::string fresh = first_text(kSeam);
+  for (const auto& [step, ignored] : course::step_texts(found->second)) try {
+      fresh = course::with_step_from(fresh, kSeam, step, found->second);
       taken.push_back("step " + step);
     } catch (const Error&) {  // damaged markers: the step stays as it is in the starter
     }
-  submission.sizes[submission.root + older.file] = found->second.size();
+  submission.sizes[submission.root + kSeam] = found->second.size();
   submission.ignored.insert(
       submission.ignored.begin(),
-      {submission.root + older.file,
+      {submission.root + kSeam,
        fmt::format("is of an older starter; taken out of it: {}", fmt::join(taken, ", "))});
   found->second = fresh;
 }
@@ -73,7 +73,8 @@ std::string told(const std::vector<std::string>& taken, const std::vector<std::s
 
 /// Takes the steps out of an older file's text, and says what became of it.
 std::string take_steps(Submission& submission, const FirstText& first_text, const std::string& file,
-                       const std::string& text) {
+                       const std::string& given) {
+  const std::string text = with_names_of_today(given);
   const std::map<std::string, std::string> texts = course::step_texts(text);
   const std::set<std::string> begun = begun_steps(file, text, first_text);
   std::vector<std::string> taken, lost;
@@ -121,12 +122,11 @@ std::set<std::string> begun_steps(const std::string& file, const std::string& te
   return steps;
 }
 
-void take_older_steps(Submission& submission, const FirstText& first_text) {
-  for (const OlderText& older : kOlderTexts) renew(submission, first_text, older);
-  std::set<std::string> moved_from;
-  for (const MovedStep& one : kMovedSteps) moved_from.insert(one.from);
+void take_older_steps(Submission& submission, const std::vector<std::string>& allowed,
+                      const FirstText& first_text) {
+  renew_seam(submission, first_text);
   std::vector<store::Ignored> notes;
-  for (const std::string& file : moved_from) {
+  for (const std::string& file : older_files(allowed)) {
     const auto older = submission.files.extract(file);
     if (older.empty()) continue;
     submission.sizes[submission.root + file] = older.mapped().size();

@@ -250,7 +250,7 @@ Submission unpack(const Entry& entry, const std::vector<std::string>& allowed, c
       submission.files[found.meanings.at(&item).file] = std::move(text);
   });
   if (!submission.fault.empty()) submission.files.clear();
-  take_older_steps(submission, first_text);
+  take_older_steps(submission, allowed, first_text);
   if (submission.files.empty() && submission.fault.empty())
     submission.fault = fmt::format(
         "contains no file with steps, so nothing was taken ({} not used); hand in the folder that contains "

@@ -48,6 +48,7 @@ std::set<std::string> begun_steps(const std::string& file, const std::string& te
 
 /// Takes the steps that were begun in older files into the files that have them now, and the older files out
 /// of `files`. What is begun in a file of today stays. Says in `ignored` what became of each older file.
-void take_older_steps(Submission& submission, const FirstText& first_text);
+void take_older_steps(Submission& submission, const std::vector<std::string>& allowed,
+                      const FirstText& first_text);
 
 }  // namespace texel::grade

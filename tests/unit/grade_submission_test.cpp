@@ -146,7 +146,8 @@ TEST(StepFiles, are_the_files_of_the_tree_with_a_marker) {
 std::string first_text(const std::string& file) {
   const std::string step = has(file, "corner_numbers") ? "3.4"
                            : has(file, "face_index")   ? "3.2"
-                           : has(file, "lab.cpp")      ? "4.4"
+                           : has(file, "split_cube")   ? "4.4"
+                           : has(file, "seam")         ? "6.2"
                                                        : "4.2";
   return fmt::format("#include \"new\"\n//@step {} begin\nfirst();\n//@end\n", step);
 }
@@ -159,8 +160,9 @@ std::string with(const std::string& file, const std::string& code) {
 TEST(Unpack, takes_steps_out_of_the_files_that_an_older_starter_had_them_in) {
   const std::string numbers = "labs/03_obj_texcoords/corner_numbers.cpp", weld = "labs/04_cube_wrap/weld.cpp",
                     index = "labs/03_obj_texcoords/face_index.cpp", older = "common/mesh/weld.cpp",
-                    lab = "labs/04_cube_wrap/lab.cpp";
-  const std::vector<std::string> files = {index, lab, numbers, weld};
+                    lab = "labs/04_cube_wrap/lab.cpp", cube = "labs/04_cube_wrap/split_cube.cpp",
+                    seam = "shaders/06_cube_map/seam.glsl";
+  const std::vector<std::string> files = {index, numbers, cube, weld, seam};
   const auto step = [](const std::string& id, const std::string& code) {
     return fmt::format("//@step {} begin\n{}\n//@end\n", id, code);
   };
@@ -207,11 +209,16 @@ TEST(Unpack, takes_steps_out_of_the_files_that_an_older_starter_had_them_in) {
        {{index, with(index, "i();")}},
        older,
        "is a file of an older starter without a step that is begun"},
-      {"a file of today that includes what is gone",
+      {"a step with names that are gone",
        {{lab, "#include \"mesh/cube.hpp\"\n" + step("4.4", "mesh::cube_by_face(); mesh::cube_split();")}},
-       {{lab, with(lab, "cube_by_face(); mesh::cube_split();")}},
+       {{cube, with(cube, "cube_by_face(); mesh::cube_split();")}},
        lab,
-       "is of an older starter; taken out of it: step 4.4"},
+       "is a file of an older starter; taken out of it: step 4.4, now in " + cube},
+      {"a file of today that includes what is gone",
+       {{seam, "#include \"lib/sphere_coordinates.glsl\"\n" + step("6.2", "own();")}},
+       {{seam, with(seam, "own();")}},
+       seam,
+       "is of an older starter; taken out of it: step 6.2"},
       {"a name alone is that of a file of today",
        {{"weld.cpp", with(weld, "own();")}},
        {{weld, with(weld, "own();")}},

@@ -7,15 +7,13 @@
 
 namespace texel {
 
-/// A regular expression of ECMAScript, compiled in pattern.cpp alone: std::regex costs each file that names
-/// it two seconds.
+/// A regular expression of ECMAScript. std::regex takes each file that names it two seconds to compile.
 class Pattern {
  public:
   /// What matched, then its groups; "" for a group that took no part. Empty if nothing matched.
   using Groups = std::vector<std::string>;
 
   explicit Pattern(const std::string& expression);
-  ~Pattern();
 
   [[nodiscard]] Groups match(const std::string& text) const;        ///< the whole text
   [[nodiscard]] Groups match_begin(const std::string& text) const;  ///< its first characters
@@ -25,7 +23,7 @@ class Pattern {
 
  private:
   struct Compiled;
-  std::unique_ptr<Compiled> compiled_;
+  std::shared_ptr<const Compiled> compiled_;
 };
 
 }  // namespace texel

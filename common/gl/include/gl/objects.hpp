@@ -2,7 +2,6 @@
 #pragma once
 #include <glad/gl.h>
 
-#include <type_traits>
 #include <utility>
 
 namespace texel::gl {
