@@ -419,7 +419,7 @@ class Engine {
   std::map<int, course::Lab> course_;  ///< by number; of one that nobody has asked for, the folder alone
   std::optional<StudentFiles> files_;
   std::map<std::string, std::string> own_shaders_;  ///< the first texts of experiments, by path
-  judge::LabResult checked_;  ///< the last
+  judge::LabResult checked_;                        ///< the last
   std::map<int, std::unique_ptr<Opened>> opened_;
   Opened* current_ = nullptr;
   std::optional<Display> display_;
