@@ -169,7 +169,7 @@ class Suite:
                                 check=False).stdout
         for number, entry in enumerate(json.loads(listed)["tests"], 1):
             command = entry.get("command", [""])  # none: it is not built
-            built = [word for word in command if pathlib.PurePath(word).is_relative_to(self.tree / "build/release/bin")]
+            built = [word for word in command if pathlib.PurePath(word).parent == self.tree / "build/release/bin"]
             program = pathlib.PurePath((built or command)[0])
             labels = [label for one in entry.get("properties", []) if one["name"] == "LABELS" for label in one["value"]]
             self.tests.append({"number": number, "name": entry["name"], "key": f"{program.name} {entry['name']}".lower(),
