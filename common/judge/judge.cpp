@@ -71,7 +71,7 @@ Verdict unreadable(const std::string& name, const Error& error) {
 
 /// A number with the digits that matter.
 std::string short_number(double value) {
-  return value >= 1000 && value < 1e7 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+  return value >= 999.5 && value < 1e7 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
 }
 
 /// Whether a picture that can be read has no NaN and no infinity.

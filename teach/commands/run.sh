@@ -114,10 +114,12 @@ build_tests() {
 
 # The tests that name this lab: every_lab.….of_lab_5, figures.of_lab_5, HardCaseOfLab5…, accuracy.of_lab_5…, tools.marks_of_lab_5.
 test_lab() { # number
+  lab_folder "$1" >/dev/null || fail 2 "there is no lab $1; ./run progress shows all labs"
   need "${packages[@]}" "${test_packages[@]}"
   build_tests
-  run_tests release --no-tests=error --tests-regex "[Ll]abs?_?0?$1([^0-9]|\$)"
-  say "The tests of lab $1 passed after $SECONDS s"
+  # And what a change of any lab may forget: lines, mistakes, handouts, what renderers differ by.
+  run_tests release --no-tests=error --tests-regex "[Ll]abs?_?0?$1([^0-9]|\$)|^tree\.(rooms|catalogue|handouts)|^tools\.renderers"
+  say "The tests of lab $1 passed after $SECONDS s; ./run test asks for the formatting and all the others"
 }
 
 test_room() { # folder below common or teach
@@ -126,8 +128,9 @@ test_room() { # folder below common or teach
   need "${packages[@]}" "${test_packages[@]}"
   configure release -D TEXEL_TESTS=ON
   build release "unit_$1"
-  (cd "$root" && "build/release/bin/unit_$1" --gtest_brief=1) || fail 1 "tests of $1 failed"
-  say "The tests of $1 passed after $SECONDS s"
+  (cd "$root" && "build/release/bin/unit_$1" --gtest_brief=1 && tests/rooms.py >/dev/null) ||
+    fail 1 "tests of $1 failed"
+  say "The tests of $1 passed after $SECONDS s; ./run test asks for the formatting and all the others"
 }
 
 run_all_tests() {

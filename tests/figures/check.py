@@ -31,7 +31,7 @@ A file in `sound` is right, so the error does not name it.
 
 A line compares one call with a number, several numbers, a word, or with the same call of other settings. Beside settings, a call may
 hold `view`, `size`, and `at`, a pixel from the lower left. `view=each`: in every view but color and error. The calls:
-  mean, rms, median, p99, max, max_aside, outline_pixels, pixels, non_finite   what --measure says; non_finite with a view: of that picture's pixels
+  mean, rms, median, p99, max, max_aside, outline_pixels, pixels, truth_pixels, non_finite   what --measure says; non_finite with a view: of that picture's pixels
   unknown                              there is no exact answer, and the lab says so
   value(at=64 64)                      a pixel, one number for each channel; `channel` for one alone
   drawn                                the picture's width and height
@@ -276,7 +276,9 @@ class Lab:
                 limit = result(*calls[1])
             else:
                 limit = found["word"] or [float(number) for number in found["numbers"].split()]
-        except (AssertionError, KeyError, OSError) as error:
+        except KeyError as error:
+            return f"there is no {error}; the calls stand at the beginning of {pathlib.Path(__file__).name}"
+        except (AssertionError, OSError) as error:
             return repr(error)
         if not isinstance(got, (list, tuple)):
             holds = {"has": lambda: limit in got, "lacks": lambda: limit not in got, "=": lambda: got == limit, "!=": lambda: got != limit}[found["sign"]]()
@@ -290,7 +292,8 @@ class Lab:
             elif number == other:
                 share = 1
             else:
-                share = number / other if found["sign"] == "<" else other / number if number else math.inf
+                over, under = (number, other) if found["sign"] == "<" else (other, number)
+                share = over / under if under else math.inf
             # A count, and what must be equal or 0, is no limit that a renderer comes near to.
             if found["what"] not in ("pixels", "truth_pixels", "non_finite", "vertices", "triangles", "drawn") and (found["tolerance"] or found["sign"] != "=" and other != 0):
                 use(line, share)
@@ -314,9 +317,28 @@ class Lab:
             return "it left a file" if os.listdir(folder) else None
 
 
+KEYS = {"figure": {"name", "because", "set", "looks", "size", "lines"}, "refused": {"name", "because", "exit", "each", "env", "window", "sound"}}
+KEYS["picture"] = KEYS["figure"]
+
+
+def read(table):
+    """The rows of a table. A key that nobody reads, and a figure without its reason, end the program."""
+    try:
+        rows = tomllib.loads(table.read_text(encoding="utf-8"))
+    except tomllib.TOMLDecodeError as error:
+        sys.exit(f"{table.name}: {error}")
+    faults = [f"there is no key '{key}'" for key in rows.keys() - KEYS.keys() - {"labs", "says", "files"}]
+    for kind in KEYS.keys() & rows.keys():
+        faults += [f"'{one.get('name')}' has a key '{key}', which nobody reads" for one in rows[kind] for key in one.keys() - KEYS[kind]]
+    faults += [f"'{one.get('name')}' has no 'because'" for one in rows.get("figure", []) if not one.get("because")]
+    if faults:
+        sys.exit(f"{table.name}: " + "; ".join(faults))
+    return rows
+
+
 def main():
     table, program = pathlib.Path(sys.argv[1]), sys.argv[2]
-    rows = tomllib.loads(table.read_text(encoding="utf-8"))
+    rows = read(table)
     used, checks = {}, []
     with tempfile.TemporaryDirectory() as folder:
         lab = Lab(program, folder, rows.get("files", {}))

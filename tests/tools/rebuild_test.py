@@ -44,8 +44,8 @@ class Rebuild(unittest.TestCase):
             steps = {file: f"labs/CMakeFiles/steps{name}.dir/{name}/{file.name}.o" for file in lab.parent.glob("*.cpp") if file != lab}
             for file in (file for file in lab.parent.rglob("*") if file.suffix in (".cpp", ".hpp")):
                 wanted = {f"bin/lab{name}.new", steps.get(file, f"labs/CMakeFiles/lab{name}.dir/{name}/lab.cpp.o")}
-                if file.name == "steps.hpp":
-                    wanted.update(steps.values())
+                wanted.update(output for source, output in steps.items()
+                              if file.name == "steps.hpp" or f'#include "{file.name}"' in source.read_text(encoding="utf-8"))
                 if file in steps and name == "03_obj_texcoords":  # the reader of labs 4 and 5 is lab 3's
                     wanted.update(("bin/lab04_cube_wrap.new", "bin/lab05_normal_map.new"))
                 # Tests and the command line link what students write, too.

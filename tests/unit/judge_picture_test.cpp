@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a picture passes: up to the limit and no further, in the unit of its view. What a wrong one scores is
-// in tests/labs/score_test.cpp.
+// Where a picture passes: up to the limit and no further, in the unit of its view; and what a wrong one
+// scores. tests/labs/score_test.cpp has the scores of wrong pictures of labs.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -119,6 +119,18 @@ TEST_F(JudgeOfPictures, passes_up_to_the_limit_and_what_a_gpu_rounds_and_no_furt
 TEST_F(JudgeOfPictures, says_by_how_much_a_direction_is_off) {
   const Verdict off = judged(course::View::normal, 0.1, directions(0), directions(0.3));
   EXPECT_TRUE(off.message.starts_with("Off by 0.3 degrees in 100 % of the object")) << off.message;
+}
+
+TEST_F(JudgeOfPictures, counts_pixels_beyond_the_limit_but_not_those_at_it) {
+  // Of the 18 columns within the object's edge, 9 are off by 4 and 9 by 3.
+  const Verdict off = judged(course::View::color, 3, grey(100), grey(103, 11, 20, 104));
+  EXPECT_TRUE(off.message.starts_with("Off by 4 8-bit steps in 50 % of the object")) << off.message;
+}
+
+TEST_F(JudgeOfPictures, writes_large_errors_without_an_exponent) {
+  const auto flat = [&](double value) { return values([=](int, int) { return std::pair(value, 0.0); }); };
+  const Verdict off = judged(course::View::depth, 1, flat(0), flat(999.7));
+  EXPECT_TRUE(off.message.starts_with("Off by 1000 units")) << off.message;
 }
 
 TEST_F(JudgeOfPictures, sees_a_wrong_background_of_one_pixel) {

@@ -132,6 +132,7 @@ TEST(StepResult, is_told_by_the_failed_case_that_is_furthest_beyond_its_limit) {
       {{off("a", 2, 1, 0), off("b", 3, 2, 0)}, "a"},
       {{off("passed", 0.9, 1, 1), off("b", 0.5, 1, 0)}, "b"},
       {{off("b", 0.5, 1, 0), off("passed", 0.9, 1, 1)}, "b"},
+      {{off("first of equal ones", 2, 1, 0), off("b", 2, 1, 0)}, "first of equal ones"},
       {{off("a", 2, 1, 0), off("nothing to compare", std::nan(""), 1, 0)}, "nothing to compare"}};
   for (const auto& [cases, name] : rows)
     EXPECT_EQ(clearest_case(step_result(named_step("1.1"), cases))->name, name);

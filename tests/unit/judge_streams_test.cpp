@@ -111,6 +111,27 @@ TEST_F(JudgeMesh, counts_vertices_that_are_too_many) {
   EXPECT_TRUE(test::has(found.message, "650 vertices instead of 325")) << found.message;
 }
 
+TEST_F(JudgeMesh, takes_an_error_that_is_just_the_limit) {
+  Mesh moved = kTorus, more = kTorus;
+  moved.positions[7] = more.positions[7] = {9, 9, 9};
+  of_.limit = 180;  // how far off a vertex at another place counts
+  EXPECT_TRUE(verdict(kTorus, moved).passed);
+  for (const auto attribute : {&Mesh::positions, &Mesh::normals}) (more.*attribute).push_back({9, 9, 9});
+  more.texcoords.emplace_back(9, 9);
+  const std::string message = verdict(kTorus, more).message;
+  EXPECT_TRUE(test::has(message, "326 vertices instead of 325; 100 % of the expected")) << message;
+}
+
+TEST_F(JudgeMesh, compares_vertex_by_vertex_where_half_of_the_places_are_the_same) {
+  for (const auto& [wrong, says] :
+       {std::pair(2, "The place of the vertex at "), {3, "0 % of the expected"}}) {
+    Mesh expected = mesh::quad(), own = expected;
+    for (glm::vec2& texcoord : own.texcoords) texcoord += 5.0F;
+    for (int i = 0; i < wrong; ++i) own.positions[static_cast<std::size_t>(i)] += 5.0F;
+    EXPECT_TRUE(verdict(expected, own).message.starts_with(says)) << verdict(expected, own).message;
+  }
+}
+
 TEST_F(JudgeMesh, scores_an_angle_by_how_many_limits_it_is_off) {
   Mesh turned = kTorus;
   const float angle = glm::radians(0.15F);
