@@ -35,8 +35,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Mistakes on which many other steps build: name, step, file, what, by.
 SPREADING = [
     ("decodes-to-minus-0.9", "5.1", "shaders/05_normal_map/decode_normal.glsl", "color * 2.0 - 1.0", "color * 2.0 - 0.9"),
-    ("draws-nothing", "5.7", "labs/05_normal_map/lab.cpp", "return texel::app::run<texel::normal_map::NormalMap>(argc, argv);",
-     "return argc + argv[0][0];"),
+    ("draws-nothing", "5.7", "labs/05_normal_map/normal_matrix.cpp", "glm::transpose(glm::inverse(glm::mat3(world_from_object)))",
+     "(std::exit(1), glm::mat3(world_from_object))"),
     ("reflects-with-a-wrong-sign", "8.1", "shaders/08_reflection/rays.glsl", "incident - 2.0 *", "incident + 2.0 *")]
 # Names that mean something to a page, a table or a shell: of files in an archive, and of archives.
 FILE_NAMES = [b"<script>texel_threat()</script>.txt", b"\"><img src=x onerror=texel_threat()>", b"=cmd|' !A0.txt",
