@@ -53,7 +53,7 @@ def line_faults(files):
     figures += [(room, count(lambda path, room=room: room_of(path) == room), "a room") for room in rooms]
     for name, lines, _ in figures:
         print(f"{lines:7} {name}")
-    return [f"{name} has {lines} lines of C++, and {LIMITS[limit]} at most are wanted: take some away elsewhere, or raise LIMITS and say why"
+    return [f"{name} has {lines} lines of C++, more than its limit of {LIMITS[limit]}: remove some, or raise LIMITS and say why"
             for name, lines, limit in figures if lines > LIMITS[limit]]
 
 

@@ -166,8 +166,8 @@ std::string other_format(std::string_view bytes) {
   using namespace std::string_view_literals;
   static constexpr Format formats[] = {
       {8, "WEBP", "a WebP file"},      {4, "ftypavi", "an AVIF file"},
-      {4, "ftyphe", "a HEIC file"},    {4, "ftypm", "a HEIC or AVIF file, or a film"},
-      {4, "ftyp", "a film"},           {4, "jP  ", "a JPEG 2000 file"},
+      {4, "ftyphe", "a HEIC file"},    {4, "ftypm", "a HEIC, AVIF or MP4 file"},
+      {4, "ftyp", "a video"},          {4, "jP  ", "a JPEG 2000 file"},
       {4, "JXL ", "a JPEG XL file"},   {0, "\xff\x0a", "a JPEG XL file"},
       {0, "qoif", "a QOI file"},       {0, "\0\0\1\0"sv, "an icon file"},
       {0, "%PDF", "a PDF file"},       {0, "II*\0"sv, "a TIFF file"},

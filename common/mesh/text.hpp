@@ -66,7 +66,7 @@ enum class NumberStatus { ok, repaired, malformed, not_finite };
 
 /// The float32 nearest to the number that is the whole of `word`; a leading '+' is fine. Numbers too small
 /// for float32 become 0 or denormal. `repaired`: the sign of an exponent stands before its e (3.1+e2): the
-/// number in front of it (3.1), as programs have it that read as far as they understand; a decimal comma
+/// number in front of it (3.1), as programs read it that stop at what they do not know; a decimal comma
 /// (1,5); Fortran's exponent (1.5D+2). `not_finite`: NaN and infinity in every runtime's spelling (nan(ind),
 /// -1.#IND, Infinity), and what is beyond float32; the value is infinity then.
 NumberStatus parse_float(std::string_view word, float& value);

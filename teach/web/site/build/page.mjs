@@ -70,11 +70,11 @@ const early = ({ number, files, opening, looks }) => `if (location.protocol !== 
   globalThis.texelEarly = { worker, canvas, started };
 }`.replace(/\n\s*/g, " ");
 
-/** A free place below the steps; src/experiment.js fills it. */
+/** The editor for experiments, below the steps; src/experiment.js fills it. */
 const experiment = ({ shader }) => `<section class="experiment" id="experiment" data-path="${shader}">
 <h2>Experiment</h2>
-<p>A free place: change the lab&#8217;s whole shader, and see what becomes of the picture. Nothing is judged here, and your steps stay as
-they are. What you write stays in this browser. A link takes it to others.</p>
+<p>Here you can change the lab&#8217;s whole shader and see what it does to the picture. Nothing is judged, and your steps stay as they
+are. What you write is kept in this browser. You can share it by a link.</p>
 <div class="workbench bench"></div>
 </section>
 `;

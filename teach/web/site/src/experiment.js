@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A free place: the lab's own shader as a whole, in the editor of the steps. It is drawn and never judged. The steps stay.
+// The lab's own shader as a whole, in the editor of the steps, for experiments. It is drawn and never judged. The steps stay.
 import matcap from "../experiments/matcap.frag";
 import parallax from "../experiments/parallax.frag";
 import triplanar from "../experiments/triplanar.frag";
