@@ -71,7 +71,7 @@ async function window_() {
   const shot = join(frames, "window.png");
   const script = `"$1" --size 1280x800 --see faces_right_top_front & program=$!; sleep 12; import -window root "$2"; kill $program; wait $program || true`;
   execFileSync("xvfb-run", ["-a", "-s", "-screen 0 1280x800x24 -noreset", "bash", "-c", script, "", join(bin, "lab06_cube_map"), shot]);
-  convert(shot, "-resize", "880x", "+dither", "-colors", "256", join(out, "window.png"));
+  convert(shot, "-resize", "880x", "+dither", "-colors", "256", `png8:${join(out, "window.png")}`);
 }
 
 const server = await serve(site), browser = await launch();
