@@ -25,5 +25,5 @@ endif()
 add_library(glad STATIC ${GLAD_DIR}/src/gl.c)
 target_include_directories(glad SYSTEM PUBLIC ${GLAD_DIR}/include)
 
-texel_precompile(texel_precompiled)
+texel_precompile(texel_precompiled OPTIONS ${TEXEL_LINES})
 texel_precompile(texel_precompiled_light OPTIONS ${TEXEL_LIGHT})

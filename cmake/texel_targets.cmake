@@ -50,9 +50,13 @@ endif()
 #   (plain)  what is measured
 #   LIGHT    code that waits for files, people or other programs: nobody sees that it runs slower, and it compiles sooner.
 #            Of -O0, -Og, -O1 and -O2, GCC 12 needs least time for -Og: 0.68 of -O2's
+#   LAB      light, with what a lab is
 #   TEST     light, with GoogleTest
 # For the sanitizers it is not optimised: that hides no fault from them, and compiles in half the time.
 set(TEXEL_LIGHT $<$<CONFIG:Release>:-Og> $<$<BOOL:${TEXEL_SANITIZE}>:-O0>)
+# What a student's steps are made with: the lines of the calls tell where one crashed. GCC takes a precompiled header that was
+# made with this for files without it, but not the other way round.
+set(TEXEL_LINES $<$<CONFIG:Release>:-g1>)
 function(texel_precompile name)
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/empty.cpp CONTENT "")
   cmake_parse_arguments(ARG "" "" "OPTIONS;DEPENDS;HEADERS" ${ARGN})
@@ -62,15 +66,17 @@ function(texel_precompile name)
   target_precompile_headers(${name} PRIVATE ${CMAKE_SOURCE_DIR}/cmake/texel_precompiled.hpp ${ARG_HEADERS})
 endfunction()
 
-# texel_own(target [LIGHT | TEST]): the flags and precompiled headers of our own targets.
+# texel_own(target [LIGHT | LAB | TEST]): the flags and precompiled headers of our own targets.
 function(texel_own target)
-  cmake_parse_arguments(ARG "LIGHT;TEST" "" "" ${ARGN})
+  cmake_parse_arguments(ARG "LIGHT;LAB;TEST" "" "" ${ARGN})
   set(precompiled texel_precompiled)
-  if(ARG_LIGHT OR ARG_TEST)
+  if(ARG_LIGHT OR ARG_LAB OR ARG_TEST)
     target_compile_options(${target} PRIVATE ${TEXEL_LIGHT})
     set(precompiled texel_precompiled_light)
   endif()
-  if(ARG_TEST)
+  if(ARG_LAB)
+    set(precompiled texel_precompiled_lab)
+  elseif(ARG_TEST)
     set(precompiled texel_precompiled_test)
   endif()
   target_link_libraries(${target} PRIVATE texel_flags fmt::fmt glm::glm)
@@ -114,15 +120,12 @@ function(texel_library name)
   endif()
 endfunction()
 
-# texel_program(name [LIGHT] SOURCES … DEPENDS …): a program that is installed.
+# texel_program(name [LIGHT | LAB] SOURCES … DEPENDS …): a program that is installed.
 function(texel_program name)
-  cmake_parse_arguments(ARG "LIGHT" "" "SOURCES;DEPENDS" ${ARGN})
-  if(ARG_LIGHT)
-    set(kind LIGHT)
-  endif()
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_DEPENDS})
-  texel_own(${name} ${kind})
+  texel_own(${name} ${ARG_UNPARSED_ARGUMENTS})
   install(TARGETS ${name} DESTINATION bin)
 endfunction()
 
@@ -135,7 +138,7 @@ function(texel_lab folder)
   if(NOT TEXEL_TEACH)
     add_compile_options(-Wno-unused-parameter -Wno-unused-variable -Wno-unused-function)
   endif()
-  texel_program(lab${folder} LIGHT SOURCES ${folder}/lab.cpp DEPENDS texel_start)
+  texel_program(lab${folder} LAB SOURCES ${folder}/lab.cpp DEPENDS texel_start)
   target_include_directories(lab${folder} PRIVATE ${folder})
   set(given ${CMAKE_SOURCE_DIR}/.starter/labs/${folder})
   if(NOT IS_DIRECTORY ${given})
@@ -149,6 +152,7 @@ function(texel_lab folder)
     target_include_directories(steps${folder} PUBLIC ${folder})
     target_link_libraries(steps${folder} PRIVATE texel_gl)
     texel_own(steps${folder})
+    target_compile_options(steps${folder} PRIVATE ${TEXEL_LINES})
     target_link_libraries(lab${folder} PRIVATE steps${folder})
   endif()
 endfunction()

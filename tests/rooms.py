@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-LIMITS = {"all": 50_000, "tests": 15_000, "starter": 21_000, "a room": 3_600}  # lines of C++
+LIMITS = {"all": 50_000, "tests": 15_100, "starter": 21_000, "a room": 3_600}  # lines of C++
 ROOMS = ("common", "teach")  # each folder below these is a library with a namespace of its own
 WITHHELD = ("teach", "tests")
 # What others declare is defined by who starts the labs, on a desktop and on a page.

@@ -14,8 +14,7 @@ std::filesystem::path course_root() {
 }
 
 std::filesystem::path course_build() {
-  std::error_code error;
-  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path().parent_path();
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
 }
 
 std::vector<course::Lab> course_labs() {

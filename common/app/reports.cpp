@@ -3,21 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "core/json.hpp"
 
 namespace texel::app {
-std::string frame_times_as_text(std::vector<double> milliseconds, glm::ivec2 size) {
-  std::sort(milliseconds.begin(), milliseconds.end());
-  const auto quantile = [&](double q) {
-    return milliseconds[static_cast<std::size_t>(q * static_cast<double>(milliseconds.size() - 1))];
-  };
-  return fmt::format("{} frames of {}x{}: median {:.2f} ms, 5 % {:.2f} ms, 95 % {:.2f} ms, most {:.2f} ms\n",
-                     milliseconds.size(), size.x, size.y, quantile(0.5), quantile(0.05), quantile(0.95),
-                     milliseconds.back());
-}
-
 std::string shaders_as_text(const gl::ProgramCache& programs, const params::Set& parameters, View view) {
   const auto origin = [&](const std::string& uniform) {
     const params::Parameter* p = parameters.find(uniform);

@@ -56,6 +56,19 @@ std::string text_at(const std::map<std::string, std::string>& texts, const std::
   return found == texts.end() ? "" : found->second;
 }
 
+/// The step that a line is of, as "labs/03_obj_texcoords/triangulate.cpp:41": the last one in its file that
+/// begins above it, else the first; "" for any other file.
+std::string step_at(const fs::path& source, const std::string& line) {
+  std::string found;
+  int nearest = 0;
+  for (const auto& [step, place] : course::step_places(source)) {
+    if (!line.starts_with(place.file + ":")) continue;
+    const int above = place.line <= std::stoi(line.substr(place.file.size() + 1)) ? place.line : 0;
+    if (found.empty() || above > nearest) found = step, nearest = above;
+  }
+  return found;
+}
+
 /// One lab's cases.
 class LabCheck {
  public:
@@ -63,6 +76,7 @@ class LabCheck {
            const Draws& draws)
       : plan_(plan),
         untouched_(untouched),
+        source_(tree.source),
         expected_(expected_folder(tree.source, plan)),
         own_(checked_folder(tree) / plan.folder),
         draws_(draws) {
@@ -109,6 +123,7 @@ class LabCheck {
     for (Drawn& part : drawn) {
       drawn_.faults.merge(part.faults);
       drawn_.refused.merge(part.refused);
+      drawn_.crashed_at.merge(part.crashed_at);
       if (!part.renderer.empty()) drawn_.renderer = part.renderer;
     }
     for (const auto& [file, fault] : drawn_.faults)
@@ -125,6 +140,7 @@ class LabCheck {
                    text_at(drawn_.faults, one.file), untouched_.contains(one.step));
     result.score = result.passed() ? 1 : 0;
     result.died = drawn_.faults.contains(one.file) && !drawn_.refused.contains(one.file);
+    if (result.died) result.crashed_in = step_at(source_, text_at(drawn_.crashed_at, one.file));
     return result;
   }
 
@@ -132,7 +148,7 @@ class LabCheck {
 
   const course::Lab& plan_;
   const std::set<std::string>& untouched_;
-  fs::path expected_, own_;
+  fs::path source_, expected_, own_;
   const Draws& draws_;
   Drawn drawn_;  ///< by all processes
 };

@@ -77,9 +77,13 @@ void skip_those_that_wait(judge::LabResult& lab,
       own.is_passed = true;  // its text is right: the steps that need it do not wait for it
       continue;
     }
-    const bool died =
-        std::any_of(step.cases.begin(), step.cases.end(), [](const auto& one) { return one.died; });
-    if (died && step.is_untouched() && !wrong.empty()) {
+    const auto died = std::ranges::find_if(step.cases, [](const auto& one) { return one.died; });
+    if (died != step.cases.end() && !died->crashed_in.empty() && died->crashed_in != step.id) {
+      skip(step, {died->crashed_in}, fmt::format("In step {}: {}", died->crashed_in, died->message));
+      own.is_passed = true;  // nothing is known of it: the step that crashed does not wait for it
+      continue;
+    }
+    if (died != step.cases.end() && died->crashed_in.empty() && step.is_untouched() && !wrong.empty()) {
       skip(step, wrong,
            fmt::format("The program ended before its pictures were drawn, by what you wrote for {}.",
                        judge::listed(wrong)));

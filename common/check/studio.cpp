@@ -7,6 +7,7 @@
 #include <array>
 #include <csignal>
 
+#include "core/crash.hpp"
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
 #include "course/batch.hpp"
@@ -62,14 +63,16 @@ Outcome run(const Studio& studio, const std::vector<Case>& cases, const fs::path
                                "--batch", (folder / "cases.json").string(), "--out", out.string()});
 }
 
-/// "crashed (segmentation fault)": how a program ended that did not draw what it should.
-std::string end_of(const Outcome& outcome) {
+/// How a program ended that did not draw what it should; `at` is the line where it was, or "here".
+std::string end_of(const Outcome& outcome, const std::string& at = "here") {
   if (outcome.limit != Limit::none)
-    return fmt::format("The program was stopped here: it used too much {}", name_of(outcome.limit));
-  if (outcome.signal == SIGSEGV) return "The program crashed here: it read or wrote invalid memory (SIGSEGV)";
-  if (outcome.signal == SIGABRT) return "The program aborted here (SIGABRT)";
-  if (outcome.signal == SIGFPE) return "The program crashed here: it divided an integer by zero (SIGFPE)";
-  if (outcome.signal != 0) return fmt::format("The program was stopped here by signal {}", outcome.signal);
+    return fmt::format("The program was stopped {}: it used too much {}", at, name_of(outcome.limit));
+  if (outcome.signal == SIGSEGV)
+    return fmt::format("The program crashed {}: it read or wrote invalid memory (SIGSEGV)", at);
+  if (outcome.signal == SIGABRT) return fmt::format("The program aborted {} (SIGABRT)", at);
+  if (outcome.signal == SIGFPE)
+    return fmt::format("The program crashed {}: it divided an integer by zero (SIGFPE)", at);
+  if (outcome.signal != 0) return fmt::format("The program was stopped {} by signal {}", at, outcome.signal);
   return fmt::format("The program ended with exit code {} and drew nothing", outcome.exit_code);
 }
 
@@ -115,6 +118,7 @@ Drawn draw(const Studio& studio, const std::vector<Case>& cases, const fs::path&
   if (cases.empty()) return drawn;
   const fs::path work = fmt::format("{}.{}.work", out.string(), cases.front().name);  // others may draw there
   int timeouts = 0;
+  std::string place;  // where it died the last time
   for (int start = 0; start < kMostStarts && timeouts < studio.timeouts && !left.empty(); ++start) {
     if (seconds_left(studio) <= 0) break;
     const Outcome outcome = run(studio, left, work);
@@ -141,15 +145,17 @@ Drawn draw(const Studio& studio, const std::vector<Case>& cases, const fs::path&
       break;
     }
     if (outcome.limit == Limit::wall || outcome.limit == Limit::cpu) ++timeouts;
-    drawn.faults[left.front().file] = end_of(outcome);
+    // A student's own machine runs its program plainly. Of any other, what it writes is nothing to rely on.
+    if (studio.run == run_plainly) place = crash_place(outcome.errors, studio.program, "labs");
+    drawn.crashed_at[left.front().file] = place;
+    drawn.faults[left.front().file] = end_of(outcome, place.empty() ? "here" : "at " + place);
     drawn.notes.push_back(fmt::format("{}: {}", left.front().name, end_of(outcome)));
     left.erase(left.begin());
   }
-  for (const Case& one : left)
-    drawn.faults[one.file] =
-        seconds_left(studio) > 0
-            ? "Not drawn: the program crashed or was stopped several times before this case"
-            : "Not drawn: the submission used up its time";
+  std::string why = "Not drawn: the program crashed or was stopped before this case";
+  if (!place.empty()) why += ", the last time at " + place;
+  if (seconds_left(studio) <= 0) why = "Not drawn: the submission used up its time";
+  for (const Case& one : left) drawn.faults[one.file] = why, drawn.crashed_at[one.file] = place;
   fs::remove_all(work);
   return drawn;
 }

@@ -26,35 +26,24 @@ double milliseconds(clockid_t clock) {
 // loading it took.
 const double loading = milliseconds(CLOCK_PROCESS_CPUTIME_ID), loaded_at = milliseconds(CLOCK_MONOTONIC);
 
-StageTime now() {
-  return {milliseconds(CLOCK_MONOTONIC), milliseconds(CLOCK_THREAD_CPUTIME_ID)};
-}
-
-void add(StageTime& sum, const StageTime& time, double factor = 1) {
-  sum.wall += factor * time.wall;
-  sum.processor += factor * time.processor;
-}
-
 }  // namespace
 
 Stage::Stage(const char* name) : name_(std::this_thread::get_id() == main_thread ? name : nullptr) {
   if (name_ == nullptr) return;
   outer_ = innermost;
   innermost = this;
-  begin_ = now();
+  begin_ = milliseconds(CLOCK_MONOTONIC);
 }
 
 Stage::~Stage() {
   if (name_ == nullptr) return;
   innermost = outer_;
-  StageTime time = now();
-  add(time, begin_, -1);
-  if (outer_ != nullptr) add(outer_->inner_, time);
-  add(time, inner_, -1);
+  const double time = milliseconds(CLOCK_MONOTONIC) - begin_;
+  if (outer_ != nullptr) outer_->inner_ += time;
   std::vector<NamedStage>& all = all_stages();
   auto found = std::find_if(all.begin(), all.end(), [&](const NamedStage& one) { return one.name == name_; });
-  if (found == all.end()) found = all.insert(found, {name_, {}});
-  add(found->time, time);
+  if (found == all.end()) found = all.insert(found, {name_, 0});
+  found->milliseconds += time - inner_;
 }
 
 std::vector<NamedStage> stage_times() {

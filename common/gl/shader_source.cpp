@@ -160,12 +160,9 @@ std::string at_missing_semicolon(const std::string& line, const std::vector<Code
 
 }  // namespace
 
-/// Whether a file's text stands above: not, in a branch of #if that may be left out, or surely.
-enum class Taken { never, perhaps, surely };
-
 struct ShaderSource::Reading {
   std::vector<std::size_t> open;  ///< the files that include each other, from the outermost on
-  std::vector<Taken> taken;       ///< by file
+  std::vector<bool> taken;        ///< by file: it stands above, in no branch of #if that may be left out
   int includes = 0;
 };
 
@@ -177,7 +174,7 @@ ShaderSource::ShaderSource(const std::filesystem::path& root, const std::string&
     : root_(root.lexically_normal()) {
   Reading reading;
   files_.push_back((root_ / name).lexically_normal());
-  reading.taken.push_back(Taken::surely);
+  reading.taken.push_back(true);
   expand(reading, 0, text, false);
   if (version_.empty())
     throw Error::failed("the shader has no #version", {shown_name(files_.front()), 1},
@@ -250,18 +247,14 @@ void ShaderSource::include(Reading& reading, const std::string& name, const Plac
       static_cast<std::size_t>(std::find(files_.begin(), files_.end(), target) - files_.begin());
   if (std::find(reading.open.begin(), reading.open.end(), file) != reading.open.end())
     return fault(fmt::format("'{}' includes itself", name));
-  if (file == files_.size()) files_.push_back(target), reading.taken.push_back(Taken::never);
-
-  if (reading.taken[file] == Taken::surely) return;
+  if (file == files_.size()) files_.push_back(target), reading.taken.push_back(false);
+  if (reading.taken[file]) return;
   if (++reading.includes > kMostIncludes)
     throw Error::failed(fmt::format("more than {} files are included", kMostIncludes), place);
-  const std::string guard = fmt::format("{}{}", kTaken, file);
-  const bool again = reading.taken[file] == Taken::perhaps;
-  reading.taken[file] = may_be_left_out ? Taken::perhaps : Taken::surely;
-  if (again) body_ += fmt::format("#ifndef {}\n", guard);
-  if (again || may_be_left_out) body_ += fmt::format("#define {}\n", guard);
+  reading.taken[file] = !may_be_left_out;
+  body_ += fmt::format("#ifndef {0}{1}\n#define {0}{1}\n", kTaken, file);
   expand(reading, file, read_file(target), may_be_left_out);
-  if (again) body_ += fmt::format("#endif  // {}\n", guard);
+  body_ += fmt::format("#endif  // {}{}\n", kTaken, file);
 }
 
 std::string at_missing_semicolons(std::string_view log, std::string_view text) {

@@ -14,6 +14,7 @@
 #include "app/lab.hpp"
 #include "app/reports.hpp"
 #include "app/settings.hpp"
+#include "core/crash.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/json.hpp"
@@ -31,6 +32,7 @@ struct CommandLine : window::WindowOptions {
   std::filesystem::path snapshot, batch, out, stats, mesh, save_config, assets;
   std::string context = "auto";
   std::unique_ptr<MoreOptions> more;  ///< or null
+  int frames = 0;
   bool list_parameters = false, list_views = false, print_shader = false, json = false;
 };
 
@@ -80,9 +82,7 @@ std::optional<CommandLine> read_command_line(app::AnyLab& lab, int argc, char** 
                  "Write as JSON what the scene contains and how long each stage took (- prints it)");
   if (MoreOptions::make != nullptr) line.more = MoreOptions::make(app);
   app.add_option("--mesh", line.mesh, "Write the vertices as drawn into a binary .ply");
-  app.add_option("--frames", line.frames,
-                 "Draw this many frames and print quantiles of their times; with --context window in the "
-                 "window, with its panel")
+  app.add_option("--frames", line.frames, "Draw this many frames and print quantiles of their times")
       ->check(CLI::Range(1, 1000000));
   app.add_option("--config", config, "Read all parameters from a TOML file");
   app.add_option("--save-config", line.save_config, "Write all parameters to a TOML file");
@@ -178,14 +178,26 @@ Json stages_so_far(double start) {
   const double total = milliseconds_since_start();
   Json stages = {{"start", start}};
   double other = total - start;
-  for (const auto& [name, time] : stage_times()) stages[name] = time.wall, other -= time.wall;
+  for (const auto& [name, time] : stage_times()) stages[name] = time, other -= time;
   stages["other"] = other, stages["total"] = total;
   return stages;
+}
+
+/// Of frames that took so many milliseconds each, at least one.
+std::string frame_times_as_text(std::vector<double> milliseconds, glm::ivec2 size) {
+  std::sort(milliseconds.begin(), milliseconds.end());
+  const auto quantile = [&](double q) {
+    return milliseconds[static_cast<std::size_t>(q * static_cast<double>(milliseconds.size() - 1))];
+  };
+  return fmt::format("{} frames of {}x{}: median {:.2f} ms, 5 % {:.2f} ms, 95 % {:.2f} ms, most {:.2f} ms\n",
+                     milliseconds.size(), size.x, size.y, quantile(0.5), quantile(0.05), quantile(0.95),
+                     milliseconds.back());
 }
 
 /// Everything that needs a context but no window.
 void run_headless(app::AnyLab& lab, const app::Assets& assets, const CommandLine& line) {
   const double start = milliseconds_since_start();
+  report_crashes();
   const app::View view = app::find_view(lab, line.view);
   const glm::ivec2 size = line.size.value_or(kSnapshotSize);
   if (!line.snapshot.empty()) app::check_ending(line.snapshot, view);
@@ -214,7 +226,7 @@ void run_headless(app::AnyLab& lab, const app::Assets& assets, const CommandLine
     draw();  // compiles and loads
     std::vector<double> times(static_cast<std::size_t>(line.frames));
     std::ranges::generate(times, draw);
-    fmt::print("{}", app::frame_times_as_text(std::move(times), size));
+    fmt::print("{}", frame_times_as_text(std::move(times), size));
   }
   if (line.snapshot.empty() && line.stats.empty()) return;
 
@@ -247,7 +259,7 @@ void run_as_asked(app::AnyLab& lab, const CommandLine& line) {
   const app::Assets assets(line.assets);
   const bool headless = !line.snapshot.empty() || !line.batch.empty() || !line.stats.empty() ||
                         !line.mesh.empty() || (line.more && line.more->is_headless()) || line.print_shader ||
-                        (line.frames > 0 && line.context != "window");
+                        line.frames > 0;
   if (headless)
     run_headless(lab, assets, line);
   else if (line.context == "osmesa" || line.context == "egl")

@@ -7,14 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "app/gestures.hpp"
-#include "app/reports.hpp"
 #include "app/settings.hpp"
 #include "core/error.hpp"
-#include "core/stages.hpp"
 #include "window_class.hpp"
 
 namespace texel::window {
@@ -28,14 +25,6 @@ constexpr double kTruthMilliseconds = 80;   // a frame may work so long on the e
 /// After an event: the first frame finds what it does, the second draws it and measures what opens, and the
 /// third has that in its place.
 constexpr int kFramesToSettle = 2;
-
-/// Of the main thread: on a software renderer its rasteriser wants the same processors.
-double plumbing_milliseconds() {
-  double sum = 0;
-  for (const auto& [name, time] : stage_times())
-    if (name == "panel" || name == "statistics" || name == "parameters") sum += time.processor;
-  return sum;
-}
 
 }  // namespace
 
@@ -99,38 +88,6 @@ void Window::run() {
   }
 }
 
-void Window::time_frames(int count) {
-  open();
-  wait_until_shown();
-  const double first = milliseconds_since_start();
-  show();
-  wait_until_shown();
-  const double panel = milliseconds_since_start();
-  while (is_busy()) frame();
-  const double before = plumbing_milliseconds();
-  std::vector<double> times;
-  for (int i = 0; i < count; ++i) {
-    const Stopwatch stopwatch;
-    drawn_.clear();
-    glfwPollEvents();
-    frame();
-    wait_until_shown();
-    times.push_back(stopwatch.milliseconds());
-  }
-  const double plumbing = plumbing_milliseconds() - before;
-  const double share = plumbing / std::accumulate(times.begin(), times.end(), 0.0);
-  fmt::print(
-      "the first after {:.0f} ms, the panel after {:.0f} ms\n{}"
-      "panel, statistics and parameters: {:.3f} ms a frame, {:.2f} %\n",
-      first, panel, app::frame_times_as_text(std::move(times), picture_pixels()), plumbing / count,
-      100 * share);
-}
-
-void Window::wait_until_shown() const {
-  glFinish();
-  glfwGetCursorPos(window(), nullptr, nullptr);
-}
-
 bool Window::turning() {
   // The exact answer takes longer than a frame: under the view `error`, and while a section measures by it,
   // the model stands still.
@@ -166,16 +123,13 @@ void Window::open() {
 void Window::frame() {
   ask_size();
   if (!is_seen() || !gui_) return;  // or not yet opened
-  {
-    const Stage stage("panel");
-    watch();
-    follow_steps();
-    const double seconds = std::min(frame_clock_.milliseconds() / 1000, 0.2);
-    frame_clock_ = Stopwatch();
-    if (turning()) app::turn(lab_.parameters(), kTurnPerSecond * seconds);
-    state_.dock = dock_size(state_, room(), scale_);
-    if (drag_ == Drag::none && !ImGui::IsAnyItemActive()) history_.note(save_look(lab_.parameters(), state_));
-  }
+  watch();
+  follow_steps();
+  const double seconds = std::min(frame_clock_.milliseconds() / 1000, 0.2);
+  frame_clock_ = Stopwatch();
+  if (turning()) app::turn(lab_.parameters(), kTurnPerSecond * seconds);
+  state_.dock = dock_size(state_, room(), scale_);
+  if (drag_ == Drag::none && !ImGui::IsAnyItemActive()) history_.note(save_look(lab_.parameters(), state_));
   try {
     if (state_.looks_open && !state_.looks->are_drawn()) {
       state_.looks->draw_next(context_, assets_, lab_);
@@ -200,19 +154,16 @@ void Window::show_picture() {
 void Window::show() {
   if (!is_seen()) return;
   show_picture();
-  {
-    const Stage stage("panel");
-    Gui::begin_frame();
-    if (drag_ == Drag::split_line || over_line()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    draw_panel(lab_, state_, scale_);
-    draw_overlay(lab_, state_, picture_units(), pixels_per_unit(), scale_);
-    draw_step(state_, units_, scale_);
-    perform(std::exchange(state_.wanted, Action::none));  // what it opens is drawn in this frame
-    draw_pixel(state_, picture_units(), pixels_per_unit(), scale_);
-    draw_looks(lab_, state_, picture_units(), scale_);
-    draw_keys(state_, picture_units());
-    ImGui::Render();
-  }
+  Gui::begin_frame();
+  if (drag_ == Drag::split_line || over_line()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  draw_panel(lab_, state_, scale_);
+  draw_overlay(lab_, state_, picture_units(), pixels_per_unit(), scale_);
+  draw_step(state_, units_, scale_);
+  perform(std::exchange(state_.wanted, Action::none));  // what it opens is drawn in this frame
+  draw_pixel(state_, picture_units(), pixels_per_unit(), scale_);
+  draw_looks(lab_, state_, picture_units(), scale_);
+  draw_keys(state_, picture_units());
+  ImGui::Render();
   Gui::end_frame(pixels_);
   glfwSwapBuffers(window());
 }
@@ -295,16 +246,11 @@ void Window::draw_picture() {
     // for the statistics only, and not shown: they would pass for an error.
     const bool is_unknown = !state_.no_truth.empty();
     const app::View view = truth_share_ < 1 || is_unknown ? app::View::color : state_.view;
-    std::string look;
-    {
-      const Stage stage("parameters");
-      look = fmt::format("{} {} {}x{} {} {} {}", lab_.parameters().key(),
-                         name_of(is_unknown ? state_.view : view), size.x, size.y, state_.wireframe,
-                         state_.axes, state_.statistics_open);
-      if (state_.split)
-        look +=
-            fmt::format(" {}={} {}", state_.split->parameter, state_.split->value, state_.split->position);
-    }
+    std::string look =
+        fmt::format("{} {} {}x{} {} {} {}", lab_.parameters().key(), name_of(is_unknown ? state_.view : view),
+                    size.x, size.y, state_.wireframe, state_.axes, state_.statistics_open);
+    if (state_.split)
+      look += fmt::format(" {}={} {}", state_.split->parameter, state_.split->value, state_.split->position);
     if (look == drawn_) return;
     drawn_ = look;
     const Stopwatch stopwatch;
@@ -360,11 +306,7 @@ void Window::inspect() {
 }
 
 void run_window(app::AnyLab& lab, const app::Assets& assets, const WindowOptions& options) {
-  Window window(lab, assets, options);
-  if (options.frames > 0)
-    window.time_frames(options.frames);
-  else
-    window.run();
+  Window(lab, assets, options).run();
 }
 
 }  // namespace texel::window

@@ -19,15 +19,7 @@ class Window {
 
   void run();
 
-  /// Draws `count` frames as they are on a change of the look, and prints when the first picture stood, and
-  /// the panel, how long the others took, and which part of that the panel, the statistics and the parameters
-  /// had.
-  void time_frames(int count);
-
  private:
-  /// The X server answers when the picture is on the screen.
-  void wait_until_shown() const;
-
   static Window& self(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
   [[nodiscard]] GLFWwindow* window() const { return context_.window(); }
   [[nodiscard]] bool turning();

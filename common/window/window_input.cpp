@@ -268,23 +268,17 @@ void Window::write_picture(const std::filesystem::path& file) {
 }
 
 void Window::go_on_with_turntable() {
-  auto& [folder, written] = *turntable_;
+  auto [folder, written] = *std::exchange(turntable_, {});  // an error ends it
   const app::KeptValues before(lab_.parameters());
   fit_view();
   params::Parameter* turn = lab_.parameters().find("turn");
   params::Parameter& angle = turn != nullptr ? *turn : lab_.parameters().at("yaw");
   angle.set_value(std::remainder(angle.value() + 360.0 * written / kTurntablePictures, 360));
-  try {
-    canvas_.draw(state_.view, picture_pixels(), options_.samples);
-    const std::filesystem::path file = folder / fmt::format("{:03}.png", written);
-    app::take_snapshot(canvas_, lab_, state_.view, picture_pixels(), file)();
-  } catch (const Error&) {
-    turntable_.reset();
-    throw;
-  }
-  ++written;
-  state_.message = fmt::format("{} of {} pictures in {}/", written, kTurntablePictures, folder.string());
-  if (written == kTurntablePictures) turntable_.reset();
+  canvas_.draw(state_.view, picture_pixels(), options_.samples);
+  const std::filesystem::path file = folder / fmt::format("{:03}.png", written);
+  app::take_snapshot(canvas_, lab_, state_.view, picture_pixels(), file)();
+  state_.message = fmt::format("{} of {} pictures in {}/", ++written, kTurntablePictures, folder.string());
+  if (written < kTurntablePictures) turntable_ = {folder, written};
   drawn_.clear();
 }
 

@@ -13,14 +13,12 @@ sys.dont_write_bytecode = True
 from course import run, write  # noqa: E402
 from performance_grading import measure_grading  # noqa: E402
 from performance_kernels import measure_kernels  # noqa: E402
-from performance_labs import (measure_batches, measure_frames, measure_one_more, measure_peers, measure_snapshots,  # noqa: E402
-                              measure_window_start)
+from performance_labs import measure_batches, measure_one_more, measure_peers, measure_snapshots  # noqa: E402
 from performance_report import Report, Setting  # noqa: E402
 from performance_waits import measure_tests, measure_waits  # noqa: E402
 
 PARTS = {"snapshots": measure_snapshots, "warm": measure_one_more, "batch": measure_batches, "grading": measure_grading,
-         "kernels": measure_kernels, "frames": measure_frames, "start": measure_window_start, "peers": measure_peers, "waits": measure_waits,
-         "tests": measure_tests}
+         "kernels": measure_kernels, "peers": measure_peers, "waits": measure_waits, "tests": measure_tests}
 
 
 def main():

@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Labs beside a floor (tests/bench/floor.cpp) and beside three.js: a first picture, one more, many in a batch, in the window."""
+"""Labs beside a floor (tests/bench/floor.cpp) and beside three.js: a first picture, one more, many in a batch."""
 import json
-import os
-import re
 
-from course import ROOT, Failure
+from course import ROOT
 from performance_report import bench_file, check_same, interleaved, output_of, run_process, time_of
 
 LABS = {"lab 1": "lab01_texture_quad", "lab 5": "lab05_normal_map", "lab 9": "lab09_bump"}
@@ -84,46 +82,6 @@ def measure_batches(setting, report):
     every = [{"name": str(i), "view": views[i // len(methods) % len(views)], "set": {"method": methods[i % len(methods)], "yaw": i}}
              for i in range(BATCH)]
     add_batch(setting, report, "lab 5, all methods, four views", LAB, every, 0)
-
-
-def window_times(lab, frames, *arguments, variables=None):
-    """Milliseconds of the first picture, the panel, a frame, and of panel, statistics and parameters in it."""
-    text = output_of(lab, "--frames", frames, "--context", "window", *arguments, variables=variables)
-    found = [re.search(after + r"\s*([\d.]+)", text) for after in ("the first after ", "the panel after ", "median ", "parameters: ")]
-    if not all(found):
-        raise Failure(f"{lab}: prints no times: {text}")
-    return [float(time[1]) for time in found]
-
-
-def has_display():
-    if "DISPLAY" not in os.environ:
-        print("  skipped: there is no display; ./run performance has one")
-    return "DISPLAY" in os.environ
-
-
-def measure_frames(setting, report):
-    report.begin("The panel's share of a frame", """
-        A window of 960x720 with its panel on a software renderer. What panel, statistics and parameters take of the main thread's
-        processor, beside the whole frame: drawn, shown, answered by the X server.""", "panel, statistics, parameters", "frame")
-    for name, lab in LABS.items() if has_display() else ():
-        times = [window_times(lab, 60) for _ in range(setting.rounds)]
-        report.add(name, "ms", [(plumbing, frame) for _, _, frame, plumbing in times], at_most=0.02)
-
-
-def measure_window_start(setting, report):
-    report.begin("A window's first picture", """
-        From the start of the process until the first picture is on the screen, and until the panel is, which comes with the next;
-        beside the floor's snapshot, from the start of its process to its end. *Shaders kept*: both with the driver's cache of
-        shaders, as users have them from the second time on. Without it the driver translates the panel's shader after the
-        picture's. Both draw the plain look (`--view color`). With the best look, with which lab 5 opens, its picture comes 50 ms
-        later than with the plain one (16 rounds, alone). The panel comes 55 to 59 ms after the picture where its shader is
-        translated, and 13 to 14 where that is kept.""", "window", "floor")
-    for what, variables in (("", {}), (", shaders kept", setting.kept_shaders)) if has_display() else ():
-        times = [(window_times(LAB, 1, "--view", "color", variables=variables),
-                  time_of(FLOOR, ASSETS, setting.work / "floor.png", variables=variables)) for _ in range(setting.rounds + bool(variables))]
-        times = times[bool(variables):]  # the first one filled the cache
-        report.add(f"lab 5, the picture{what}", "ms", [(own[0], other) for own, other in times], at_most=1.4)
-        report.add(f"lab 5, the panel{what}", "ms", [(own[1], other) for own, other in times], at_most=1.4)
 
 
 def measure_peers(setting, report):

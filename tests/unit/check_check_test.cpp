@@ -40,7 +40,8 @@ class CheckedPictures : public testing::Test {
       if (spoil) spoil(out, cases);
       Drawn drawn;
       for (const course::Case& one : cases)
-        if (!fs::exists(out / one.file)) drawn.faults[one.file] = "not drawn";
+        if (!fs::exists(out / one.file))
+          drawn.faults[one.file] = "not drawn", drawn.crashed_at[one.file] = crashed_at_;
       // What an earlier check drew is still there.
       for (const auto& [file, fault] : drawn.faults) write_file(out / file, "old");
       return drawn;
@@ -55,6 +56,7 @@ class CheckedPictures : public testing::Test {
   test::TemporaryFolder folder_;
   OwnTree tree_{TEXEL_SOURCE, folder_ / "build"};
   course::Lab lab_;
+  std::string crashed_at_;
 };
 
 /// `see` and the window show a picture when a watch may be checking the lab again.
@@ -93,6 +95,20 @@ TEST_F(CheckedPictures, earn_all_or_nothing) {
     if (!one.passed() && judge::score(one.error / one.limit) > 0) ++wrong;
   }
   EXPECT_GE(wrong, 1) << "a score of a part, which a class would give";
+}
+
+TEST_F(CheckedPictures, are_missing_by_the_step_in_whose_file_the_program_crashed) {
+  const std::string first = checked().begin()->second.file;
+  for (const auto& [place, step] : {std::pair("", ""),
+                                    {"labs/06_cube_map/scene.hpp:3", ""},
+                                    {"labs/06_cube_map/upload_faces.cpp:2", "6.3"},
+                                    {"labs/06_cube_map/upload_faces.cpp:14", "6.3"},
+                                    {"labs/01_texture_quad/lab.cpp:1", "1.2"},
+                                    {"labs/01_texture_quad/lab.cpp:999", "1.5"}}) {
+    crashed_at_ = place;
+    for (const auto& [name, one] : checked([&](const fs::path&out, const auto&) { fs::remove(out / first); }))
+      EXPECT_EQ(one.crashed_in, one.file == first ? step : "") << place << " " << name;
+  }
 }
 
 TEST_F(CheckedPictures, have_known_mistakes_beside_them_or_an_error_names_the_file) {

@@ -117,6 +117,22 @@ TEST(Waiting, a_program_that_ends_is_the_fault_of_what_was_begun) {
   EXPECT_EQ(first.steps[2].status, judge::Status::failed);
 }
 
+TEST(Waiting, a_crash_is_the_fault_of_the_step_in_whose_lines_it_happened) {
+  judge::LabResult first =
+      lab(1, {{"1.1", false}, {"1.2", false}, {"1.3", false}}, {{"1.2", {"1.1"}}, {"1.3", {"1.1", "1.2"}}});
+  for (judge::StepResult& step : first.steps) {
+    judge::CaseResult& one = step.cases.emplace_back();
+    one.died = true, one.message = "crashed at labs/01_a/third.cpp:7", one.crashed_in = "1.3";
+  }
+  skip_those_that_wait(first, {});
+  for (std::size_t i : {0, 1}) {
+    EXPECT_EQ(first.steps[i].status, judge::Status::skipped) << "it may be right";
+    EXPECT_EQ(first.steps[i].spoilt_by, Steps{"1.3"});
+    EXPECT_EQ(first.steps[i].message, "In step 1.3: crashed at labs/01_a/third.cpp:7");
+  }
+  EXPECT_EQ(first.steps[2].status, judge::Status::failed) << "what it needs is not known to be wrong";
+}
+
 TEST(Waiting, does_not_skip_a_known_mistake_while_nothing_explains_what_it_needs) {
   const auto steps_with = [](const std::string& mistake_of_first, bool is_untouched) {
     judge::LabResult first =

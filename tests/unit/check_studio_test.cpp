@@ -89,8 +89,7 @@ TEST_F(StudioTest, blames_the_picture_at_which_the_program_died_and_has_the_othe
 TEST_F(StudioTest, starts_a_program_that_dies_four_times_at_the_most) {
   draw_all({"a", "dies1", "dies2", "b", "dies3", "dies4", "c"}, {"a", "b"},
            {"c", "dies1", "dies2", "dies3", "dies4"});
-  EXPECT_EQ(drawn_.faults["c.png"],
-            "Not drawn: the program crashed or was stopped several times before this case");
+  EXPECT_EQ(drawn_.faults["c.png"], "Not drawn: the program crashed or was stopped before this case");
 }
 
 TEST_F(StudioTest, empties_the_output_before_each_start_and_takes_pictures_alone) {

@@ -145,7 +145,7 @@ TEST(InParallel, throws_the_same_of_several_whichever_comes_first) {
 /// What a stage has taken so far, milliseconds on the wall.
 double wall_of(const std::string& name) {
   for (const NamedStage& stage : stage_times())
-    if (stage.name == name) return stage.time.wall;
+    if (stage.name == name) return stage.milliseconds;
   return -1;
 }
 
@@ -171,7 +171,6 @@ TEST(Stages, leave_out_what_is_begun_within_and_what_other_threads_do) {
   { const Stage again("inner"); }
   EXPECT_GE(wall_of("inner"), inner);
   EXPECT_EQ(wall_of("outer"), outer);
-  for (const NamedStage& stage : stage_times()) EXPECT_LT(stage.time.processor, 20) << stage.name << " slept";
 }
 
 TEST(ScratchFolder, is_new_and_goes_with_all_that_is_in_it) {

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string>
-#include <vector>
 
 #include "app/canvas.hpp"
 
 namespace texel::app {
-
-/// What --frames prints of frames that took so many milliseconds each, at least one.
-std::string frame_times_as_text(std::vector<double> milliseconds, glm::ivec2 size);
 
 /// The lab's programs that were compiled, each with where its constants and uniforms come from.
 std::string shaders_as_text(const gl::ProgramCache& programs, const params::Set& parameters, View view);

@@ -35,6 +35,8 @@ struct Drawn {
   /// Of those that the lab's program refused to draw: the file and line that it blames, as "cube.obj:9", or
   /// "". Not of those at which it died or never ended, as it does by many mistakes.
   std::map<std::string, std::string> refused;
+  /// Of those at which a plain process died, and those after them: where, as "labs/03_obj/a.cpp:41", or "".
+  std::map<std::string, std::string> crashed_at;
   std::vector<std::string> notes;
   std::string renderer;  ///< the driver that drew, as the program says it, or ""
 };

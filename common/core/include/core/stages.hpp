@@ -5,11 +5,6 @@
 
 namespace texel {
 
-/// The time of a stage in milliseconds: wall-clock time, and processor time of the main thread.
-struct StageTime {
-  double wall = 0, processor = 0;
-};
-
 /// While it lives, time counts for the stage of that name. A stage inside another does not count for
 /// the outer one. Only the main thread is measured: work of other threads counts for no stage.
 class Stage {
@@ -22,12 +17,12 @@ class Stage {
  private:
   const char* name_;  ///< none on other threads
   Stage* outer_ = nullptr;
-  StageTime begin_, inner_;
+  double begin_ = 0, inner_ = 0;
 };
 
 struct NamedStage {
   std::string name;
-  StageTime time;
+  double milliseconds;
 };
 
 /// All stages since the process began, in the order in which they first ended.

@@ -48,8 +48,9 @@ struct CaseResult : course::Case {
   std::string command;       ///< draws this picture, typed in the student's tree: "./run lab 5 --turn 50 …"
   std::string picture;  ///< the student's file, relative to the results' folder; "" when there is none or it
                         ///< is as good as the reference
-  std::string reference;  ///< the expected one, relative as well; "" where it stays secret
-  bool died = false;      ///< the program ended before it was drawn; only in check
+  std::string reference;   ///< the expected one, relative as well; "" where it stays secret
+  bool died = false;       ///< the program ended before it was drawn; only in check
+  std::string crashed_in;  ///< the step in whose lines it ended then, or "": nobody can say
 
   [[nodiscard]] bool passed() const { return status == Status::passed; }
   [[nodiscard]] bool is_alone() const { return judged == Judged::alone; }

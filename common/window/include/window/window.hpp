@@ -14,12 +14,11 @@ struct WindowOptions {
   std::string view = "color";
   std::string see;  ///< a step that the window shows first: "5.1"
   int samples = 4;
-  int frames = 0;           ///< so many are drawn and timed; 0: it stays open
   bool look_given = false;  ///< a parameter other than turn, a view or a step: the window opens with it
   bool turn_given = false;  ///< the user chose how far the model is turned: it does not turn by itself
 };
 
-/// Opens the lab's window and runs until it is closed, or until the frames are timed.
+/// Opens the lab's window and runs until it is closed.
 void run_window(app::AnyLab& lab, const app::Assets& assets, const WindowOptions& options);
 
 }  // namespace texel::window
