@@ -174,6 +174,8 @@ class Record {
   /// Cases judged by this run, and students whom the machine kept from being graded in full.
   [[nodiscard]] std::size_t judged() const { return judged_; }
   [[nodiscard]] std::size_t incidents() const;
+  /// How long each student of this run took, the slowest first: a table with the columns id and seconds.
+  [[nodiscard]] std::string times_as_csv() const;
   /// Since this was made.
   [[nodiscard]] double seconds() const { return stopwatch_.milliseconds() / 1000; }
 
@@ -191,6 +193,7 @@ class Record {
   std::mutex mutex_;
   double said_ = 0;  ///< seconds at which `say_` was called last
   std::map<std::pair<std::string, std::string>, double> running_;  ///< since when, by student and lab
+  std::map<std::string, double> took_;                             ///< seconds of all labs, by student
 };
 
 }  // namespace texel::grade

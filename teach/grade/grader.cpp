@@ -221,6 +221,7 @@ GradeSummary grade_class(const GradeOptions& given, const std::function<void(con
   if (as_another_user) check_access(options);
   grade_students(options, setup, record, entries, jobs);
   fs::remove_all(options.out / "work");
+  write_file(options.out / "times.csv", record.times_as_csv());
   remove_unused(options.cache);
   return {entries.size(), record.judged(), record.incidents(), record.seconds()};
 }

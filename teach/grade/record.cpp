@@ -110,8 +110,18 @@ void Record::end_lab(const Entry& entry, const course::Lab& plan, const JudgedLa
   store_->put_incident(entry.id, plan.folder, incident);
   finished_ += judged_before;
   const std::scoped_lock lock(mutex_);
+  took_[entry.id] += seconds() - running_[{entry.id, plan.folder}];
   running_.erase({entry.id, plan.folder});
   progress();
+}
+
+std::string Record::times_as_csv() const {
+  std::vector<std::pair<double, std::string>> times;
+  for (const auto& [id, time] : took_) times.emplace_back(time, id);
+  std::ranges::sort(times, std::greater());
+  std::string text = "id,seconds\n";
+  for (const auto& [time, id] : times) text += fmt::format("{},{:.1f}\n", id, time);
+  return text;
 }
 
 std::size_t Record::incidents() const {

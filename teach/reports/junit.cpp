@@ -50,7 +50,7 @@ std::string test_case(const judge::CaseResult& result, const judge::StepResult& 
   const std::string typed = command(result);
   std::string said;
   for (const std::string& line : {cause(result.mistake_says), judging(step), distance(result), place(step),
-                                  step.hints.empty() ? "" : "Hint: " + step.hints.front(), typed})
+                                  hint(step).empty() ? "" : "Hint: " + hint(step), typed})
     if (!line.empty()) said += "\n" + quoted(line);
   const std::string files = attachments(result, folder);
   return fmt::format("{}>\n   <failure message=\"{}\" type=\"{}\">{}</failure>\n{}  </testcase>\n", opening,

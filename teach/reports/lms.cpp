@@ -55,7 +55,7 @@ std::string advice(const judge::StepResult& step) {
   add_line(text, judging(step));
   if (!step.overridden.empty()) add_line(text, "The teacher set these points: " + step.overridden);
   add_line(text, cause(step.mistake_says));
-  if (!step.hints.empty()) add_line(text, "Hint: " + step.hints.front());
+  if (!hint(step).empty()) add_line(text, "Hint: " + hint(step));
   if (!step.file.empty()) add_line(text, "Written in " + place(step));
   return text;
 }

@@ -92,7 +92,7 @@ class StudentPage {
     data["isExplained"] =
         step.status != judge::Status::passed && (student_.fault.empty() || step.message != student_.fault);
     data["place"] = place(step);
-    data["hint"] = step.hints.empty() ? "" : step.hints.front();
+    data["hint"] = hint(step);
     // The message is the first failed case's, which has it again with its picture.
     const bool said_below = !std::ranges::all_of(step.cases, &judge::CaseResult::passed);
     data["message"] = said_below ? "" : step.message;

@@ -72,6 +72,13 @@ std::string cause(const std::string& says) {
   return says.empty() ? "" : fmt::format("This looks like: {}", says);
 }
 
+std::string hint(const judge::StepResult& step) {
+  if (step.hints.empty()) return "";
+  const std::size_t most = step.hints.size() - 1;
+  const bool is_partly_right = std::ranges::any_of(step.cases, &judge::CaseResult::passed);
+  return step.hints[step.is_untouched() ? 0 : is_partly_right ? most : std::min<std::size_t>(1, most)];
+}
+
 std::string distance(const judge::CaseResult& result) {
   if (!std::isfinite(result.error)) return "";
   return fmt::format("{}{:.3g} {} off; full marks up to {:.3g}", result.is_alone() ? "judged alone, " : "",

@@ -324,6 +324,12 @@ class GradedClass(GraderTest):
             for path, text in ((f"gradescope/{student}/results.json", '"tests"'), (f"prairielearn/{student}/results.json", '"score"'),
                                (f"junit/{student}.xml", "</testsuites>"), (f"report/{student}.html", "</html>"), ("report/index.html", "</html>")):
                 self.assertIn(text, (out / path).read_text(encoding="utf-8"))
+        with open(out / "times.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(sorted(row["id"] for row in rows), sorted(self.few.students))
+        seconds = [float(row["seconds"]) for row in rows]
+        self.assertEqual(seconds, sorted(seconds, reverse=True))
+        self.assertGreater(seconds[0], 0)
 
     def test_tells_a_student_who_packs_the_whole_folder_only_what_is_theirs(self):
         """The guide tells students to hand in the whole folder. What they did not change is not worth a line."""

@@ -297,6 +297,20 @@ TEST_F(Reports, refuse_an_id_that_leaves_the_folder) {
   EXPECT_THROW(write_html(results_, folder_), Error);
 }
 
+TEST(ReportHint, is_plainer_the_nearer_a_step_is) {
+  judge::StepResult step;
+  EXPECT_EQ(hint(step), "");
+  step.hints = {"vague", "nearer", "plain"};
+  step.cases.resize(2);
+  EXPECT_EQ(hint(step), "nearer");
+  step.cases[1].status = judge::Status::passed;
+  EXPECT_EQ(hint(step), "plain");
+  step.cases[0].status = judge::Status::untouched;
+  EXPECT_EQ(hint(step), "vague");
+  step.hints = {"only"}, step.cases.clear();
+  EXPECT_EQ(hint(step), "only");
+}
+
 TEST(ReportNumbers, keep_24_bits_of_a_float_to_2_to_the_power_of_minus_16) {
   const auto back = [](float value) { return std::bit_cast<float>(upper24(value) << 8U); };
   std::mt19937 random(7);
