@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // node tests/web_site/loads.mjs OUT_WEB COURSE: what a lab's page loads. The engine gets the bytes of the tree's pictures from their
-// WebP files; the code of a page has at most 1.2 MB compressed; from a server that knows nothing but files, below a path; and without a
+// WebP files; the code of a page has at most 1.2 MB compressed; its first paint has the picture that it opens with; from a server that knows nothing but files, below a path; and without a
 // net after the first visit. Exit code 1 where one of this does not hold, 77 where the pages are not built.
-import { existsSync, readFileSync } from "node:fs";
+import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
@@ -16,10 +16,45 @@ if (!existsSync(join(site, "engine/engine.wasm"))) {
 }
 const { PNG } = createRequire(join(course, "teach/web/site/package.json"))("pngjs");
 const kMostCode = 1.2e6;
+// Between a page's still and its live picture. The nearest texels of lab 1's fine checker make another pattern in a picture of another
+// size: 15 were measured there, and at most 3.6 in the others.
+const mostJump = (folder) => (folder.startsWith("01") ? 45 : 12);
 let wrong = 0;
 const hold = (holds, text) => { wrong += holds ? 0 : 1; console.log(`${holds ? "ok    " : "WRONG "} ${text}`); };
 
 const server = await serve(site, "/a/path/"), browser = await launch();
+
+/** The largest difference of a block's mean colour between what a page shows first and its live picture. */
+async function jump(url) {
+  const context = await browser.createBrowserContext(), page = await context.newPage(), held = [];
+  await page.setViewport({ width: 1300, height: 900 });
+  await page.setRequestInterception(true);
+  const holdBack = (request) => (request.url().endsWith("engine/worker.mjs") ? held.push(request) : request.continue());
+  page.on("request", holdBack);
+  await page.goto(url, { waitUntil: "domcontentloaded" });
+  await page.addStyleTag({ content: ".divider, .legend-place, .spoken { display: none !important }" });
+  const shot = async () => PNG.sync.read(Buffer.from(await (await page.$(".picture")).screenshot()));
+  const still = await shot();
+  page.off("request", holdBack);
+  held.forEach((request) => request.continue());
+  await page.setRequestInterception(false);
+  await page.evaluate(() => texel.ready);
+  const live = await shot(), kBlock = 40;
+  let most = 0;
+  for (let y = 0; y + kBlock <= live.height; y += kBlock)
+    for (let x = 0; x + kBlock <= live.width; x += kBlock)
+      for (let c = 0; c < 3; ++c) {
+        let sum = 0;
+        for (let i = 0; i < kBlock * kBlock; ++i) {
+          const at = 4 * ((y + Math.floor(i / kBlock)) * live.width + x + (i % kBlock)) + c;
+          sum += still.data[at] - live.data[at];
+        }
+        most = Math.max(most, Math.abs(sum) / kBlock ** 2);
+      }
+  await context.close();
+  return most;
+}
+
 try {
   const page = await browser.newPage();
   const asked = [], failed = [];
@@ -51,6 +86,11 @@ try {
   const code = [...new Set(asked)].filter((url) => /\.(html|m?js|css|json|wasm)$/.test(url));
   const bytes = code.reduce((sum, url) => sum + gzipSync(readFileSync(join(site, new URL(url).pathname.replace("/a/path/", "")))).length, 0);
   hold(code.length > 5 && bytes <= kMostCode, `${code.length} files of code have ${bytes} bytes compressed, at most ${kMostCode}`);
+
+  for (const folder of readdirSync(site).filter((name) => /^\d\d_/.test(name))) {
+    const most = await jump(`${server.url}${folder}/index.html`);
+    hold(most <= mostJump(folder), `${folder}: the still and the live picture differ by ${most.toFixed(1)} of 255 in a block, at most ${mostJump(folder)}`);
+  }
 
   // What it keeps for a time without a net, it loads when it has drawn.
   const first = await page.evaluate(async () => Array.from((await texel.draw({ size: "64x64" })).data));

@@ -2,7 +2,7 @@
 // The pages of the labs in a real browser, with a stand-in for the engine (engine/). CHROMIUM names the browser.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { cpSync, existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
@@ -26,7 +26,12 @@ let server, browser, page, complaints;
 
 before(async () => {
   cpSync(join(here, "engine"), join(folder, "engine"), { recursive: true });
-  const built = spawnSync(process.execPath, [join(site, "build.mjs"), "--out", folder], { encoding: "utf8" });
+  // Of a program that draws: the pages need no more of it.
+  const programs = join(folder, "programs"), program = join(programs, "lab05_normal_map");
+  mkdirSync(programs);
+  writeFileSync(program, `#!/bin/sh\nwhile [ "$1" != --snapshot ] && [ $# -gt 0 ]; do shift; done\n` +
+    `if [ $# -gt 0 ]; then cp "${join(here, "../../docs/pictures/05_normal_map.png")}" "$2"; else echo "[]"; fi\n`, { mode: 0o755 });
+  const built = spawnSync(process.execPath, [join(site, "build.mjs"), "--out", folder, "--programs", programs], { encoding: "utf8" });
   assert.equal(built.status, 0, built.stderr);
   server = await serve(folder, "/some/where/");
   browser = await puppeteer.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", headless: true,
@@ -138,6 +143,22 @@ test("without a state in the address the lab opens on its lesson, with names at 
   assert.deepEqual(await names(), ["as it is", "in the frame"]);
   await page.select("#compare-value", "averaged");
   assert.deepEqual(await names(), ["raw", "averaged"]);
+});
+
+test("the first paint has the picture that the lab opens with, and no other", async () => {
+  await page.evaluateOnNewDocument(() => addEventListener("DOMContentLoaded", () => (window.begins = document.querySelectorAll(".still").length)));
+  const begins = () => page.evaluate(() => window.begins);
+  await open("");
+  assert.equal(await begins(), 1);
+  assert.equal(await page.$(".still"), null, "the live picture is there");
+  await open("?look=default");
+  assert.equal(await begins(), 0);
+  await type("  return right;");
+  await badge("done");
+  await open("");
+  assert.equal(await begins(), 0, "what was written may draw another picture");
+  await page.goto(`${server.url}09_bump/index.html`);
+  assert.equal(await begins(), 0, "its program is not built");
 });
 
 test("the picture follows the text, and goes back", async () => {

@@ -11,7 +11,7 @@ import esbuild from "esbuild";
 import { readLabs } from "./build/course.mjs";
 import { documents, handout } from "./build/handout.mjs";
 import { indexPage, labPage, textPage } from "./build/page.mjs";
-import { asWebp, galleryPicture, pictureSize, pngSize, smallPicture } from "./build/pictures.mjs";
+import { asWebp, galleryPicture, pictureSize, pngSize, smallPicture, still } from "./build/pictures.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 
@@ -84,7 +84,8 @@ function pages() {
       thumbnails.set(look.name, `looks/${look.name}.webp`);
     }
     const markdown = readFileSync(join(tree, "labs", lab.folder, "README.md"), "utf8");
-    write(`${lab.folder}/index.html`, labPage({ lab, labs, handout: handout(markdown, lab, copies, sizeOf), thumbnails }));
+    write(`${lab.folder}/index.html`, labPage({ lab, labs, handout: handout(markdown, lab, copies, sizeOf), thumbnails,
+      still: still(programs && join(programs, `lab${lab.folder}`), tree, lab.opening) }));
   }
   for (const [file, folder] of Object.entries(documents)) {
     const markdown = readFileSync(join(tree, file), "utf8");

@@ -5,6 +5,7 @@
 // - cold_ms: of three.js, from the start of a browser to the first picture,
 // - first_picture_ms: from navigation to the first picture, and bytes: loaded when the page says that it is ready. In a browser
 //   that has drawn both and is at rest, on a fresh page without a cache,
+// - still_ms: of ours, from navigation until the still that stands for the first picture is on the screen,
 // - antialiased_ms, plain_ms: a picture of 512x512 with 4 samples a pixel and with one, the median of several.
 // Both draw the same picture: one cube map and one normal map of 512x512 with all mipmaps, trilinear, a ball of 128x64 quads, the
 // background. Needs out/web (./run web) and, in this folder, npm ci. Numbers of a busy machine are worth nothing.
@@ -65,6 +66,9 @@ const visitOurs = (browser) => visit(browser, `${ours.url}09_bump/index.html?loo
   const { first_picture_ms, bytes } = window.texel.figures();
   return { first_picture_ms, bytes };
 });
+const visitStill = (browser) => visit(browser, `${ours.url}09_bump/index.html`, () => new Promise((done) => {
+  new PerformanceObserver((list) => done(list.getEntries()[0].renderTime)).observe({ type: "element", buffered: true });
+}));
 
 async function drawTheirs(browser) {
   const { first_picture_ms, bytes, times } = await visitTheirs(browser, "?antialias");
@@ -72,7 +76,7 @@ async function drawTheirs(browser) {
 }
 
 async function drawOurs(browser) {
-  const first = await visitOurs(browser), engine = await enginePage(browser, join(tree, "out/web"));
+  const still_ms = await visitStill(browser), first = await visitOurs(browser), engine = await enginePage(browser, join(tree, "out/web"));
   await engine.call("open", 9);
   await engine.call("resize", 512, 512);
   const frame = async (samples) => {
@@ -81,7 +85,7 @@ async function drawOurs(browser) {
     for (let i = 0; i < kFrames; ++i) times.push((await engine.call("frame")).frame_ms);
     return median(times);
   };
-  const result = { ...first, antialiased_ms: await frame(4), plain_ms: await frame(1) };
+  const result = { still_ms, ...first, antialiased_ms: await frame(4), plain_ms: await frame(1) };
   await engine.page.close();
   engine.close();
   return result;
@@ -110,7 +114,7 @@ try {
 }
 if (isJson) console.log(JSON.stringify(all));
 else
-  for (const what of Object.keys(all[0].theirs)) {
+  for (const what of Object.keys({ ...all[0].ours, ...all[0].theirs })) {
     const of = (who) => (all[0][who][what] === undefined ? "" : `${who} ${Math.round(median(all.map((one) => one[who][what])))}  `);
     console.log(what.padEnd(18), of("ours") + of("theirs"));
   }

@@ -55,7 +55,7 @@ export function readLabs(tree, programs) {
       lesson: toml.lesson,
       files: firstFiles(programs, folder),
       shader: mainShader(tree, folder),
-      opening: toml.opening && { set: texts(toml.opening[0].set), view: toml.opening[0].view ?? "color" },
+      opening: toml.opening && { set: texts(toml.opening[0].set), view: toml.opening[0].view ?? "color", right: texts(toml.opening[0].right) },
       looks: toml.look.map((look) => ({
         name: look.name,
         caption: look.caption,

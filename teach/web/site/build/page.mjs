@@ -79,15 +79,26 @@ are. What you write is kept in this browser. You can share it by a link.</p>
 </section>
 `;
 
-/** The page of a lab. `thumbnails`: the looks' small pictures by name; a look without one is only its caption. */
-export function labPage({ lab, labs, handout, thumbnails }) {
+/** The picture with which the page opens, in its first paint. Not where the address or what was written asks for another one. */
+const opens = (webp, number) => `<img class="still" alt="" width="784" height="448" decoding="sync" elementtiming="still" src="data:image/webp;base64,${webp.toString("base64")}">
+<script>
+  let isKept = false;
+  try { isKept = Object.keys(localStorage).some((key) => key.startsWith(\`texel-labs \${new URL("..", location.href).pathname} ${number}.\`)); } catch {}
+  if (location.protocol === "file:" || location.search || isKept) document.querySelector(".still").remove();
+</script>`;
+
+/**
+ * The page of a lab. `thumbnails`: the looks' small pictures by name; a look without one is only its caption. `still`: what the page
+ * opens with, as WebP, or null.
+ */
+export function labPage({ lab, labs, handout, thumbnails, still }) {
   const at = labs.indexOf(lab);
   const beside = (other, text) => (other ? `<a href="../${other.folder}/index.html">${text} ${other.number}: ${escaped(other.title)}</a>` : "<span></span>");
   const body = `<a class="skip" href="#handout">To the handout</a>
 ${bar(labs, "../", lab.number)}<main class="lab" data-lab="${lab.number}">
 <section class="stage" aria-label="Picture">
 <div class="frame">
-<div class="picture" id="picture" tabindex="0" role="application" aria-roledescription="picture" aria-label="Picture of the lab ${escaped(lab.title)}" aria-describedby="picture-keys"></div>
+<div class="picture" id="picture" tabindex="0" role="application" aria-roledescription="picture" aria-label="Picture of the lab ${escaped(lab.title)}" aria-describedby="picture-keys">${still ? opens(still, lab.number) : ""}</div>
 <p class="spoken" id="picture-keys">Arrow keys turn the camera, plus and minus zoom, Enter reads the pixel in the middle.</p>
 <div class="divider" role="slider" tabindex="0" aria-label="Where the compared picture begins" aria-valuemin="0" aria-valuemax="100" hidden><span class="left"></span><span class="right"></span></div>
 <div class="message" role="alert" hidden></div>

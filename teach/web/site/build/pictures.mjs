@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Pictures of the tree, as small as a page needs them.
 import { execFileSync } from "node:child_process";
-import { existsSync, readFileSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { PNG } from "pngjs";
 
@@ -44,6 +45,29 @@ export function smallPicture(file, width, height, quality) {
       }
     }
   return asWebp(PNG.sync.write(small), quality);
+}
+
+/**
+ * What a lab opens with, as its program draws it with the tree's shaders: a small WebP. A page shows it until its own picture is there;
+ * it is wide, and the page cuts off what it has no room for. null where the program is not built.
+ */
+export function still(program, tree, { set, view, right }) {
+  if (!program || !existsSync(program)) return null;
+  const folder = mkdtempSync(join(tmpdir(), "texel_still_")), file = join(folder, "still.png");
+  try {
+    const drawn = (values) => {
+      const flags = Object.entries(values).flatMap(([name, value]) => [`--${name.replaceAll("_", "-")}`, value]);
+      execFileSync(program, ["--assets", tree, "--snapshot", file, "--size", "784x448", "--view", view, ...flags]);
+      return PNG.sync.read(readFileSync(file));
+    };
+    const picture = drawn(set), half = picture.width / 2;
+    PNG.bitblt(drawn({ ...set, ...right }), picture, half, 0, half, picture.height, half, 0);
+    // A plane of fine checkers is large at any quality.
+    const webps = [62, 45, 30].map((quality) => asWebp(PNG.sync.write(picture), quality));
+    return webps.find((webp) => webp.length < 32768) ?? webps.at(-1);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
 }
 
 /** The gallery's picture of a look, or null where the gallery was not drawn. */

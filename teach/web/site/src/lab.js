@@ -65,6 +65,11 @@ async function drawn(promise, moved = false) {
   }
 }
 
+/** The picture is there, or will not come. */
+function arrived() {
+  for (const one of [ui.waiting, find(".still")]) one?.remove();
+}
+
 function showLegend() {
   const legend = now.report?.legend;
   ui.legend.replaceChildren(...(legend ? [texelLegend(legend)] : []));
@@ -379,7 +384,7 @@ async function start() {
     complain(error);
   });
   showLegend();
-  ui.waiting?.remove();
+  arrived();
   take((await session.call("values")).values);
   buildPanel();
   showDivider();
@@ -477,7 +482,7 @@ addEventListener("beforeunload", (event) => work.hasUnsaved && event.preventDefa
 const ready = start();
 const withSteps = ready.then(startSteps);
 ready.then(() => void keepOffline("../sw.js", main.dataset.lab.padStart(2, "0"))).catch((error) => {
-  ui.waiting?.remove();
+  arrived();
   complain(error);
 });
 withSteps.then(followText, complain);
