@@ -120,8 +120,8 @@ glm::dvec3 exact_color(const ExactModel& model, const ObjTexcoordsParameters& p,
 /// Linear light that a surface sends to the eye: Lambert's cosine over what comes from everywhere, and
 /// Blinn's highlight with the exponent 48 where the light reaches. All directions are unit vectors in world
 /// space. The formula of shaders/lib/light.glsl.
-glm::dvec3 exact_light(const app::Light& light, glm::dvec3 albedo, glm::dvec3 normal, glm::dvec3 to_eye) {
-  const glm::dvec3 to_light(light.direction());
+glm::dvec3 exact_light(const app::Light& light, glm::dvec3 to_light, glm::dvec3 albedo, glm::dvec3 normal,
+                       glm::dvec3 to_eye) {
   const double cosine = glm::dot(normal, to_light);
   const glm::dvec3 everywhere = double{light.ambient} * albedo;
   if (cosine <= 0) return everywhere;
@@ -165,7 +165,7 @@ struct Answer final : answers::ChosenAnswer<ObjTexcoordsParameters, Quantity> {
     if (quantity == Quantity::texcoord && p.projection == Projection::triplanar) return {};
     if (quantity != Quantity::color)
       return [=, model = *model](glm::dvec2 window) -> std::optional<glm::dvec3> {
-        const auto at = meet_at(truth::pixel_ray(camera, window).ray);
+        const auto at = meet_at(truth::ray_through(camera, window));
         if (!at) return std::nullopt;
         if (quantity == Quantity::normal) return place.linear * at->normal;
         return glm::dvec3(double{p.texture_scale} * exact_texcoord(model, p.projection, *at), 0);
@@ -174,12 +174,13 @@ struct Answer final : answers::ChosenAnswer<ObjTexcoordsParameters, Quantity> {
     glm::dvec3 tint(1);
     for (int c = 0; c < 3 && p.tint != Tint::none; ++c)
       tint[c] = image::linear_from_srgb(double{part_color(0)[c]});  // these models have one part
+    const glm::dvec3 to_light(p.light.direction());
     return answers::mean_in_steps([=, model = *model, texture = *texture](glm::dvec2 window) {
-      const truth::Ray ray = truth::pixel_ray(camera, window).ray;
+      const truth::Ray ray = truth::ray_through(camera, window);
       const auto at = meet_at(ray);
       if (!at) return glm::dvec4(0);
       const glm::dvec3 albedo = tint * exact_color(model, p, texture, *at);
-      return glm::dvec4(exact_light(p.light, albedo, place.linear * at->normal, -ray.direction), 1);
+      return glm::dvec4(exact_light(p.light, to_light, albedo, place.linear * at->normal, -ray.direction), 1);
     });
   }
 };

@@ -36,7 +36,7 @@ struct Answer final : answers::ChosenAnswer<CubeWrapParameters, Quantity> {
     const truth::Camera camera = answers::camera_of(p.camera, size);
     const truth::Placement place{.linear = answers::about_y(p.turn)};
     return [=, repeats = p.texture_scale](glm::dvec2 window) -> std::optional<glm::dvec3> {
-      const auto hit = shape->hit(truth::object_ray(truth::pixel_ray(camera, window).ray, place));
+      const auto hit = shape->hit(truth::object_ray(truth::ray_through(camera, window), place));
       if (!hit) return std::nullopt;
       if (quantity == Quantity::normal) return place.linear * shape->at(*hit).normal;
       return glm::dvec3(double{repeats} * hit->texcoord, 0);

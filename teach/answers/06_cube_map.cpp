@@ -77,7 +77,7 @@ answers::Truth color_truth(const CubeMapParameters& p, glm::ivec2 size) {
   const truth::Camera camera = answers::camera_of(p.camera, size);
   const truth::Placement place = sphere_placement(p);
   return answers::mean_in_steps([=](glm::dvec2 window) {
-    const truth::Ray ray = truth::object_ray(truth::pixel_ray(camera, window).ray, place);
+    const truth::Ray ray = truth::object_ray(truth::ray_through(camera, window), place);
     const auto hit = truth::hit_sphere(ray);
     return hit ? glm::dvec4(wears(ray.origin + hit->distance * ray.direction), 1) : glm::dvec4(0);
   });

@@ -23,7 +23,7 @@ struct Answer final : answers::Answer<EnvironmentParameters> {
   [[nodiscard]] answers::Truth truth(const EnvironmentParameters& p, glm::ivec2 size) const override {
     const truth::Camera camera = answers::camera_of(p.camera, size);
     return [=](glm::dvec2 window) -> std::optional<glm::dvec3> {
-      const truth::Ray ray = truth::pixel_ray(camera, window).ray;
+      const truth::Ray ray = truth::ray_through(camera, window);
       // The triangles lie inside of the true sphere, so whatever passes the sphere passes them too.
       for (const glm::dvec4 sphere : kSpheres)
         if (truth::hit_sphere({ray.origin - glm::dvec3(sphere), ray.direction}, sphere.w))

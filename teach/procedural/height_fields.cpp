@@ -14,7 +14,7 @@ namespace {
 constexpr double tau = 2 * std::numbers::pi;
 
 Dual brick(double u, double v) {
-  const Brick brick = brick_at(u, v);
+  const auto brick = brick_at(Dual::u(u), Dual::v(v));
   const Dual up = Dual::u(u), vp = Dual::v(v);
   const auto own = [&](std::uint32_t seed) { return random(brick.column, brick.row, seed) - 0.5; };
   const Dual mortar = 0.0012 * fbm(up, vp, 40, 40, 3, 51);

@@ -7,47 +7,52 @@ namespace texel::procedural {
 
 namespace {
 
-int floor_of(Dual a) {
-  return static_cast<int>(std::floor(a.value));
+template <class Real>
+int floor_of(Real a) {
+  return static_cast<int>(std::floor(value(a)));
 }
 
 /// Signed distance to a rectangle with rounded corners about the origin, negative inside. Its derivative is
 /// continuous out to `radius` inside the edge; deeper inside, it is cut off at -radius.
-Dual rounded_rectangle(Dual x, Dual y, double half_width, double half_height, double radius) {
-  const Dual qx = abs(x) - (half_width - radius);
-  const Dual qy = abs(y) - (half_height - radius);
-  if (qx.value <= 0 && qy.value <= 0) return -radius;
-  if (qx.value <= 0) return qy - radius;
-  if (qy.value <= 0) return qx - radius;
+template <class Real>
+Real rounded_rectangle(Real x, Real y, double half_width, double half_height, double radius) {
+  using std::abs, std::sqrt;
+  const Real qx = abs(x) - (half_width - radius);
+  const Real qy = abs(y) - (half_height - radius);
+  if (value(qx) <= 0 && value(qy) <= 0) return -radius;
+  if (value(qx) <= 0) return qy - radius;
+  if (value(qy) <= 0) return qx - radius;
   return sqrt(qx * qx + qy * qy) - radius;
 }
 
 }  // namespace
 
-Brick brick_at(double u, double v) {
+template <class Real>
+Brick<Real> brick_at(Real u, Real v) {
   constexpr int columns = 4, rows = 8;
   constexpr double joint = 0.0055;  // half of the mortar's width
   constexpr double bevel = 0.012;
   constexpr double wobble =
       0.006;  // edges are not straight; less than joint + bevel, so no brick meets another
 
-  const Dual up = Dual::u(u), vp = Dual::v(v);
-  const Dual x = up + wobble * fbm(up, vp, 10, 10, 3, 11);
-  const Dual y = vp + wobble * fbm(up, vp, 10, 10, 3, 21);
+  const Real x = u + wobble * fbm(u, v, 10, 10, 3, 11);
+  const Real y = v + wobble * fbm(u, v, 10, 10, 3, 21);
 
-  Brick brick;
+  Brick<Real> brick;
   const int row = floor_of(y * rows);
-  const Dual along = x * columns - (row % 2 != 0 ? 0.5 : 0.0);
+  const Real along = x * columns - (row % 2 != 0 ? 0.5 : 0.0);
   const int column = floor_of(along);
   brick.row = wrap(row, rows);
   brick.column = wrap(column, columns);
   brick.x = (along - (column + 0.5)) / columns;
   brick.y = (y * rows - (row + 0.5)) / rows;
-  const Dual outside =
+  const Real outside =
       rounded_rectangle(brick.x, brick.y, 0.5 / columns - joint, 0.5 / rows - joint, 1.4 * bevel);
   brick.inside = smooth_step(0, -bevel, outside);
   return brick;
 }
+template Brick<double> brick_at(double, double);
+template Brick<Dual> brick_at(Dual, Dual);
 
 Plank plank_at(double u, double v) {
   constexpr int rows = 6;

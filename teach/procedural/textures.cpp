@@ -25,7 +25,7 @@ dvec3 blend(dvec3 from, dvec3 to, double t) {
 }
 
 dvec3 brick(double u, double v) {
-  const Brick brick = brick_at(u, v);
+  const auto brick = brick_at(u, v);
   const auto own = [&](std::uint32_t seed) { return random(brick.column, brick.row, seed); };
   // Fired clay from orange to a burnt dark red; a few bricks stand out.
   dvec3 clay = blend({0.33, 0.085, 0.040}, {0.185, 0.043, 0.028}, own(101));
@@ -35,7 +35,7 @@ dvec3 brick(double u, double v) {
   const double grain = fbm(u, v, 70, 70, 2, 105);
   clay *= 1.0 + 0.55 * cloud + 0.45 * grain;
   // The kiln's darker rims, chalk that bled out, and black specks.
-  const double x = brick.x.value * 8, y = brick.y.value * 16;
+  const double x = brick.x * 8, y = brick.y * 16;
   clay *= 1.0 - 0.28 * smooth_step(0.45, 1.05, std::sqrt(x * x * x * x + y * y * y * y) + 0.5 * cloud);
   clay = blend(clay, {0.52, 0.40, 0.33}, 0.35 * smooth_step(0.22, 0.60, fbm(u, v, 6, 10, 4, 106)));
   clay =
@@ -44,7 +44,7 @@ dvec3 brick(double u, double v) {
   dvec3 mortar = dvec3(0.43, 0.395, 0.34) * (1.0 + 0.35 * fbm(u, v, 12, 12, 3, 108));
   mortar *= 1.0 + 0.7 * fbm(u, v, 90, 90, 2, 109);
   // The joint lies deep, so less of the sky reaches its sides.
-  const double inside = brick.inside.value;
+  const double inside = brick.inside;
   mortar *= 0.62 + 0.38 * smooth_step(0.6, 0.0, inside);
   return blend(mortar, clay * (0.72 + 0.28 * inside), smooth_step(0.12, 0.42, inside));
 }

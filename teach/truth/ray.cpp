@@ -21,6 +21,29 @@ dvec3 toward(double yaw, double pitch) {
   return {std::sin(a) * std::cos(b), std::sin(b), std::cos(a) * std::cos(b)};
 }
 
+/// What all rays of a camera have in common.
+struct Axes {
+  dvec3 eye, right, back, up;  ///< the picture's right and up: where the eye goes when yaw or pitch grows
+  double pixel;                ///< its side in the picture plane at distance 1; pixels are square
+
+  [[nodiscard]] dvec3 through(const Camera& camera, dvec2 window) const {
+    const dvec2 from_middle = pixel * (window - 0.5 * dvec2(camera.width, camera.height));
+    return from_middle.x * right + from_middle.y * up - back;
+  }
+};
+
+/// Thousands of rays of one camera follow each other: sines and cosines would take as long as the rest.
+const Axes& axes_of_last(const Camera& camera) {
+  thread_local Camera last{.height = 0};
+  thread_local Axes axes;
+  if (camera == last) return axes;
+  last = camera;
+  const dvec3 right = toward(camera.yaw + 90, 0), back = toward(camera.yaw, camera.pitch);
+  axes = {camera.eye(), right, back, glm::cross(back, right),
+          2 * std::tan(0.5 * glm::radians(camera.field_of_view)) / camera.height};
+  return axes;
+}
+
 /// The derivative of v / |v| when v changes by dv: the part of dv across v, as a fraction of v's length.
 dvec3 normalized_derivative(dvec3 v, dvec3 dv) {
   return (dv - v * (glm::dot(v, dv) / glm::dot(v, v))) / glm::length(v);
@@ -33,16 +56,16 @@ dvec3 Camera::eye() const {
 }
 
 PixelRay pixel_ray(const Camera& camera, dvec2 window) {
-  // The picture's right and up in the world: where the eye goes when yaw or pitch grows.
-  const dvec3 right = toward(camera.yaw + 90, 0);
-  const dvec3 back = toward(camera.yaw, camera.pitch), up = glm::cross(back, right);
-  // The picture plane at distance 1; pixels are square, so one size does for both directions.
-  const double pixel = 2 * std::tan(0.5 * glm::radians(camera.field_of_view)) / camera.height;
-  const dvec2 from_middle = pixel * (window - 0.5 * dvec2(camera.width, camera.height));
-  const dvec3 through = from_middle.x * right + from_middle.y * up - back;
-  return {.ray = {camera.eye(), glm::normalize(through)},
-          .dx = normalized_derivative(through, pixel * right),
-          .dy = normalized_derivative(through, pixel * up)};
+  const Axes& axes = axes_of_last(camera);
+  const dvec3 through = axes.through(camera, window);
+  return {.ray = {axes.eye, glm::normalize(through)},
+          .dx = normalized_derivative(through, axes.pixel * axes.right),
+          .dy = normalized_derivative(through, axes.pixel * axes.up)};
+}
+
+Ray ray_through(const Camera& camera, dvec2 window) {
+  const Axes& axes = axes_of_last(camera);
+  return {axes.eye, glm::normalize(axes.through(camera, window))};
 }
 
 Ray object_ray(const Ray& world_ray, const Placement& world_from_object) {

@@ -73,7 +73,7 @@ std::optional<dvec4> RepeatedTexture::mean(std::array<dvec2, 4> corners) const {
 }
 
 dvec4 QuadPicture::operator()(dvec2 window) const {
-  const auto hit = hit_quad(object_ray(pixel_ray(camera, window).ray, world_from_object));
+  const auto hit = hit_quad(object_ray(ray_through(camera, window), world_from_object));
   return hit ? texture(texcoord_map.texcoord(hit->texcoord)) : dvec4(0);
 }
 
@@ -81,7 +81,7 @@ std::optional<dvec4> QuadPicture::mean(const RepeatedTexture& repeated, dvec2 mi
   std::array<dvec2, 4> corners;
   constexpr dvec2 around[] = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
   for (std::size_t i = 0; i < 4; ++i) {
-    const auto hit = hit_quad(object_ray(pixel_ray(camera, middle + around[i]).ray, world_from_object));
+    const auto hit = hit_quad(object_ray(ray_through(camera, middle + around[i]), world_from_object));
     if (!hit) return std::nullopt;
     corners[i] = texcoord_map.texcoord(hit->texcoord);
   }

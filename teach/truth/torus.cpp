@@ -51,17 +51,23 @@ struct Few {
   [[nodiscard]] std::span<const double> all() const { return std::span(values).first(count); }
 };
 
-/// Where the polynomial, of degree 4 at most, changes its sign between low and high, from the lowest up.
-/// Between two neighbouring roots of its derivative it does so once at most.
-Few sign_changes(std::span<const double> c, double low, double high) {
-  Few roots;
-  if (c.size() < 2) return roots;
+/// Where the polynomial changes its sign between low and high, from the lowest up, `most` times at the most.
+/// Its degree is 4 at most, and it has no cubic term. Between two neighbouring roots of its derivative it
+/// changes its sign once at most.
+Few sign_changes(std::span<const double> c, double low, double high, std::size_t most = 4) {
+  Few roots, ends;
+  if (c.size() == 3) {                            // the second derivative of such a quartic: c[0] + c[2] t^2
+    const double root = std::sqrt(-c[0] / c[2]);  // NaN: none
+    for (const double t : {-root, root})
+      if (t > low && t < high) roots.add(t);
+    return roots;
+  }
   Few derivative;
   for (std::size_t i = 1; i < c.size(); ++i) derivative.add(static_cast<double>(i) * c[i]);
-  Few ends = sign_changes(derivative.all(), low, high);
+  ends = sign_changes(derivative.all(), low, high);
   ends.add(high);
   for (double begin = low; const double end : ends.all()) {
-    if ((evaluate(c, begin).value < 0) != (evaluate(c, end).value < 0))
+    if (roots.count < most && (evaluate(c, begin).value < 0) != (evaluate(c, end).value < 0))
       roots.add(root_between(c, begin, end));
     begin = end;
   }
@@ -101,7 +107,7 @@ std::optional<Hit> hit_torus(const Ray& ray, double major, double minor) {
   // A little beyond the sphere around the torus, so that a root on it is still between signs.
   const double far = 1.0001 * std::sqrt(reach) + 1e-9;
   if (start >= far) return std::nullopt;  // it looks away
-  const Few roots = sign_changes(coefficients, std::max(start, -far), far);
+  const Few roots = sign_changes(coefficients, std::max(start, -far), far, 1);
   if (roots.count == 0) return std::nullopt;
 
   double t = roots.values.front();

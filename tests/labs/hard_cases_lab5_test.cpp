@@ -50,7 +50,7 @@ Spread degrees_off(const ImageF& picture, const std::string& model, const truth:
   double sum = 0;
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x) {
-      const auto hit = hit_model(model, truth::pixel_ray(camera, dvec2(x + 0.5, y + 0.5)).ray);
+      const auto hit = hit_model(model, truth::ray_through(camera, dvec2(x + 0.5, y + 0.5)));
       const dvec3 drawn(picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2));
       if (!hit || !(glm::length(drawn) > 0.5)) continue;  // at the outline
       const truth::Surface surface = truth::reparameterized(surface_of(model, hit->face), map);

@@ -59,7 +59,7 @@ double texcoord_error(const ImageF& picture, double tilt, double offset) {
   for_each_pixel(picture, [&](int x, int y, dvec2 window) {
     if (value_at(picture, x, y) == dvec3(0)) return;  // beside the square
     const auto hit =
-        truth::hit_quad(truth::object_ray(truth::pixel_ray(camera, window).ray, truth::tilted(tilt)));
+        truth::hit_quad(truth::object_ray(truth::ray_through(camera, window), truth::tilted(tilt)));
     if (!hit) return;  // a pixel on the edge
     const dvec2 apart = glm::abs(dvec2(value_at(picture, x, y)) - (hit->texcoord + offset));
     most = std::max({most, apart.s, apart.t});

@@ -190,7 +190,7 @@ TEST(TruthGradient, texcoord_changes_from_pixel_to_pixel_as_rays_beside_it_show)
   for (int i = 0; i < 500; ++i) {
     const dvec2 window(128 * number(i, 0), 128 * number(i, 1));
     const auto hit = [&](double x, double y) {
-      return hit_torus(object_ray(pixel_ray(camera, window + dvec2(x, y)).ray, placement), 1, 0.4);
+      return hit_torus(object_ray(ray_through(camera, window + dvec2(x, y)), placement), 1, 0.4);
     };
     const auto here = hit(0, 0);
     if (!here || !hit(step, 0) || !hit(-step, 0) || !hit(0, step) || !hit(0, -step)) continue;

@@ -10,12 +10,15 @@
 namespace texel::procedural {
 
 /// A brick of the running bond, 4 across and 8 high.
+template <class Real>
 struct Brick {
   int column = 0, row = 0;
-  Dual x, y;    ///< from the brick's middle
-  Dual inside;  ///< 0 in the mortar, 1 on the face, between them the bevel
+  Real x, y;    ///< from the brick's middle
+  Real inside;  ///< 0 in the mortar, 1 on the face, between them the bevel
 };
-Brick brick_at(double u, double v);
+/// Of double for its colour, and of Dual for its height.
+template <class Real>
+Brick<Real> brick_at(Real u, Real v);
 
 /// A plank, 6 above each other, each as long as the texture is wide, with its ends staggered.
 struct Plank {

@@ -24,6 +24,7 @@ struct Camera {
   int width = 512, height = 512;
 
   [[nodiscard]] glm::dvec3 eye() const;
+  bool operator==(const Camera&) const = default;
 };
 
 /// A ray through a place of the picture and how its unit direction changes from pixel to pixel.
@@ -36,6 +37,8 @@ struct PixelRay {
 /// middle of pixel (x, y) of a picture whose row 0 is at the bottom (gl_FragCoord). Uses no matrix, so near
 /// and far planes do not matter.
 PixelRay pixel_ray(const Camera& camera, glm::dvec2 window);
+/// That ray alone.
+Ray ray_through(const Camera& camera, glm::dvec2 window);
 
 /// The ray in object space. Its direction is not made a unit vector: distances stay those of the world.
 Ray object_ray(const Ray& world_ray, const Placement& world_from_object);
