@@ -322,8 +322,6 @@ class CourseCommands final : public tools::MoreCommands {
     gallery_->add_option(
         "--heroes", heroes_,
         "Folder for one small picture of each lab, cut to 3:2, as in the README; beside it source_pictures");
-    gallery_->add_flag("--list", list_sources_,
-                       "Print a Markdown table: which command draws which picture of the sources");
     add(add_compare(app, compare_), [&] { return compare(compare_); });
     add(add_starter(app, starter_), [&] { return starter(starter_); });
     CLI::App* grade = add_grade(app, grade_);
@@ -343,7 +341,6 @@ class CourseCommands final : public tools::MoreCommands {
   }
 
   [[nodiscard]] std::optional<Exit> run() const override {
-    if (gallery_->parsed() && list_sources_) return list_sources();
     if (gallery_->parsed() && !heroes_.empty()) return gallery_with_heroes();
     for (const auto& [command, run] : commands_)
       if (command->parsed()) return run();
@@ -367,7 +364,6 @@ class CourseCommands final : public tools::MoreCommands {
       commands_;  ///< what is part of one, before it
   CLI::App* gallery_ = nullptr;
   std::filesystem::path heroes_;
-  bool list_sources_ = false;
   CompareOptions compare_;
   StarterOptions starter_;
   GradeCommand grade_;

@@ -44,9 +44,6 @@ Exit print_steps(const GradeCommand& command);
 /// sources into source_pictures beside it.
 void save_heroes(const tools::GalleryOptions& gallery, const std::filesystem::path& folder);
 
-/// `texel gallery --list`: prints docs/pictures.md, the sources' pictures with their commands.
-Exit list_sources();
-
 /// `texel grade CLASS`: grades a class and writes its reports.
 Exit grade_class(GradeCommand command);
 

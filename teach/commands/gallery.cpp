@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <regex>
 
 #include "commands.hpp"
 #include "core/files.hpp"
@@ -28,19 +26,6 @@ image::Image8 middle(const image::Image8& picture) {
   for (int y = 0; y < result.height; ++y) std::copy_n(&picture.at(left, below + y), row, &result.at(0, y));
   return result;
 }
-
-/// A '|' would end a table's cell, also inside of code.
-std::string cell(const std::string& text) {
-  return std::regex_replace(text, std::regex("\\|"), "\\|");
-}
-
-constexpr const char* kSourcesHead =
-    "# The sources' pictures\n\n"
-    "The labs implement three [sources](student.md#the-sources). Each picture that these show is drawn by "
-    "one command,\n"
-    "typed in the project's root; the faulty ones too. `texel gallery --list` prints this page from the "
-    "labs' `lab.toml`,\n"
-    "and a test holds it to that.\n";
 
 /// Saves a picture at half its size, averaged in linear light.
 void save_small(const fs::path& to, const image::Image8& picture) {
@@ -69,24 +54,6 @@ void save_heroes(const tools::GalleryOptions& gallery, const fs::path& folder) {
     for (const course::Look& look : lab.looks)
       if (!look.source.empty()) save_small(docs / source_picture(lab, look), drawn(look));
   }
-}
-
-Exit list_sources() {
-  std::map<std::string, std::string> rows;  // document -> its pictures, in the labs' order
-  for (const course::Lab& lab : tools::course_labs())
-    for (const course::Look& look : lab.looks) {
-      if (look.source.empty()) continue;
-      const std::size_t comma = look.source.find(", ");
-      const std::string place = comma == std::string::npos ? "" : look.source.substr(comma + 2);
-      rows[look.source.substr(0, comma)] +=
-          fmt::format("| ![]({}) | {}: {}<br>`{}` |\n", source_picture(lab, look), cell(place),
-                      cell(look.caption), cell(course::command(lab, look)));
-    }
-  fmt::print("{}", kSourcesHead);
-  for (const auto& [document, table] : rows)
-    fmt::print("\n## {}\n\n| picture | where, what it shows, and its command |\n|---|---|\n{}", document,
-               table);
-  return Exit::holds;
 }
 
 }  // namespace texel::commands

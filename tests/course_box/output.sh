@@ -35,7 +35,7 @@ for option in '--stats -' '--measure -' '--frames 1' --print-shader --list-param
   # shellcheck disable=SC2086
   try "$lab" $option
 done
-for command in list --help --version 'check --help' 'check 1' 'check 1 --json' 'progress --help' 'gallery --list' 'grade --help' \
+for command in list --help --version 'check --help' 'check 1' 'check 1 --json' 'progress --help' 'grade --help' \
   'grade class --print-steps' 'course gradebook --help' 'course similar --help'; do
   # shellcheck disable=SC2086
   try "$texel" $command

@@ -19,14 +19,12 @@ TEST(CrashPlace, is_the_line_in_which_a_program_died_by_whatever_cause) {
     confines.working_folder = "/";
     confines.limits.cpu_seconds = 1;  // which the loop uses up
     const Outcome ended = run_plainly(confines, {CRASH_GUEST, what});
-    EXPECT_NE(ended.signal, 0) << what;
     const auto line =
         std::ranges::find_if(lines, [&](const auto& one) { return one.ends_with("// " + what); });
     EXPECT_EQ(crash_place(ended.errors, CRASH_GUEST, "support"),
               "support/crash_guest.cpp:" + std::to_string(line - lines.begin() + 1));
     EXPECT_EQ(crash_place(ended.errors, CRASH_GUEST, "labs"), "") << "no call is in a file of that folder";
   }
-  EXPECT_EQ(crash_place("", CRASH_GUEST, "support"), "");
 }
 
 #endif
