@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/files.hpp"
 #include "core/plain_text.hpp"
 #include "core/process.hpp"

@@ -70,6 +70,11 @@ const early = ({ number, files, opening, looks }) => `if (location.protocol !== 
   globalThis.texelEarly = { worker, canvas, started };
 }`.replace(/\n\s*/g, " ");
 
+/** Has the room of what src/progress.js puts there: nothing moves when that comes. */
+const progress = (count) => count === 0 ? `<div class="progress" hidden></div>`
+  : `<div class="progress"><p><b>${count} shader ${count === 1 ? "step" : "steps"}, not checked yet.</b> Your code stays in this browser.</p>` +
+    `<div class="buttons">${["Check all", "Save as .zip", "Load a .zip"].map((text) => `<button type="button" disabled>${text}</button>`).join(" ")}</div></div>`;
+
 /** The editor for experiments, below the steps; src/experiment.js fills it. */
 const experiment = ({ shader }) => `<section class="experiment" id="experiment" data-path="${shader}">
 <h2>Experiment</h2>
@@ -124,7 +129,7 @@ ${looksList(lab.looks, thumbnails)}
 </section>
 <article class="handout" id="handout">
 <header><p class="number" aria-hidden="true">${lab.number}</p><div><h1>${escaped(lab.title)}</h1><p>${escaped(lab.lesson)}</p></div></header>
-<div class="progress" hidden></div>
+${progress(lab.steps.filter((step) => step.kind === "shader").length)}
 ${handout}${experiment(lab)}<footer>${beside(labs[at - 1], "Lab")}${beside(labs[at + 1], "Lab")}</footer>
 </article>
 </main>
