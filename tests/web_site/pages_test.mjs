@@ -505,6 +505,15 @@ test("the pages work without a net after the first visit", async () => {
   }
 });
 
+test("no link of a document is left as it is written", () => {
+  const pages = readdirSync(folder).map((name) => join(folder, name, "index.html")).filter(existsSync);
+  assert.ok(pages.length > 9);
+  for (const file of pages) {
+    const shown = readFileSync(file, "utf8").replace(/<(script|code|annotation)[^]*?<\/\1>/g, "").replace(/<[^>]*>/g, "");
+    assert.doesNotMatch(shown, /\[[A-Z][a-z]+\]|\]\(/, file);
+  }
+});
+
 test("formulas are typeset in the page, and no page names another host", () => {
   for (const lab of ["05_normal_map", "08_reflection"]) {
     const html = readFileSync(join(folder, lab, "index.html"), "utf8");

@@ -168,7 +168,8 @@ export function handout(markdown, lab, copies, sizeOf = () => ({})) {
     // What one types in a shell, and the marks in the sources, mean nothing on a page.
     if (lab && token.type === "code" && token.text.includes("./run watch")) continue;
     if (lab && token.type === "paragraph" && token.text.startsWith("Write between the lines `//@step`")) {
-      html += marked.parse(token.text.replace(/^[^;]*; /, "").replace(/^\[the/, "[The"));
+      const sources = Object.entries(tokens.links).map(([name, { href }]) => `\n\n[${name}]: ${href}`);
+      html += marked.parse(token.text.replace(/^[^;]*; /, "").replace(/^\[the/, "[The") + sources.join(""));
       continue;
     }
     html += marked.parser([token]);
