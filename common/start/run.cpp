@@ -61,6 +61,7 @@ std::optional<CommandLine> read_command_line(app::AnyLab& lab, int argc, char** 
   CLI::App app(fmt::format("Lab {}: {}. {}", info.number, info.title, info.lesson), info.program());
   app.allow_extras();
   app.get_formatter()->column_width(34);
+  app.get_formatter()->label("TEXT", "VALUE");  // most are no texts
   app.set_version_flag("--version", TEXEL_VERSION, "Print the version and exit");
   if (app::model_parameter(lab.parameters()) != nullptr)
     app.add_option("MODEL.obj", model, "An OBJ file instead of the built-in models");

@@ -58,11 +58,11 @@ For teachers and makers of the course:
                        another Mesa, copy their folders into out/renderers first
 ./run mutants [args]   make small wrong changes in a copy of the tree, and check
                        that the tests notice. Without args it writes
-                       docs/mutants.md, and goes on where it was cut off (an
-                       hour)
+                       docs/mutants.md, and goes on where it was cut off
+                       (three hours)
 ./run marks [N ..]     check that each mistake of the catalogue loses marks, and
                        no right answer does. Without args it writes
-                       docs/marks.md (half an hour)
+                       docs/marks.md (ten minutes)
 ./run format           format the C++ files
 ./run assets           draw the textures, normal maps and cube maps again that
                        are functions
