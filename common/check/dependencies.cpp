@@ -77,7 +77,7 @@ void skip_those_that_wait(judge::LabResult& lab,
       own.is_passed = true;  // its text is right: the steps that need it do not wait for it
       continue;
     }
-    const auto died = std::ranges::find_if(step.cases, [](const auto& one) { return one.died; });
+    const auto died = std::find_if(step.cases.begin(), step.cases.end(), [](auto& one) { return one.died; });
     if (died != step.cases.end() && !died->crashed_in.empty() && died->crashed_in != step.id) {
       skip(step, {died->crashed_in}, fmt::format("In step {}: {}", died->crashed_in, died->message));
       own.is_passed = true;  // nothing is known of it: the step that crashed does not wait for it
