@@ -485,10 +485,15 @@ ready.then(() => void keepOffline("../sw.js", main.dataset.lab.padStart(2, "0"))
   arrived();
   complain(error);
 });
-/** To what the address asks for. Steps and editors are laid out when they come near, and move it: until it stands still. */
+/**
+ * To what the address asks for. Steps and editors are laid out when they come near, and move it: until it stands still, or the user
+ * does something.
+ */
 async function toAnchor() {
   const anchor = location.hash && document.getElementById(location.hash.slice(1));
-  for (let still = 0, i = 0; anchor && still < 3 && i < 30; ++i) {
+  let isFree = true;
+  for (const by of ["wheel", "touchstart", "pointerdown", "keydown"]) addEventListener(by, () => (isFree = false), { once: true, passive: true });
+  for (let still = 0, i = 0; anchor && isFree && still < 10 && i < 60; ++i) {
     const before = anchor.getBoundingClientRect().top;
     anchor.scrollIntoView();
     await new Promise((done) => requestAnimationFrame(() => setTimeout(done, 30)));
