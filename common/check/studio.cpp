@@ -146,7 +146,7 @@ Drawn draw(const Studio& studio, const std::vector<Case>& cases, const fs::path&
     }
     if (outcome.limit == Limit::wall || outcome.limit == Limit::cpu) ++timeouts;
     // A student's own machine runs its program plainly. Of any other, what it writes is nothing to rely on.
-    if (studio.run == run_plainly) place = crash_place(outcome.errors, studio.program, "labs");
+    if (studio.run == run_plainly) place = crash_place(outcome.errors, studio.program, studio.root / "labs");
     drawn.crashed_at[left.front().file] = place;
     drawn.faults[left.front().file] = end_of(outcome, place.empty() ? "here" : "at " + place);
     drawn.notes.push_back(fmt::format("{}: {}", left.front().name, end_of(outcome)));

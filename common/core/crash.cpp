@@ -31,25 +31,26 @@ void report_crashes() {
   struct sigaction action {};
   action.sa_handler = report;
   action.sa_flags = SA_ONSTACK | static_cast<int>(SA_RESETHAND);
-  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU})
-    ::sigaction(signal, &action, nullptr);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGABRT, SIGXCPU}) ::sigaction(signal, &action, nullptr);
 }
 
 std::string crash_place(const std::string& errors, const std::filesystem::path& program,
-                        const std::string& folder) {
+                        const std::filesystem::path& folder) {
   std::vector<std::string> command = {"sh", "-c", "exec addr2line -i -e \"$@\" 2>/dev/null", "sh", program};
   const std::string begin = program.string() + "(+";
-  int call = 0;  // 0: report, 1: the C library, 2: what died; the others lead there
+  int call = 0;  // 0: report, 1: the C library, 2: what died; then calls, each as the place behind it
   for (const std::string& line : lines_of(errors)) {
     if (call == 0 && !line.starts_with(begin)) continue;
-    // A call's address is that of what follows it.
     const int further = call++ == 2 ? 0 : 1;
     if (line.starts_with(begin))
       command.push_back(fmt::format("{:#x}", std::strtoull(&line[begin.size()], nullptr, 16) - further));
   }
-  for (const std::string& place : lines_of(run_program(command).output))  // "/…/labs/03_obj/a.cpp:41 (…)"
-    if (const auto at = place.rfind("/" + folder + "/"); at != place.npos && !place.ends_with('?'))
-      return place.substr(at + 1, place.find(' ', at) - at - 1);
+  const std::string name = "/" + folder.filename().string() + "/";
+  for (const std::string& line : lines_of(run_program(command).output))  // "/…/labs/03_obj/a.cpp:41 (…)"
+    if (const auto at = line.rfind(name);
+        at != line.npos && !line.ends_with('?') &&
+        std::filesystem::exists(folder.parent_path() / line.substr(at + 1, line.rfind(':') - at - 1)))
+      return line.substr(at + 1, line.find(' ', at) - at - 1);
   return {};
 }
 

@@ -9,10 +9,9 @@ namespace texel {
 /// addresses of the calls, the innermost first.
 void report_crashes();
 
-/// Where a program crashed that had called report_crashes, by what it wrote: the innermost call in a file of
-/// `folder`, as "labs/03_obj_texcoords/triangulate.cpp:41". "" where there is none, the program was compiled
-/// without lines, or addr2line, a part of the linker's package, is missing.
+/// The innermost call in a file of `folder` when a program died that had called report_crashes and wrote
+/// `errors`, as "labs/03_obj/a.cpp:41"; "" where there is none, or none is known: by -g1 and addr2line.
 std::string crash_place(const std::string& errors, const std::filesystem::path& program,
-                        const std::string& folder);
+                        const std::filesystem::path& folder);
 
 }  // namespace texel
