@@ -31,8 +31,8 @@ std::string build_program(const OwnTree& tree, const course::Lab& lab, const std
   constexpr int kTaken = 75;
   const auto build = [&](const std::string& how) {
     return run_program({"flock", how, fmt::format("--conflict-exit-code={}", kTaken), file, "sh", "-c",
-                        "printf %s \"$1\" >\"$0\"; shift; exec \"$@\"", file, who, "cmake", "--build",
-                        tree.build.string(), "--target", lab.program()},
+                        "printf %s \"$1\" >\"$0\"; shift; CCACHE_DISABLE=true exec \"$@\"", file, who,
+                        "cmake", "--build", tree.build.string(), "--target", lab.program()},
                        true);
   };
   Ran ran = build("--nonblock");
