@@ -93,12 +93,13 @@ endif()
         self.mutants("--only", "wrong-branch", ends=3, complains="what changes nothing (swapped) is noticed: Clamp.is_unedited")
 
         self.write("CMakeLists.txt", tests + "set_tests_properties(Clamp.is_unedited PROPERTIES LABELS tree)\n")
-        page = self.folder / "report.md"
+        page = self.tree / "docs/mutants.md"
+        page.parent.mkdir()
         self.mutants("--report", page, ends=1, says=("1 of 2 caught (50 %)",), not_said=("is_unedited",))
         self.assertIn("- swapped (clamp.cpp): survived", page.read_text(encoding="utf-8"))
         self.assertIn("| Clamp.keeps | 1 | 1 |", page.read_text(encoding="utf-8"))
 
-        # The same tree once more: nothing is made again.
+        # The same tree once more, but for the page that was written into it: nothing is made again.
         self.mutants("--resume", says=("(known; ", "1 of 2 caught (50 %)"), not_said=("changes that change nothing",))
         self.mutants("--every", "2", says=("1/1 wrong-branch",))
 
