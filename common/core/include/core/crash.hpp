@@ -10,7 +10,7 @@ namespace texel {
 void report_crashes();
 
 /// The innermost call in a file of `folder` when a program died that had called report_crashes and wrote
-/// `errors`, as "labs/03_obj/a.cpp:41"; "" where there is none, or none is known: by -g1 and addr2line.
+/// `errors`, as "labs/03_obj/a.cpp:41"; "" where none is known, which takes -g1 and addr2line.
 std::string crash_place(const std::string& errors, const std::filesystem::path& program,
                         const std::filesystem::path& folder);
 
