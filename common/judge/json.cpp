@@ -97,7 +97,8 @@ std::vector<StepResult> parse_steps(const std::string& json) {
   std::vector<StepResult> steps;
   try {
     const Json parsed = parse_json(json);
-    for (const Json& one : parsed.at("steps")) steps.push_back(parse_step(one));
+    for (const Json& lab : parsed.is_array() ? parsed : Json::array({parsed}))
+      for (const Json& one : lab.at("steps")) steps.push_back(parse_step(one));
   } catch (const Json::exception& error) {
     throw Error::failed(fmt::format("the check did not print its JSON: {}", error.what()));
   }

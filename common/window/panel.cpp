@@ -292,7 +292,9 @@ void draw_panel(app::AnyLab& lab, WindowState& state, float scale) {
                kPlaced | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   state.panel_width = ImGui::GetWindowWidth();
   const std::string status = status_of(state);
-  ImGui::BeginChild("sections", {0, -status_height(status)});
+  const std::vector<judge::StepResult> nothing, &course = state.steps ? state.steps->found().course : nothing;
+  const float line = course.empty() ? 0 : 2 * ImGui::GetTextLineHeightWithSpacing();
+  ImGui::BeginChild("sections", {0, -status_height(status) - line});
   wrapped_text(theme().dim, info.lesson);
   buttons(state);
   steps_section(lab, state);
@@ -301,6 +303,7 @@ void draw_panel(app::AnyLab& lab, WindowState& state, float scale) {
   state.more_is_open = state.more && state.more->draw(scale);
   statistics_section(state);
   ImGui::EndChild();
+  course_line(course, info.number);
   status_bar(state, status);
   ImGui::End();
 }

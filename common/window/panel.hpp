@@ -130,6 +130,8 @@ class StepsCheck {
   /// What a check found.
   struct Found {
     std::vector<judge::StepResult> steps;
+    std::vector<judge::StepResult>
+        course;                 ///< all labs' steps, once they are known; this lab's as in `steps`
     std::string fault;          ///< why there are no steps, or ""
     std::string compile_error;  ///< what the compiler said of what was saved last, or ""
   };
@@ -241,6 +243,9 @@ void choose_look(app::AnyLab& lab, WindowState& state, std::size_t index);
 
 /// The section "Steps": each with its figure; its cases, which set the look when they are picked; its hints.
 void steps_section(app::AnyLab& lab, WindowState& state);
+/// The whole course as one line: what is right, what comes next, and, taller, the steps of this lab. Nothing
+/// for no steps.
+void course_line(const std::vector<judge::StepResult>& course, int lab);
 
 /// Sets the look in which the handout shows the step.
 void see_step(app::AnyLab& lab, WindowState& state, const std::string& step);

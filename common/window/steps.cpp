@@ -97,15 +97,25 @@ struct StepsCheck::Shared {
     progress = std::move(text);
   }
 
-  /// The steps as `texel check` finds them.
-  [[nodiscard]] std::vector<judge::StepResult> check() {
-    say("checking your steps");
+  /// The steps of some labs as `texel check` finds them; of all for none.
+  [[nodiscard]] std::vector<judge::StepResult> check(const std::vector<std::string>& labs) {
+    say(labs.empty() ? "checking the other labs" : "checking your steps");
     const fs::path texel = fs::read_symlink("/proc/self/exe").parent_path() / "texel";
-    const Ran ran = run_program({"env", "TEXEL_ROOT=" + tree.source.string(), texel.string(), "check",
-                                 fmt::format("{}", lab.number), "--json"},
-                                true);
+    std::vector<std::string> words{"env", "TEXEL_ROOT=" + tree.source.string(), texel.string(), "check",
+                                   "--json"};
+    words.insert(words.end(), labs.begin(), labs.end());
+    const Ran ran = run_program(words, true);
     if (ran.exit_code > 1) throw Error::failed(ran.output);
     return judge::parse_steps(ran.output);
+  }
+
+  /// The steps of all labs, or none where a lab's program is not built.
+  [[nodiscard]] std::vector<judge::StepResult> check_course() {
+    try {
+      return check({});
+    } catch (const std::exception&) {
+      return {};
+    }
   }
 
   /// The compiler's messages, or "".
@@ -121,18 +131,25 @@ struct StepsCheck::Shared {
     for (std::unique_lock lock(mutex); is_wanted;) {
       is_wanted = false;
       const bool builds = std::exchange(build_is_wanted, false);
-      Found found = {.steps = last.steps, .fault = {}, .compile_error = {}};
+      Found found = {.steps = last.steps, .course = last.course, .fault = {}, .compile_error = {}};
       lock.unlock();
       try {
         if (builds) found.compile_error = build();
         // Else the program is older than what was saved: the steps stay.
-        if (found.compile_error.empty()) found.steps = check();
+        if (found.compile_error.empty()) found.steps = check({std::to_string(lab.number)});
       } catch (const std::exception& error) {
-        found = {.steps = {}, .fault = error.what(), .compile_error = {}};
+        found = {.steps = {}, .course = last.course, .fault = error.what(), .compile_error = {}};
       }
       lock.lock();
       last = std::move(found);
       is_new = true;
+      if (last.course.empty() && last.fault.empty() && !is_wanted) {  // nobody waits for it
+        lock.unlock();
+        std::vector<judge::StepResult> course = check_course();
+        lock.lock();
+        last.course = std::move(course);
+        is_new = true;
+      }
       is_running = is_wanted;
     }
   }
@@ -160,6 +177,10 @@ bool StepsCheck::poll() {
   const std::scoped_lock lock(shared_->mutex);
   if (!std::exchange(shared_->is_new, false)) return false;
   found_ = shared_->last;
+  for (const judge::StepResult& own : found_.steps)
+    if (const auto one = std::ranges::find(found_.course, own.id, &judge::StepResult::id);
+        one != found_.course.end())
+      *one = own;
   return true;
 }
 
@@ -245,6 +266,30 @@ void steps_section(app::AnyLab& lab, WindowState& state) {
     step_details(lab, state, step);
     ImGui::TreePop();
   }
+}
+
+void course_line(const std::vector<judge::StepResult>& course, int lab) {
+  if (course.empty()) return;
+  const float unit = ImGui::GetFontSize() / 2,
+              width = ImGui::GetContentRegionAvail().x / static_cast<float>(course.size());
+  ImVec2 from = ImGui::GetCursorScreenPos();
+  const judge::StepResult* next = nullptr;
+  for (const judge::StepResult& step : course) {
+    const bool is_done = step.status == Status::passed, is_next = !is_done && next == nullptr;
+    if (is_next) next = &step;
+    const float height = std::stoi(step.id) == lab ? 1.5F * unit : unit;
+    const ImVec4& color = is_done ? theme().good : is_next ? theme().next : theme().field;
+    ImGui::GetWindowDrawList()->AddRectFilled({from.x, from.y + 1.5F * unit - height},
+                                              {from.x + width - 1, from.y + 1.5F * unit},
+                                              ImGui::GetColorU32(color));
+    if (ImGui::IsMouseHoveringRect(from, {from.x + width, from.y + 2 * unit}))
+      ImGui::SetTooltip("%s %s: %s", step.id.c_str(), step.title.c_str(), judge::word_of(step, is_next));
+    from.x += width;
+  }
+  ImGui::Dummy({0, 2 * unit});
+  const auto done = std::ranges::count(course, Status::passed, &judge::StepResult::status);
+  wrapped_text(theme().dim, fmt::format("Course: {} of {} steps right{}", done, course.size(),
+                                        next != nullptr ? ", next is " + next->id : ""));
 }
 
 void pick_case(app::AnyLab& lab, WindowState& state, const judge::StepResult& step,

@@ -22,22 +22,22 @@ struct EnvironmentLab : app::Lab<EnvironmentParameters> {
 
   void draw(const Parameters& p, app::Frame& frame) override {
     environment_.bind(0, p.cube_map);
-    //@step 7.4 begin
     if (p.depth_method == DepthMethod::far_plane) {
+      //@step 7.4 begin
       draw_spheres(p, frame);
       glDepthFunc(GL_LEQUAL);  // the quad has depth 1, and so has the cleared buffer
       draw_background(p, frame);
-    } else {
+      //@starter
+      // glDisable(GL_DEPTH_TEST);
+      // draw_spheres(p, frame);
+      // draw_background(p, frame);
+      //@end
+    } else {  // the worksheet's two ways
       if (p.depth_method == DepthMethod::test_off) glDisable(GL_DEPTH_TEST);  // neither tested nor written
       draw_background(p, frame);
       glEnable(GL_DEPTH_TEST);
       draw_spheres(p, frame);
     }
-    //@starter
-    // glDisable(GL_DEPTH_TEST);
-    // draw_spheres(p, frame);
-    // draw_background(p, frame);
-    //@end
   }
 
  private:

@@ -114,6 +114,14 @@ endif()
         self.mutants(says=("SURVIVED",))
         self.assertNotIn("Clamp.in_lab_2", (self.folder / "work/logs/one.log").read_text(encoding="utf-8"))
 
+    def test_asks_first_what_noticed_the_mutant_last_time(self):
+        self.write("CMakeLists.txt", PROJECT + "add_executable(clamp_test clamp.cpp)\nforeach(name first second)\n"
+                   "add_test(NAME Clamp.${name} COMMAND clamp_test)\nendforeach()\n")
+        self.mutants("--only", "wrong-branch", says=("caught by Clamp.first; Clamp.second",))
+        self.write("docs/mutants.md", "# Mutants\n\n## Caught\n\n| mutant | file | what | by |\n|---|---|---|---|\n"
+                   "| wrong-branch | clamp.cpp | Small numbers. | Clamp.gone; Clamp.second |\n")
+        self.mutants("--only", "wrong-branch", says=("caught by Clamp.second (",))
+
     def test_refuses_what_cannot_be_measured(self):
         self.mutants("--only", "wrong-limits", ends=2, complains="did you mean 'wrong-limit'?")
         self.mutants("--report", "report.txt", ends=2)

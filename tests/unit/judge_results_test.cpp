@@ -223,6 +223,7 @@ TEST(ResultsJson, is_the_same_when_it_was_read_and_written) {
     EXPECT_TRUE(test::has(text, part)) << part;
   lab.steps = parse_steps(text);
   EXPECT_EQ(to_json(lab), text);
+  EXPECT_EQ(parse_steps(to_json(std::vector{lab, lab})).size(), 2 * lab.steps.size());
   EXPECT_TRUE(test::has(test::error_of([] { parse_steps("Segmentation fault"); }), "did not print its JSON"));
 }
 

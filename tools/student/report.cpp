@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "commands.hpp"
@@ -135,7 +136,7 @@ std::string report(const LabResult& lab) {
 std::string progress_report(const std::vector<LabResult>& labs) {
   const bool colors = wants_colors();
   std::string text;
-  double points = 0, most = 0;
+  double points = 0, most = 0, hours = 0;
   const LabResult* next = nullptr;
   std::size_t width = 0;
   for (const LabResult& lab : labs) width = std::max(width, lab.lab.title.size());
@@ -150,6 +151,8 @@ std::string progress_report(const std::vector<LabResult>& labs) {
     text += fmt::format("  {:>2}  {:<{}}  {} {:>3g} of {:g} points\n", lab.lab.number, lab.lab.title, width,
                         bar, lab.points(), lab.max_points());
     points += lab.points(), most += lab.max_points();
+    // As docs/course.md estimates.
+    if (lab.points() < lab.max_points()) hours += 0.5 + 0.25 * (lab.max_points() - lab.points());
     if (next == nullptr && next_step(lab) != nullptr) next = &lab;
   }
   text += fmt::format("  {:g} of {:g} points; {} done, {} to do, {} waits for another step\n", points, most,
@@ -160,8 +163,9 @@ std::string progress_report(const std::vector<LabResult>& labs) {
                                   lab.lab.number),
                       0);
   if (next != nullptr)
-    text += fmt::format("next: {} {}   ./run watch {}\n", next_step(*next)->id, next_step(*next)->title,
-                        next->lab.number);
+    text += fmt::format("next: {} {}   ./run watch {}\nWhat is left takes about {}.\n", next_step(*next)->id,
+                        next_step(*next)->title, next->lab.number,
+                        hours > 1 ? fmt::format("{:.0f} hours", std::ceil(hours)) : "an hour");
   return text;
 }
 

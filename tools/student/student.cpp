@@ -9,12 +9,12 @@
 #include <cstdio>
 #include <future>
 
+#include "captions.hpp"
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "core/json.hpp"
 #include "course/markers.hpp"
 #include "course/step_text.hpp"
-#include "image/compared.hpp"
 #include "image/save.hpp"
 #include "judge/results.hpp"
 #include "student.hpp"
@@ -150,12 +150,9 @@ Exit see(const std::string& wanted, fs::path out, const std::string& context) {
                flags);
     return Exit::holds;
   }
-  const image::Compared pictures = check::compared(one);
   if (out.empty()) out = course_root() / "out/see" / (step.id + ".png");
   make_folder(out.parent_path());
-  const int zoom = std::max(1, 320 / pictures.own.height);  // cases are small
-  image::save_png(out, image::side_by_side({pictures.own, pictures.expected, pictures.heat_map}, zoom), {},
-                  6);
+  image::save_png(out, with_captions(check::compared(one), one.unit()), {}, 6);
   fmt::print("Your picture, the expected one, and where they differ:\n{}\n", out.string());
   return Exit::holds;
 }

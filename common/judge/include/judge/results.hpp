@@ -126,7 +126,7 @@ std::string to_json(const LabResult& lab);
 /// Of several labs, a list.
 std::string to_json(const std::vector<LabResult>& labs);
 
-/// The steps of one lab's results. Throws Error (exit 3) for any other text.
+/// The steps of one lab's results, or of a list of them. Throws Error (exit 3) for any other text.
 std::vector<StepResult> parse_steps(const std::string& json);
 
 }  // namespace texel::judge
