@@ -58,6 +58,8 @@ std::function<void()> take_snapshot(const Canvas& canvas, AnyLab& lab, View view
                                  {"Renderer", canvas.context().name()}};
   if (const Legend legend = canvas.legend(view); !legend.title.empty())
     texts.push_back({"Legend", to_json(legend)});
+  if (const ErrorFigures* figures = canvas.error_figures())
+    texts.push_back({"Error", lab.answer()->report(lab, *figures)});
   // Alpha is no part of the picture.
   return [file, colors = canvas.read8(), texts = std::move(texts)] {
     image::save_png(file, image::without_alpha(colors), texts);

@@ -153,8 +153,11 @@ def main():
     parser.add_argument("--against", type=pathlib.Path, help="compare the errors with those of an earlier --json")
     parser.add_argument("--errors-only", action="store_true", help="measure errors, but no costs")
     parser.add_argument("--times-only", action="store_true", help="count no instructions (which takes minutes): times say what is cheaper")
+    parser.add_argument("--every", type=int, default=1, help="each so many-th case of a lab, as a sample")
     given = parser.parse_intermixed_args()
-    labs = [lab for lab in read_labs(given.labs) if lab.get("bench")]
+    if given.every < 1:
+        parser.error("--every takes a number from 1")
+    labs = [lab | {"bench": lab["bench"][::given.every]} for lab in read_labs(given.labs) if lab.get("bench")]
     report = read_report(given.earlier) if given.earlier else measure(labs, given.out, given)
     gpu = read_report(given.gpu) if given.gpu else {"renderer": "", "results": []}
     results = by_lab(labs, report, gpu)

@@ -69,6 +69,7 @@ NUMBERS = r"-?[\d.]+(?:e-?\d+)?(?: -?[\d.]+(?:e-?\d+)?)*"
 LINE = re.compile(rf"(?P<what>\w+)\((?P<of>[^)]*)\)(?: (?P<sign>[<>=]|!=|has|lacks) (?:(?:(?P<times>[\d.e-]+) \* )?(?P<other>\w+)\((?P<beside>[^)]*)\)|"
                   rf"(?P<numbers>{NUMBERS})|(?P<word>.+?))(?: \+- (?P<tolerance>[\d.e-]+))?)?")
 CALL = re.compile(r"(\w+)\(([^)]*)\)")
+FIGURES = ("mean", "rms", "median", "p99", "max", "max_aside", "outline_pixels", "pixels", "truth_pixels", "non_finite")  # of --measure
 NO_SETTINGS = ("view", "size", "at", "channel", "half", "middle", "number", "of")
 
 
@@ -111,10 +112,9 @@ class Look:
 
 
 def measured(what, look):
-    said = look.said("--measure")
-    if said.returncode != 0:
-        raise AssertionError(said.stderr.strip())
-    found = json.loads(said.stdout)
+    if not look.file.exists():
+        raise AssertionError(look.lab.not_drawn)
+    found = json.loads(labs.texts(look.file.read_bytes())["Error"])
     if found[what] is None:
         raise AssertionError(found["reason"])
     return [found[what]]
@@ -180,9 +180,9 @@ OF_PICTURES = {
 }
 
 
-def is_drawn(what, looks):
-    """Whether a call needs a picture or mesh. non_finite without a view is a figure of --measure."""
-    return what in OF_PICTURES and (what != "non_finite" or "view" in looks[0].words)
+def is_of_errors(what, words):
+    """Whether a call asks for a figure of --measure. non_finite with a view is that picture's."""
+    return what in FIGURES and (what != "non_finite" or words.get("view", "error") == "error")
 
 
 class Lab:
@@ -190,7 +190,7 @@ class Lab:
 
     def __init__(self, program, folder, files):
         self.program, self.folder, self.files, self.shots = program, pathlib.Path(folder), {}, []
-        self.texts, self.locks = files, {}
+        self.texts, self.locks, self.not_drawn = files, {}, ""
         for name, content in files.items():
             path = self.folder / name
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -213,15 +213,16 @@ class Lab:
                 own = dict(part.split("=", 1) for part in re.split(r", *", group.strip()) if part)
                 if what in ("vertex", "off_tangents"):
                     own["view"] = "mesh"
+                elif is_of_errors(what, own):
+                    own["view"] = "error"
                 looks.append(Look(self, {**settings, **own}))
             yield what, looks
 
     def want(self, settings, line):
         for what, looks in self.calls(settings, line):
-            for look in looks if is_drawn(what, looks) else []:
+            for look in looks if what in OF_PICTURES or what in FIGURES else []:
                 if look.key not in self.files:
-                    view = look.shot["view"]
-                    ending = {"color": ".png", "mesh": ".ply"}.get(view, ".pfm")
+                    ending = {"color": ".png", "error": ".png", "mesh": ".ply"}.get(look.shot["view"], ".pfm")
                     name = f"{len(self.shots)}{ending}"
                     self.files[look.key] = self.folder / "drawn" / name
                     self.shots.append({"name": name, **look.shot})
@@ -231,15 +232,24 @@ class Lab:
         def part(number, shots):
             folder = self.folder / f"part{number}"
             folder.mkdir()
-            said = labs.draw(self.program, shots, folder) if shots else ""
+            said = ""
+            try:
+                said = labs.draw(self.program, shots, folder) if shots else ""
+            except AssertionError as error:
+                self.not_drawn += str(error)
             for shot in shots:
-                (folder / shot["name"]).rename(self.folder / "drawn" / shot["name"])
+                if (folder / shot["name"]).exists():
+                    (folder / shot["name"]).rename(self.folder / "drawn" / shot["name"])
+                elif shot["view"] != "error":  # of which the line that asks for its figures says why
+                    raise AssertionError(self.not_drawn)
             return said
 
         (self.folder / "drawn").mkdir()
         count = os.cpu_count()
+        # Methods of one look follow each other: they have the same right answer.
+        shots = sorted(self.shots, key=lambda shot: (shot["view"], shot["size"], sorted(pair for pair in shot["set"].items() if pair[0] != "method")))
         with concurrent.futures.ThreadPoolExecutor(count) as pool:
-            return "".join(pool.map(part, range(count), (self.shots[begin::count] for begin in range(count))))
+            return "".join(pool.map(part, range(count), (shots[len(shots) * i // count:len(shots) * (i + 1) // count] for i in range(count))))
 
     @functools.cache
     def picture(self, file):
@@ -264,11 +274,15 @@ class Lab:
             return None if said.returncode == 3 and "no exact answer" in said.stderr and "choose" in said.stderr else said.stderr or said.stdout
 
         def result(what, looks):
-            if is_drawn(what, looks):
+            if is_of_errors(what, looks[0].words):
+                return measured(what, *looks)
+            if what in OF_PICTURES:
                 return OF_PICTURES[what](*looks)
             if what in ("notes", "warnings"):
                 return "\n".join(stats(what, *looks))
-            return [stats(what, *looks)] if what in ("vertices", "triangles") else measured(what, *looks)
+            if what not in ("vertices", "triangles"):
+                raise KeyError(what)
+            return [stats(what, *looks)]
 
         try:
             got = result(*calls[0])

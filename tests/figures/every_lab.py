@@ -352,6 +352,13 @@ def test_an_error_is_that_of_its_own_truth_whatever_was_drawn_before(folder):
     expect((folder / shots[0]["name"]).read_bytes() == (folder / shots[-1]["name"]).read_bytes())
 
 
+def test_a_picture_of_errors_holds_what_measure_says(folder):
+    known = {"model": "sphere", "cube_map": "smooth"}  # have an exact answer
+    look = ["--size", "96x64", *labs.flags({p["name"]: known[p["name"]] for p in PARAMETERS if p["name"] in known})]
+    ran("--view", "error", "--snapshot", folder / "a.png", *look)
+    expect(labs.texts((folder / "a.png").read_bytes())["Error"] == ran("--measure", "-", *look))
+
+
 def test_a_snapshot_holds_how_it_was_made(folder):
     # A number that is not the default, in the parameters' own words.
     settings = {"field_of_view": "50"} if any(p["name"] == "field_of_view" for p in PARAMETERS) else {}
