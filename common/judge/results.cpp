@@ -110,7 +110,7 @@ const CaseResult* clearest_case(const StepResult& step) {
 }
 
 StepResult step_result(const course::Step& step, std::vector<CaseResult> cases) {
-  StepResult result(step);
+  StepResult result{step};
   result.score = score_of(cases);
   result.cases = std::move(cases);
 
