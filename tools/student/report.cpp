@@ -46,7 +46,7 @@ std::string short_message(const CaseResult& one) {
 
 /// Written, and not right: its own text is to be changed, whether other steps come first or not.
 bool is_wrong(const StepResult& step) {
-  return step.status != Status::passed && !step.is_untouched() && !step.was_right;
+  return !step.passed() && !step.is_untouched() && !step.was_right;
 }
 
 /// What is wrong with a step, and what helps.
@@ -114,7 +114,7 @@ std::string report(const LabResult& lab) {
       line += fmt::format(": {}", said = step.message);
     const std::string begin = fmt::format("  {:<5}  {}  ", word, step.id);
     line = begin + wrapped(line, begin.size()).substr(begin.size());
-    text += paint(step.status == Status::passed ? kGreen : &step == next ? kYellow : kDim, line);
+    text += paint(step.passed() ? kGreen : &step == next ? kYellow : kDim, line);
     // A picture that cannot be drawn is told at the next step: another step's text may be the reason.
     if (&step != next && !(is_wrong(step) && !judge::clearest_case(step)->picture.empty())) continue;
     text += paint(kDim, fmt::format("{:12}{}:{}\n", "", step.file, step.line));

@@ -77,6 +77,7 @@ struct StepResult : course::Step {
   std::vector<std::string> spoilt_by = {};
   std::vector<CaseResult> cases = {};
 
+  [[nodiscard]] bool passed() const { return status == Status::passed; }
   /// Whether it failed, and nothing of it was written.
   [[nodiscard]] bool is_untouched() const;
 };
