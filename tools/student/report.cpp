@@ -128,7 +128,7 @@ std::string report(const LabResult& lab) {
             what_follows(lab.lab.number) + "\n";
   else
     text += fmt::format("A hint: ./run hint {}\n", next->id);
-  for (const std::string& note : lab.notes) text += paint(kDim, wrapped(note, 0));
+  for (const std::string& note : lab.notes) text += paint(kDim, wrapped(note));
   return text;
 }
 
@@ -157,8 +157,7 @@ std::string progress_report(const std::vector<LabResult>& labs) {
   for (const LabResult& lab : labs)
     for (const std::string& copy : lab.lab.copies)
       text += wrapped(fmt::format("labs/{} is a copy of lab {}: what is written there does not count.", copy,
-                                  lab.lab.number),
-                      0);
+                                  lab.lab.number));
   if (next != nullptr)
     text += fmt::format("next: {} {}   ./run watch {}\n", next_step(*next)->id, next_step(*next)->title,
                         next->lab.number);

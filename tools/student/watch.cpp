@@ -88,7 +88,7 @@ class Watch {
                                                         flush_output();
                                                       });
     if (messages.empty()) return true;
-    fmt::print("Your code cannot be built. The messages from the first error on:\n{}", wrapped(messages, 0));
+    fmt::print("Your code cannot be built. The messages from the first error on:\n{}", wrapped(messages));
     return false;
   }
 
