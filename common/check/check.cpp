@@ -189,8 +189,7 @@ image::Compared compared(const judge::CaseResult& one) {
   if (one.view == course::View::color)
     return image::compared(image::load8(one.picture, 3), image::load8(one.reference, 3), scale, one.error);
   return image::compared(image::load_pfm(one.picture), image::load_pfm(one.reference), scale, one.error,
-                         name_of(one.view),
-                         one.unit() == course::Unit::degrees ? image::Unit::degrees : image::Unit::own);
+                         name_of(one.view), one.unit() == course::Unit::degrees);
 }
 
 fs::path expected_folder(const fs::path& source, const course::Lab& lab) {
