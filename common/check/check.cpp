@@ -103,7 +103,7 @@ CheckedCases check_cases(const OwnTree& tree, const course::Lab& plan, const std
                         "copy the folder from the course again; the course draws it with ./run expected");
   fs::create_directories(own);
   // A window and a watch may check the same lab.
-  const FileLock lock(own.string() + ".lock");
+  const Descriptor lock = lock_file(own.string() + ".lock");
   const Drawn drawn = draw_all(plan, draws, own, processes);
   std::vector<judge::CaseResult> results;
   std::map<std::string, std::map<std::string, judge::Failed>> failed;  // by step and case
@@ -240,7 +240,7 @@ std::vector<judge::LabResult> check(const OwnTree& tree, const std::vector<cours
   std::vector<judge::LabResult> results = judge::lab_results(labs, std::move(cases));
   const fs::path memory = checked_folder(tree) / "passed.json";
   {
-    const FileLock lock(memory.string() + ".lock");
+    const Descriptor lock = lock_file(memory.string() + ".lock");
     const auto changed = changed_since_it_passed(memory, texts, results);
     for (judge::LabResult& lab : results) skip_those_that_wait(lab, changed);
   }
