@@ -28,11 +28,6 @@ fs::file_time_type newest_below(const fs::path& folder) {
   return newest;
 }
 
-/// The look's picture below the gallery's folder: "05_normal_map/bricks.png".
-std::string picture(const course::Lab& lab, const course::Look& look) {
-  return lab.folder + "/" + look.file;
-}
-
 /// The list of pictures from which a lab's were drawn, in their folder.
 constexpr const char* kList = "batch.json";
 
@@ -52,13 +47,6 @@ bool is_current(const course::Lab& lab, const fs::path& folder, const fs::path& 
   return std::ranges::all_of(lab.looks, [&](const course::Look& look) {
     return fs::exists(folder / look.file) && fs::last_write_time(folder / look.file) >= newest;
   });
-}
-
-/// Removes looks that need the right answers, unless this is the course's tree.
-void leave_out_errors(std::vector<course::Lab>& labs) {
-  if (MoreCommands::make != nullptr) return;
-  for (course::Lab& lab : labs)
-    std::erase_if(lab.looks, [](const course::Look& look) { return look.view == course::View::error; });
 }
 
 void say(const course::Lab& lab, const char* what) {
@@ -106,7 +94,7 @@ std::string text_of(const fs::path& picture, const char* key) {
 Json described(const course::Lab& lab, const fs::path& out) {
   Json looks = Json::array();
   for (const course::Look& look : lab.looks) {
-    const std::string legend = text_of(out / picture(lab, look), "Legend");  // of a data view
+    const std::string legend = text_of(out / lab.folder / look.file, "Legend");  // of a data view
     looks.push_back({{"name", look.name},
                      {"file", look.file},
                      {"caption", look.caption},
@@ -132,7 +120,8 @@ std::string page_of(const std::vector<course::Lab>& labs, const fs::path& out) {
   Json drawn = {{"renderer", "an unnamed renderer"}, {"labs", Json::array()}};
   for (const course::Lab& lab : labs) {
     drawn["labs"].push_back(described(lab, out));
-    if (!lab.looks.empty()) drawn["renderer"] = text_of(out / picture(lab, lab.looks.front()), "Renderer");
+    if (!lab.looks.empty())
+      drawn["renderer"] = text_of(out / lab.folder / lab.looks.front().file, "Renderer");
   }
   const auto escaped = [](const Pattern::Groups&) { return "\\u003c"; };  // no </script>
   const std::string json = Pattern("<").replace(to_text(drawn), escaped);
@@ -145,7 +134,10 @@ std::string page_of(const std::vector<course::Lab>& labs, const fs::path& out) {
 
 Exit gallery(const GalleryOptions& options) {
   std::vector<course::Lab> labs = chosen_labs(options.labs);
-  leave_out_errors(labs);
+  // Errors need the right answers, which only the course's own tree has.
+  const bool has_answers = MoreCommands::make != nullptr;
+  for (course::Lab& lab : labs)
+    std::erase_if(lab.looks, [&](auto& look) { return look.view == course::View::error && !has_answers; });
   draw(labs, options.out);
   make_folder(options.out);
   const fs::path page = options.out / "index.html";

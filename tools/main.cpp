@@ -34,7 +34,7 @@ struct Options {
 /// With what each does.
 std::vector<std::pair<const CLI::App*, std::function<Exit()>>> add_commands(CLI::App& app, Options& o) {
   std::vector<std::pair<const CLI::App*, std::function<Exit()>>> commands;
-  const auto add = [&](const char* name, const char* what, std::function<Exit()> run, bool draws = true) {
+  const auto add = [&](const char* name, const char* what, bool draws, std::function<Exit()> run) {
     CLI::App* command = app.add_subcommand(name, what);
     if (draws) add_context(command, o.context);
     commands.emplace_back(command, std::move(run));
@@ -44,40 +44,37 @@ std::vector<std::pair<const CLI::App*, std::function<Exit()>>> add_commands(CLI:
   const auto is_place = [](const std::string& text) {
     return lab_or_step.match(text).empty() ? fmt::format("'{}' is neither a lab nor a step", text) : "";
   };
-  add("list", "List the labs", list, false);
-  CLI::App* command = add(
-      "gallery", "Draw every lab's looks, and a page that shows them", [&] { return gallery(o.gallery); },
-      false);
+  add("list", "List the labs", false, list);
+  CLI::App* command = add("gallery", "Draw every lab's looks, and a page that shows them", false,
+                          [&] { return gallery(o.gallery); });
   command->add_option("--out", o.gallery.out, "Folder for the page and the pictures [out/gallery]");
   command->add_option("--lab", o.gallery.labs, "Draw only this lab; repeat the option for several labs")
       ->check(CLI::Range(1, 99));
-  command = add("check", "Show which steps are right, and how far the next one is off",
+  command = add("check", "Show which steps are right, and how far the next one is off", true,
                 [&] { return check(o.check, o.context); });
   command->footer("Exit codes: 0 all steps passed, 1 not all, 2 wrong usage, 3 could not draw or compare.");
   command->add_option("LAB", o.check.places, "Labs as 9, and steps as 9.4 [all labs]")->check(is_place);
   command->add_flag("--json", o.check.json, "Print JSON: an object for one lab, a list for several");
   command->add_flag("--unless-begun", o.check.unless_begun,
                     "Exit code 0 also if no step of these labs is begun");
-  command = add("see", "Write one picture of a step: yours, the expected one, and where they differ",
+  command = add("see", "Write one picture of a step: yours, the expected one, and where they differ", true,
                 [&] { return see(o.step, o.out, o.context); });
   command->add_option("STEP", o.step, "A step as 5.1")->required();
   command->add_option("--out", o.out, "The .png to write [out/see/STEP.png]");
-  command = add("watch", "Check a lab after every save; h shows a hint, q quits",
+  command = add("watch", "Check a lab after every save; h shows a hint, q quits", true,
                 [&] { return watch(o.lab, o.context); });
   command->add_option("LAB", o.lab, "The lab's number")->required()->check(CLI::Range(1, 99));
-  command = add("hint", "Show one more hint for a step", [&] { return hint(o.step, o.context); });
+  command = add("hint", "Show one more hint for a step", true, [&] { return hint(o.step, o.context); });
   command->add_option("STEP", o.step, "A step as 5.1, or a lab's number [the next step of the course]")
       ->check(is_place);
-  command = add(
-      "predict", "Ask a step's question, or answer your choice", [&] { return predict(o.step, o.choice); },
-      false);
+  command = add("predict", "Ask a step's question, or answer your choice", false,
+                [&] { return predict(o.step, o.choice); });
   command->add_option("STEP", o.step, "A step as 5.1")->required();
   command->add_option("CHOICE", o.choice, "Your answer: 1, 2 or 3")->check(CLI::Range(1, 3));
-  command = add(
-      "reset", "Restore a step's starting code; your code is saved in another file",
-      [&] { return reset(o.step); }, false);
+  command = add("reset", "Restore a step's starting code; your code is saved in another file", false,
+                [&] { return reset(o.step); });
   command->add_option("STEP", o.step, "A step as 5.1")->required();
-  add("progress", "Show all labs with their steps and points", [&] { return progress(o.context); });
+  add("progress", "Show all labs with their steps and points", true, [&] { return progress(o.context); });
   return commands;
 }
 

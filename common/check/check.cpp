@@ -69,89 +69,69 @@ std::string step_at(const fs::path& source, const std::string& line) {
   return found;
 }
 
-/// One lab's cases.
-class LabCheck {
- public:
-  LabCheck(const OwnTree& tree, const course::Lab& plan, const std::set<std::string>& untouched,
-           const Draws& draws)
-      : plan_(plan),
-        untouched_(untouched),
-        source_(tree.source),
-        expected_(expected_folder(tree.source, plan)),
-        own_(checked_folder(tree) / plan.folder),
-        draws_(draws) {
-    if (!fs::exists(expected_))
-      throw Error::failed("is missing; it contains the expected pictures", {expected_.string()},
-                          "copy the folder from the course again; the course draws it with ./run expected");
-  }
-
-  /// By so many processes side by side: nearly all of the time goes into compiling shaders.
-  std::vector<judge::CaseResult> run(unsigned processes) {
-    fs::create_directories(own_);
-    // A window and a watch may check the same lab.
-    const FileLock lock(own_.string() + ".lock");
-    draw_all(processes);
-    std::vector<judge::CaseResult> results;
-    std::map<std::string, std::map<std::string, judge::Failed>> failed;  // by step and case
-    for (const Case& one : plan_.cases) {
-      results.push_back(judged(one));
-      if (results.back().passed() || untouched_.contains(one.step)) continue;
-      judge::Failed drawn{picture_bytes(own_ / one.file), text_at(drawn_.refused, one.file),
-                          read_file(expected_ / one.file), one.is_mesh() ? "" : read_file(mask_of(one))};
-      if (!drawn.picture.empty() || !drawn.refused.empty()) failed[one.step][one.name] = std::move(drawn);
-    }
-    const std::vector<judge::Mistake> mistakes = known_mistakes(expected_);
-    for (const auto& [step, of_step] : failed) {
-      const std::map<std::string, judge::Seen> seen = judge::explain(mistakes, plan_, step, of_step);
-      for (judge::CaseResult& result : results)
-        if (const auto one = seen.find(result.name); one != seen.end())
-          result.mistake = one->second.mistake, result.mistake_says = one->second.says;
-    }
-    return results;
-  }
-
-  /// What drew, or "" where nothing was drawn.
-  [[nodiscard]] const std::string& renderer() const { return drawn_.renderer; }
-
- private:
-  /// A picture of the last check stays until its new one takes its place: somebody may look at it.
-  void draw_all(unsigned processes) {
-    std::vector<std::vector<Case>> parts(std::min<std::size_t>(processes, plan_.cases.size()));
-    for (std::size_t i = 0; i < plan_.cases.size(); ++i) parts[i % parts.size()].push_back(plan_.cases[i]);
-    std::vector<Drawn> drawn(parts.size());
-    in_parallel(processes, parts.size(), [&](std::size_t i) { drawn[i] = draws_(plan_, parts[i], own_); });
-    for (Drawn& part : drawn) {
-      drawn_.faults.merge(part.faults);
-      drawn_.refused.merge(part.refused);
-      drawn_.crashed_at.merge(part.crashed_at);
-      if (!part.renderer.empty()) drawn_.renderer = part.renderer;
-    }
-    for (const auto& [file, fault] : drawn_.faults)
-      while (fs::remove(own_ / file)) continue;  // Emscripten's file system may have an older one below it
-  }
-
-  [[nodiscard]] judge::CaseResult judged(const Case& one) const {
-    judge::CaseResult result{one};
-    result.command = course::command(plan_, one);
-    result.reference = (expected_ / one.file).string();
-    if (fs::exists(own_ / one.file)) result.picture = (own_ / one.file).string();
-    const fs::path mask = one.is_mesh() ? fs::path() : mask_of(one);
-    judge::resolve(result, judge(one, ExpectedFiles{result.reference, mask}, own_ / one.file),
-                   text_at(drawn_.faults, one.file), untouched_.contains(one.step));
-    result.score = result.passed() ? 1 : 0;
-    result.died = drawn_.faults.contains(one.file) && !drawn_.refused.contains(one.file);
-    if (result.died) result.crashed_in = step_at(source_, text_at(drawn_.crashed_at, one.file));
-    return result;
-  }
-
-  [[nodiscard]] fs::path mask_of(const Case& one) const { return expected_ / (one.name + ".mask.png"); }
-
-  const course::Lab& plan_;
-  const std::set<std::string>& untouched_;
-  fs::path source_, expected_, own_;
-  const Draws& draws_;
-  Drawn drawn_;  ///< by all processes
+/// What became of one lab's cases.
+struct CheckedCases {
+  std::vector<judge::CaseResult> results;
+  std::string renderer;  ///< what drew, or "" where nothing was drawn
 };
+
+/// Draws a lab's cases into the folder `own`. A picture of the last check stays until its new one takes its
+/// place: somebody may look at it.
+Drawn draw_all(const course::Lab& plan, const Draws& draws, const fs::path& own, unsigned processes) {
+  std::vector<std::vector<Case>> parts(std::min<std::size_t>(processes, plan.cases.size()));
+  for (std::size_t i = 0; i < plan.cases.size(); ++i) parts[i % parts.size()].push_back(plan.cases[i]);
+  std::vector<Drawn> drawn(parts.size());
+  in_parallel(processes, parts.size(), [&](std::size_t i) { drawn[i] = draws(plan, parts[i], own); });
+  Drawn all;
+  for (Drawn& part : drawn) {
+    all.faults.merge(part.faults);
+    all.refused.merge(part.refused);
+    all.crashed_at.merge(part.crashed_at);
+    if (!part.renderer.empty()) all.renderer = part.renderer;
+  }
+  for (const auto& [file, fault] : all.faults)
+    while (fs::remove(own / file)) continue;  // Emscripten's file system may have an older one below it
+  return all;
+}
+
+/// Checks a lab by so many processes side by side: nearly all of the time goes into compiling shaders.
+CheckedCases check_cases(const OwnTree& tree, const course::Lab& plan, const std::set<std::string>& untouched,
+                         const Draws& draws, unsigned processes) {
+  const fs::path expected = expected_folder(tree.source, plan), own = checked_folder(tree) / plan.folder;
+  if (!fs::exists(expected))
+    throw Error::failed("is missing; it contains the expected pictures", {expected.string()},
+                        "copy the folder from the course again; the course draws it with ./run expected");
+  fs::create_directories(own);
+  // A window and a watch may check the same lab.
+  const Descriptor lock = lock_file(own.string() + ".lock");
+  const Drawn drawn = draw_all(plan, draws, own, processes);
+  std::vector<judge::CaseResult> results;
+  std::map<std::string, std::map<std::string, judge::Failed>> failed;  // by step and case
+  for (const Case& one : plan.cases) {
+    const fs::path mask = one.is_mesh() ? fs::path() : expected / (one.name + ".mask.png");
+    judge::CaseResult& result = results.emplace_back(judge::CaseResult{one});
+    result.command = course::command(plan, one);
+    result.reference = (expected / one.file).string();
+    if (fs::exists(own / one.file)) result.picture = (own / one.file).string();
+    judge::resolve(result, judge(one, {result.reference, mask}, own / one.file),
+                   text_at(drawn.faults, one.file), untouched.contains(one.step));
+    result.score = result.passed() ? 1 : 0;
+    result.died = drawn.faults.contains(one.file) && !drawn.refused.contains(one.file);
+    if (result.died) result.crashed_in = step_at(tree.source, text_at(drawn.crashed_at, one.file));
+    if (result.passed() || untouched.contains(one.step)) continue;
+    judge::Failed seen{picture_bytes(own / one.file), text_at(drawn.refused, one.file),
+                       read_file(expected / one.file), mask.empty() ? "" : read_file(mask)};
+    if (!seen.picture.empty() || !seen.refused.empty()) failed[one.step][one.name] = std::move(seen);
+  }
+  const std::vector<judge::Mistake> mistakes = known_mistakes(expected);
+  for (const auto& [step, of_step] : failed) {
+    const std::map<std::string, judge::Seen> seen = judge::explain(mistakes, plan, step, of_step);
+    for (judge::CaseResult& result : results)
+      if (const auto one = seen.find(result.name); one != seen.end())
+        result.mistake = one->second.mistake, result.mistake_says = one->second.says;
+  }
+  return {std::move(results), drawn.renderer};
+}
 
 /// What drew the expected pictures, or "".
 std::string expected_by(const fs::path& source, const course::Lab& lab) {
@@ -209,8 +189,7 @@ image::Compared compared(const judge::CaseResult& one) {
   if (one.view == course::View::color)
     return image::compared(image::load8(one.picture, 3), image::load8(one.reference, 3), scale, one.error);
   return image::compared(image::load_pfm(one.picture), image::load_pfm(one.reference), scale, one.error,
-                         name_of(one.view),
-                         one.unit() == course::Unit::degrees ? image::Unit::degrees : image::Unit::own);
+                         name_of(one.view), one.unit() == course::Unit::degrees);
 }
 
 fs::path expected_folder(const fs::path& source, const course::Lab& lab) {
@@ -250,27 +229,24 @@ std::vector<judge::LabResult> check(const OwnTree& tree, const std::vector<cours
   for (const course::Lab& lab : labs) plans.push_back(course::with_public_cases(lab));
   const std::set<std::string> untouched = untouched_steps(tree);
   const std::map<std::string, std::string> texts = texts_of_steps(tree.source);
-  std::vector<std::vector<judge::CaseResult>> found(plans.size());
-  std::vector<std::string> renderers(plans.size());
+  std::vector<CheckedCases> found(plans.size());
   const auto at_once = static_cast<unsigned>(std::min<std::size_t>(processors(), plans.size()));
   in_parallel(processors(), plans.size(), [&](std::size_t i) {
-    LabCheck lab(tree, plans[i], untouched, draws);
-    found[i] = lab.run(processors() / at_once);
-    renderers[i] = lab.renderer();
+    found[i] = check_cases(tree, plans[i], untouched, draws, processors() / at_once);
   });
   std::vector<judge::CaseResult> cases;
-  for (const std::vector<judge::CaseResult>& of_lab : found)
-    cases.insert(cases.end(), of_lab.begin(), of_lab.end());
+  for (const CheckedCases& of_lab : found)
+    cases.insert(cases.end(), of_lab.results.begin(), of_lab.results.end());
   std::vector<judge::LabResult> results = judge::lab_results(labs, std::move(cases));
   const fs::path memory = checked_folder(tree) / "passed.json";
   {
-    const FileLock lock(memory.string() + ".lock");
+    const Descriptor lock = lock_file(memory.string() + ".lock");
     const auto changed = changed_since_it_passed(memory, texts, results);
     for (judge::LabResult& lab : results) skip_those_that_wait(lab, changed);
   }
   for (std::size_t i = 0; i < results.size(); ++i)
-    if (!renderers[i].empty())
-      results[i].notes.push_back(renderer_note(renderers[i], expected_by(tree.source, labs[i])));
+    if (!found[i].renderer.empty())
+      results[i].notes.push_back(renderer_note(found[i].renderer, expected_by(tree.source, labs[i])));
   add_places(tree.source, results);
   for (judge::LabResult& lab : results)
     for (const std::string& copy : lab.lab.copies)
@@ -285,7 +261,7 @@ judge::LabResult check_step(const OwnTree& tree, const course::Lab& lab, const s
   std::erase_if(plan.cases, [&](const Case& one) { return one.step != step; });
   if (plan.cases.empty()) throw Error::usage(fmt::format("this lab has no step '{}'", step));
   std::vector<judge::LabResult> results =
-      judge::lab_results({lab}, LabCheck(tree, plan, untouched_steps(tree), draws).run(processors()));
+      judge::lab_results({lab}, check_cases(tree, plan, untouched_steps(tree), draws, processors()).results);
   std::erase_if(results.front().steps, [&](const judge::StepResult& one) { return one.id != step; });
   add_places(tree.source, results);
   return results.front();

@@ -49,7 +49,7 @@ std::map<std::string, std::vector<std::string>> changed_since_it_passed(
     for (const auto& [id, text] : texts)
       if (std::stoi(id) == lab.lab.number) now[id] = fmt::format("{:016x}", std::hash<std::string>()(text));
     for (const judge::StepResult& step : lab.steps) {
-      if (step.status == judge::Status::passed) memory[step.id] = now;
+      if (step.passed()) memory[step.id] = now;
       const auto then = memory.find(step.id);
       if (then == memory.end() || then->second[step.id] != now[step.id]) continue;
       for (const auto& [id, hash] : now)
@@ -69,7 +69,7 @@ void skip_those_that_wait(judge::LabResult& lab,
     if (step.status == judge::Status::failed && !step.is_untouched()) wrong.push_back(step.id);
   for (judge::StepResult& step : lab.steps) {
     Before& own = before[step.id];
-    own.is_passed = step.status == judge::Status::passed;
+    own.is_passed = step.passed();
     if (own.is_passed) continue;
     if (const auto found = changed.find(step.id); found != changed.end()) {
       step.was_right = true;

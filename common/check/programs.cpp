@@ -26,7 +26,7 @@ Draws by_programs(const OwnTree& tree, const std::string& context) {
 
 std::string build_program(const OwnTree& tree, const course::Lab& lab, const std::string& who,
                           const std::function<void(const std::string&)>& waits) {
-  // Not by a FileLock: the programs that build hold this lock themselves, also when the window is closed.
+  // Not by lock_file: the programs that build hold this lock themselves, also when the window is closed.
   const std::string file = (tree.build / "build.lock").string();
   constexpr int kTaken = 75;
   const auto build = [&](const std::string& how) {

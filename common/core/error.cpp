@@ -53,13 +53,11 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
                          const std::string& otherwise) {
   std::string best;
   std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
-  for (const std::string& choice : choices) {
-    const std::size_t distance = edit_distance(word, choice);
-    if (distance < least) {
+  for (const std::string& choice : choices)
+    if (const std::size_t distance = edit_distance(word, choice); distance < least) {
       least = distance;
       best = choice;
     }
-  }
   return best.empty() ? otherwise : fmt::format("did you mean '{}'?", best);
 }
 

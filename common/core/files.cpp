@@ -103,13 +103,14 @@ MappedFile::~MappedFile() {
   if (!bytes_.empty()) ::munmap(const_cast<char*>(bytes_.data()), bytes_.size());
 }
 
-FileLock::FileLock(const std::filesystem::path& file, bool at_once)
-    : file_(::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644)) {
-  if (!file_.is_open())
+Descriptor lock_file(const std::filesystem::path& file, bool at_once) {
+  Descriptor lock(::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644));
+  if (!lock.is_open())
     throw Error::failed(fmt::format("cannot be opened: {}", std::strerror(errno)), {file.string()},
                         "name a writable folder");
-  if (::flock(file_.get(), LOCK_EX | (at_once ? LOCK_NB : 0)) != 0)
+  if (::flock(lock.get(), LOCK_EX | (at_once ? LOCK_NB : 0)) != 0)
     throw Error::failed("another process works here", {file.string()}, "wait for its end");
+  return lock;
 }
 
 ScratchFolder::ScratchFolder() {

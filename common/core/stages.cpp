@@ -11,20 +11,15 @@ namespace {
 const std::thread::id main_thread = std::this_thread::get_id();
 Stage* innermost = nullptr;
 
-std::vector<NamedStage>& all_stages() {
-  static std::vector<NamedStage> all;
+auto& all_stages() {
+  static std::vector<std::pair<std::string, double>> all;
   return all;
-}
-
-double milliseconds(clockid_t clock) {
-  timespec now{};
-  ::clock_gettime(clock, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
 // When this program's first instructions run nothing has waited yet: the processor's clock tells how long
 // loading it took.
-const double loading = milliseconds(CLOCK_PROCESS_CPUTIME_ID), loaded_at = milliseconds(CLOCK_MONOTONIC);
+const double loading = 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+const Stopwatch since_loaded;
 
 }  // namespace
 
@@ -32,26 +27,25 @@ Stage::Stage(const char* name) : name_(std::this_thread::get_id() == main_thread
   if (name_ == nullptr) return;
   outer_ = innermost;
   innermost = this;
-  begin_ = milliseconds(CLOCK_MONOTONIC);
 }
 
 Stage::~Stage() {
   if (name_ == nullptr) return;
   innermost = outer_;
-  const double time = milliseconds(CLOCK_MONOTONIC) - begin_;
+  const double time = stopwatch_.milliseconds();
   if (outer_ != nullptr) outer_->inner_ += time;
-  std::vector<NamedStage>& all = all_stages();
-  auto found = std::find_if(all.begin(), all.end(), [&](const NamedStage& one) { return one.name == name_; });
+  auto& all = all_stages();
+  auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.first == name_; });
   if (found == all.end()) found = all.insert(found, {name_, 0});
-  found->milliseconds += time - inner_;
+  found->second += time - inner_;
 }
 
-std::vector<NamedStage> stage_times() {
+std::vector<std::pair<std::string, double>> stage_times() {
   return all_stages();
 }
 
 double milliseconds_since_start() {
-  return loading + milliseconds(CLOCK_MONOTONIC) - loaded_at;
+  return loading + since_loaded.milliseconds();
 }
 
 }  // namespace texel

@@ -42,8 +42,7 @@ std::string wrapped(const std::string& text, std::size_t columns, std::size_t in
 
 void flush_output() {
   errno = 0;
-  const bool failed = std::fflush(stdout) != 0;
-  if (failed || std::ferror(stdout) != 0)
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw Error::failed(
         fmt::format("cannot write to standard output: {}",
                     errno != 0 ? std::strerror(errno) : "the disk is full, or nobody reads it"));

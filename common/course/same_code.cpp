@@ -40,11 +40,6 @@ std::size_t literal_end(std::string_view text, std::size_t at) {
 std::optional<std::string> code_of(std::string_view text) {
   std::string code;
   bool has_space = false, in_directive = false;
-  const auto end_line = [&] {
-    if (in_directive) code += '\n';
-    has_space = has_space || !in_directive;
-    in_directive = false;
-  };
   for (std::size_t i = 0; i < text.size(); ++i) {
     const std::string_view rest = text.substr(i);
     if (rest.starts_with("//")) {
@@ -63,7 +58,9 @@ std::optional<std::string> code_of(std::string_view text) {
     } else if (text[i] == '\\') {
       return {};
     } else if (text[i] == '\n') {
-      end_line();
+      if (in_directive) code += '\n';
+      has_space = has_space || !in_directive;
+      in_directive = false;
     } else if (std::isspace(static_cast<unsigned char>(text[i])) != 0) {
       has_space = true;
     } else {

@@ -59,8 +59,8 @@ Compared compared(const Image8& own, const Image8& expected, double least_scale,
 }
 
 Compared compared(const ImageF& own, const ImageF& expected, double least_scale, double error,
-                  const std::string& view, Unit unit) {
-  return compared(own, expected, least_scale, {.unit = unit, .told = error},
+                  const std::string& view, bool in_degrees) {
+  return compared(own, expected, least_scale, {.in_degrees = in_degrees, .told = error},
                   [&](const ImageF& values) { return shown(values, view); });
 }
 

@@ -50,7 +50,7 @@ struct Apart {
   int channels;  ///< that are compared
 
   PixelDifference operator()(const float* a, const float* b) const {
-    if (comparing.unit == Unit::degrees) return angle(a, b);
+    if (comparing.in_degrees) return angle(a, b);
     const auto difference = [&](int c) {
       return std::abs(static_cast<double>(a[c]) - static_cast<double>(b[c]));
     };
@@ -158,11 +158,10 @@ double spread(const ImageF& a, const ImageF& b, const Apart& apart) {
 /// is 0, the pictures tell it.
 Pixels differences(const ImageF& reference, const ImageF& image, const Comparing& comparing, double range) {
   check_sizes(reference, image, comparing.mask);
-  const bool has_directions = comparing.unit == Unit::degrees;
-  const Apart apart{comparing, has_directions ? 3 : reference.channels};
+  const Apart apart{comparing, comparing.in_degrees ? 3 : reference.channels};
   if (reference.channels != image.channels || image.channels < apart.channels)
     throw Error::failed(fmt::format("pictures of {} and {} channels cannot be compared{}", reference.channels,
-                                    image.channels, has_directions ? " as directions" : ""),
+                                    image.channels, comparing.in_degrees ? " as directions" : ""),
                         {}, "draw the same view for both");
   Pixels pixels;
   pixels.reserve(static_cast<std::size_t>(reference.width) * static_cast<std::size_t>(reference.height));
@@ -176,7 +175,7 @@ Pixels differences(const ImageF& reference, const ImageF& image, const Comparing
     }
   check_any(any);
   if (comparing.edge_tolerance) {
-    if (range == 0) range = has_directions ? 180 : spread(reference, image, apart);
+    if (range == 0) range = comparing.in_degrees ? 180 : spread(reference, image, apart);
     forgive_edges(reference, image, range, apart, pixels);
   }
   if (comparing.moved_pixels > 0) forgive_moved(reference, comparing.moved_pixels, apart, pixels);
@@ -228,7 +227,7 @@ Difference figures_of(const ImageF& reference, const ImageF& image, const Compar
     result.telling_x = static_cast<int>(i) % image.width;
     result.telling_y = static_cast<int>(i) / image.width;
   }
-  const int samples_per_pixel = comparing.unit == Unit::own ? image.channels : 1;
+  const int samples_per_pixel = comparing.in_degrees ? 1 : image.channels;
   result.mean = sum / static_cast<double>(largest.size()) / samples_per_pixel;
   return result;
 }
@@ -236,7 +235,7 @@ Difference figures_of(const ImageF& reference, const ImageF& image, const Compar
 }  // namespace
 
 Difference compare(const Image8& reference, const Image8& image, Comparing comparing) {
-  comparing.unit = Unit::own;
+  comparing.in_degrees = false;
   return figures_of(floats_of(reference), floats_of(image), comparing, 255);
 }
 

@@ -23,19 +23,15 @@ struct Footprint {
 /// of 2 + 1/m each: the weights of three neighbours shift from texel to texel.
 std::vector<Footprint> footprints(int size) {
   const int next = std::max(1, size / 2);
+  const auto part = [&](int texels) { return static_cast<float>(texels) / static_cast<float>(size); };
   std::vector<Footprint> result;
   for (int i = 0; i < next; ++i) {
     if (size == 1)
       result.push_back({0, 1, {1, 0, 0}});
     else if (size % 2 == 0)
       result.push_back({2 * i, 2, {0.5F, 0.5F, 0}});
-    else {
-      const auto whole = static_cast<float>(size);
-      result.push_back({2 * i,
-                        3,
-                        {static_cast<float>(next - i) / whole, static_cast<float>(next) / whole,
-                         static_cast<float>(i + 1) / whole}});
-    }
+    else
+      result.push_back({2 * i, 3, {part(next - i), part(next), part(i + 1)}});
   }
   return result;
 }

@@ -85,8 +85,7 @@ bool is_finite(const Case& of, std::string_view bytes) {
 template <class Picture>
 Verdict judge_picture(const Case& of, const Expected& expected, std::string_view bytes,
                       Picture (*parse)(std::string_view, const std::string&, Size)) {
-  const Unit unit = unit_of(of.view);
-  const auto compared_as = unit == Unit::degrees ? image::Unit::degrees : image::Unit::own;
+  const bool in_degrees = unit_of(of.view) == Unit::degrees;
   const Picture reference = parse(expected.reference, "the reference", of.size);
   Verdict verdict;
   Picture picture;
@@ -105,7 +104,7 @@ Verdict judge_picture(const Case& of, const Expected& expected, std::string_view
     if (std::find(part.samples.begin(), part.samples.end(), 255) == part.samples.end()) continue;
     const image::Difference difference = image::compare(
         reference, picture,
-        {.mask = &part, .edge_tolerance = true, .moved_pixels = kMovedPixels, .unit = compared_as});
+        {.mask = &part, .edge_tolerance = true, .moved_pixels = kMovedPixels, .in_degrees = in_degrees});
     if (difference.p999 > verdict.error || place.empty()) {
       verdict.error = std::max(verdict.error, difference.p999);
       const auto in_part = std::count(part.samples.begin(), part.samples.end(), 255);
@@ -123,7 +122,7 @@ Verdict judge_picture(const Case& of, const Expected& expected, std::string_view
   verdict.message = non_finite > 0
                         ? fmt::format("{} pixels are not finite (NaN or infinity).", non_finite)
                         : fmt::format("Off by {} {} {}. At most {} is right.", short_number(verdict.error),
-                                      name_of(unit), place, short_number(of.limit));
+                                      name_of(unit_of(of.view)), place, short_number(of.limit));
   return verdict;
 }
 

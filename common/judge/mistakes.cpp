@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
 
 #include "core/error.hpp"
 #include "difference.hpp"
@@ -30,11 +29,10 @@ Values values_of(const Picture& picture) {
 
 Values values_of(const mesh::Mesh& mesh) {
   Values values{mesh.vertex_count(), 0, {}};
-  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i)
     mesh::for_each_attribute(mesh, [&](const auto& vectors) {
       for (int c = 0; !vectors.empty() && c < vectors[i].length(); ++c) values.all.push_back(vectors[i][c]);
     });
-  }
   values.each = values.count > 0 ? values.all.size() / values.count : 0;
   return values;
 }
@@ -64,27 +62,25 @@ double share_of_samples(const Samples& samples, const Read& failed) {
 }
 
 /// The mistake of the step that has most of what its cases show, all of them failed ones; of those that show
-/// in `all` failed cases, or in some. And the names of the cases that it shows in.
-std::pair<const Mistake*, std::set<std::string>> best_of(const std::vector<Mistake>& mistakes,
-                                                         const std::string& step,
-                                                         const std::vector<Read>& read, bool all) {
-  std::pair<const Mistake*, std::set<std::string>> best;
+/// in `all` failed cases, or in some. What it says, by the name of each case that it shows in.
+std::map<std::string, Seen> best_of(const std::vector<Mistake>& mistakes, const std::string& step,
+                                    const std::vector<Read>& read, bool all) {
+  std::map<std::string, Seen> best;
   double most = 0;
   for (const Mistake& mistake : mistakes) {
     if (mistake.step != step || mistake.cases.empty()) continue;
     double sum = 0;
-    std::set<std::string> own;
+    std::map<std::string, Seen> own;
     for (const Read& one : read) {
       const auto samples = mistake.cases.find(one.of->name);
       const double part = samples == mistake.cases.end() ? 0 : share_of_samples(samples->second, one);
       sum += part;
-      if (part >= kPart) own.insert(one.of->name);
+      if (part >= kPart) own[one.of->name] = {mistake.name, mistake.says};
     }
     // A mistake that would have spoilt other cases too is another one.
     const double fit = sum / static_cast<double>(mistake.cases.size());
     if (fit < kPart || own.empty() || (all && own.size() < read.size())) continue;
-    const std::size_t shown = best.second.size();
-    if (own.size() > shown || (own.size() == shown && fit > most)) best = {&mistake, own}, most = fit;
+    if (own.size() > best.size() || (own.size() == best.size() && fit > most)) best = own, most = fit;
   }
   return best;
 }
@@ -134,11 +130,8 @@ std::map<std::string, Seen> explain(const std::vector<Mistake>& mistakes, const 
   for (const Case& of : lab.cases)
     if (const auto one = failed.find(of.name); one != failed.end())
       read.push_back({&of, one->second.refused, parse_values(of, one->second.picture)});
-  std::map<std::string, Seen> seen;
-  if (const auto [known, shows] = best_of(mistakes, step, read, true); known != nullptr) {
-    for (const std::string& name : shows) seen[name] = {known->name, known->says};
-    return seen;
-  }
+  std::map<std::string, Seen> seen = best_of(mistakes, step, read, true);
+  if (!seen.empty()) return seen;
   std::map<std::string, std::vector<Difference>> own, shared;
   for (const Read& one : read) own[one.of->name] = differences(*one.of, failed.at(one.of->name));
   shared = own;
@@ -162,9 +155,9 @@ std::map<std::string, Seen> explain(const std::vector<Mistake>& mistakes, const 
   std::map<std::string, Seen> causes;
   std::vector<Read> left = read;
   while (!left.empty()) {
-    const auto [known, shows] = best_of(mistakes, step, left, false);
-    if (known == nullptr) break;
-    for (const std::string& name : shows) causes[name] = {known->name, known->says};
+    std::map<std::string, Seen> known = best_of(mistakes, step, left, false);
+    if (known.empty()) break;
+    causes.merge(known);
     std::erase_if(left, [&](const Read& one) { return causes.contains(one.of->name); });
   }
   const bool are_causes = left.empty() && std::none_of(causes.begin(), causes.end(), [&](const auto& one) {

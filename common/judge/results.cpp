@@ -57,7 +57,7 @@ bool StepResult::is_untouched() const {
 }
 
 const char* word_of(const StepResult& step, bool is_next) {
-  if (step.status == Status::passed) return "done";
+  if (step.passed()) return "done";
   if (step.status == Status::failed && !step.is_untouched()) return "wrong";
   if (is_next) return "next";
   return step.status == Status::skipped ? "waits" : "to do";
@@ -110,7 +110,7 @@ const CaseResult* clearest_case(const StepResult& step) {
 }
 
 StepResult step_result(const course::Step& step, std::vector<CaseResult> cases) {
-  StepResult result(step);
+  StepResult result{step};
   result.score = score_of(cases);
   result.cases = std::move(cases);
 

@@ -5,6 +5,7 @@
 
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include "core/error.hpp"
 #include "mesh/corner_numbers.hpp"
@@ -77,8 +78,7 @@ Mesh take_vertices(const Mesh& mesh, const std::vector<std::uint32_t>& vertices)
   taken.indices.clear();
   for_each_attribute(taken, [&vertices](auto& values) {
     if (values.empty()) return;
-    const auto all = std::move(values);
-    values = {};
+    const auto all = std::exchange(values, {});
     values.reserve(vertices.size());
     for (const std::uint32_t vertex : vertices) values.push_back(all[vertex]);
   });

@@ -47,9 +47,8 @@ bool holds_directions(const image::ImageF& picture) {
 
 Comparison compare_floats(const CompareOptions& options, image::Comparing comparing) {
   const image::ImageF reference = image::load_pfm(options.reference), image = image::load_pfm(options.image);
-  const bool in_degrees = holds_directions(reference);
-  if (in_degrees) comparing.unit = image::Unit::degrees;
-  return {image::compare(reference, image, comparing), in_degrees ? "degrees" : "own unit", {}};
+  comparing.in_degrees = holds_directions(reference);
+  return {image::compare(reference, image, comparing), comparing.in_degrees ? "degrees" : "own unit", {}};
 }
 
 Comparison compare_colors(const CompareOptions& options, const image::Comparing& comparing) {

@@ -202,7 +202,7 @@ GradeSummary grade_class(const GradeOptions& given, const std::function<void(con
     throw Error::usage(fmt::format("these walls hold for one student, and here are {}", entries.size()),
                        "programs of one could leave files for the next; grade on a machine with namespaces");
   for (const fs::path& folder : {options.out, options.out / "pictures", options.cache}) make_folder(folder);
-  const FileLock lock(options.out / "lock", true);
+  const Descriptor lock = lock_file(options.out / "lock", true);
   // Two programs at a time could read each other's files. A sandbox's memory ends at 1 GiB.
   const auto memory = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
                       static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));

@@ -284,7 +284,7 @@ Program Workshop::make(const std::string& program, const std::map<std::string, s
 
 BuiltTree starter_tree(const fs::path& course, const fs::path& cache) {
   fs::create_directories(cache);
-  const FileLock lock(cache / "lock");
+  const Descriptor lock = lock_file(cache / "lock");
   std::vector<material::StarterFile> files = material::starter_files(course);
   std::erase_if(files, [](const material::StarterFile& file) { return is_for_people(file.path); });
   std::string print = fingerprint({output_of({"c++", "--version"}, cache, 60), cache.string()});

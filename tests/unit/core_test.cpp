@@ -144,8 +144,8 @@ TEST(InParallel, throws_the_same_of_several_whichever_comes_first) {
 
 /// What a stage has taken so far, milliseconds on the wall.
 double wall_of(const std::string& name) {
-  for (const NamedStage& stage : stage_times())
-    if (stage.name == name) return stage.milliseconds;
+  for (const auto& [stage, milliseconds] : stage_times())
+    if (stage == name) return milliseconds;
   return -1;
 }
 

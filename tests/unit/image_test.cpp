@@ -499,8 +499,7 @@ TEST(Difference, counts_red_green_and_blue) {
     EXPECT_DOUBLE_EQ(difference.mean, row.mean);
     EXPECT_EQ(difference.p99, row.p99);
     EXPECT_EQ(difference.non_finite, 0);
-    EXPECT_EQ(compare(row.a, row.b, {.unit = Unit::degrees}).max, row.max)
-        << "bytes have a unit of their own";
+    EXPECT_EQ(compare(row.a, row.b, {.in_degrees = true}).max, row.max) << "bytes have a unit of their own";
   }
 }
 
@@ -539,7 +538,7 @@ TEST(Difference, is_an_error_when_sizes_or_channels_differ) {
   EXPECT_TRUE(has(error_of([] { compare(Image8(2, 3, 1), Image8(3, 2, 1)); }), "2x3 and 3x2"));
   EXPECT_NE(error_of([] { compare(Image8(), Image8()); }), "");
   EXPECT_NE(error_of([] { compare(ImageF(1, 1, 1), ImageF(1, 1, 3)); }), "");
-  EXPECT_NE(error_of([] { compare(ImageF(1, 1, 2), ImageF(1, 1, 2), {.unit = Unit::degrees}); }), "");
+  EXPECT_NE(error_of([] { compare(ImageF(1, 1, 2), ImageF(1, 1, 2), {.in_degrees = true}); }), "");
 }
 
 TEST(FloatDifference, counts_and_leaves_out_what_is_not_finite) {
@@ -566,7 +565,7 @@ TEST(FloatDifference, gives_directions_in_degrees_and_tells_a_missing_one_from_b
       {{0, 0, 1}, {0, 0, 0}, 180, 0},
       // acos of the dot product would give 0 here: 1e-6 radians, whose cosine rounds to 1 in floats.
       {{1, 0, 0}, {1, 1e-6F, 0}, 1e-6 * 180 / 3.14159265358979, 1e-11}};
-  const Comparing in_degrees = {.unit = Unit::degrees};
+  const Comparing in_degrees = {.in_degrees = true};
   for (const auto& [a, b, degrees, within] : rows)
     EXPECT_NEAR(compare(floats(1, 3, a), floats(1, 3, b), in_degrees).max, degrees, within);
   // The mean is that of the one pixel that has a direction.
@@ -670,8 +669,8 @@ TEST(EdgeTolerance, holds_for_directions_and_what_is_not_finite) {
   ImageF b = a;
   for (const int y : {20, 30, 40})
     for (int c = 0; c < 3; ++c) b.at(49, y, c) = 0;  // background instead
-  const Comparing tolerant = {.edge_tolerance = true, .unit = Unit::degrees};
-  EXPECT_EQ(compare(a, b, {.unit = Unit::degrees}).max, 180);
+  const Comparing tolerant = {.edge_tolerance = true, .in_degrees = true};
+  EXPECT_EQ(compare(a, b, {.in_degrees = true}).max, 180);
   EXPECT_EQ(compare(a, b, tolerant).max, 0);  // to the neighbours above and beside
   EXPECT_EQ(compare(a, b, tolerant).forgiven, 3);
   b.at(49, 20, 0) = nan;

@@ -188,7 +188,7 @@ TEST_F(JudgeOfPictures, names_a_pixel_that_has_the_error_that_is_told) {
             std::string::npos)
       << verdict.message;
   // The same pixel of the picture that is shown, and the same figure.
-  const image::Compared shown = image::compared(wrong, right, 0.05, 0.2, "depth", image::Unit::own);
+  const image::Compared shown = image::compared(wrong, right, 0.05, 0.2, "depth", false);
   EXPECT_EQ(shown.figures.telling_x, 16);
   EXPECT_EQ(shown.figures.telling_y, 35);
   EXPECT_EQ(shown.full_scale, 0.2);

@@ -47,7 +47,7 @@ std::string short_message(const CaseResult& one) {
 
 /// Written, and not right: its own text is to be changed, whether other steps come first or not.
 bool is_wrong(const StepResult& step) {
-  return step.status != Status::passed && !step.is_untouched() && !step.was_right;
+  return !step.passed() && !step.is_untouched() && !step.was_right;
 }
 
 /// What is wrong with a step, and what helps.
@@ -115,7 +115,7 @@ std::string report(const LabResult& lab) {
       line += fmt::format(": {}", said = step.message);
     const std::string begin = fmt::format("  {:<5}  {}  ", word, step.id);
     line = begin + wrapped(line, begin.size()).substr(begin.size());
-    text += paint(step.status == Status::passed ? kGreen : &step == next ? kYellow : kDim, line);
+    text += paint(step.passed() ? kGreen : &step == next ? kYellow : kDim, line);
     // A picture that cannot be drawn is told at the next step: another step's text may be the reason.
     if (&step != next && !(is_wrong(step) && !judge::clearest_case(step)->picture.empty())) continue;
     text += paint(kDim, fmt::format("{:12}{}:{}\n", "", step.file, step.line));
@@ -129,7 +129,7 @@ std::string report(const LabResult& lab) {
             what_follows(lab.lab.number) + "\n";
   else
     text += fmt::format("A hint: ./run hint {}\n", next->id);
-  for (const std::string& note : lab.notes) text += paint(kDim, wrapped(note, 0));
+  for (const std::string& note : lab.notes) text += paint(kDim, wrapped(note));
   return text;
 }
 
@@ -160,8 +160,7 @@ std::string progress_report(const std::vector<LabResult>& labs) {
   for (const LabResult& lab : labs)
     for (const std::string& copy : lab.lab.copies)
       text += wrapped(fmt::format("labs/{} is a copy of lab {}: what is written there does not count.", copy,
-                                  lab.lab.number),
-                      0);
+                                  lab.lab.number));
   if (next != nullptr)
     text += fmt::format("next: {} {}   ./run watch {}\nWhat is left takes about {}.\n", next_step(*next)->id,
                         next_step(*next)->title, next->lab.number,

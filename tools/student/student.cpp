@@ -100,7 +100,7 @@ std::string prediction(const std::string& step, std::size_t choice, std::size_t 
 
 std::string after_step(const std::string& step) {
   const std::string after = handout_of(step).after;
-  return after.empty() ? "" : wrapped(fmt::format("{}: {}", step, after), 0);
+  return after.empty() ? "" : wrapped(fmt::format("{}: {}", step, after));
 }
 
 std::string next_hint(const course::Step& step) {
@@ -114,7 +114,7 @@ std::string next_hint(const course::Step& step) {
   shown[step.id] = count;
   make_folder(file.parent_path());
   write_file(file, to_text(shown, 1) + "\n");
-  std::string text = wrapped(fmt::format("Step {}: {}", step.id, step.title), 0);
+  std::string text = wrapped(fmt::format("Step {}: {}", step.id, step.title));
   for (std::size_t i = 0; i < count; ++i)
     text += wrapped(fmt::format("hint {} of {}: {}", i + 1, step.hints.size(), step.hints[i]), 2);
   if (before == step.hints.size()) text += "  This was the last hint.\n";
@@ -139,9 +139,8 @@ Exit see(const std::string& wanted, fs::path out, const std::string& context) {
   const judge::StepResult& step = lab.steps.front();
   const judge::CaseResult& one = *judge::clearest_case(step);  // each step has a case
   fmt::print("{}", wrapped(fmt::format("{} {}, {}: {}", step.id, step.title, one.name,
-                                       one.passed() ? "right" : one.message),
-                           0));
-  if (!one.mistake_says.empty()) fmt::print("{}", wrapped("This looks like: " + one.mistake_says, 0));
+                                       one.passed() ? "right" : one.message)));
+  if (!one.mistake_says.empty()) fmt::print("{}", wrapped("This looks like: " + one.mistake_says));
   if (one.picture.empty()) return Exit::failed;  // the message says why
   if (one.is_mesh()) {
     std::string flags;
@@ -202,8 +201,7 @@ Exit reset(const std::string& step) {
     write_file(kept, own);
     write_file(root / file, text);
     fmt::print("{}", wrapped(fmt::format("{}: step {} has its starting code again; your code is in {}", file,
-                                         step, kept.lexically_relative(root).generic_string()),
-                             0));
+                                         step, kept.lexically_relative(root).generic_string())));
     changed = true;
   }
   if (!changed) fmt::print("step {} already has its starting code\n", step);

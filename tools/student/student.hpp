@@ -39,6 +39,6 @@ std::string report(const judge::LabResult& lab);
 std::string progress_report(const std::vector<judge::LabResult>& labs);
 
 /// Text in lines that fit the terminal, each after so many blanks.
-std::string wrapped(const std::string& text, std::size_t indent);
+std::string wrapped(const std::string& text, std::size_t indent = 0);
 
 }  // namespace texel::tools

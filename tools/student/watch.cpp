@@ -56,10 +56,6 @@ bool is_program_text(const fs::path& file) {
   return file.extension() == ".cpp" || file.extension() == ".hpp";
 }
 
-bool is_right(const judge::StepResult& step) {
-  return step.status == judge::Status::passed;
-}
-
 class Watch {
  public:
   Watch(int lab, std::string context) : lab_(chosen_labs({lab}).front()), context_(std::move(context)) {}
@@ -92,7 +88,7 @@ class Watch {
                                                         flush_output();
                                                       });
     if (messages.empty()) return true;
-    fmt::print("Your code cannot be built. The messages from the first error on:\n{}", wrapped(messages, 0));
+    fmt::print("Your code cannot be built. The messages from the first error on:\n{}", wrapped(messages));
     return false;
   }
 
@@ -110,7 +106,7 @@ class Watch {
         clear_screen();
         fmt::print("{}", report(*last_));
         for (std::size_t i = 0; before && i < last_->steps.size(); ++i)
-          if (is_right(last_->steps[i]) && !is_right(before->steps[i]))
+          if (last_->steps[i].passed() && !before->steps[i].passed())
             fmt::print("{}", after_step(last_->steps[i].id));
         fmt::print("checked in {:.1f} s. ", stopwatch.milliseconds() / 1000);
       }

@@ -52,15 +52,9 @@ class MappedFile {
   std::string_view bytes_;
 };
 
-/// Keeps other processes out as long as it lives. The file stays.
-class FileLock {
- public:
-  /// Waits for its turn; with `at_once` throws Error (exit 3) when another has it.
-  explicit FileLock(const std::filesystem::path& file, bool at_once = false);
-
- private:
-  Descriptor file_;
-};
+/// Keeps other processes out as long as what it returns lives. The file stays. Waits for its turn; with
+/// `at_once` throws Error (exit 3) when another has it.
+[[nodiscard]] Descriptor lock_file(const std::filesystem::path& file, bool at_once = false);
 
 /// A new empty folder among the system's temporary files. The destructor removes it with its content.
 /// Throws Error (exit 3) when it cannot be made.

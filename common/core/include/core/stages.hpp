@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "core/stopwatch.hpp"
 
 namespace texel {
 
@@ -17,16 +20,12 @@ class Stage {
  private:
   const char* name_;  ///< none on other threads
   Stage* outer_ = nullptr;
-  double begin_ = 0, inner_ = 0;
+  Stopwatch stopwatch_;
+  double inner_ = 0;
 };
 
-struct NamedStage {
-  std::string name;
-  double milliseconds;
-};
-
-/// All stages since the process began, in the order in which they first ended.
-std::vector<NamedStage> stage_times();
+/// All stages since the process began with their milliseconds, in the order in which they first ended.
+std::vector<std::pair<std::string, double>> stage_times();
 
 /// Milliseconds since the process began, its own loading included.
 double milliseconds_since_start();

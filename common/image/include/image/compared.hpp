@@ -26,9 +26,9 @@ struct Compared {
 /// beside `least_scale` are dark in the heat map, also where none is larger. Throws Error (exit 3) if the
 /// sizes differ.
 Compared compared(const Image8& own, const Image8& expected, double least_scale, double error);
-/// Of a data view: its name, and the unit of its error.
+/// Of a data view: its name, and whether its error is in degrees (Comparing).
 Compared compared(const ImageF& own, const ImageF& expected, double least_scale, double error,
-                  const std::string& view, Unit unit);
+                  const std::string& view, bool in_degrees);
 
 /// RGB pictures of one size from left to right, with grey gaps of 6 pixels. Each pixel becomes a square of
 /// `zoom` pixels a side.

@@ -23,12 +23,6 @@ struct Difference {
   std::vector<double> pixels = {};
 };
 
-/// How the samples of float pictures are compared.
-enum class Unit {
-  own,     ///< sample by sample, in the pictures' own unit
-  degrees  ///< R, G and B as a vector of any length: the angle between the two pictures' vectors
-};
-
 /// What pictures are compared by. Both float and 8-bit pictures take the first two.
 struct Comparing {
   /// Only pixels whose first channel here is above 0 count. It has the pictures' size.
@@ -47,7 +41,9 @@ struct Comparing {
   /// in the window, GPUs to 1/256 of a pixel, and what they interpolate and look up moves with it.
   double moved_pixels = 0;
 
-  Unit unit = Unit::own;
+  /// Of float pictures, R, G and B are a vector of any length: the angle between the two pictures' vectors.
+  /// Else they are compared sample by sample, in their own unit.
+  bool in_degrees = false;
 
   /// The pixel is sought whose difference is closest to this; where it is NaN, to p999.
   double told = std::numeric_limits<double>::quiet_NaN();
@@ -58,11 +54,11 @@ struct Comparing {
 /// sizes differ or the mask leaves no pixel.
 Difference compare(const Image8& reference, const Image8& image, Comparing comparing = {});
 
-/// Compares float pictures in the given unit. A pixel with NaN or infinity in either picture is counted in
-/// `non_finite` and left out. For directions (3 or 4 channels) the angle is
-/// atan2(|a x b|, a . b), exact for small angles too; a pixel that is (0, 0, 0) in both is background and
-/// left out; in only one picture it is 180 degrees off. When no pixel is left the figures are 0. Throws Error
-/// (exit 3) when the sizes or channels differ, or directions have fewer than 3 channels.
+/// Compares float pictures. A pixel with NaN or infinity in either picture is counted in `non_finite` and
+/// left out. For directions (3 or 4 channels) the angle is atan2(|a x b|, a . b), exact for small angles too;
+/// a pixel that is (0, 0, 0) in both is background and left out; in only one picture it is 180 degrees off.
+/// When no pixel is left the figures are 0. Throws Error (exit 3) when the sizes or channels differ, or
+/// directions have fewer than 3 channels.
 Difference compare(const ImageF& reference, const ImageF& image, const Comparing& comparing = {});
 
 /// Each pixel's largest difference as an RGB picture by `heat`: `full_scale` levels (or units) and more have

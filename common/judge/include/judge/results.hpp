@@ -4,7 +4,6 @@
 #include <limits>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -35,22 +34,20 @@ Status status_called(const std::string& name);
 
 /// One case of one student: the student's picture or vertex stream beside the reference.
 struct CaseResult : course::Case {
-  CaseResult() = default;
-  explicit CaseResult(course::Case of) : Case(std::move(of)) {}
-
   Status status = Status::failed;
   Judged judged = Judged::together;  ///< status, score, error and mistake are of that
   double score = 0;                  ///< 0 (as wrong as the starter) to 1 (within the limit)
   double error = std::numeric_limits<double>::quiet_NaN();  ///< as `limit`; NaN: nothing can be compared
-  std::string message;  ///< what is wrong in the student's tree, one or two sentences; "" when nothing is
-  std::string mistake;  ///< the name of the mutant that the picture looks like, or ""
-  std::string mistake_says;  ///< and its sentence, or what the values say (Seen), or ""
-  std::string command;       ///< draws this picture, typed in the student's tree: "./run lab 5 --turn 50 …"
-  std::string picture;  ///< the student's file, relative to the results' folder; "" when there is none or it
-                        ///< is as good as the reference
-  std::string reference;   ///< the expected one, relative as well; "" where it stays secret
-  bool died = false;       ///< the program ended before it was drawn; only in check
-  std::string crashed_in;  ///< the step in whose lines it ended then, or "": nobody can say
+  /// What is wrong in the student's tree, one or two sentences; "" when nothing is.
+  std::string message = {};
+  std::string mistake = {};       ///< the name of the mutant that the picture looks like, or ""
+  std::string mistake_says = {};  ///< and its sentence, or what the values say (Seen), or ""
+  std::string command = {};  ///< draws this picture, typed in the student's tree: "./run lab 5 --turn 50 …"
+  std::string picture = {};  ///< the student's file, relative to the results' folder; "" when there is none
+                             ///< or it is as good as the reference
+  std::string reference = {};   ///< the expected one, relative as well; "" where it stays secret
+  bool died = false;            ///< the program ended before it was drawn; only in check
+  std::string crashed_in = {};  ///< the step in whose lines it ended then, or "": nobody can say
 
   [[nodiscard]] bool passed() const { return status == Status::passed; }
   [[nodiscard]] bool is_alone() const { return judged == Judged::alone; }
@@ -64,25 +61,23 @@ void resolve(CaseResult& result, const Verdict& verdict, const std::string& faul
 
 /// A step, and what became of it.
 struct StepResult : course::Step {
-  StepResult() = default;
-  explicit StepResult(course::Step of) : Step(std::move(of)) {}
-
   double score = 0;  ///< 0 to 1; the teacher's where there is an override
   Status status = Status::failed;
-  std::string message;  ///< of the first failed case; of a skipped step, why; "" when passed
-  std::string mistake,
-      mistake_says;        ///< of the first failed case that has a sentence; "" when passed or skipped
-  std::string file;        ///< where the step is written, in the tree
-  int line = 0;            ///< of its first marker in the starter
-  std::int64_t saved = 0;  ///< when a file with its text was last written; only in check
-  bool was_right = false;  ///< its text passed before another step was changed; only in check
-  std::string overridden;  ///< the teacher's reason for another score, or ""
+  std::string message = {};  ///< of the first failed case; of a skipped step, why; "" when passed
+  /// Of the first failed case that has a sentence; "" when passed or skipped.
+  std::string mistake = {}, mistake_says = {};
+  std::string file = {};        ///< where the step is written, in the tree
+  int line = 0;                 ///< of its first marker in the starter
+  std::int64_t saved = 0;       ///< when a file with its text was last written; only in check
+  bool was_right = false;       ///< its text passed before another step was changed; only in check
+  std::string overridden = {};  ///< the teacher's reason for another score, or ""
   /// Other steps that did not pass and spoil pictures of this one, as far as is known: where a case was
   /// judged alone, those that it needs and those of its lab that were begun; where check skips it, the step
   /// that comes first.
-  std::vector<std::string> spoilt_by;
-  std::vector<CaseResult> cases;
+  std::vector<std::string> spoilt_by = {};
+  std::vector<CaseResult> cases = {};
 
+  [[nodiscard]] bool passed() const { return status == Status::passed; }
   /// Whether it failed, and nothing of it was written.
   [[nodiscard]] bool is_untouched() const;
 };
