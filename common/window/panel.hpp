@@ -242,9 +242,9 @@ void choose_look(app::AnyLab& lab, WindowState& state, std::size_t index);
 /// The section "Steps": each with its figure; its cases, which set the look when they are picked; its hints.
 void steps_section(app::AnyLab& lab, WindowState& state);
 
-/// Sets the look in which the handout shows the step.
-void see_step(app::AnyLab& lab, WindowState& state, const std::string& step);
-/// Sets the case's look and shows its pictures. Nothing is seen of a vertex stream: there as `see_step`.
+/// Sets the look of a step or a case; a message says why where the lab does not have it.
+void set_look(app::AnyLab& lab, WindowState& state, const course::Case& look);
+/// Sets the case's look and shows its pictures. Nothing is seen of a vertex stream: there the step's look.
 void pick_case(app::AnyLab& lab, WindowState& state, const judge::StepResult& step,
                const judge::CaseResult& one);
 /// Sets the look of the step's case that says most, and shows that case's pictures.

@@ -160,7 +160,7 @@ void Window::perform(Action action) {
         state_.looks_open = !state_.looks_open && !state_.looks->entries.empty();
         return;
       case Action::see_step:
-        if (state_.case_pictures) see_step(lab_, state_, state_.case_pictures->step);
+        if (state_.case_pictures) set_look(lab_, state_, state_.steps->look_of(state_.case_pictures->step));
         return;
       case Action::undo:
         return go_back_to(history_.undo(), "nothing to undo");
