@@ -71,11 +71,12 @@ class Program {
   [[nodiscard]] const ShaderSource& fragment() const { return *fragment_; }
 
  private:
+  Program() = default;  // when the rest of the other constructor fails, the destructor deletes it
   void set_floats(std::string_view name, GLenum type, const float* values);
   Uniform* to_set(std::string_view name, std::initializer_list<GLenum> types);
   [[nodiscard]] Error no_unit(std::string_view name, const std::string& value) const;
   std::shared_ptr<const ShaderSource> vertex_, fragment_;
-  GLuint id_ = 0;
+  GLuint id_ = glCreateProgram();
   std::vector<Uniform> uniforms_;
   std::vector<Attribute> attributes_;
 };
