@@ -201,12 +201,6 @@ Program& ProgramCache::get(const std::string& vertex, const std::string& fragmen
   return *program;
 }
 
-std::vector<const Program*> ProgramCache::programs() const {
-  std::vector<const Program*> all;
-  for (const auto& [key, program] : programs_) all.push_back(program.get());
-  return all;
-}
-
 void ProgramCache::clear() {
   glUseProgram(0);  // a deleted program must not stay in use: the panel would restore it
   by_request_.clear();
