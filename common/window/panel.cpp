@@ -267,11 +267,6 @@ SavedLook save_look(const params::Set& parameters, const WindowState& state) {
   return saved;
 }
 
-void go_to(const SavedLook& look, params::Set& parameters, WindowState& state) {
-  for (const auto& [parameter, value] : look.settings) parameters.at(parameter).set(value);
-  state.view = look.view, state.split = look.split, state.look = look.look;
-}
-
 float default_panel_width(float window, float scale) {
   return std::min(340 * scale, window / 2);
 }

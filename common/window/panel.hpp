@@ -230,9 +230,8 @@ std::string label_of(std::string_view name);
 /// "off by 12.3 degrees (limit 0.05)".
 std::string off_by(const judge::CaseResult& one);
 
-/// The present look, and back to one: parameters (the model stays turned as it is), view and gallery's look.
+/// The present look: parameters (not how far the model is turned), view, comparison and gallery's look.
 SavedLook save_look(const params::Set& parameters, const WindowState& state);
-void go_to(const SavedLook& look, params::Set& parameters, WindowState& state);
 
 /// Sets parameters and view. Throws Error (usage) when the lab does not have them.
 void choose(const course::Case& look, app::AnyLab& lab, app::View& view);

@@ -252,10 +252,12 @@ void Window::open_anew() {
 }
 
 void Window::go_back_to(const SavedLook* look, const char* nothing) {
-  if (look != nullptr)
-    go_to(*look, lab_.parameters(), state_);
-  else
+  if (look == nullptr) {
     state_.message = nothing;
+    return;
+  }
+  for (const auto& [parameter, value] : look->settings) lab_.parameters().at(parameter).set(value);
+  state_.view = look->view, state_.split = look->split, state_.look = look->look;
 }
 
 void Window::write_picture(const std::filesystem::path& file) {
