@@ -19,14 +19,6 @@
 namespace texel::app {
 namespace {
 
-void check(AnyLab& lab, const course::Case& one) {
-  if (!one.is_mesh()) {
-    find_view(lab, name_of(one.view));
-    check_ending(one.file, one.view);
-  }
-  check_settings(lab.parameters(), one.settings);
-}
-
 course::Drawing not_drawn(const course::Case& one, const Error& fault) {
   // Without the folder: the same file lies elsewhere for everybody.
   const Place& place = fault.place();
@@ -71,7 +63,11 @@ Batch read_batch(AnyLab& lab, const std::filesystem::path& list) {
   try {
     Batch batch = course::parse_batch(text);
     for (std::size_t i = 0; i < batch.size(); ++i) try {
-        check(lab, batch[i]);
+        if (!batch[i].is_mesh()) {
+          find_view(lab, name_of(batch[i].view));
+          check_ending(batch[i].file, batch[i].view);
+        }
+        check_settings(lab.parameters(), batch[i].settings);
       } catch (const Error& error) {
         throw Error::usage(fmt::format("entry {}: {}", i + 1, error.what()));
       }

@@ -119,8 +119,7 @@ gl::Record Canvas::record(View view, glm::ivec2 size, int samples) {
   gl::Record record;
   {
     gl::Recorder recorder;  // of the lab's own draw calls
-    const gl::Target& target =
-        draw_scene(view == View::error ? View::color : view, size, samples, {}, gl::Target::Kind::color);
+    const gl::Target& target = draw_scene(view == View::error ? View::color : view, size, samples);
     record = recorder.take();
     if (record.draw_calls > 0 && target.shows_only(background_of(target)))
       record.warnings.emplace_back(
@@ -194,14 +193,10 @@ void Canvas::copy_to_window(glm::ivec2 origin, glm::ivec2 size) const {
 }
 
 image::ImageF Canvas::values_of(View view, glm::ivec2 size) {
-  const gl::Target& data = fit(data_, gl::Target::Kind::data, size, 1);
-  draw_into(data, view == View::color ? View::mask : view, {});
-  image::ImageF values = data.read_float();
+  image::ImageF values = draw_scene(view == View::color ? View::mask : view, size).read_float();
   if (view != View::color) return values;
   // Colours are compared as they are seen: in levels of the encoded picture, inside the object's mask.
-  const gl::Target& color = fit(color_, gl::Target::Kind::color, size, 1);
-  draw_into(color, view, {});
-  const image::Image8 shown = color.read8();
+  const image::Image8 shown = draw_scene(view, size).read8();
   for (std::size_t i = 0; i < shown.samples.size(); ++i)
     if (i % 4 != 3) values.samples[i] = shown.samples[i];
   return values;

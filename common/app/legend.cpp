@@ -2,6 +2,7 @@
 #include "app/legend.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +11,8 @@
 
 #include "app/camera.hpp"
 #include "core/json.hpp"
-#include "image/color.hpp"
 #include "image/compared.hpp"
+#include "image/difference.hpp"
 
 namespace texel::app {
 namespace {
@@ -25,16 +26,14 @@ Legend bar(const std::string& title, double least, double most, double step, Vie
   const double first = step * std::floor(least / step),
                last = std::max(step * std::ceil(most / step), first + step);
   image::ImageF values(kBar, 1, 3);
-  Legend legend{title, image::Image8(kBar, 1, 3), false, {}};
+  image::Difference parts{.width = kBar, .height = 1};
   for (int x = 0; x < kBar; ++x) {
     const double part = (x + 0.5) / kBar;
+    parts.pixels.push_back(part);
     values.at(x, 0, 0) = static_cast<float>(first + part * (last - first));
-    const std::array<float, 3> hot = image::heat(static_cast<float>(part));
-    for (int c = 0; c < 3; ++c)
-      legend.picture.at(x, 0, c) =
-          static_cast<std::uint8_t>(std::lround(255 * hot[static_cast<std::size_t>(c)]));
   }
-  if (view != View::error) legend.picture = image::shown(values, name_of(view));
+  Legend legend{title, {}, false, {}};
+  legend.picture = view == View::error ? image::heatmap(parts, 1) : image::shown(values, name_of(view));
   const auto count = static_cast<int>(std::lround((last - first) / step));
   for (int i = 0; i <= count; ++i)
     legend.ticks.emplace_back(static_cast<double>(i) / count, fmt::format("{:.4g}", first + i * step));
@@ -90,16 +89,12 @@ Legend legend_of(View view, params::Set& parameters, const image::ImageF& values
 }
 
 std::string to_json(const Legend& legend) {
-  std::string colors;
-  for (const std::uint8_t sample : legend.picture.samples) colors += fmt::format("{:02x}", sample);
-  Json ticks = Json::array();
-  for (const auto& [place, text] : legend.ticks) ticks.push_back({place, text});
   return to_text(Json{{"title", legend.title},
                       {"width", legend.picture.width},
                       {"height", legend.picture.height},
-                      {"colors", colors},
+                      {"colors", fmt::format("{:02x}", fmt::join(legend.picture.samples, ""))},
                       {"ball", legend.is_ball},
-                      {"ticks", ticks}});
+                      {"ticks", legend.ticks}});
 }
 
 }  // namespace texel::app

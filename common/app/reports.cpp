@@ -14,7 +14,7 @@ std::string shaders_as_text(const gl::ProgramCache& programs, const params::Set&
     return fmt::format("--{}: {}{}", p->flag(), p->help, p->unit == "degrees" ? " (here in radians)" : "");
   };
   std::string text;
-  for (const gl::Program* program : programs.programs()) {
+  for (const auto& [key, program] : programs.programs()) {
     if (program->name().starts_with("app/")) continue;  // shows data views
     for (const gl::ShaderSource* source : {&program->vertex(), &program->fragment()})
       text += source->readable(constants(parameters, view), origin) + "\n";

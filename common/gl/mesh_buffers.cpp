@@ -9,22 +9,6 @@
 #include "core/error.hpp"
 
 namespace texel::gl {
-namespace {
-
-/// Uploads an attribute into the bound buffer. How many floats a vertex has; 0 when the mesh has none.
-GLint upload(const mesh::Mesh& mesh, Attribute attribute) {
-  GLint components = 0;
-  int index = 0;
-  mesh::for_each_attribute(mesh, [&]<class Vector>(const std::vector<Vector>& values) {
-    if (index++ != static_cast<int>(attribute) || values.empty()) return;
-    components = Vector::length();
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(std::span(values).size_bytes()), values.data(),
-                 GL_STATIC_DRAW);
-  });
-  return components;
-}
-
-}  // namespace
 
 MeshBuffers::MeshBuffers(mesh::Mesh mesh) : mesh_(std::move(mesh)) {
   glBindVertexArray(vertex_array_.id());
@@ -37,24 +21,24 @@ MeshBuffers::MeshBuffers(mesh::Mesh mesh) : mesh_(std::move(mesh)) {
 void MeshBuffers::bind(const Program& program) {
   glBindVertexArray(vertex_array_.id());
   const std::vector<Attribute>& read = program.attributes();
-  for (const auto& [attribute, buffer] : attributes_)
-    if (std::find(read.begin(), read.end(), attribute) == read.end())
-      glDisableVertexAttribArray(static_cast<GLuint>(attribute));
-  for (const Attribute attribute : read) {
+  int next = 0;
+  mesh::for_each_attribute(mesh_, [&]<class Vector>(const std::vector<Vector>& values) {
+    const auto attribute = static_cast<Attribute>(next++);
     const auto location = static_cast<GLuint>(attribute);
+    if (std::find(read.begin(), read.end(), attribute) == read.end())
+      return glDisableVertexAttribArray(location);
+    if (values.empty())
+      throw Error::failed(
+          fmt::format("reads the attribute '{}', which the mesh does not have", kAttributeNames[location]),
+          program.place(), "choose a method that does not need it, or add it to the mesh");
     if (!attributes_.contains(attribute)) {
-      Buffer buffer;
-      glBindBuffer(GL_ARRAY_BUFFER, buffer.id());
-      const GLint components = upload(mesh_, attribute);
-      if (components == 0)
-        throw Error::failed(
-            fmt::format("reads the attribute '{}', which the mesh does not have", kAttributeNames[location]),
-            program.place(), "choose a method that does not need it, or add it to the mesh");
-      glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, 0, nullptr);
-      attributes_.emplace(attribute, std::move(buffer));
+      glBindBuffer(GL_ARRAY_BUFFER, attributes_[attribute].id());
+      glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(std::span(values).size_bytes()), values.data(),
+                   GL_STATIC_DRAW);
+      glVertexAttribPointer(location, Vector::length(), GL_FLOAT, GL_FALSE, 0, nullptr);
     }
     glEnableVertexAttribArray(location);
-  }
+  });
 }
 
 void MeshBuffers::draw(const Program& program) {

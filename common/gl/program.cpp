@@ -13,32 +13,25 @@
 namespace texel::gl {
 namespace {
 
-/// A compiled shader that lives until its program is linked.
-class Shader {
- public:
-  Shader(GLenum stage, const ShaderSource& source, const std::vector<Define>& defines)
-      : id_(glCreateShader(stage)) {
-    const std::string text = source.text(defines);
-    const char* data = text.c_str();
-    glShaderSource(id_, 1, &data, nullptr);
-    glCompileShader(id_);
-    GLint ok = 0;
-    glGetShaderiv(id_, GL_COMPILE_STATUS, &ok);
-    if (ok != 0) return;
-    GLint length = 0;
-    glGetShaderiv(id_, GL_INFO_LOG_LENGTH, &length);
+/// Compiles a shader into a program, which alone keeps it.
+void attach(GLuint program, GLenum stage, const ShaderSource& source, const std::vector<Define>& defines) {
+  const GLuint shader = glCreateShader(stage);
+  const std::string text = source.text(defines);
+  const char* data = text.c_str();
+  glShaderSource(shader, 1, &data, nullptr);
+  glCompileShader(shader);
+  GLint ok = 0, length = 0;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+  if (ok == 0) {
+    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
     std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
-    glGetShaderInfoLog(id_, length, nullptr, log.data());
-    glDeleteShader(id_);
+    glGetShaderInfoLog(shader, length, nullptr, log.data());
+    glDeleteShader(shader);
     throw source.error(log, defines);
   }
-  ~Shader() { glDeleteShader(id_); }
-  Shader& operator=(Shader&&) = delete;
-  [[nodiscard]] GLuint id() const { return id_; }
-
- private:
-  GLuint id_;
-};
+  glAttachShader(program, shader);
+  glDeleteShader(shader);  // as soon as the program is
+}
 
 bool is_sampler(GLenum type) {
   return type == GL_SAMPLER_2D || type == GL_SAMPLER_CUBE || type == GL_SAMPLER_2D_ARRAY ||
@@ -54,18 +47,15 @@ GLint unset_unit() {
 
 Program::Program(std::shared_ptr<const ShaderSource> vertex, std::shared_ptr<const ShaderSource> fragment,
                  const std::vector<Define>& defines)
-    : vertex_(std::move(vertex)), fragment_(std::move(fragment)) {
-  const Shader vertex_shader(GL_VERTEX_SHADER, *vertex_, defines);
-  const Shader fragment_shader(GL_FRAGMENT_SHADER, *fragment_, defines);
-  id_ = glCreateProgram();
-  glAttachShader(id_, vertex_shader.id());
-  glAttachShader(id_, fragment_shader.id());
+    : Program() {
+  vertex_ = std::move(vertex), fragment_ = std::move(fragment);
+  attach(id_, GL_VERTEX_SHADER, *vertex_, defines);
+  attach(id_, GL_FRAGMENT_SHADER, *fragment_, defines);
   for (GLuint i = 0; i < std::size(kAttributeNames); ++i) glBindAttribLocation(id_, i, kAttributeNames[i]);
   glLinkProgram(id_);
   if (value_of(glGetProgramiv, id_, GL_LINK_STATUS) == 0) {
     char log[4096] = "";
     glGetProgramInfoLog(id_, sizeof log, nullptr, log);
-    glDeleteProgram(id_);
     throw Error::failed(fmt::format("does not link: {}", fragment_->locate(log)), place());
   }
 
@@ -87,12 +77,10 @@ Program::Program(std::shared_ptr<const ShaderSource> vertex, std::shared_ptr<con
     if (std::string_view(text).starts_with("gl_")) continue;
     const auto* known =
         std::find(std::begin(kAttributeNames), std::end(kAttributeNames), std::string_view(text));
-    if (known == std::end(kAttributeNames)) {
-      glDeleteProgram(id_);
+    if (known == std::end(kAttributeNames))
       throw Error::failed(fmt::format("there is no vertex attribute '{}'", text),
                           {vertex_->files().front().string()},
                           "the attributes are position, normal, texcoord, tangent, bitangent and color");
-    }
     attributes_.push_back(static_cast<Attribute>(known - std::begin(kAttributeNames)));
   }
   std::sort(attributes_.begin(), attributes_.end());
@@ -211,12 +199,6 @@ Program& ProgramCache::get(const std::string& vertex, const std::string& fragmen
   }
   known = program.get();
   return *program;
-}
-
-std::vector<const Program*> ProgramCache::programs() const {
-  std::vector<const Program*> all;
-  for (const auto& [key, program] : programs_) all.push_back(program.get());
-  return all;
 }
 
 void ProgramCache::clear() {

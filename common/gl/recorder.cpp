@@ -48,12 +48,6 @@ void warn(Record& record, const std::string& text) {
   add_once(record.warnings, text);
 }
 
-void inspect_indices(Record& record, std::set<GLint>& counted) {
-  const GLint buffer = integer(GL_ELEMENT_ARRAY_BUFFER_BINDING);
-  if (buffer == 0 || !counted.insert(buffer).second) return;
-  record.index_bytes += value_of(glGetBufferParameteriv, GL_ELEMENT_ARRAY_BUFFER, GL_BUFFER_SIZE);
-}
-
 void inspect_attributes(Record& record, GLuint program) {
   for (const char* name : kAttributeNames) {
     const GLint at = glGetAttribLocation(program, name);
@@ -138,8 +132,18 @@ void inspect(Record& record, GLenum mode, GLsizei count) {
 
 Recorder::Recorder() : draw_arrays_(glad_glDrawArrays), draw_elements_(glad_glDrawElements) {
   current = this;
-  glad_glDrawArrays = on_draw_arrays;
-  glad_glDrawElements = on_draw_elements;
+  glad_glDrawArrays = [](GLenum mode, GLint first, GLsizei count) {
+    inspect(current->record_, mode, count);
+    current->draw_arrays_(mode, first, count);
+  };
+  glad_glDrawElements = [](GLenum mode, GLsizei count, GLenum type, const void* indices) {
+    inspect(current->record_, mode, count);
+    const GLint buffer = integer(GL_ELEMENT_ARRAY_BUFFER_BINDING);
+    if (buffer != 0 && current->index_buffers_.insert(buffer).second)
+      current->record_.index_bytes +=
+          value_of(glGetBufferParameteriv, GL_ELEMENT_ARRAY_BUFFER, GL_BUFFER_SIZE);
+    current->draw_elements_(mode, count, type, indices);
+  };
 }
 
 Recorder::~Recorder() {
@@ -151,17 +155,6 @@ Recorder::~Recorder() {
 Record Recorder::take() {
   if (record_.draw_calls == 0) warn(record_, "nothing is drawn");
   return std::move(record_);
-}
-
-void Recorder::on_draw_arrays(GLenum mode, GLint first, GLsizei count) {
-  inspect(current->record_, mode, count);
-  current->draw_arrays_(mode, first, count);
-}
-
-void Recorder::on_draw_elements(GLenum mode, GLsizei count, GLenum type, const void* indices) {
-  inspect(current->record_, mode, count);
-  inspect_indices(current->record_, current->index_buffers_);
-  current->draw_elements_(mode, count, type, indices);
 }
 
 }  // namespace texel::gl

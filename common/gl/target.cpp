@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 
 #include "core/error.hpp"
@@ -76,12 +75,10 @@ image::Image8 Target::read8() const {
 }
 
 bool Target::shows_only(const glm::vec4& color) const {
+  const image::Encoding encoding = kind_ == Kind::data ? image::Encoding::linear : image::Encoding::srgb;
   int steps[4];
-  for (int c = 0; c < 4; ++c) {
-    const bool is_encoded = kind_ != Kind::data && c < 3;
-    steps[c] = static_cast<int>(std::lround(
-        255 * (is_encoded ? image::srgb_from_linear(color[c]) : std::clamp(color[c], 0.0F, 1.0F))));
-  }
+  for (int c = 0; c < 4; ++c)
+    steps[c] = image::to_encoding8(color[c], c < 3 ? encoding : image::Encoding::linear);
   const image::Image8 picture = read8();
   for (std::size_t i = 0; i < picture.samples.size(); ++i)
     if (std::abs(picture.samples[i] - steps[i % 4]) > 1) return false;

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "app/canvas.hpp"
+#include "course/case.hpp"
 
 namespace texel::window {
 
 /// Every parameter, the view, what is compared and the gallery's look they began with, to go back to. How far
 /// the model has turned is left out: it turns by itself.
 struct SavedLook {
-  std::vector<std::string> values;  ///< in declaration order
+  std::vector<course::Setting> settings;
   app::View view = app::View::color;
   std::optional<app::Canvas::Split> split;
   std::optional<std::size_t> look;  ///< its number in the gallery

@@ -44,12 +44,10 @@ void error_plate(WindowState& state, glm::vec2 size, float scale) {
   ImGui::SetNextWindowSizeConstraints({0, 0}, {size.x - 24 * scale, size.y - 24 * scale});
   ImGui::SetNextWindowBgAlpha(0.92F);
   ImGui::Begin("##error", nullptr, kPlate);
-  const auto lines = [&](const ImVec4& color, const std::string& text) {
-    wrapped_to(size.x - 60 * scale, color, text);
-  };
-  lines(theme().wrong, error.first);
+  const float width = size.x - 60 * scale;
+  wrapped_to(width, theme().wrong, error.first);
   if (!error.source_line.empty())
-    lines(theme().text, fmt::format("  {} |  {}", error.line, error.source_line));
+    wrapped_to(width, theme().text, fmt::format("  {} |  {}", error.line, error.source_line));
   if (!error.file.empty() && ImGui::SmallButton("Open in editor")) state.wanted = Action::open_in_editor;
   if (error.others > 0) {
     if (!error.file.empty()) ImGui::SameLine();
@@ -57,7 +55,7 @@ void error_plate(WindowState& state, glm::vec2 size, float scale) {
                             ? "Only the first"
                             : fmt::format("{} more line{}", error.others, error.others == 1 ? "" : "s");
     if (ImGui::SmallButton(label.append("###more").c_str())) state.all_messages = !state.all_messages;
-    if (state.all_messages) lines(theme().dim, error.rest);
+    if (state.all_messages) wrapped_to(width, theme().dim, error.rest);
   }
   ImGui::End();
 }

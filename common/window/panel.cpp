@@ -262,17 +262,9 @@ std::string label_of(std::string_view name) {
 
 SavedLook save_look(const params::Set& parameters, const WindowState& state) {
   SavedLook saved{{}, state.view, state.split, state.look};
-  for (const params::Parameter& p : parameters) saved.values.push_back(p.name == "turn" ? "" : p.text());
+  for (const params::Parameter& p : parameters)
+    if (p.name != "turn") saved.settings.push_back({std::string(p.name), p.text()});
   return saved;
-}
-
-void go_to(const SavedLook& look, params::Set& parameters, WindowState& state) {
-  auto value = look.values.begin();
-  for (params::Parameter& p : parameters) {
-    if (p.name != "turn") p.set(*value);
-    ++value;
-  }
-  state.view = look.view, state.split = look.split, state.look = look.look;
 }
 
 float default_panel_width(float window, float scale) {

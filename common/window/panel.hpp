@@ -232,9 +232,8 @@ std::string label_of(std::string_view name);
 /// "off by 12.3 degrees (limit 0.05)".
 std::string off_by(const judge::CaseResult& one);
 
-/// The present look, and back to one: parameters (the model stays turned as it is), view and gallery's look.
+/// The present look: parameters (not how far the model is turned), view, comparison and gallery's look.
 SavedLook save_look(const params::Set& parameters, const WindowState& state);
-void go_to(const SavedLook& look, params::Set& parameters, WindowState& state);
 
 /// Sets parameters and view. Throws Error (usage) when the lab does not have them.
 void choose(const course::Case& look, app::AnyLab& lab, app::View& view);
@@ -247,9 +246,9 @@ void steps_section(app::AnyLab& lab, WindowState& state);
 /// for no steps.
 void course_line(const std::vector<judge::StepResult>& course, int lab);
 
-/// Sets the look in which the handout shows the step.
-void see_step(app::AnyLab& lab, WindowState& state, const std::string& step);
-/// Sets the case's look and shows its pictures. Nothing is seen of a vertex stream: there as `see_step`.
+/// Sets the look of a step or a case; a message says why where the lab does not have it.
+void set_look(app::AnyLab& lab, WindowState& state, const course::Case& look);
+/// Sets the case's look and shows its pictures. Nothing is seen of a vertex stream: there the step's look.
 void pick_case(app::AnyLab& lab, WindowState& state, const judge::StepResult& step,
                const judge::CaseResult& one);
 /// Sets the look of the step's case that says most, and shows that case's pictures.

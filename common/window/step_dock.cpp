@@ -121,14 +121,11 @@ void draw_step(WindowState& state, glm::vec2 window, float scale) {
   CasePictures& p = *state.case_pictures;
   bool is_open = true;
   const bool is_new = std::exchange(state.case_is_new, false);
-  // The text begins at its first line, wherever the last one was scrolled to.
-  const auto from_the_top = [&] {
-    if (is_new) ImGui::SetScrollY(0);
-  };
   ImGui::Begin(
       fmt::format("{} {}: {}###case", p.step, course::without_markdown(p.title), p.result.name).c_str(),
       &is_open, kPlaced | ImGuiWindowFlags_NoResize);
-  from_the_top();
+  // The text begins at its first line, wherever the last one was scrolled to.
+  if (is_new) ImGui::SetScrollY(0);
   const ImVec2 room = ImGui::GetContentRegionAvail();
   // Below the picture: its buttons, the heat map's scale and two lines of text.
   const float texts = ImGui::GetFrameHeightWithSpacing() + 4 * ImGui::GetTextLineHeightWithSpacing();
@@ -141,7 +138,7 @@ void draw_step(WindowState& state, glm::vec2 window, float scale) {
     const float side = std::clamp((room.y - texts) / p.aspect(), 64.0F, 0.5F * room.x);
     const float column = std::max(side, std::min(ImGui::GetFontSize() * 23, 0.54F * room.x));
     ImGui::BeginChild("text", {room.x - column - ImGui::GetStyle().ItemSpacing.x, 0});
-    from_the_top();
+    if (is_new) ImGui::SetScrollY(0);
     text_part(state);
     ImGui::EndChild();
     ImGui::SameLine();

@@ -43,18 +43,6 @@ std::string figure(const judge::StepResult& step) {
   return telling == nullptr || std::isnan(telling->error) ? "nothing to compare" : off_by(*telling);
 }
 
-void set_look(app::AnyLab& lab, WindowState& state, const course::Case& look) {
-  try {
-    choose(look, lab, state.view);
-    state.split.reset();
-    state.look.reset();
-    state.paused = true;
-    state.message.clear();
-  } catch (const Error& error) {
-    state.message = error.what();
-  }
-}
-
 void step_details(app::AnyLab& lab, WindowState& state, const judge::StepResult& step) {
   wrapped_plain(theme().dim, fmt::format("{}:{}", step.file, step.line));
   const auto picked = std::ranges::find_if(step.cases, [&](const judge::CaseResult& one) {
@@ -292,15 +280,23 @@ void course_line(const std::vector<judge::StepResult>& course, int lab) {
                                         next != nullptr ? ", next is " + next->id : ""));
 }
 
+void set_look(app::AnyLab& lab, WindowState& state, const course::Case& look) {
+  try {
+    choose(look, lab, state.view);
+    state.split.reset();
+    state.look.reset();
+    state.paused = true;
+    state.message.clear();
+  } catch (const Error& error) {
+    state.message = error.what();
+  }
+}
+
 void pick_case(app::AnyLab& lab, WindowState& state, const judge::StepResult& step,
                const judge::CaseResult& one) {
   set_look(lab, state, one.is_mesh() ? state.steps->look_of(step.id) : one);
   state.case_pictures = state.steps->load_case(step, one);
   state.case_is_new = true;
-}
-
-void see_step(app::AnyLab& lab, WindowState& state, const std::string& step) {
-  set_look(lab, state, state.steps->look_of(step));
 }
 
 void pick_step(app::AnyLab& lab, WindowState& state, const judge::StepResult& step) {

@@ -2,6 +2,8 @@
 // The frames of a lab's window.
 #include "window/window.hpp"
 
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -154,7 +156,9 @@ void Window::show_picture() {
 void Window::show() {
   if (!is_seen()) return;
   show_picture();
-  Gui::begin_frame();
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
   if (drag_ == Drag::split_line || over_line()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   draw_panel(lab_, state_, scale_);
   draw_overlay(lab_, state_, picture_units(), pixels_per_unit(), scale_);
@@ -164,7 +168,8 @@ void Window::show() {
   draw_looks(lab_, state_, picture_units(), scale_);
   draw_keys(state_, picture_units());
   ImGui::Render();
-  Gui::end_frame(pixels_);
+  glViewport(0, 0, pixels_.x, pixels_.y);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   glfwSwapBuffers(window());
 }
 

@@ -160,7 +160,7 @@ void Window::perform(Action action) {
         state_.looks_open = !state_.looks_open && !state_.looks->entries.empty();
         return;
       case Action::see_step:
-        if (state_.case_pictures) see_step(lab_, state_, state_.case_pictures->step);
+        if (state_.case_pictures) set_look(lab_, state_, state_.steps->look_of(state_.case_pictures->step));
         return;
       case Action::undo:
         return go_back_to(history_.undo(), "nothing to undo");
@@ -252,10 +252,12 @@ void Window::open_anew() {
 }
 
 void Window::go_back_to(const SavedLook* look, const char* nothing) {
-  if (look != nullptr)
-    go_to(*look, lab_.parameters(), state_);
-  else
+  if (look == nullptr) {
     state_.message = nothing;
+    return;
+  }
+  for (const auto& [parameter, value] : look->settings) lab_.parameters().at(parameter).set(value);
+  state_.view = look->view, state_.split = look->split, state_.look = look->look;
 }
 
 void Window::write_picture(const std::filesystem::path& file) {

@@ -29,7 +29,7 @@ TEST(ErrorMessage, has_the_first_message_its_line_and_how_many_follow) {
 }
 
 TEST(History, goes_back_and_forth_and_forgets_what_was_undone) {
-  const auto look = [](const char* value) { return SavedLook{{value}, app::View::color, {}, {}}; };
+  const auto look = [](const char* value) { return SavedLook{{{"a", value}}, app::View::color, {}, {}}; };
   History history;
   for (const char* value : {"a", "a", "b", "c"}) history.note(look(value));
   EXPECT_EQ(*history.undo(), look("b"));

@@ -78,8 +78,9 @@ class Canvas {
 
  private:
   void draw_into(const gl::Target& target, View view, const std::optional<Split>& split);
-  const gl::Target& draw_scene(View view, glm::ivec2 size, int samples, const std::optional<Split>& split,
-                               gl::Target::Kind colors);
+  const gl::Target& draw_scene(View view, glm::ivec2 size, int samples = 1,
+                               const std::optional<Split>& split = {},
+                               gl::Target::Kind colors = gl::Target::Kind::color);
   void finish(View view, glm::ivec2 size);
   gl::Target& fit(std::unique_ptr<gl::Target>& target, gl::Target::Kind kind, glm::ivec2 size, int samples);
 

@@ -71,11 +71,12 @@ class Program {
   [[nodiscard]] const ShaderSource& fragment() const { return *fragment_; }
 
  private:
+  Program() = default;  // when the rest of the other constructor fails, the destructor deletes it
   void set_floats(std::string_view name, GLenum type, const float* values);
   Uniform* to_set(std::string_view name, std::initializer_list<GLenum> types);
   [[nodiscard]] Error no_unit(std::string_view name, const std::string& value) const;
   std::shared_ptr<const ShaderSource> vertex_, fragment_;
-  GLuint id_ = 0;
+  GLuint id_ = glCreateProgram();
   std::vector<Uniform> uniforms_;
   std::vector<Attribute> attributes_;
 };
@@ -91,8 +92,8 @@ class ProgramCache {
 
   Program& get(const std::string& vertex, const std::string& fragment,
                const std::vector<Define>& defines = {});
-  /// All that were compiled.
-  [[nodiscard]] std::vector<const Program*> programs() const;
+  /// All that were compiled, by the defines that their sources mention.
+  [[nodiscard]] const std::map<std::string, std::unique_ptr<Program>>& programs() const { return programs_; }
   /// Forgets everything, so that edited files are read again.
   void clear();
   /// For a watcher: every file that was read, and the folders in which files are searched.
@@ -102,9 +103,9 @@ class ProgramCache {
   std::shared_ptr<const ShaderSource> source(const std::string& file);
   std::filesystem::path root_;
   std::map<std::string, std::shared_ptr<const ShaderSource>> sources_;
-  std::map<std::string, std::unique_ptr<Program>> programs_;  ///< by the defines that the sources mention
-  std::unordered_map<std::string, Program*> by_request_;      ///< by all defines
-  std::vector<std::filesystem::path> tried_;                  ///< where sources were looked for
+  std::map<std::string, std::unique_ptr<Program>> programs_;
+  std::unordered_map<std::string, Program*> by_request_;  ///< by all defines
+  std::vector<std::filesystem::path> tried_;              ///< where sources were looked for
 };
 
 }  // namespace texel::gl

@@ -47,8 +47,6 @@ class Recorder {
   [[nodiscard]] Record take();
 
  private:
-  static void GLAD_API_PTR on_draw_arrays(GLenum mode, GLint first, GLsizei count);
-  static void GLAD_API_PTR on_draw_elements(GLenum mode, GLsizei count, GLenum type, const void* indices);
   Record record_;
   std::set<GLint> index_buffers_;  ///< that were counted
   PFNGLDRAWARRAYSPROC draw_arrays_;

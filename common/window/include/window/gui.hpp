@@ -39,10 +39,6 @@ class Gui {
   Gui& operator=(Gui&&) = delete;
 
   static inline ImFont* code_font = nullptr;  ///< all letters are as wide
-
-  /// Panels are drawn between these two, into a framebuffer of so many pixels.
-  static void begin_frame();
-  static void end_frame(glm::ivec2 pixels);
 };
 
 /// Shows a text, broken at its blanks where the window ends: ImGui also breaks at points, as in "0.5". An
