@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes a class folder whose grades are known: make_class.py BIN --out DIR --labs 8,9 --kinds … [--limit N], for the tree it lies in.
+"""Makes a class folder whose grades are known: make_class.py BIN --out DIR --labs 8,9 --kinds … [--limit N] [--threats N], for the tree it lies in.
 
   entries          what they hand in                                     what must come out
 
@@ -112,8 +112,8 @@ def code_of(text):
 
 
 class ClassMaker:
-    def __init__(self, out, labs, limit=sys.maxsize):
-        self.out, self.labs, self.limit, self.expected = pathlib.Path(out).resolve(), labs, limit, {}
+    def __init__(self, out, labs, limit=sys.maxsize, threats=sys.maxsize):
+        self.out, self.labs, self.limit, self.threats, self.expected = pathlib.Path(out).resolve(), labs, limit, threats, {}
         if self.out.exists() and any(self.out.iterdir()):
             sys.exit(f"make_class: '{out}' holds something already; name a new folder")
         self.out.mkdir(parents=True, exist_ok=True)
@@ -212,7 +212,7 @@ class ClassMaker:
         for one in self.fitting("mutants"):
             first.setdefault(one["step"], one)
         more = [dict(zip(("name", "step", "file", "what", "by"), one), is_right=False) for one in SPREADING if self.is_asked(one[1])]
-        self.put_changed([*first.values(), *more], "mistake")
+        self.put_changed(some_of([*first.values(), *more], self.limit), "mistake")
 
     def changed(self, change, by):
         """The solution with a change of its catalogue."""
@@ -236,10 +236,9 @@ class ClassMaker:
 
     def make_threat(self, kind="threat"):
         asked = pathlib.Path("tests/threats/asked.hpp").read_text(encoding="utf-8")
-        for threat in tree.catalogue("threats", "threat"):
-            lab = threat["step"] or re.search(r"/0*(\d+)_", threat["file"])[1]
-            if (pathlib.Path(threat["place"]).stem == "slow") != (kind == "slow") or not self.is_asked(lab):
-                continue
+        asked_for = [threat for threat in tree.catalogue("threats", "threat") if (pathlib.Path(threat["place"]).stem == "slow") == (kind == "slow")
+                     and self.is_asked(threat["step"] or re.search(r"/0*(\d+)_", threat["file"])[1])]
+        for threat in some_of(asked_for, self.threats):
             by = threat["by"].replace("@ASKED@", asked).replace("@ROOT@", str(ROOT)).replace("@CLASS@", str(self.out))
             files = self.changed(threat, by)
             outcome = {"zero": [threat["step"]]}
@@ -345,12 +344,13 @@ def main():
     parser.add_argument("--labs", required=True, type=lambda text: [int(lab) for lab in text.split(",")], help="numbers of labs")
     parser.add_argument("--kinds", required=True, type=lambda text: text.split(","), help=",".join(kinds))
     parser.add_argument("--limit", type=int, default=sys.maxsize,
-                        help="at most so many prefixes, mutants and equivalents each, from all over the list")
+                        help="at most so many prefixes, mutants, mistakes and equivalents each, from all over the list")
+    parser.add_argument("--threats", type=int, default=sys.maxsize, help="at most so many threats of a kind, likewise")
     options = parser.parse_args()
     if unknown := set(options.kinds) - set(kinds):
         parser.error(f"there is no kind {', '.join(sorted(unknown))}")
     texel = options.bin.resolve() / "texel"
-    maker = ClassMaker(options.out, options.labs, options.limit)
+    maker = ClassMaker(options.out, options.labs, options.limit, options.threats)
     for kind in options.kinds:
         getattr(maker, f"make_{kind}")()
     maker.write_expectations(texel)
