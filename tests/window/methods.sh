@@ -7,6 +7,7 @@ check 'lab 1 opens' open_lab lab01_texture_quad
 # The section stands below the steps, which are there when they are checked.
 has_steps() { look "$work/now" 300x20+0+70 && (($(pixels_of "$work/now" 115,217,128 4) > 30)); }
 check 'the steps are checked' eventually has_steps
+check 'and those of the other labs' eventually shows_course
 status=330x40+0+678
 check 'the picture comes to rest' settle "$work/first"
 look "$work/quiet" $status

@@ -116,3 +116,6 @@ has_colours() { (($(colours "$1") > $2)); }
 pixels_of() {
   convert "$1" -fuzz "$3%" -fill black +opaque "rgb($2)" -fill white -opaque "rgb($2)" -format '%[fx:round(mean*w*h)]' info:
 }
+
+# Whether the line of the course stands at the panel's lower end, in green: the other labs are checked after the window's own.
+shows_course() { look "$work/course" 320x60+8+610 && (($(pixels_of "$work/course" 115,217,128 4) > 1000)); }
