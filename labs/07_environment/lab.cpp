@@ -32,7 +32,8 @@ struct EnvironmentLab : app::Lab<EnvironmentParameters> {
       // draw_spheres(p, frame);
       // draw_background(p, frame);
       //@end
-    } else {  // the worksheet's two ways
+    } else {
+      // The worksheet's two ways.
       if (p.depth_method == DepthMethod::test_off) glDisable(GL_DEPTH_TEST);  // neither tested nor written
       draw_background(p, frame);
       glEnable(GL_DEPTH_TEST);

@@ -4,6 +4,7 @@
 
 Exit codes: 0 at least 95 % are caught, 1 fewer, 2 wrong usage, 3 a mutant does not apply or compile, or nothing can be measured."""
 import argparse
+import contextlib
 import difflib
 import filecmp
 import hashlib
@@ -173,8 +174,9 @@ class Suite:
             raise Failure(f"{log}: ctest failed; see its log")
         return read_junit(xml)
 
-    def measure(self, state):
-        """Runs each test of behaviour in the unchanged tree, unless that was done in a tree of this state."""
+    def measure(self, state, right):
+        """Runs each test of behaviour in the tree with all changes that change nothing, unless that was done in a tree of this state. A test
+        that fails there and not without them would notice anything."""
         listed = subprocess.run(["ctest", "--test-dir", "build/release", "--show-only=json-v1"], cwd=self.tree, capture_output=True,
                                 check=False).stdout
         for number, entry in enumerate(json.loads(listed)["tests"], 1):
@@ -185,11 +187,22 @@ class Suite:
             self.tests.append({"number": number, "name": entry["name"], "key": f"{program.name} {entry['name']}".lower(),
                                "target": program.name if built else "",
                                "is_used": not {"tree", "class"} & set(labels), "seconds": 0})
+        numbers = {test["name"]: test["number"] for test in self.tests if test["is_used"]}
         xml, known = self.logs / "unchanged.xml", self.logs / "unchanged.state"
         if known.exists() and known.read_text() == state:
             runs = read_junit(xml)
         else:
-            runs = self.run([test["number"] for test in self.tests if test["is_used"]], xml, self.logs / "unchanged.log")
+            print(f"running the tests once, with {len(right)} changes that change nothing", flush=True)
+            with self.changed(right):
+                if not self.build((), self.logs / "build.log"):
+                    raise Failure(f"{self.logs / 'build.log'}: what changes nothing does not compile; see the log")
+                runs = self.run(numbers.values(), xml, self.logs / "unchanged.log")
+                failed = self.again(self.failing(runs), numbers)  # on a busy machine a test may fail once
+            if failed:
+                self.prepare()
+                if noticed := [short(name) for name in sorted(set(failed) - set(self.again(failed, numbers)))]:
+                    raise Failure(f"what changes nothing ({', '.join(one['name'] for one in right)}) is noticed: {'; '.join(noticed)}; tests of "
+                                  "sources, build or documents need the label tree (TREE in tests/CMakeLists.txt)")
             known.write_text(state)
         for test in self.tests:
             if not test["is_used"]:
@@ -201,25 +214,46 @@ class Suite:
         if not any(test["is_used"] for test in self.tests):
             raise Failure(f"{self.logs / 'unchanged.log'}: no test passes in the unchanged tree")
 
-    def judge(self, files, name):
+    def again(self, names, numbers):
+        """Those of these tests that fail once more."""
+        return self.failing(self.run([numbers[name] for name in names], self.logs / "again.xml", self.logs / "again.log")) if names else []
+
+    @staticmethod
+    def failing(runs):
+        return [name for name, (_, word) in runs.items() if word == "fail"]
+
+    @contextlib.contextmanager
+    def changed(self, mutants):
+        """The tree with all these changes, from here to the end of the block."""
+        texts = {}
+        try:
+            for mutant in mutants:
+                file = self.tree / mutant["file"]
+                texts.setdefault(file, file.read_text(encoding="utf-8"))
+                file.write_text(applied(mutant, file.read_text(encoding="utf-8")), encoding="utf-8")
+            yield
+        finally:
+            for file, text in texts.items():
+                file.write_text(text, encoding="utf-8")
+
+    def judge(self, file, name):
         """("caught", "survived" or "broken", the tests that failed): those that are likely to notice are asked first."""
         stages = {}
         for test in self.tests:
-            orders = [order for file in files if (order := order_of(test, self.tree, pathlib.PurePath(file)))]
+            order = order_of(test, self.tree, pathlib.PurePath(file))
             if short(test["name"]) in self.catchers.get(name, ()):
-                orders.append((-1, 0))
-            if test["is_used"] and orders:
-                stages.setdefault(min(orders), []).append(test)
+                order = (-1, 0)
+            if test["is_used"] and order:
+                stages.setdefault(order, []).append(test)
         log = self.logs / f"{name}.log"
         for _, tests in sorted(stages.items()):
             targets = {test["target"] for test in tests}
             if not self.build(() if "" in targets else targets, log):
                 return "broken", ["it does not compile"]
             runs = self.run([test["number"] for test in tests], self.logs / "mutant.xml", log)
-            failed = sorted(short(test) for test, (_, word) in runs.items() if word == "fail")
+            failed = sorted(map(short, self.failing(runs)))
             text = log.read_text(errors="replace")
-            if failed and any(file.startswith("shaders/") and re.search(rf"{re.escape(pathlib.PurePath(file).name)}:\d+:\d+: error:", text)
-                              for file in files):
+            if failed and file.startswith("shaders/") and re.search(rf"{re.escape(pathlib.PurePath(file).name)}:\d+:\d+: error:", text):
                 return "broken", ["it does not compile"]
             if failed:
                 return "caught", failed
@@ -261,7 +295,7 @@ def markdown(results, catalogue):
     scores = [(folder, score([one for one in wrong if str(pathlib.PurePath(one["file"]).parent) == folder])) for folder in folders]
     tests = sorted({test for one in results if one["fate"] == "caught" for test in one["by"]})
     alone = [(test, sum(one["by"] == [test] for one in results), sum(test in one["by"] for one in results)) for test in tests]
-    unchanged = [f"- {one['name']} ({one['file']}): {'CAUGHT by ' + '; '.join(one['by']) if one['fate'] == 'caught' else 'survived'}\n"
+    unchanged = [f"- {one['name']} ({one['file']}): survived\n"
                  for one in results if one["changes_nothing"]]
 
     def of_fate(fate, title, column):
@@ -309,38 +343,21 @@ class Record:
             file.with_suffix(".part").replace(file)
 
 
-def try_mutants(suite, state, mutants):
-    """Makes mutants together and asks the tests. What became of each."""
-    begin, texts = time.monotonic(), {}
+def result_of(mutant, state, fate, by, seconds):
+    return {"name": mutant["name"], "file": mutant["file"], "step": mutant.get("step", ""), "says": mutant["says"], "fate": fate, "by": by,
+            "survives": mutant["survives"], "changes_nothing": mutant["is_right"], "tree": state, "what": mutant["what"],
+            "replaced_by": mutant["by"], "seconds": seconds}
+
+
+def try_mutant(suite, state, mutant):
+    """Makes a mutant and asks the tests. What became of it."""
+    begin = time.monotonic()
     try:
-        for mutant in mutants:
-            file = suite.tree / mutant["file"]
-            texts.setdefault(file, file.read_text(encoding="utf-8"))
-            file.write_text(applied(mutant, file.read_text(encoding="utf-8")), encoding="utf-8")
-        fate, by = suite.judge([mutant["file"] for mutant in mutants], mutants[0]["name"])
+        with suite.changed([mutant]):
+            fate, by = suite.judge(mutant["file"], mutant["name"])
     except (Failure, OSError) as error:
         fate, by = "broken", [str(error)]
-    finally:
-        for file, text in texts.items():
-            file.write_text(text, encoding="utf-8")
-    return [{"name": mutant["name"], "file": mutant["file"], "step": mutant.get("step", ""), "says": mutant["says"], "fate": fate, "by": by,
-             "survives": mutant["survives"], "changes_nothing": mutant["is_right"], "tree": state, "what": mutant["what"],
-             "replaced_by": mutant["by"], "seconds": (time.monotonic() - begin) / len(mutants)} for mutant in mutants]
-
-
-def check_unchanged(suite, state, catalogue, record):
-    """Makes all changes that change nothing, together: a test that notices them would notice anything."""
-    unchanged = [mutant for mutant in catalogue if mutant["is_right"]]
-    known = [record.find(mutant["name"], state) for mutant in unchanged]
-    if all(one and one["fate"] == "survived" for one in known):
-        return
-    print(f"making {len(unchanged)} changes that change nothing", flush=True)
-    results = try_mutants(suite, state, unchanged)
-    for result in results:
-        record.add(result)
-    if results[0]["fate"] != "survived":
-        raise Failure(f"what changes nothing ({', '.join(one['name'] for one in results)}) is noticed: {'; '.join(results[0]['by'])}; tests of "
-                      "sources, build or documents need the label tree (TREE in tests/CMakeLists.txt)")
+    return result_of(mutant, state, fate, by, time.monotonic() - begin)
 
 
 def chosen(catalogue, only, every):
@@ -386,17 +403,18 @@ def main():
     copy_tree(root, work / "tree")
     state, suite = state_of(root), Suite(work / "tree", work / "logs")
     suite.prepare()
-    print("running the tests once without a mutant", flush=True)
-    suite.measure(state)
+    right = [mutant for mutant in catalogue if mutant["is_right"]]
+    suite.measure(state, right)
     record = Record(work / "results.json", given.report, catalogue)
     if given.resume or given.only or given.every > 1:
         record.read(catalogue)
-    check_unchanged(suite, state, catalogue, record)
+    for mutant in right:
+        record.add(result_of(mutant, state, "survived", [], 0))
     results, begin, made = [], time.monotonic(), 0
     for place, mutant in enumerate(mutants, 1):
         known = record.find(mutant["name"], state) if given.resume else None
         is_known = known is not None and known["fate"] != "broken"
-        results.append(known if is_known else try_mutants(suite, state, [mutant])[0])
+        results.append(known if is_known else try_mutant(suite, state, mutant))
         record.add(results[-1])
         made += not is_known
         left = (time.monotonic() - begin) / max(made, 1) * (len(mutants) - place) / 60
