@@ -69,7 +69,7 @@ async function still(browser, url, step, name) {
 /** The window of lab 6 with step 6.3 open, on a display of its own. */
 async function window_() {
   const shot = join(frames, "window.png");
-  const script = `"$1" --size 1280x800 --see faces_right_top_front & program=$!; sleep 12; import -window root "$2"; kill $program; wait $program || true`;
+  const script = `"$1" --size 1280x800 --see faces_right_top_front & program=$!; sleep 20; import -window root "$2"; kill $program; wait $program || true`;
   execFileSync("xvfb-run", ["-a", "-s", "-screen 0 1280x800x24 -noreset", "bash", "-c", script, "", join(bin, "lab06_cube_map"), shot]);
   convert(shot, "-resize", "880x", "+dither", "-colors", "256", `png8:${join(out, "window.png")}`);
 }
