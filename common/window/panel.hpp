@@ -130,10 +130,9 @@ class StepsCheck {
   /// What a check found.
   struct Found {
     std::vector<judge::StepResult> steps;
-    std::vector<judge::StepResult>
-        course;                 ///< all labs' steps, once they are known; this lab's as in `steps`
-    std::string fault;          ///< why there are no steps, or ""
-    std::string compile_error;  ///< what the compiler said of what was saved last, or ""
+    std::vector<judge::StepResult> course;  ///< of all labs, once they are known
+    std::string fault;                      ///< why there are no steps, or ""
+    std::string compile_error;              ///< what the compiler said of what was saved last, or ""
   };
 
   /// `root` is the tree whose labs and shaders are checked, by the `texel` beside this program.
