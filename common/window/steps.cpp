@@ -262,11 +262,12 @@ void course_line(const std::vector<judge::StepResult>& course, int lab) {
               width = ImGui::GetContentRegionAvail().x / static_cast<float>(course.size());
   ImVec2 from = ImGui::GetCursorScreenPos();
   const judge::StepResult* next = nullptr;
+  const ImVec4& border = ImGui::GetStyleColorVec4(ImGuiCol_Border);  // seen in both themes
   for (const judge::StepResult& step : course) {
     const bool is_done = step.status == Status::passed, is_next = !is_done && next == nullptr;
     if (is_next) next = &step;
     const float height = std::stoi(step.id) == lab ? 1.5F * unit : unit;
-    const ImVec4& color = is_done ? theme().good : is_next ? theme().next : theme().field;
+    const ImVec4& color = is_done ? theme().good : is_next ? theme().next : border;
     ImGui::GetWindowDrawList()->AddRectFilled({from.x, from.y + 1.5F * unit - height},
                                               {from.x + width - 1, from.y + 1.5F * unit},
                                               ImGui::GetColorU32(color));
