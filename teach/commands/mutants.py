@@ -25,7 +25,7 @@ WANTED = 95  # per cent
 SECONDS = 120  # for a test: the slowest one of a lab takes 12 on a free machine
 QUICK = 1.5  # seconds: such tests run together
 LEFT_OUT = {".git", ".cache", "build", "out"}  # what is made from the rest, and what is not the tree's
-PAGE = "docs/mutants.md"
+PAGE, STORE = "docs/mutants.md", "docs/mutants.json"  # written after each mutant
 LIBRARIES = {"common/core", "common/params", "common/image", "teach/procedural"}  # assets and what must not compile use these
 
 
@@ -81,10 +81,10 @@ def copy_tree(root, copy):
 
 
 def state_of(root):
-    """A text that stands for all paths and contents, but for the page that is written after each mutant."""
+    """A text that stands for all paths and contents, but for those that are written after each mutant."""
     state = hashlib.sha256()
     for file in files_below(root):
-        if file != PAGE:
+        if file not in (PAGE, STORE):
             state.update(file.encode() + b"\0" + (root / file).read_bytes() + b"\0")
     return state.hexdigest()[:16]
 
@@ -129,13 +129,6 @@ def order_of(test, tree, file):
     return rank, max(0, math.ceil(math.log2(max(test["seconds"], 1e-3) / QUICK)))
 
 
-def known_catchers(page):
-    """By mutant, the tests that noticed it when the page was written: they are asked first."""
-    text = page.read_text(encoding="utf-8") if page.exists() else ""
-    rows = [line.split(" | ") for line in text.partition("\n## Caught\n")[2].splitlines()]
-    return {row[0].removeprefix("| "): set(row[-1].removesuffix(" |").split("; ")) for row in rows}
-
-
 # ---- The tests of a tree: a CMake project with a preset `release`, built in build/release.
 
 def short(name):
@@ -145,7 +138,6 @@ def short(name):
 class Suite:
     def __init__(self, tree, logs):
         self.tree, self.logs, self.tests = tree, logs, []
-        self.catchers = known_catchers(tree / PAGE)
         logs.mkdir(parents=True, exist_ok=True)
 
     def shell(self, line, log):
@@ -166,9 +158,10 @@ class Suite:
     def run(self, numbers, xml, log):
         """Runs tests; {name: (seconds, ctest's word: run, fail, …)}."""
         xml.unlink(missing_ok=True)
-        # The driver's cache of compiled shaders would keep what other mutants compiled; TEXEL_ROOT would name another tree.
+        # The driver's cache of compiled shaders would keep what other mutants compiled; TEXEL_ROOT would name another tree. One more runs at
+        # a time than there are processors: the tests of windows and pages mostly wait.
         self.shell(f"env -u TEXEL_ROOT MESA_SHADER_CACHE_DISABLE=true ctest --test-dir build/release -I 0,0,0,"
-                   f"{','.join(map(str, numbers))} --parallel {os.cpu_count()} --timeout {SECONDS} --output-on-failure "
+                   f"{','.join(map(str, numbers))} --parallel {os.cpu_count() + 1} --timeout {SECONDS} --output-on-failure "
                    f"--output-junit {shlex.quote(str(xml))}", log)
         if not xml.exists():
             raise Failure(f"{log}: ctest failed; see its log")
@@ -236,12 +229,13 @@ class Suite:
             for file, text in texts.items():
                 file.write_text(text, encoding="utf-8")
 
-    def judge(self, file, name):
-        """("caught", "survived" or "broken", the tests that failed): those that are likely to notice are asked first."""
+    def judge(self, file, name, catchers):
+        """("caught", "survived" or "broken", the tests that failed): those that noticed it last time are asked first, then those that are likely
+        to."""
         stages = {}
         for test in self.tests:
             order = order_of(test, self.tree, pathlib.PurePath(file))
-            if short(test["name"]) in self.catchers.get(name, ()):
+            if short(test["name"]) in catchers:
                 order = (-1, 0)
             if test["is_used"] and order:
                 stages.setdefault(order, []).append(test)
@@ -269,7 +263,7 @@ def read_junit(file):
 
 def score(results):
     """(caught, sound, survivors for a reason, broken) of those that are wrong."""
-    wrong = [one for one in results if not one["changes_nothing"] or one["fate"] == "broken"]
+    wrong = [one for one in results if not one["is_right"] or one["fate"] == "broken"]
     broken = sum(one["fate"] == "broken" for one in wrong)
     return (sum(one["fate"] == "caught" for one in wrong), len(wrong) - broken,
             sum(one["fate"] == "survived" and bool(one["survives"]) for one in wrong), broken)
@@ -290,13 +284,13 @@ def table(title, head, rows):
 
 
 def markdown(results, catalogue):
-    wrong = [one for one in results if not one["changes_nothing"]]
+    wrong = [one for one in results if not one["is_right"]]
     folders = sorted({str(pathlib.PurePath(one["file"]).parent) for one in wrong})
     scores = [(folder, score([one for one in wrong if str(pathlib.PurePath(one["file"]).parent) == folder])) for folder in folders]
     tests = sorted({test for one in results if one["fate"] == "caught" for test in one["by"]})
     alone = [(test, sum(one["by"] == [test] for one in results), sum(test in one["by"] for one in results)) for test in tests]
     unchanged = [f"- {one['name']} ({one['file']}): survived\n"
-                 for one in results if one["changes_nothing"]]
+                 for one in results if one["is_right"]]
 
     def of_fate(fate, title, column):
         return table(title, ("mutant", "file", "what it does wrong", column),
@@ -314,50 +308,51 @@ def markdown(results, catalogue):
             + of_fate("caught", "Caught", "by"))
 
 
+def change_of(mutant):
+    """A text that stands for the change that a mutant makes."""
+    return hashlib.sha256("\0".join((mutant["file"], mutant["what"], mutant["by"])).encode()).hexdigest()[:8]
+
+
 class Record:
-    """The results of earlier calls, with those of this one in place of what they were."""
+    """The last result of each mutant, in a file that goes with the tree from one machine to another; and the page that is made of it."""
 
-    def __init__(self, store, report, catalogue):
-        self.store, self.report, self.results = store, report, []
-        self.count = sum(not mutant["is_right"] for mutant in catalogue)
+    def __init__(self, root, catalogue):
+        self.page, self.store = root / PAGE, root / STORE
+        self.mutants = {one["name"]: one for one in catalogue}
+        rows = json.loads(self.store.read_text(encoding="utf-8")) if self.store.exists() else []
+        # Of a mutant that is another one now nothing is known.
+        self.rows = {row["name"]: row for row in rows if row["name"] in self.mutants and row["change"] == change_of(self.mutants[row["name"]])}
 
-    def read(self, catalogue):
-        """Takes up the results of these very mutants."""
-        if self.store.exists():
-            known = {(one["name"], one["file"], one["what"], one["by"]): one for one in catalogue}
-            self.results = [{**one, "survives": known[key]["survives"], "says": known[key]["says"]}
-                            for one in json.loads(self.store.read_text())["results"]
-                            if (key := (one["name"], one["file"], one["what"], one["replaced_by"])) in known]
+    def is_known(self, name, state):
+        return name in self.rows and self.rows[name]["tree"] == state and self.rows[name]["fate"] != "broken"
 
-    def find(self, name, state):
-        return next((one for one in self.results if one["name"] == name and one["tree"] == state), None)
+    def catchers(self, name):
+        return set(self.rows[name]["by"]) if name in self.rows else set()
 
-    def add(self, result):
-        place = next((i for i, one in enumerate(self.results) if one["name"] == result["name"]), len(self.results))
-        self.results[place:place + 1] = [result]
-        for file in filter(None, (self.store, self.report)):
-            caught, sound, explained, broken = score(self.results)
-            text = markdown(self.results, self.count) if file.suffix == ".md" else json.dumps(
-                {"mutants": sound + broken, "caught": caught, "explained": explained, "broken": broken, "results": self.results}, indent=2) + "\n"
-            file.with_suffix(".part").write_text(text, encoding="utf-8")
-            file.with_suffix(".part").replace(file)
+    def result(self, name):
+        """With what the catalogue says."""
+        return {**self.mutants[name], **self.rows[name]}
 
+    def add(self, name, state, fate, by):
+        self.rows[name] = {"name": name, "change": change_of(self.mutants[name]), "tree": state, "fate": fate, "by": by}
+        known = [name for name in self.mutants if name in self.rows]  # in the catalogue's order
+        self.write(self.store, "[\n" + ",\n".join(json.dumps(self.rows[name], ensure_ascii=False) for name in known) + "\n]\n")
+        self.write(self.page, markdown([self.result(name) for name in known], sum(not one["is_right"] for one in self.mutants.values())))
 
-def result_of(mutant, state, fate, by, seconds):
-    return {"name": mutant["name"], "file": mutant["file"], "step": mutant.get("step", ""), "says": mutant["says"], "fate": fate, "by": by,
-            "survives": mutant["survives"], "changes_nothing": mutant["is_right"], "tree": state, "what": mutant["what"],
-            "replaced_by": mutant["by"], "seconds": seconds}
+    @staticmethod
+    def write(file, text):
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.with_suffix(".part").write_text(text, encoding="utf-8")
+        file.with_suffix(".part").replace(file)
 
 
-def try_mutant(suite, state, mutant):
-    """Makes a mutant and asks the tests. What became of it."""
-    begin = time.monotonic()
+def try_mutant(suite, mutant, catchers):
+    """Makes a mutant and asks the tests: its fate, and by what."""
     try:
         with suite.changed([mutant]):
-            fate, by = suite.judge(mutant["file"], mutant["name"])
+            return suite.judge(mutant["file"], mutant["name"], catchers)
     except (Failure, OSError) as error:
-        fate, by = "broken", [str(error)]
-    return result_of(mutant, state, fate, by, time.monotonic() - begin)
+        return "broken", [str(error)]
 
 
 def chosen(catalogue, only, every):
@@ -384,14 +379,11 @@ def main():
     parser.add_argument("--only", type=lambda text: text.split(","), default=[], help="names with commas, or a file with names")
     parser.add_argument("--every", type=int, default=1, help="only each so many-th, as a sample")
     parser.add_argument("--resume", action="store_true", help="keep what was found in this very tree")
-    parser.add_argument("--report", type=pathlib.Path, help="write the results into a .md or .json file too")
     parser.add_argument("--root", type=pathlib.Path, default=root, help="the tree [this one]")
     parser.add_argument("--catalogue", type=pathlib.Path, help="folder of the mutants [tests/mutants]")
     parser.add_argument("--work", type=pathlib.Path, help="folder for the copy, its build and the logs [build/mutants]")
     given = parser.parse_args()
     root, work = given.root.resolve(), (given.work or given.root / "build/mutants").resolve()
-    if given.report and given.report.suffix not in (".md", ".json"):
-        raise Failure(f"--report cannot write '{given.report}'; end the name in .md or .json", 2)
     if work.is_relative_to(root) and work.relative_to(root).parts[:1] and work.relative_to(root).parts[0] not in LEFT_OUT:
         raise Failure(f"the work folder {work} is part of the tree; choose one outside, or below its build folder", 2)
     if given.every < 1:
@@ -405,20 +397,19 @@ def main():
     suite.prepare()
     right = [mutant for mutant in catalogue if mutant["is_right"]]
     suite.measure(state, right)
-    record = Record(work / "results.json", given.report, catalogue)
-    if given.resume or given.only or given.every > 1:
-        record.read(catalogue)
+    record = Record(root, catalogue)
     for mutant in right:
-        record.add(result_of(mutant, state, "survived", [], 0))
+        record.add(mutant["name"], state, "survived", [])
     results, begin, made = [], time.monotonic(), 0
-    for place, mutant in enumerate(mutants, 1):
-        known = record.find(mutant["name"], state) if given.resume else None
-        is_known = known is not None and known["fate"] != "broken"
-        results.append(known if is_known else try_mutant(suite, state, mutant))
-        record.add(results[-1])
+    # Those of which nothing is known come first: a call that is cut off has the most to tell.
+    for place, mutant in enumerate(sorted(mutants, key=lambda one: one["name"] in record.rows), 1):
+        began, is_known = time.monotonic(), given.resume and record.is_known(mutant["name"], state)
+        if not is_known:
+            record.add(mutant["name"], state, *try_mutant(suite, mutant, record.catchers(mutant["name"])))
+        results.append(record.result(mutant["name"]))
         made += not is_known
         left = (time.monotonic() - begin) / max(made, 1) * (len(mutants) - place) / 60
-        took = "known" if is_known else f"{results[-1]['seconds']:.0f} s"
+        took = "known" if is_known else f"{time.monotonic() - began:.0f} s"
         print(f"{place:3}/{len(mutants)} {mutant['name']:<32} {outcome(results[-1])} ({took}; {left:.0f} min left)", flush=True)
     for one in results:
         if one["fate"] == "survived":

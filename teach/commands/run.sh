@@ -250,7 +250,7 @@ course_command() { # command, arguments
       texel renderers --out "$root/out/renderers" "$@"
       ;;
     mutants)
-      if (($#)); then run_mutants "$@"; else run_mutants --resume --report "$root/docs/mutants.md"; fi
+      if (($#)); then run_mutants "$@"; else run_mutants --resume; fi
       ;;
     format)
       need "${format_packages[@]}"

@@ -51,19 +51,18 @@ class Mutants(unittest.TestCase):
         self.assertIn(complains, ran.stderr)
 
     def test_tells_what_the_tests_notice_from_what_they_do_not(self):
-        report, page = self.folder / "report.json", self.folder / "report.md"
-        self.mutants("--report", report, ends=1,  # 50 % are fewer than 95
+        report, page = self.tree / "docs/mutants.json", self.tree / "docs/mutants.md"
+        self.mutants(ends=1,  # 50 % are fewer than 95
                      says=("caught by Clamp.keeps_small_numbers", "SURVIVED", "1 of 2 caught (50 %); 0 survive for a reason",
                            "survived: wrong-limit (clamp.cpp): the catalogue gives no reason"))
         self.assertEqual((self.tree / "clamp.cpp").read_text(encoding="utf-8"), CLAMP, "only the copy is changed")
         self.assertEqual((self.folder / "work/tree/clamp.cpp").read_text(encoding="utf-8"), CLAMP, "and changed back")
         found = json.loads(report.read_text(encoding="utf-8"))
-        self.assertEqual((found["caught"], found["mutants"]), (1, 2))
-        self.assertEqual([one["fate"] for one in found["results"]], ["caught", "survived"])
+        self.assertEqual([one["fate"] for one in found], ["caught", "survived"])
 
         # One of them again, with a test that sees it: the report keeps the other's result.
         self.write("clamp.cpp", CLAMP.replace("!= 3", "!= 3 || clamped(10) != 9"))
-        self.mutants("--only", "wrong-limit", "--report", page, ends=0, says=("1 of 1 caught (100 %)",))
+        self.mutants("--only", "wrong-limit", ends=0, says=("1 of 1 caught (100 %)",))
         text = page.read_text(encoding="utf-8")
         self.assertIn("2 of 2 caught (100 %)", text)
         self.assertIn("| wrong-limit | clamp.cpp | The limit is 9. | Clamp.keeps_small_numbers |", text)
@@ -94,8 +93,7 @@ endif()
 
         self.write("CMakeLists.txt", tests + "set_tests_properties(Clamp.is_unedited PROPERTIES LABELS tree)\n")
         page = self.tree / "docs/mutants.md"
-        page.parent.mkdir()
-        self.mutants("--report", page, ends=1, says=("1 of 2 caught (50 %)",), not_said=("is_unedited",))
+        self.mutants(ends=1, says=("1 of 2 caught (50 %)",), not_said=("is_unedited",))
         self.assertIn("- swapped (clamp.cpp): survived", page.read_text(encoding="utf-8"))
         self.assertIn("| Clamp.keeps | 1 | 1 |", page.read_text(encoding="utf-8"))
 
@@ -118,13 +116,18 @@ endif()
         self.write("CMakeLists.txt", PROJECT + "add_executable(clamp_test clamp.cpp)\nforeach(name first second)\n"
                    "add_test(NAME Clamp.${name} COMMAND clamp_test)\nendforeach()\n")
         self.mutants("--only", "wrong-branch", says=("caught by Clamp.first; Clamp.second",))
-        self.write("docs/mutants.md", "# Mutants\n\n## Caught\n\n| mutant | file | what | by |\n|---|---|---|---|\n"
-                   "| wrong-branch | clamp.cpp | Small numbers. | Clamp.gone; Clamp.second |\n")
+        record = self.tree / "docs/mutants.json"
+        record.write_text(record.read_text(encoding="utf-8").replace("Clamp.first", "Clamp.gone"), encoding="utf-8")
         self.mutants("--only", "wrong-branch", says=("caught by Clamp.second (",))
+
+    def test_makes_first_what_nothing_is_known_of(self):
+        self.mutants("--only", "wrong-branch")
+        self.mutants(says=("1/2 wrong-limit", "2/2 wrong-branch"))
+        self.catalogue(WRONG_BRANCH.replace("-x", "1 - x") + WRONG_LIMIT)  # another change now
+        self.mutants("--resume", says=("1/2 wrong-branch",))
 
     def test_refuses_what_cannot_be_measured(self):
         self.mutants("--only", "wrong-limits", ends=2, complains="did you mean 'wrong-limit'?")
-        self.mutants("--report", "report.txt", ends=2)
         self.mutants("--work", self.tree / "copy", ends=2)
         self.mutants("--catalogue", self.folder / "none", ends=3)
         self.write("clamp.cpp", "int main() { return 1; }\n")
