@@ -57,9 +57,8 @@ For teachers and makers of the course:
                        docs/accuracy/renderers.md. To include machines with
                        another Mesa, copy their folders into out/renderers first
 ./run mutants [args]   make small wrong changes in a copy of the tree, and check
-                       that the tests notice. Without args it writes
-                       docs/mutants.md, and goes on where it was cut off
-                       (three hours)
+                       that the tests notice. It writes docs/mutants.md;
+                       without args it goes on where it was cut off (hours)
 ./run marks [N ..]     check that each mistake of the catalogue loses marks, and
                        no right answer does. Without args it writes
                        docs/marks.md (ten minutes)
