@@ -283,7 +283,7 @@ def table(title, head, rows):
     return f"\n## {title}\n\n| {' | '.join(head)} |\n|{'---|' * len(head)}\n" + "".join(lines)
 
 
-def markdown(results, catalogue):
+def markdown(results, catalogue, state):
     wrong = [one for one in results if not one["is_right"]]
     folders = sorted({str(pathlib.PurePath(one["file"]).parent) for one in wrong})
     scores = [(folder, score([one for one in wrong if str(pathlib.PurePath(one["file"]).parent) == folder])) for folder in folders]
@@ -298,7 +298,8 @@ def markdown(results, catalogue):
                       for one in wrong if one["fate"] == fate])
 
     sample = "These are all mutants of the catalogue." if len(wrong) >= catalogue else f"This is a sample: the catalogue has {catalogue} mutants."
-    trees = "All are of one tree." if len({one["tree"] for one in results}) < 2 else "Not all are of one state of the tree."
+    earlier = sum(one["tree"] != state for one in wrong)
+    trees = f"{earlier} of these results are of an earlier state of the tree." if earlier else "All are of one tree."
     return ("# Mutants\n\nWritten by `./run mutants`, which [CONTRIBUTING.md](../CONTRIBUTING.md#mutants) explains.\n\n"
             f"{score_text(results)}. {sample} {trees}\n"
             + table("By folder", ("folder", "mutants", "caught", "survive for a reason"), [(folder, of[1], of[0], of[2]) for folder, of in scores])
@@ -337,7 +338,7 @@ class Record:
         self.rows[name] = {"name": name, "change": change_of(self.mutants[name]), "tree": state, "fate": fate, "by": by}
         known = [name for name in self.mutants if name in self.rows]  # in the catalogue's order
         self.write(self.store, "[\n" + ",\n".join(json.dumps(self.rows[name], ensure_ascii=False) for name in known) + "\n]\n")
-        self.write(self.page, markdown([self.result(name) for name in known], sum(not one["is_right"] for one in self.mutants.values())))
+        self.write(self.page, markdown([self.result(name) for name in known], sum(not one["is_right"] for one in self.mutants.values()), state))
 
     @staticmethod
     def write(file, text):
