@@ -75,7 +75,7 @@ struct StepsCheck::Shared {
   course::Lab lab;
   check::OwnTree tree;
   std::mutex mutex;
-  bool is_running = false, is_wanted = false, build_is_wanted = false;
+  bool is_running = false, is_wanted = false, build_is_wanted = false, asked_for_course = false;
   std::string progress;
   Found last;
   bool is_new = false;  ///< `last` was not polled yet
@@ -86,8 +86,7 @@ struct StepsCheck::Shared {
   }
 
   /// The steps of some labs as `texel check` finds them; of all for none.
-  [[nodiscard]] std::vector<judge::StepResult> check(const std::vector<std::string>& labs) {
-    say(labs.empty() ? "checking the other labs" : "checking your steps");
+  [[nodiscard]] std::vector<judge::StepResult> check(const std::vector<std::string>& labs) const {
     const fs::path texel = fs::read_symlink("/proc/self/exe").parent_path() / "texel";
     std::vector<std::string> words{"env", "TEXEL_ROOT=" + tree.source.string(), texel.string(), "check",
                                    "--json"};
@@ -95,15 +94,6 @@ struct StepsCheck::Shared {
     const Ran ran = run_program(words, true);
     if (ran.exit_code > 1) throw Error::failed(ran.output);
     return judge::parse_steps(ran.output);
-  }
-
-  /// The steps of all labs, or none where a lab's program is not built.
-  [[nodiscard]] std::vector<judge::StepResult> check_course() {
-    try {
-      return check({});
-    } catch (const std::exception&) {
-      return {};
-    }
   }
 
   /// The compiler's messages, or "".
@@ -119,26 +109,35 @@ struct StepsCheck::Shared {
     for (std::unique_lock lock(mutex); is_wanted;) {
       is_wanted = false;
       const bool builds = std::exchange(build_is_wanted, false);
-      Found found = {.steps = last.steps, .course = last.course, .fault = {}, .compile_error = {}};
+      Found found = {.steps = last.steps, .course = {}, .fault = {}, .compile_error = {}};
       lock.unlock();
       try {
         if (builds) found.compile_error = build();
         // Else the program is older than what was saved: the steps stay.
+        say("checking your steps");
         if (found.compile_error.empty()) found.steps = check({std::to_string(lab.number)});
       } catch (const std::exception& error) {
-        found = {.steps = {}, .course = last.course, .fault = error.what(), .compile_error = {}};
+        found = {.steps = {}, .course = {}, .fault = error.what(), .compile_error = {}};
       }
       lock.lock();
+      found.course = std::move(last.course);
       last = std::move(found);
       is_new = true;
-      if (last.course.empty() && last.fault.empty() && !is_wanted) {  // nobody waits for it
-        lock.unlock();
-        std::vector<judge::StepResult> course = check_course();
-        lock.lock();
-        last.course = std::move(course);
-        is_new = true;
-      }
       is_running = is_wanted;
+    }
+  }
+
+  /// Checks all labs, once. Nobody waits for it: another lab's program may never end.
+  void check_course() {
+    std::unique_lock lock(mutex);
+    if (std::exchange(asked_for_course, true)) return;
+    lock.unlock();
+    try {
+      std::vector<judge::StepResult> course = check({});
+      lock.lock();
+      last.course = std::move(course);
+      is_new = true;
+    } catch (const std::exception&) {  // a lab's program is not built: there is no line of the course
     }
   }
 };
@@ -158,7 +157,7 @@ void StepsCheck::request(bool build) {
   shared_->build_is_wanted = shared_->build_is_wanted || build;
   if (std::exchange(shared_->is_running, true)) return;
   // It owns everything that it needs: closing the window need not wait for it.
-  std::thread([shared = shared_] { shared->run(); }).detach();
+  std::thread([shared = shared_] { shared->run(), shared->check_course(); }).detach();
 }
 
 bool StepsCheck::poll() {

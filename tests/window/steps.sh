@@ -109,4 +109,20 @@ check 'the window opens at a case' open_lab lab05_normal_map --see decode_exact_
 check 'and shows its pictures' eventually white_line
 check 'which are not those of the first case' changed_from "$work/of_step" 340x290+620+430
 check 'Esc quits with exit code 0' quits_with 0
+
+# Another lab whose program never ends, while the course is checked: nobody who saves waits for it.
+mkdir "$work/bin"
+ln -s "$bin"/lab0* "$work/bin"
+cp --remove-destination "$bin"/{texel,lab05_normal_map} "$work/bin"
+rm "$work/bin/lab01_texture_quad"
+printf '#!/bin/sh\necho >%q\nexec sleep 60\n' "$work/waits" >"$work/bin/lab01_texture_quad"
+chmod +x "$work/bin/lab01_texture_quad"
+bin=$work/bin
+check 'the window opens beside a lab that never ends' open_lab lab05_normal_map
+check 'its own steps are done' eventually shows_done
+check 'the course is being checked' eventually test -e "$work/waits"
+sed -i 's/return color \* 2.0 - 1.0/return (color * 2.0 - 1.0) * vec3(1.0, -1.0, 1.0)/' "$shader"
+check 'a step that a save spoils is in amber all the same' eventually has_text $amber
+check 'Esc quits with exit code 0' quits_with 0
+pkill -f "$work/bin/texel"
 check 'nothing stands on standard error' test ! -s "$work/errors"
