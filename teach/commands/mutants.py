@@ -181,22 +181,21 @@ class Suite:
                                "target": program.name if built else "",
                                "is_used": not {"tree", "class"} & set(labels), "seconds": 0})
         numbers = {test["name"]: test["number"] for test in self.tests if test["is_used"]}
-        xml, known = self.logs / "unchanged.xml", self.logs / "unchanged.state"
-        if known.exists() and known.read_text() == state:
-            runs = read_junit(xml)
-        else:
+        xml, store = self.logs / "unchanged.xml", self.logs / "unchanged.json"
+        known, runs = json.loads(store.read_text(encoding="utf-8")) if store.exists() else ("", {})
+        if known != state:
             print(f"running the tests once, with {len(right)} changes that change nothing", flush=True)
             with self.changed(right):
                 if not self.build((), self.logs / "build.log"):
                     raise Failure(f"{self.logs / 'build.log'}: what changes nothing does not compile; see the log")
                 runs = self.run(numbers.values(), xml, self.logs / "unchanged.log")
-                failed = self.again(self.failing(runs), numbers)  # on a busy machine a test may fail once
-            if failed:
+                runs |= self.again(runs, numbers)  # on a busy machine a test may fail once
+            if failed := self.failing(runs):
                 self.prepare()
-                if noticed := [short(name) for name in sorted(set(failed) - set(self.again(failed, numbers)))]:
+                if noticed := [short(name) for name in sorted(set(failed) - set(self.failing(self.again(runs, numbers))))]:
                     raise Failure(f"what changes nothing ({', '.join(one['name'] for one in right)}) is noticed: {'; '.join(noticed)}; tests of "
                                   "sources, build or documents need the label tree (TREE in tests/CMakeLists.txt)")
-            known.write_text(state)
+            store.write_text(json.dumps([state, runs]), encoding="utf-8")
         for test in self.tests:
             if not test["is_used"]:
                 continue
@@ -207,9 +206,10 @@ class Suite:
         if not any(test["is_used"] for test in self.tests):
             raise Failure(f"{self.logs / 'unchanged.log'}: no test passes in the unchanged tree")
 
-    def again(self, names, numbers):
-        """Those of these tests that fail once more."""
-        return self.failing(self.run([numbers[name] for name in names], self.logs / "again.xml", self.logs / "again.log")) if names else []
+    def again(self, runs, numbers):
+        """How those of these tests that failed do once more."""
+        failed = [numbers[name] for name in self.failing(runs)]
+        return self.run(failed, self.logs / "again.xml", self.logs / "again.log") if failed else {}
 
     @staticmethod
     def failing(runs):

@@ -126,6 +126,12 @@ endif()
         self.catalogue(WRONG_BRANCH.replace("-x", "1 - x") + WRONG_LIMIT)  # another change now
         self.mutants("--resume", says=("1/2 wrong-branch",))
 
+    def test_asks_a_test_that_failed_once_because_the_machine_was_busy(self):
+        self.write("CMakeLists.txt", PROJECT + "add_executable(clamp_test clamp.cpp)\n"
+                   "add_test(NAME Clamp.late COMMAND sh -c \"test -e been && ./clamp_test || { touch been; false; }\")\n")
+        self.mutants("--only", "wrong-branch", ends=0, says=("caught by Clamp.late",))
+        self.mutants("--only", "wrong-branch", ends=0, says=("caught by Clamp.late",), not_said=("changes that change nothing",))
+
     def test_refuses_what_cannot_be_measured(self):
         self.mutants("--only", "wrong-limits", ends=2, complains="did you mean 'wrong-limit'?")
         self.mutants("--work", self.tree / "copy", ends=2)
