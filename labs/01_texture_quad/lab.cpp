@@ -18,13 +18,6 @@ namespace {
 constexpr GLenum kWrapModes[] = {GL_REPEAT, GL_MIRRORED_REPEAT, GL_CLAMP_TO_EDGE};
 constexpr GLenum kMinifyByMethod[] = {GL_NEAREST, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR_MIPMAP_LINEAR,
                                       GL_LINEAR_MIPMAP_LINEAR};
-constexpr GLenum kMinifyModes[] = {0,
-                                   GL_NEAREST,
-                                   GL_LINEAR,
-                                   GL_NEAREST_MIPMAP_NEAREST,
-                                   GL_LINEAR_MIPMAP_NEAREST,
-                                   GL_NEAREST_MIPMAP_LINEAR,
-                                   GL_LINEAR_MIPMAP_LINEAR};
 
 }  // namespace
 
@@ -137,7 +130,7 @@ struct TextureQuad : app::Lab<TextureQuadParameters> {
   static GLenum wrap_mode(const Parameters& p) { return kWrapModes[static_cast<int>(p.wrap)]; }
   static GLenum minify_filter(const Parameters& p) {
     return p.minify == Minify::by_method ? kMinifyByMethod[static_cast<int>(p.method)]
-                                         : kMinifyModes[static_cast<int>(p.minify)];
+                                         : gl::kFilters[static_cast<int>(p.minify) - 1];
   }
   static GLenum magnify_filter(const Parameters& p) {
     if (p.magnify == Magnify::by_method) return p.method == Method::nearest ? GL_NEAREST : GL_LINEAR;

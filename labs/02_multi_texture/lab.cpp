@@ -17,15 +17,6 @@ namespace texel::multi_texture {
 
 namespace {
 
-// OpenGL's constants for the parameters' choices, in the same order.
-constexpr GLenum kMinifyModes[] = {GL_NEAREST,
-                                   GL_LINEAR,
-                                   GL_NEAREST_MIPMAP_NEAREST,
-                                   GL_LINEAR_MIPMAP_NEAREST,
-                                   GL_NEAREST_MIPMAP_LINEAR,
-                                   GL_LINEAR_MIPMAP_LINEAR};
-constexpr GLenum kMagnifyModes[] = {GL_NEAREST, GL_LINEAR};
-
 /// Colour times alpha, multiplied in linear light: a transparent texel then adds nothing to an average.
 image::Image8 premultiplied(image::Image8 picture) {
   if (picture.channels != 4) return picture;  // opaque
@@ -139,8 +130,8 @@ struct MultiTexture : app::Lab<MultiTextureParameters> {
 
   /// How the texture that is bound to the active unit is read.
   static void set_filter(const Parameters& p) {
-    gl::set_sampling(GL_TEXTURE_2D, {.minify = kMinifyModes[static_cast<int>(p.minify)],
-                                     .magnify = kMagnifyModes[static_cast<int>(p.magnify)]});
+    gl::set_sampling(GL_TEXTURE_2D, {.minify = gl::kFilters[static_cast<int>(p.minify)],
+                                     .magnify = gl::kFilters[static_cast<int>(p.magnify)]});
   }
 
   const app::Assets& assets_;

@@ -50,15 +50,19 @@ def texels_a_pixel(s):
     return 512 / math.tau * 2 * math.tan(math.radians(s["field_of_view"]) / 2) * s["distance"] / int(SIZE.split("x")[0])
 
 
-COLOR = Bound({}, "max", lambda s: 255, "a level of 8 bits")
-DIRECTION = Bound({}, "max", lambda s: 180, "a direction is opposite at most")
+# Of black and white texels, p of them white in linear light, one texel is p (255 - l) + (1 - p) l levels from their average l in the mean:
+# at most 137, where p is 0.35.
+COLOR = Bound({}, "mean", lambda s: 137.2, "one texel in place of their average, or of another one")
+DIRECTION = Bound({}, "mean", lambda s: 90, "directions that have nothing to do with each other")
 ROUNDED = 1e-6  # what a float32 loses of a coordinate and of 1 / w, over a triangle
 # The first one that fits counts.
 BOUNDS = {
-    "01_texture_quad": [COLOR],
+    "01_texture_quad": [
+        dataclasses.replace(COLOR, when={"texture_offset": 0}),
+        Bound({}, "max", lambda s: math.inf, "none: at an offset of a million float32 has no digit left for a place in the texture")],
     "02_multi_texture": [COLOR],
     "03_obj_texcoords": [
-        Bound({"truth": "color"}, "max", lambda s: 255, "a level of 8 bits"),
+        dataclasses.replace(COLOR, when={"truth": "color"}),
         Bound({"truth": "normal", "model": ("quad", "cube_split"), "normals": "from-file"}, "max_aside", lambda s: 1e-4, "the file's normals, in float32"),
         Bound({"truth": "texcoord", "model": ("quad", "cube_split"), "projection": "from-file"}, "max_aside",
               lambda s: 512 * s["texture_scale"] * (ROUNDED * (1 + s["distance"]) + 1e-4), "float32; a pixel aside at an edge"),
@@ -79,7 +83,7 @@ BOUNDS = {
         Bound({"normal_mapping": "off"}, "p99", lambda s: longer(s) * facet(s), "a facet, stretched with the model"),
         DIRECTION],
     "06_cube_map": [
-        Bound({"truth": "color"}, "max", lambda s: 255, "a level of 8 bits"),
+        dataclasses.replace(COLOR, when={"truth": "color"}),
         Bound({"mapping": "sphere-2d", "seam_method": ("naive", "select")}, "max", lambda s: 13, "all levels of a picture, and what is left of one"),
         Bound({}, "p99", lambda s: 1 + facet(s) / 30, "differences over a pixel, and facets")],
     "07_environment": [
@@ -88,7 +92,7 @@ BOUNDS = {
               "five of the eye's last bits, seen from `near`; they grow with its distance"),
         Bound({}, "max", lambda s: 4e-5, "a unit vector in float32, interpolated")],
     "08_reflection": [
-        Bound({"truth": "color"}, "max", lambda s: 255, "a level of 8 bits"),
+        dataclasses.replace(COLOR, when={"truth": "color"}),
         Bound({"method": "per-fragment", "evaluate": "fragment", "normal_method": "analytic", "normal_matrix": "inverse-transpose"}, "p99",
               lambda s: 0.01 * longer(s), "float32, of which the root at the rim leaves half of the digits"),
         Bound({"method": "per-fragment", "normal_matrix": "inverse-transpose"}, "p99", lambda s: min(180, 2 * facet(s) * longer(s) ** 2),
@@ -97,7 +101,7 @@ BOUNDS = {
               lambda s: min(180, at_the_eye(s) + 2 * facet(s) * longer(s) ** 2), "the angle at the eye as well"),
         DIRECTION],
     "09_bump": [
-        Bound({"truth": "color"}, "max", lambda s: 255, "a level of 8 bits"),
+        dataclasses.replace(COLOR, when={"truth": "color"}),
         Bound({"normal_mapping": "off", "incident": "per-fragment"}, "p99", lambda s: min(180, 2 * facet(s)),
               "twice what a normal turns between vertices"),
         Bound({"normal_mapping": "off"}, "p99", lambda s: min(180, at_the_eye(s) + 2 * facet(s)), "the angle at the eye as well"),
@@ -128,19 +132,10 @@ def settings_of(program, number):
 
 def whole(program, settings):
     """All settings, with the defaults, numbers as such."""
-    values = {p["name"]: labs_text(p["default"]) for p in labs.parameters(program)} | settings
-    return {name: float(value) if labs_number(value) else value for name, value in values.items()}
-
-
-def labs_text(value):
-    return ("on" if value else "off") if isinstance(value, bool) else str(value)
-
-
-def labs_number(text):
-    try:
-        return math.isfinite(float(text))
-    except ValueError:
-        return False
+    words = {True: "on", False: "off"}
+    defaults = {p["name"]: words[p["default"]] if p["type"] == "toggle" else p["default"] for p in labs.parameters(program)}
+    numbers = {p["name"] for p in labs.parameters(program) if p["type"] in ("integer", "number")}
+    return {name: float(value) if name in numbers else value for name, value in (defaults | settings).items()}
 
 
 def bound_of(lab, values):

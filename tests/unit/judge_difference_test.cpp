@@ -67,6 +67,13 @@ class Differences : public testing::Test {
 };
 
 TEST_F(Differences, are_said_channel_by_channel) {
+  const auto lit = [](double more) {
+    return [more](dvec3 c) {
+      for (int i = 0; i < 3; ++i)
+        c[i] = 255 * image::srgb_from_linear(more + 0.5 * image::linear_from_srgb(c[i] / 255));
+      return c;
+    };
+  };
   const std::tuple<View, std::function<dvec3(dvec3)>, const char*> rows[] = {
       {View::normal, [](dvec3 n) { return n * dvec3(1, -1, 1); }, "The expected normal with y negated"},
       {View::normal, [](dvec3 n) { return -n; }, "The expected normal with x, y and z negated"},
@@ -84,19 +91,8 @@ TEST_F(Differences, are_said_channel_by_channel) {
        "The expected texture coordinate with only t (or v) wrong"},
       {View::color, [](dvec3 c) { return dvec3(c.z, c.y, c.x); },
        "The expected picture with blue in place of red and red in place of blue"},
-      {View::color,
-       [](dvec3 c) {
-         for (int i = 0; i < 3; ++i)
-           c[i] = 255 * image::srgb_from_linear(0.5 * image::linear_from_srgb(c[i] / 255));
-         return c;
-       },
-       "The expected picture with the light of red, green and blue times 0.499"},
-      {View::color,
-       [](dvec3 c) {
-         for (int i = 0; i < 3; ++i)
-           c[i] = 255 * image::srgb_from_linear(0.25 + 0.5 * image::linear_from_srgb(c[i] / 255));
-         return c;
-       },
+      {View::color, lit(0), "The expected picture with the light of red, green and blue times 0.499"},
+      {View::color, lit(0.25),
        "The expected picture with the light of red, green and blue times 0.499 with 0.25 added"}};
   for (const auto& [view, becomes, says] : rows) EXPECT_EQ(said(view, becomes), says);
 }

@@ -81,12 +81,17 @@ TEST_F(Mistakes, that_would_have_spoilt_more_than_what_failed_are_not_meant) {
 }
 
 TEST_F(Mistakes, that_are_two_in_one_step_have_a_sentence_each) {
-  const std::vector<Mistake> mistakes = {{"in a", "1.1", "a", {{"a", samples(8, 0.5F)}}},
-                                         {"in b", "1.1", "b", {{"b", samples(8, 0.25F)}}}};
-  const std::map<std::string, Seen> seen = explain(
-      mistakes, plan_, "1.1", {{"a", {picture("s", 8, 0.5F), ""}}, {"b", {picture("t", 8, 0.25F), ""}}});
+  const std::vector<Mistake> mistakes = {{"in a", "1.1", "a", {{"a", samples(16, 0.5F)}}},
+                                         {"in b", "1.1", "b", {{"b", samples(16, 0.25F)}}}};
+  plan_.cases[1].view = course::View::depth;  // so that the values of b differ in another way than those of a
+  image::Image8 mask(16, 16, 1);
+  std::ranges::fill(mask.samples, std::uint8_t{255});
+  const auto failed = [&](float by) {
+    return Failed{picture("s", 16, by), "", picture("right", 0, 0), image::encode_png(mask, "mask")};
+  };
+  const auto seen = explain(mistakes, plan_, "1.1", {{"a", failed(0.5F)}, {"b", failed(0.25F)}});
   ASSERT_EQ(seen.size(), 2U);
-  EXPECT_EQ(seen.at("a").mistake, "in a");
+  EXPECT_EQ(seen.at("a").mistake, "in a") << "a cause comes before how values differ in some pictures alone";
   EXPECT_EQ(seen.at("b").says, "b");
 }
 
@@ -107,8 +112,7 @@ TEST_F(Mistakes, are_the_same_when_they_were_written_and_read) {
       {"off", "1.1", "It is off.", {{"a", samples(8, std::nanf(""))}, {"b", refused}}},
       {"half", "1.2", "It is half.", {{"c", samples(4, 0.5F)}}}};
   const std::vector<Mistake> read = parse_mistakes(material::to_json(mistakes), "mistakes.json");
-  EXPECT_EQ(material::to_json(read), material::to_json(mistakes));
-  ASSERT_EQ(read.size(), 2U);
+  ASSERT_EQ(material::to_json(read), material::to_json(mistakes));
   EXPECT_EQ(read[0].says, "It is off.");
   EXPECT_EQ(read[0].cases.at("b").refused, refused.refused);
   EXPECT_EQ(read[0].cases.at("a").count, 256U);

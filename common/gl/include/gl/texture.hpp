@@ -5,6 +5,15 @@
 
 namespace texel::gl {
 
+/// OpenGL's filters, in the order of the labs' parameter `minify`. The first two also magnify; the others
+/// read smaller levels.
+inline constexpr GLenum kFilters[] = {GL_NEAREST,
+                                      GL_LINEAR,
+                                      GL_NEAREST_MIPMAP_NEAREST,
+                                      GL_LINEAR_MIPMAP_NEAREST,
+                                      GL_NEAREST_MIPMAP_LINEAR,
+                                      GL_LINEAR_MIPMAP_LINEAR};
+
 /// How a texture is read between and beyond its texels.
 struct Sampling {
   GLenum minify = GL_LINEAR_MIPMAP_LINEAR;
