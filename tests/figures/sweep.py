@@ -53,7 +53,7 @@ def texels_a_pixel(s):
 # Of black and white texels, p of them white in linear light, one texel is p (255 - l) + (1 - p) l levels from their average l in the mean:
 # at most 137, where p is 0.35.
 COLOR = Bound({}, "mean", lambda s: 137.2, "one texel in place of their average, or of another one")
-DIRECTION = Bound({}, "mean", lambda s: 90, "directions that have nothing to do with each other")
+DIRECTION = Bound({}, "mean", lambda s: 120, "the opposite would be 60 off; directions that have nothing to do with each other, about 90")
 ROUNDED = 1e-6  # what a float32 loses of a coordinate and of 1 / w, over a triangle
 # The first one that fits counts.
 BOUNDS = {
@@ -140,10 +140,9 @@ def whole(program, settings):
 
 def bound_of(lab, values):
     """The first of the lab's bounds that is for these settings, and its value."""
-    for bound in BOUNDS[lab]:
-        if all(values[name] in (allowed if isinstance(allowed, tuple) else (allowed,)) for name, allowed in bound.when.items()):
-            return bound, bound.value(values)
-    return None, math.inf
+    bound = next(bound for bound in BOUNDS[lab]
+                 if all(values[name] in (allowed if isinstance(allowed, tuple) else (allowed,)) for name, allowed in bound.when.items()))
+    return bound, bound.value(values)
 
 
 def measured(program, number):
