@@ -81,6 +81,7 @@ BOUNDS = {
     "05_normal_map": [
         Bound({"normal_mapping": "off", "model": ("cube", "quad")}, "max_aside", lambda s: 1e-4, "one normal for a face"),
         Bound({"normal_mapping": "off"}, "p99", lambda s: longer(s) * facet(s), "a facet, stretched with the model"),
+        Bound({"method": ("raw", "screen-axes")}, "max", lambda s: math.inf, "none: the model's turn is left out, or counted twice"),
         DIRECTION],
     "06_cube_map": [
         dataclasses.replace(COLOR, when={"truth": "color"}),
