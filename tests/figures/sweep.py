@@ -88,7 +88,7 @@ BOUNDS = {
         Bound({"mapping": "sphere-2d", "seam_method": ("naive", "select")}, "max", lambda s: 13, "all levels of a picture, and what is left of one"),
         Bound({}, "p99", lambda s: 1 + facet(s) / 30, "differences over a pixel, and facets")],
     "07_environment": [
-        Bound({"method": "unproject", "plane": "far"}, "max", lambda s: 180, "at the far plane w may be 0 in float32", non_finite=True),
+        Bound({"method": "unproject", "plane": "far"}, "max", lambda s: math.inf, "none: at the far plane w may be 0 in float32", non_finite=True),
         Bound({"method": "unproject"}, "max", lambda s: 4e-5 + 3e-5 * max(1, s["distance"] / 2.5) / s["near"],
               "five of the eye's last bits, seen from `near`; they grow with its distance"),
         Bound({}, "max", lambda s: 4e-5, "a unit vector in float32, interpolated")],
