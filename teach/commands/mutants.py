@@ -107,9 +107,11 @@ def subjects_of(tree, file):
         return [rf"lab_?0*({'|'.join(map(str, labs))})(?![0-9])"]
     if file.parts[0] not in ("common", "teach"):
         return []
-    # "unit_mesh tangentmethods.…" is about common/mesh/tangents.cpp.
     program = f"unit_{file.parts[1]} "
-    return [program + "[^.]*" + file.stem.removesuffix("s"), program]
+    # "unit_mesh tangentmethods.…" is about common/mesh/tangents.cpp. Pages are tested in JavaScript.
+    own = [program + "[^.]*" + file.stem.removesuffix("s"), program]
+    pages = [" web[._]"] if file.parts[1] in ("reports", "web") else []
+    return pages + own if file.suffix == ".js" else own + pages
 
 
 def order_of(test, tree, file):
