@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { lineNumbersOf, surroundingsOf } from "../../teach/web/site/src/places.js";
+import { lineNumbersOf, pathOf, surroundingsOf } from "../../teach/web/site/src/places.js";
 import { readState, writeState } from "../../teach/web/site/src/state.js";
 import { Work } from "../../teach/web/site/src/storage.js";
 import { wayThrough } from "../../teach/web/site/src/way.js";
@@ -30,6 +30,13 @@ test("a step's lines have the file's numbers, in both of its places, also when i
   const numbers = lineNumbersOf(file, "9.3");
   assert.deepEqual(numbers("  one();\n  two();\n//@next\n  three();"), [6, 7, null, 13]);
   assert.deepEqual(numbers("a\nb\nc\n//@next\nd\ne"), [6, 7, 8, null, 14, 15]);
+});
+
+test("a file of an archive is known in whatever folder the tree lies", () => {
+  const paths = ["shaders/09_bump/frame.glsl", "shaders/lib/fresnel.glsl"];
+  for (const folder of ["", "my-labs/", "a/b/"]) assert.equal(pathOf(`${folder}${paths[0]}`, paths), paths[0]);
+  for (const other of ["my-shaders/lib/fresnel.glsl", "lib/fresnel.glsl", "shaders/lib/fresnel.glsl.txt"])
+    assert.equal(pathOf(other, paths), undefined);
 });
 
 test("what stands around a step reaches to the blank lines, without marks and license", () => {

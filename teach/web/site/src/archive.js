@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A .zip of shader files with the starter's paths: it can be unpacked over the desktop's tree, and `texel grade` takes it.
 import { strFromU8, strToU8, unzip, zip } from "fflate";
+import { pathOf } from "./places.js";
 
 const kMostBytes = 4 << 20;  // of one file: a shader has some kilobytes
 const kEpoch = new Date(1980, 0, 1);  // equal texts give equal bytes
@@ -17,12 +18,11 @@ export function packed(texts) {
  * a folder of its own is taken too. Throws Error for what is no .zip, and where none of the files is in it.
  */
 export async function unpacked(bytes, paths) {
-  const place = (name) => paths.find((path) => name === path || name.endsWith(`/${path}`));
   const files = await new Promise((done, failed) =>
-    unzip(new Uint8Array(bytes), { filter: (file) => place(file.name) !== undefined && file.originalSize <= kMostBytes },
+    unzip(new Uint8Array(bytes), { filter: (file) => pathOf(file.name, paths) !== undefined && file.originalSize <= kMostBytes },
       (error, found) => (error ? failed(new Error(`This is no .zip that can be read: ${error.message}.`)) : done(found))));
   const texts = {};
-  for (const [name, content] of Object.entries(files)) texts[place(name)] = strFromU8(content);
+  for (const [name, content] of Object.entries(files)) texts[pathOf(name, paths)] = strFromU8(content);
   if (Object.keys(texts).length === 0)
     throw new Error(`None of the course's shader files is in the .zip. It should hold, for example, ${paths[0]}.`);
   return texts;

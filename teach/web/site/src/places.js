@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Where a step's text stands in its file. A step with two places is one text here, with a line between the two.
+// Where a file stands in the tree, and a step's text in its file. A step with two places is one text here, with a line between the two.
 
 const kNext = "//@next";
+
+/** The one of `paths` that the file of an archive is, whatever folders are around it, or undefined. */
+export const pathOf = (name, paths) => paths.find((path) => name === path || name.endsWith(`/${path}`));
 
 /** The first line and the number of lines of each place of a step; lines count from 1. */
 function placesOf(file, step) {
