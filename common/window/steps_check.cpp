@@ -74,8 +74,8 @@ struct StepsCheck::Shared {
       lock.unlock();
       try {
         if (builds) found.compile_error = build();
-        // Else the program is older than what was saved: the steps stay.
         say("checking your steps");
+        // Else the program is older than what was saved: the steps stay.
         if (found.compile_error.empty()) found.steps = check({std::to_string(lab.number)});
       } catch (const std::exception& error) {
         found = {.steps = {}, .course = {}, .fault = error.what(), .compile_error = {}};
@@ -88,7 +88,7 @@ struct StepsCheck::Shared {
     }
   }
 
-  /// Checks all labs, once. Nobody waits for it: another lab's program may never end.
+  /// Checks all labs, until that went well once. Nobody waits for it: another lab's program may never end.
   void check_course() {
     std::unique_lock lock(mutex);
     if (std::exchange(asked_for_course, true)) return;
@@ -98,7 +98,9 @@ struct StepsCheck::Shared {
       lock.lock();
       last.course = std::move(course);
       is_new = true;
-    } catch (const std::exception&) {  // a lab's program is not built: there is no line of the course
+    } catch (const std::exception&) {  // a lab's program is not built: asked again after the next save
+      lock.lock();
+      asked_for_course = false;
     }
   }
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a file stands in the tree, and a step's text in its file. A step with two places is one text here, with a line between the two.
+// Where a file stands in the tree, and a step's text in its file. A step with two places is one text here, with a line between
+// the two.
 
 const kNext = "//@next";
 
