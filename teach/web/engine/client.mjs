@@ -13,7 +13,7 @@ const calls = {
   split: ["parameter", "value", "position"], resize: ["width", "height"], samples: ["count"], drag: ["dx", "dy"],
   zoom: ["steps"], turn: ["degrees"], frame: [], pixel: ["x", "y"], steps: [], steps_of: ["lab"],
   read: ["step"], write: ["step", "text"], file: ["path"], put: ["path", "text"], experiment: ["path", "text"], check: ["step"],
-  compare: ["name"], figures: [], lose: [],
+  compare: ["name"], figures: [], presented: [], lose: [],
 };
 /// Of calls of this kind that wait, only their sum is drawn.
 const sums = { drag: ["dx", "dy"], zoom: ["steps"], turn: ["degrees"] };

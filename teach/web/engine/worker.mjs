@@ -12,6 +12,8 @@ const program = WebAssembly.compileStreaming(fetch(engine))
 const tree = fetch(new URL("files.json", here)).then((answer) => answer.json());
 for (const promise of [glue, program, tree]) promise.catch(() => {});  // `start` says what failed
 
+const kHidden = 500;  // milliseconds without a frame after which nobody looks
+
 let module, canvas, gl, firstPicture = null, frameMs = 0, timeOrigin = performance.timeOrigin;
 let unread;  // paths of the files that nobody has read
 let packed = new Set();  // paths of the PNGs that come as WebP
@@ -172,6 +174,11 @@ const special = {
     frame_ms: frameMs,
     bytes: performance.getEntriesByType("resource").reduce((sum, entry) => sum + entry.encodedBodySize, 0),
     renderer: gl.getParameter(0x9246) ?? gl.getParameter(gl.RENDERER),
+  }),
+  /// Answers when the browser shows what was drawn last: it takes a picture over at the end of a frame. A hidden page has no frames.
+  presented: () => new Promise((done) => {
+    requestAnimationFrame(() => requestAnimationFrame(done));
+    setTimeout(done, kHidden);
   }),
   lose: () => gl.getExtension("WEBGL_lose_context")?.loseContext(),
 };

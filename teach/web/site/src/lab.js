@@ -384,6 +384,7 @@ async function start() {
     complain(error);
   });
   showLegend();
+  await session.call("presented");
   arrived();
   take((await session.call("values")).values);
   buildPanel();
