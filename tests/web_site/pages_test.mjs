@@ -146,11 +146,22 @@ test("without a state in the address the lab opens on its lesson, with names at 
 });
 
 test("the first paint has the picture that the lab opens with, and no other", async () => {
-  await page.evaluateOnNewDocument(() => addEventListener("DOMContentLoaded", () => (window.begins = document.querySelectorAll(".still").length)));
+  await page.evaluateOnNewDocument(() => {
+    addEventListener("DOMContentLoaded", () => {
+      window.begins = document.querySelectorAll(".still").length;
+      new MutationObserver(() => (window.ends = performance.now())).observe(document.querySelector(".picture"), { childList: true });
+    });
+    const send = Worker.prototype.postMessage;
+    Worker.prototype.postMessage = function (message, ...more) {
+      if (message.name === "presented") window.asked = performance.now();
+      return send.call(this, message, ...more);
+    };
+  });
   const begins = () => page.evaluate(() => window.begins);
   await open("");
   assert.equal(await begins(), 1);
   assert.equal(await page.$(".still"), null, "the live picture is there");
+  assert.ok(await page.evaluate(() => window.ends - window.asked) >= 199, "until the browser shows the live picture: the stand-in needs 200 ms");
   await open("?look=default");
   assert.equal(await begins(), 0);
   await type("  return right;");

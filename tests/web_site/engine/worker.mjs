@@ -131,17 +131,18 @@ const calls = {
   check: () => ({ lab: "05_normal_map", title: "Normal map", steps: [stepResult()] }),
   compare: () => ({ width: 4, height: 2, own: filled(32, 40), expected: filled(32, 200), difference: filled(32, 160), heat_map: filled(32, 90) }),
   figures: () => ({ first_picture_ms: performance.now(), frame_ms: 1.5, bytes: 1000, renderer: "stripes" }),
+  presented: () => new Promise((done) => setTimeout(done, 200)),
   lose: () => void postMessage({ lost: "the context was lost" }),
   frames: () => frames,
 };
 
-onmessage = ({ data: { id, name, values: given, call, args } }) => {
+onmessage = async ({ data: { id, name, values: given, call, args } }) => {
   if (call === "start") {  // by the page, before its script is there
     canvas = args.canvas;
     return postMessage({ id, result: {} });
   }
   try {
-    postMessage({ id, value: calls[name](given) });
+    postMessage({ id, value: await calls[name](given) });
   } catch (error) {
     postMessage({ id, error: error.kind ? error : { message: String(error), kind: "internal", problems: [] } });
   }
