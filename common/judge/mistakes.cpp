@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "judge/mistakes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -91,9 +93,7 @@ Seen said(const std::vector<Difference>& from, bool has_numbers, int below) {
   const auto alike = std::count_if(from.begin(), from.end(),
                                    [&](const Difference& one) { return one.cost == from.front().cost; });
   if (alike > 2) return {};
-  std::string text = words(from[0], has_numbers);
-  if (alike == 2) text += " Or: " + words(from[1], has_numbers);
-  return {{}, text};
+  return {{}, words(from[0], has_numbers) + (alike == 2 ? " Or: " + words(from[1], has_numbers) : "")};
 }
 
 }  // namespace
@@ -134,19 +134,24 @@ std::map<std::string, Seen> explain(const std::vector<Mistake>& mistakes, const 
   if (!seen.empty()) return seen;
   std::map<std::string, std::vector<Difference>> own, shared;
   for (const Read& one : read) own[one.of->name] = differences(*one.of, failed.at(one.of->name));
+  const auto has = [](const std::vector<Difference>& list, const Difference& one) {
+    return std::any_of(list.begin(), list.end(), [&](const auto& two) { return two.changes == one.changes; });
+  };
   shared = own;
   for (auto& [name, list] : shared)
     std::erase_if(list, [&](const Difference& one) {
-      return std::any_of(own.begin(), own.end(), [&](const auto& other) {
-        return std::none_of(other.second.begin(), other.second.end(),
-                            [&](const Difference& two) { return two.changes == one.changes; });
-      });
+      return !std::all_of(own.begin(), own.end(), [&](const auto& other) { return has(other.second, one); });
     });
+  // What holds in one case and not in all says so.
+  const auto put = [&](const std::string& name, Seen one, bool is_of_all) {
+    if (!is_of_all) one.says = fmt::format("In the case {}: {}", name, one.says);
+    seen[name] = std::move(one);
+  };
   const auto say = [&](const std::map<std::string, std::vector<Difference>>& lists, int below) {
     for (const auto& [name, list] : lists)
-      if (!seen.contains(name))
-        if (Seen one = said(list, !failed.at(name).is_secret, below); !one.says.empty())
-          seen[name] = std::move(one);
+      if (const Seen one = said(list, !failed.at(name).is_secret, below);
+          !one.says.empty() && !seen.contains(name))
+        put(name, one, has(shared[name], list.front()));
   };
   say(shared, kPlain);
   if (!seen.empty()) return seen;
@@ -166,7 +171,8 @@ std::map<std::string, Seen> explain(const std::vector<Mistake>& mistakes, const 
                               return each.changes.front().way == Way::nothing;
                             });
                           });
-  if (are_causes) seen = std::move(causes);
+  if (are_causes)
+    for (const auto& [name, one] : causes) put(name, one, false);
   for (const int below : {kPlain, kVague, kAnyCost}) say(shared, below), say(own, below);
   return seen;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Step 9.4. The direction that the mirror shows at a point of the ball; all in world space.
+// Step 9.4. The direction that the mirror shows at a point of the ball; all in world space. `normal` is not always a
+// unit vector, and is used as it is.
 uniform vec3 eye;
 
 vec3 reflected_ray(vec3 position, vec3 normal) {

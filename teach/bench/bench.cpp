@@ -79,19 +79,22 @@ class Bench {
  public:
   Bench(app::Canvas& canvas, app::AnyLab& lab) : canvas_(canvas), lab_(lab), start_(lab.parameters()) {}
 
-  /// What a frame of each combination of the case executes: under callgrind a dump for each, in their order.
+  /// What a frame of each combination of the case executes: under callgrind two dumps for each, in their
+  /// order.
   void count(const BenchCase& c) {
+    const auto draw = [&] {
+      canvas_.draw(app::View::color, app::pixels(c.size), 1);
+      glFinish();
+    };
     for (const app::Settings& values : combinations(c, lab_.parameters())) {
       select(c, values);
-      for (int frame = 0; frame < 3; ++frame) {  // after the first two, all is loaded
-        if (frame == 2) {
-          CALLGRIND_START_INSTRUMENTATION;
-        }
-        canvas_.draw(app::View::color, app::pixels(c.size), 1);
-        glFinish();
+      for (int frame = 0; frame < 2; ++frame) draw();  // then all is loaded
+      for (int frame = 0; frame < 2; ++frame) {
+        CALLGRIND_START_INSTRUMENTATION;
+        draw();
+        CALLGRIND_STOP_INSTRUMENTATION;
+        CALLGRIND_DUMP_STATS;
       }
-      CALLGRIND_STOP_INSTRUMENTATION;
-      CALLGRIND_DUMP_STATS;
     }
   }
 

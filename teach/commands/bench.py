@@ -69,7 +69,8 @@ def measure_lab(lab, folder, errors_only):
 
 
 def counted(lab, folder):
-    """How many instructions each frame of a lab executes: callgrind counts."""
+    """How many instructions each frame of a lab executes: callgrind counts two frames of each. On a busy machine about one in eighty executes
+    up to 8 % more than the same frame once more, so the lesser count is taken."""
     dumps = folder / f"{lab['lab']}-callgrind"
     for old in folder.glob(f"{dumps.name}*"):
         old.unlink()
@@ -77,7 +78,8 @@ def counted(lab, folder):
             "--instr-atstart=no", f"--callgrind-out-file={dumps}", env=os.environ | {"LP_NUM_THREADS": "0"})
     totals = {int(file.suffix[1:]): int(re.search(r"^totals: (\d+)", file.read_text(encoding="utf-8"), re.MULTILINE)[1])
               for file in folder.glob(f"{dumps.name}.*")}
-    return [totals[number] for number in sorted(totals)]
+    in_order = [totals[number] for number in sorted(totals)]
+    return [min(both) for both in zip(in_order[::2], in_order[1::2])]
 
 
 def count(labs, folder):

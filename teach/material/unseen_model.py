@@ -270,6 +270,15 @@ def any_outline(random, corners):
             return outline
 
 
+def comb(random):
+    """A comb of eight teeth that begins at any corner: of its 19 corners most are no ear for long."""
+    tips = [complex(1 - tooth / 4, random.between(0.4, 0.6)) for tooth in range(9)]
+    notches = [complex(0.875 - tooth / 4, random.between(-0.4, -0.2)) for tooth in range(8)]
+    outline = [-1 - 0.6j, 1 - 0.6j] + [p for both in zip(tips, notches) for p in both] + [tips[-1]]
+    first = random.index(0, len(outline) - 1)
+    return filling_disc(outline[first:] + outline[:first])
+
+
 def polygons(random):
     text = ObjText()
     side = 4  # cells along each edge of the cube, a polygon in each
@@ -282,7 +291,7 @@ def polygons(random):
         x = unit(cross(normal, random.direction()))
         y = cross(normal, x)
         vn = text.add("vn", normal)
-        outline = any_outline(random, random.index(3, 9))
+        outline = comb(random) if random.index(1, 5) == 1 else any_outline(random, random.index(3, 9))
         corners = [{"v": text.add("v", plus(center, times(radius, plus(times(p.real, x), times(p.imag, y))))), "vn": vn}
                    for p in outline]
         text.add_shuffled(random, corners, "vt", lambda i: (0.5 + 0.45 * outline[i].real, 0.5 + 0.45 * outline[i].imag),

@@ -80,7 +80,9 @@ std::string hint(const judge::StepResult& step) {
 }
 
 std::string distance(const judge::CaseResult& result) {
-  if (!std::isfinite(result.error)) return "";
+  // Of a vertex stream the message has its numbers, and what is spoilt elsewhere is not off.
+  if (!std::isfinite(result.error) || result.is_mesh() || (!result.passed() && result.error <= result.limit))
+    return "";
   return fmt::format("{}{:.3g} {} off; full marks up to {:.3g}", result.is_alone() ? "judged alone, " : "",
                      result.error, name_of(result.unit()), result.limit);
 }

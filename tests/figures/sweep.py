@@ -51,9 +51,11 @@ def texels_a_pixel(s):
 
 
 # Of black and white texels, p of them white in linear light, one texel is p (255 - l) + (1 - p) l levels from their average l in the mean:
-# at most 137, where p is 0.35.
-COLOR = Bound({}, "mean", lambda s: 137.2, "one texel in place of their average, or of another one")
-DIRECTION = Bound({}, "mean", lambda s: 120, "the opposite would be 60 off; directions that have nothing to do with each other, about 90")
+# at most 137, where p is 0.35. Of a few pixels all may be the same texel.
+COLOR = Bound({}, "mean", lambda s: 137.2 if s["pixels"] >= 100 else math.inf, "one texel in place of their average, or of another one")
+# From nearer than 1.1 the near plane, at 0.1, may cut a model open, of which the truth sees the outside.
+DIRECTION = Bound({}, "mean", lambda s: 120 if s["distance"] > 1.1 else math.inf,
+                  "the opposite would be 60 off; directions that have nothing to do with each other, about 90")
 ROUNDED = 1e-6  # what a float32 loses of a coordinate and of 1 / w, over a triangle
 # The first one that fits counts.
 BOUNDS = {
@@ -140,7 +142,7 @@ def whole(program, settings):
 
 
 def bound_of(lab, values):
-    """The first of the lab's bounds that is for these settings, and its value."""
+    """The first of the lab's bounds that is for these values, the settings and on how many pixels the object is, and its limit."""
     bound = next(bound for bound in BOUNDS[lab]
                  if all(values[name] in (allowed if isinstance(allowed, tuple) else (allowed,)) for name, allowed in bound.when.items()))
     return bound, bound.value(values)
@@ -168,7 +170,7 @@ def sweep(program, count, pool):
             nothing += 1
         else:
             coverage.append(found["pixels"] / found["truth_pixels"])
-            bound, limit = bound_of(lab, whole(program, settings))
+            bound, limit = bound_of(lab, whole(program, settings) | {"pixels": found["pixels"]})
             share = found[bound.figure] / limit
             asked, most = used.get(bound, (0, 0))
             used[bound] = asked + 1, max(most, share)

@@ -28,8 +28,6 @@ TEXEL = BIN / "texel"
 SEED = "a seed that no report may show"
 ALL_LABS = ",".join(str(lab["number"]) for lab in tree.labs())
 WALL = "texel_threat_was_here"
-HOURS = "TEXEL_TEST_ALL" in os.environ
-ALL = HOURS or "CI" in os.environ  # on a build server, what takes minutes too
 
 
 def shell(line, **options):
@@ -248,7 +246,7 @@ class GradedClass(GraderTest):
 
     def test_is_not_touched_by_threats(self):
         # Most threats are programs, of lab 7; a few of them, and all on a build server.
-        hostile = Class("hostile", "7", f"solution,starter,mutant,threat,files,broken --limit 3{'' if ALL else ' --threats 9'}")
+        hostile = Class("hostile", "7", f"solution,starter,mutant,threat,files,broken --limit 3{'' if tree.EXHAUSTIVE else ' --threats 9'}")
         before = files_in(hostile.folder)
         self.grade(hostile, "--format csv,junit")
         self.check(hostile)
@@ -428,9 +426,9 @@ def put(one, student, file, text):
 
 class JudgedAlone(GraderTest):
     def test_costs_each_mistake_one_step_and_right_ones_none(self):
-        """A dozen wrong solutions, and as many right ones written in other ways; twice as many on a build server. Labs that share files with
+        """Half a dozen wrong solutions, and as many right ones written in other ways; twice as many on a build server. Labs that share files with
         steps are graded together."""
-        kinds, limit, least = [], *((5, 25) if ALL else (2, 12))
+        kinds, limit, least = [], *((2, 12) if tree.EXHAUSTIVE else (1, 6))
         for labs in ("1", "2", "3,4,5", "6,9", "7", "8"):
             made = Class(f"mistakes_{labs[0]}", labs, f"mistake,equivalent --limit {limit}")
             self.grade(made)
@@ -491,7 +489,7 @@ class JudgedAlone(GraderTest):
                 self.assertIn(says, (one.out / shown).read_text(encoding="utf-8"), shown)
 
 
-@unittest.skipUnless(HOURS, "takes hours: TEXEL_TEST_ALL=1 runs it")
+@unittest.skipUnless(tree.HOURS, "takes hours: ./run test --all")
 class WholeCourse(GraderTest):
     """The same over all labs, with every mutant, equivalent and threat there is. The tests follow each other in the order of their names."""
 

@@ -215,7 +215,8 @@ class Checked(StudentTree):
         self.assertEqual([self.texel(f"check {place}")[0] for place in ("9.9", "9.", "12", "nine")], [2] * 4)
 
     def test_where_nine_of_ten_mistakes_in_shaders_get_their_name(self):
-        """Of labs 5 and 9; ./run expected counts those of all labs, C++ too."""
+        """Of lab 9, on a build server of lab 5 too; ./run expected counts those of all labs, C++ too."""
+        labs = ("5", "9") if tree.EXHAUSTIVE else ("9",)
         for folder in ("05_normal_map", "09_bump", "lib"):
             for file in pathlib.Path("shaders", folder).iterdir():
                 (self.root / file).write_text(solved(file.read_text(encoding="utf-8")), encoding="utf-8")
@@ -224,7 +225,7 @@ class Checked(StudentTree):
             lab = mutant["step"].partition(".")[0]
             text = (ROOT / mutant["file"]).read_text(encoding="utf-8")
             # In a tree of ./run mutants one does not apply; tree.catalogue finds it elsewhere.
-            if lab not in ("5", "9") or not mutant["file"].startswith("shaders/") or mutant["what"] not in text:
+            if lab not in labs or not mutant["file"].startswith("shaders/") or mutant["what"] not in text:
                 continue
             with self.changed(mutant["file"], solved(mutated(mutant, text))):
                 step = self.steps(lab)[mutant["step"]]

@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: MIT
 """What the tests of the tree's texts have in common. They run in the tree's root."""
+import os
 import pathlib
 import re
 import shlex
 import tomllib
+
+HOURS = "TEXEL_TEST_ALL" in os.environ  # ./run test --all
+EXHAUSTIVE = HOURS or "CI" in os.environ  # on a build server, what takes minutes
 
 
 def labs():
