@@ -124,8 +124,7 @@ StepResult step_result(const course::Step& step, std::vector<CaseResult> cases) 
   const auto known = std::find_if(first, result.cases.end(), [&](const CaseResult& one) {
     return failed(one) && !one.mistake_says.empty();
   });
-  if (known != result.cases.end())
-    result.mistake = known->mistake, result.mistake_says = known->mistake_says;
+  if (known != result.cases.end()) result.mistake = known->mistake, result.mistake_says = known->mistake_says;
   return result;
 }
 
