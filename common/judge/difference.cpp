@@ -360,7 +360,7 @@ void add_directions(Options& found, const Field& of) {
     });
   add(found, of, {of.quantity, leaning, 0, 0}, 5,
       [&](const Pair& p) { return near(unit(p.own - glm::dot(p.own, p.normal) * p.normal), p.expected); });
-  // Where all is wrong by little more than may be, any small turn fits.
+  // Any small turn fits what is wrong by two or three times what may be: such were said, and were false.
   if (of.wrong < 60 || cells.size() < 12 || median(std::move(away)) < 4 * of.tolerance) return;
 
   const glm::dmat3 map = fitted_without_strays<Turn>(of).matrix();

@@ -466,8 +466,11 @@ class JudgedAlone(GraderTest):
         shader = "shaders/02_multi_texture/combine.glsl"
         put(one, "jane", shader, students_file(shader, steps))
         self.grade(one, "--format gradescope")
-        self.assertEqual({step: found["status"] for step, found in steps_of(one.out, "jane").items()},
+        steps = steps_of(one.out, "jane")
+        self.assertEqual({step: found["status"] for step, found in steps.items()},
                          {"2.1": "failed", "2.2": "passed", "2.3": "passed", "2.4": "passed"})
+        self.assertIn("This picture is right, but the step spoils pictures of", steps["2.1"]["output"])
+        self.assertNotIn(" off; full marks", steps["2.1"]["output"], "nothing of it is off")
 
     def test_says_why_a_step_without_its_own_markers_was_not(self):
         """8.2 and 8.3 are right and 8.1 is wrong. A comment that looks like a marker changes nothing; a damaged marker of 8.3 costs 8.3 alone."""
