@@ -537,11 +537,15 @@ test("no link of a document is left as it is written", () => {
   }
 });
 
-test("formulas are typeset in the page, and no page names another host", () => {
+test("formulas are typeset in the page, in the text's size, and no page names another host", async () => {
   for (const lab of ["05_normal_map", "08_reflection"]) {
     const html = readFileSync(join(folder, lab, "index.html"), "utf8");
     assert.match(html, /class="katex"/);
     assert.doesNotMatch(html.replace(/<annotation[^]*?<\/annotation>/g, ""), />[^<]*\$[a-zA-Z\\]/);
     assert.doesNotMatch(html, /(?:src|href)="(?:https?:)?\/\//);
+    await page.goto(`${server.url}${lab}/index.html`);
+    const times = await page.$eval(".katex", (formula) =>
+      parseFloat(getComputedStyle(formula).fontSize) / parseFloat(getComputedStyle(formula.parentElement).fontSize));
+    assert.ok(Math.abs(times - 1.1) < 0.01, `${times}`);
   }
 });

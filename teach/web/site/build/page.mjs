@@ -70,7 +70,7 @@ const early = ({ number, files, opening, looks }) => `if (location.protocol !== 
   globalThis.texelEarly = { worker, canvas, started };
 }`.replace(/\n\s*/g, " ");
 
-/** The handout is laid out after the first paint: picture and panel come 40 ms sooner. */
+/** The handout is laid out after the first paint, which does not wait for its formulas' style: picture and panel come 40 ms sooner. */
 const late = `requestAnimationFrame(() => setTimeout(() => {
   document.querySelector("#handout").style.contentVisibility = "";
   document.getElementById(location.hash.slice(1))?.scrollIntoView();
@@ -133,6 +133,7 @@ ${looksList(lab.looks, thumbnails)}
 <div class="controls-of-lab"></div>
 <p class="help" aria-hidden="true"></p>
 </section>
+<link rel="stylesheet" href="../site/katex/katex.css">
 <article class="handout" id="handout" style="content-visibility: hidden">
 <script>${late}</script>
 <noscript><style>#handout { content-visibility: visible !important }</style></noscript>
@@ -150,7 +151,7 @@ ${handout}${experiment(lab)}<footer>${beside(labs[at - 1], "Lab")}${beside(labs[
     classes: "of-lab",
     first: `<script>${early(lab)}</script>\n`,
     script:
-      `<link rel="stylesheet" href="../site/katex/katex.css">\n<link rel="modulepreload" href="../engine/client.mjs">\n<script type="module" src="../site/lab.js"></script>\n` +
+      `<link rel="modulepreload" href="../engine/client.mjs">\n<script type="module" src="../site/lab.js"></script>\n` +
       `<script>if (location.protocol === "file:") addEventListener("DOMContentLoaded", () => { document.querySelector(".waiting").textContent = ` +
       `"A browser does not run this page from a file. In the folder of the pages type: python3 -m http.server"; });</script>\n`,
   });
