@@ -271,9 +271,9 @@ def any_outline(random, corners):
 
 
 def comb(random):
-    """A comb of eight teeth that begins at any corner: of its 19 corners most are no ear for long."""
-    tips = [complex(1 - tooth / 4, random.between(0.4, 0.6)) for tooth in range(9)]
-    notches = [complex(0.875 - tooth / 4, random.between(-0.4, -0.2)) for tooth in range(8)]
+    """A comb of four teeth that begins at any corner: of its 11 corners many are no ear for long."""
+    tips = [complex(1 - tooth / 2, random.between(0.4, 0.6)) for tooth in range(5)]
+    notches = [complex(0.75 - tooth / 2, random.between(-0.4, -0.2)) for tooth in range(4)]
     outline = [-1 - 0.6j, 1 - 0.6j] + [p for both in zip(tips, notches) for p in both] + [tips[-1]]
     first = random.index(0, len(outline) - 1)
     return filling_disc(outline[first:] + outline[:first])

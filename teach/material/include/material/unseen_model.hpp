@@ -10,7 +10,7 @@ namespace texel::material {
 /// - `numbers`: a relief whose lines have all counts of numbers that OBJ knows: `v` with 3, 4, 6 or 7, `vt`
 ///   with 1 to 3;
 /// - `negative`: a relief written row by row, each index from the front or backwards, at random;
-/// - `polygons`: planar simple polygons of 3 to 9 corners and combs of 19, turned at random in space, most of
+/// - `polygons`: planar simple polygons of 3 to 9 corners and combs of 11, turned at random in space, most of
 ///   them concave and none of those right as a fan. Texture coordinates are linear in each polygon's plane,
 ///   so that every correct triangulation draws the same picture and has the same angles at each corner;
 /// - `shared`: a relief whose corners share positions, and often, but not always, vt or vn;
