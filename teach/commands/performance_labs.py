@@ -111,8 +111,8 @@ def measure_peers(setting, report):
             ("page, first picture", "first_picture_ms", "ms", 1.7, """
                 by the worker's clock, milliseconds after navigation: it runs at 60, its WebGL context is there at 240, the lab is
                 open at 300, seven pictures are unpacked at 370. Mipmaps, uploads (33 MB: as floats SwiftShader reads colours
-                quicker in every frame) and shaders take until 515, the drawing until 590. Meanwhile the page lays out the handout. three.js draws on the page's own thread; our worker keeps the page
-                alive when a shader never ends. Tried, each within the noise: the context before the files, the files before the
+                quicker in every frame) and shaders take until 515, the drawing until 590. Meanwhile the page lays out the
+                handout. three.js draws on the page's own thread; our worker keeps the page alive when a shader never ends. Tried, each within the noise: the context before the files, the files before the
                 context, no extensions but the four that are used, no question to the driver between uploads, textures and shaders
                 made before the page knows the picture's size, a handout that is laid out when it is scrolled to. With a graphics
                 card (NVIDIA H200, Vulkan, 16 processors) ours takes 345 ms and three.js' 164."""),

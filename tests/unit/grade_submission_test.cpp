@@ -90,7 +90,7 @@ TEST(ReadClass, knows_the_names_of_canvas_moodle_and_plain_ones) {
   }
 }
 
-TEST(ReadClass, gives_students_who_share_a_name_different_ids_whoever_else_hands_in) {
+TEST(ReadClass, tells_students_with_the_same_name_apart) {
   class_of({"jane.zip", "jane.tar.gz", "jane/", "Jane.zip", "JANE.zip", "J\xC3\xA4ne.zip", "J\xC3\xB6ne.zip",
             "doe_1_2_labs.zip", "doe_1_3_labs.zip", "doe_2_4_labs.zip", "Doe_1_assignsubmission_file/"});
   const std::string alone = class_of({"Jane Doe.zip"}).begin()->first;
