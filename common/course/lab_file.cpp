@@ -105,6 +105,9 @@ std::vector<Step> read_steps(Reader& head, int lab) {
     step.points = reader.number("points");
     step.needs = read_needs(reader, steps);
     step.hints = reader.texts("hints");
+    for (const auto& [begin, hint] : reader.entries("hint_of", "number"))
+      if ((step.hint_of[begin] = hint->value_or(std::size_t{0})) - 1 >= step.hints.size())
+        throw reader.error(*hint, fmt::format("'{}' must name one of the step's hints, from 1", begin));
     read_what_is_seen(reader, step.see, false);
     reader.find("seen_with");
     reader.reject_unknown();

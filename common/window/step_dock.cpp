@@ -28,13 +28,11 @@ void question_part(CasePictures& p) {
 /// The file, a button that opens it, the handout's task, and the step's lines.
 void text_part(WindowState& state) {
   const course::StepText& text = state.case_pictures->text;
-  const auto button = [&](const char* name, Action value, const char* help) {
-    if (ImGui::SmallButton(name)) state.wanted = value;
-    tooltip(help);
-  };
-  button("Open in editor", Action::open_in_editor, "By $VISUAL, else by code -g (E)");
+  if (ImGui::SmallButton("Open in editor")) state.wanted = Action::open_in_editor;
+  tooltip("By $VISUAL, else by code -g (E)");
   ImGui::SameLine();
-  button("See it", Action::see_step, "Sets the look in which the handout shows this step");
+  if (ImGui::SmallButton("See it")) state.wanted = Action::see_step;
+  tooltip("Sets the look in which the handout shows this step");
   wrapped_text(theme().dim, fmt::format("{}:{}", text.shown_file, text.line));
   wrapped_text(theme().good, text.after);
   question_part(*state.case_pictures);

@@ -109,14 +109,15 @@ class ObjText:
 class Relief:
     """Points in columns and rows, uneven, facing +z."""
 
-    def __init__(self, random):
-        self.columns, self.rows = random.index(5, 10), random.index(5, 10)
+    def __init__(self, random, least=5, most=10):
+        self.columns, self.rows = random.index(least, most), random.index(least, most)
+        height = 0.3 / most  # below half a cell: no triangle is steep
         self.points, self.texcoords, self.normals = [], [], []  # t is 0 in the first row
         for j in range(self.rows):
             for i in range(self.columns):
                 x = (i + random.between(0.35, 0.65)) / self.columns
                 y = (j + random.between(0.35, 0.65)) / self.rows
-                self.points.append((x, y, random.between(0.47, 0.53)))
+                self.points.append((x, y, random.between(0.5 - height, 0.5 + height)))
                 self.texcoords.append((x, 0 if j == 0 else y))
                 self.normals.append(unit((*random.vector(-0.2, 0.2, 2), 1)))
 
@@ -164,7 +165,7 @@ def negative(random):
 
 
 def shared(random):
-    relief, text = Relief(random), ObjText()
+    relief, text = Relief(random, 24, 32), ObjText()  # as many vertices as nobody finds who looks at the latest alone
     # Two cuts make four patches, each with entries of its own along the cuts. The two pairs of cuts differ, so that there are
     # corners with another vt, another vn, and both.
     half_columns, half_rows = relief.columns // 2, relief.rows // 2

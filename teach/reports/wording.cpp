@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "core/plain_text.hpp"
 #include "course/markers.hpp"
@@ -74,9 +75,12 @@ std::string cause(const std::string& says) {
 
 std::string hint(const judge::StepResult& step) {
   if (step.hints.empty()) return "";
-  const std::size_t most = step.hints.size() - 1;
+  if (step.is_untouched()) return step.hints[0];
+  const auto failed = std::ranges::find_if_not(step.cases, &judge::CaseResult::passed);
+  for (const auto& [begin, hint] : std::views::reverse(step.hint_of))  // the longest name that fits
+    if (failed != step.cases.end() && failed->name.starts_with(begin)) return step.hints[hint - 1];
   const bool is_partly_right = std::ranges::any_of(step.cases, &judge::CaseResult::passed);
-  return step.hints[step.is_untouched() ? 0 : is_partly_right ? most : std::min<std::size_t>(1, most)];
+  return is_partly_right ? step.hints.back() : step.hints[std::min<std::size_t>(1, step.hints.size() - 1)];
 }
 
 std::string distance(const judge::CaseResult& result) {

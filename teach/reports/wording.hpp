@@ -30,8 +30,8 @@ std::string counted(std::size_t count, const std::string& what);
 /// "This looks like: Green is inverted: …", or "" where no mistake is known.
 std::string cause(const std::string& says);
 
-/// The hint that fits a step that is not right: the first where it is not begun, the plainest where some of
-/// its cases are right already, else the second. "" where it has none.
+/// The hint that fits a step that is not right: the first where it is not begun; else the one of its first
+/// wrong case (Step::hint_of); else the plainest where some cases are right, or the second. "" for none.
 std::string hint(const judge::StepResult& step);
 
 /// How far off a case is, in its unit: "12.3 degrees off; full marks up to 0.2", or "judged alone, 12.3

@@ -54,6 +54,13 @@ class Handouts(unittest.TestCase):
         # ./run docs draws what is missing; remove what no step has.
         self.assertEqual({file.name for file in pathlib.Path("docs/pictures/steps").iterdir()}, {f"{step['id']}.png" for _, step, _ in steps()})
 
+    def test_have_hints_of_cases_that_exist(self):
+        for lab in LABS:
+            for step in lab["step"]:
+                names = [case["name"] for case in lab["case"] if case["step"] == step["id"]]
+                for begin in step.get("hint_of", {}):
+                    self.assertTrue(any(name.startswith(begin) for name in names), f"{step['id']}: no case begins with {begin}")
+
     def test_have_the_cases_and_limits_of_the_check(self):
         for lab, step, section in steps():
             with self.subTest(step["id"]):

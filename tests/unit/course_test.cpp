@@ -138,6 +138,7 @@ TEST(LabFile, is_refused_with_place_and_remedy) {
       {kStep, "4:1: no case judges step '5.1'"},
       {replaced(kStep, "5.1", "5.2") + kCase, "5:6: this is step '5.2', but the next one must be '5.1'"},
       {replaced(kStep, "[\"Look\", \"Twice\"]", "[]") + kCase, "8:9: a step must have one to three hints"},
+      {kStep + "hint_of = { flat = 3 }\n" + kCase, "9:20: 'flat' must name one of the step's hints, from 1"},
       {replaced(kStep, "points = 2", "points = -2") + kCase, "7:10: 'points' must be a number, 0 or larger"},
       {kStep + replaced(kCase, "5.1", "5.9"), "11:8: there is no step '5.9'"},
       {kStep + kCase + kCase, "15:8: two cases are called 'flat'"},

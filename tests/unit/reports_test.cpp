@@ -32,8 +32,7 @@ constexpr std::size_t kLargest = 1'000'000;
 class Reports : public testing::Test {
  protected:
   [[nodiscard]] store::StudentResult& student(const std::string& id) {
-    return *std::find_if(results_.students.begin(), results_.students.end(),
-                         [&](const store::StudentResult& each) { return each.id == id; });
+    return *std::ranges::find(results_.students, id, &store::StudentResult::id);
   }
   /// A page of the report, written anew.
   [[nodiscard]] std::string page(const std::string& name) const {
@@ -297,13 +296,16 @@ TEST_F(Reports, refuse_an_id_that_leaves_the_folder) {
   EXPECT_THROW(write_html(results_, folder_), Error);
 }
 
-TEST(ReportHint, is_plainer_the_nearer_a_step_is) {
+TEST(ReportHint, is_plainer_the_nearer_a_step_is_or_that_of_its_wrong_case) {
   judge::StepResult step;
   step.hints = {"vague", "nearer", "plain"};
   step.cases.resize(2);
   EXPECT_EQ(hint(step), "nearer");
   step.cases[1].status = judge::Status::passed;
   EXPECT_EQ(hint(step), "plain");
+  step.cases[0].name = "decode_flat";
+  step.hint_of = {{"decode", 1}, {"decode_flat", 2}};
+  EXPECT_EQ(hint(step), "nearer") << "of the case that is wrong";
   step.cases[0].status = judge::Status::untouched;
   EXPECT_EQ(hint(step), "vague");
 }

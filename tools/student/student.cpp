@@ -123,12 +123,11 @@ std::string next_hint(const course::Step& step) {
 
 Exit check(const CheckOptions& options, const std::string& context) {
   const std::vector<judge::LabResult> labs = check_places(options.places, context);
-  if (options.json) {
+  if (options.json)
     fmt::print("{}\n", options.places.size() == 1 ? to_json(labs.front()) : to_json(labs));
-  } else {
+  else
     for (const judge::LabResult& lab : labs)
       fmt::print("{}{}", &lab == &labs.front() ? "" : "\n", report(lab));
-  }
   if (next_of(labs) == nullptr || (options.unless_begun && !is_begun(labs))) return Exit::holds;
   return Exit::differs;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,7 +31,8 @@ struct Step {
   double points = 1;
   std::vector<std::string> needs;  ///< earlier steps of this lab, directly and through others, in its order
   std::vector<std::string> hints;
-  Case see = {};  ///< the look in which one sees it: its settings and view
+  std::map<std::string, std::size_t> hint_of = {};  ///< from 1, of the cases whose names begin so
+  Case see = {};                                    ///< the look in which one sees it: its settings and view
 };
 
 /// A model that nobody has seen, made from the seed: the value `unseen:polygons` of a parameter.

@@ -15,8 +15,8 @@ namespace texel::material {
 ///   so that every correct triangulation draws the same picture and has the same angles at each corner;
 /// - `shared`: a relief whose corners share positions, and often, but not always, vt or vn;
 /// - `no_vt`: a dented ball without texture coordinates, about the middle of the cube.
-/// All have normals (vn), 30 to 200 faces, and triangles only but for `polygons`; no two lines of a list are
-/// equal.
+/// All have normals (vn), 30 to 200 faces (`shared` more than a thousand: equal corners stand far apart), and
+/// triangles only but for `polygons`; no two lines of a list are equal.
 inline constexpr const char* kUnseenKinds[] = {"numbers", "negative", "polygons", "shared", "no_vt"};
 
 /// The text of an OBJ file of this kind, every position within the unit cube, numbers with 6 decimals. The
