@@ -141,7 +141,10 @@ fs::path References::draw_changed(const course::Lab& plan, const std::string& na
     studio.root = fresh / "root";
     make_root(solution_.source, {{file, text}}, studio.root);
   } else {
-    studio.program = workshop_.make(plan.program(), {{file, text}}).file;
+    const Program made = workshop_.make(plan.program(), {{file, text}});
+    for (const store::CompilerLog& log : made.refused)
+      throw Error::failed(fmt::format("'{}' does not compile", name), {log.file}, log.text);
+    studio.program = made.file;
   }
   // Only the cases of its step: nobody asks for the others.
   std::vector<Case> cases = plan.cases;

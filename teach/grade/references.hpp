@@ -43,7 +43,8 @@ class References {
   /// What a mutant of a step draws in the cases of its step: a folder with the pictures that there are.
   /// Throws Error (exit 3).
   std::filesystem::path drawn_by(const course::Lab& plan, const material::Mutant& mutant);
-  /// The same for the solution with another text in one of its files; `name` is any.
+  /// The same for the solution with another text in one of its files; `name` is any. Error (exit 3) also
+  /// where it does not compile: the program would be the solution's.
   std::filesystem::path draw_changed(const course::Lab& plan, const std::string& name,
                                      const std::string& step, const std::string& file,
                                      const std::string& text);

@@ -135,6 +135,19 @@ class Unforeseen(unittest.TestCase):
             says = list(judged[one["name"]]["says"].values())
             self.assertEqual(says[0].split(": so it is at")[0] if says else "Nothing.", one["says"], one["name"])
 
+    @unittest.skipUnless(tree.HOURS, "./run test --all")
+    def test_are_refused_where_they_do_not_compile(self):
+        # The solution's program would be drawn in its place, and count as right.
+        with tempfile.TemporaryDirectory() as scratch:
+            (pathlib.Path(scratch) / "03.toml").write_text(
+                '[[mutant]]\nname = "no-such-word"\nstep = "3.2"\nsays = "No."\nfile = "labs/03_obj_texcoords/face_index.cpp"\n'
+                'what = "count + written"\nby = "count + writen"\n', encoding="utf-8")
+            ran = subprocess.run([BIN / "texel", "cases", "marks", "--catalogue", scratch, "--seeds", "1", "--out", f"{scratch}/marks.json",
+                                  "--cache", BIN.parent / "grade"], capture_output=True, text=True, check=False)
+        self.assertEqual(ran.returncode, 3)
+        self.assertIn("'no-such-word' does not compile", ran.stderr)
+
+
 
 for lab in read_labs():
     setattr(OfLab, f"test_{lab['number']}", of_lab(lab["number"]))
