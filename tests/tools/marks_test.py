@@ -148,7 +148,6 @@ class Unforeseen(unittest.TestCase):
         self.assertIn("'no-such-word' does not compile", ran.stderr)
 
 
-
 for lab in read_labs():
     setattr(OfLab, f"test_{lab['number']}", of_lab(lab["number"]))
 
