@@ -11,7 +11,6 @@
 #include "panel.hpp"
 
 namespace texel::window {
-
 namespace {
 
 using judge::Status;

@@ -157,7 +157,8 @@ void Window::show() {
   if (!is_seen()) return;
   show_picture();
   ImGui_ImplOpenGL3_NewFrame();
-  ImGui_ImplGlfw_NewFrame();
+  ImGui_ImplGlfw_NewFrame();  // before ImGui 1.87 it asks where the mouse is now
+  if (held_frames_ > 0) --held_frames_, ImGui::GetIO().MousePos = {held_at_.x, held_at_.y};
   ImGui::NewFrame();
   if (drag_ == Drag::split_line || over_line()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   draw_panel(lab_, state_, scale_);

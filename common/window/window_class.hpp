@@ -118,7 +118,8 @@ class Window {
   std::filesystem::path own_program_;
   float scale_ = 1;
   Drag drag_ = Drag::none;
-  glm::vec2 mouse_{0}, pressed_at_{0};
+  glm::vec2 mouse_{0}, pressed_at_{0}, held_at_{0};
+  int held_frames_ = 0;  ///< for which the panel has the mouse at held_at_
 };
 
 }  // namespace texel::window

@@ -326,6 +326,8 @@ void Window::on_button(int button, int action) {
     return;
   }
   if (button != GLFW_MOUSE_BUTTON_LEFT) return;
+  // For the panel a press lasts a frame, its release another one, both here: the mouse may be gone by then.
+  if (held_frames_ < 2) held_at_ = mouse_, held_frames_ = action == GLFW_PRESS ? 2 : 1;
   if (action == GLFW_PRESS && over_picture()) {
     drag_ = over_line() ? Drag::split_line : Drag::picture;
     pressed_at_ = mouse_;

@@ -107,6 +107,15 @@ settled() {
 }
 settle() { eventually settled "$@"; }
 
+# click_at X Y: with the left button.
+click_at() { xdotool mousemove --window "$window" "$1" "$2" click 1; }
+# in_menu Y: picks what stands at that height. The menu takes some frames to come, and a click in these closes it.
+in_menu() {
+  local below=120x100+160+74
+  look "$work/no_menu" $below && click_at 174 57 && changed_from "$work/no_menu" $below && settle "$work/menu" $below &&
+    click_at 215 "$1"
+}
+
 # is_shown PICTURE FILE: both have the same picture left of the line that the window opens with.
 is_shown() { cmp -s <(convert "$1" -crop 230x640+0+0 +repage -depth 8 rgb:-) <(convert "$2" -crop 230x640+0+0 +repage -depth 8 rgb:-); }
 

@@ -19,11 +19,8 @@ using judge::LabResult;
 using judge::Status;
 using judge::StepResult;
 
-constexpr const char* kGreen = "\033[32m";
-constexpr const char* kYellow = "\033[1;33m";
-constexpr const char* kDim = "\033[2m";
-constexpr const char* kBold = "\033[1m";
-constexpr const char* kPlain = "\033[0m";
+constexpr const char *kGreen = "\033[32m", *kYellow = "\033[1;33m", *kDim = "\033[2m", *kBold = "\033[1m",
+                     *kPlain = "\033[0m";
 
 /// On standard output: a terminal, and no NO_COLOR.
 bool wants_colors() {
