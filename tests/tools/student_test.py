@@ -9,18 +9,19 @@ import re
 import shlex
 import shutil
 import signal
-import struct
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
 from unittest import mock
-import zlib
 
 import tree
 
 ROOT = pathlib.Path.cwd()
+sys.path.insert(0, str(ROOT / "tests/figures"))
+import labs  # noqa: E402
+
 BUILD = pathlib.Path(sys.argv[1])
 BIN = BUILD / "bin"
 TEXEL = BIN / "texel"
@@ -48,27 +49,11 @@ def mutated(mutant, text):
     return text.replace(mutant["what"], mutant["by"])
 
 
-def read_png(file):
-    """The rows of an RGB PNG of 8 bits, each a list of bytes."""
-    data = file.read_bytes()
-    width, height, bits, color = struct.unpack(">IIBB", data[16:26])
-    assert (bits, color) == (8, 2)
-    at, packed = 8, b""
-    while at < len(data):
-        (size,) = struct.unpack(">I", data[at:at + 4])
-        packed += data[at + 8:at + 8 + size] if data[at + 4:at + 8] == b"IDAT" else b""
-        at += size + 12
-    raw, above, rows = zlib.decompress(packed), [0] * 3 * width, []
-    for y in range(height):
-        kind, *row = raw[y * (3 * width + 1):(y + 1) * (3 * width + 1)]
-        for x, value in enumerate(row):
-            left, up, corner = (row[x - 3], above[x], above[x - 3]) if x > 2 else (0, above[x], 0)
-            # The nearest of the three to left + up - corner; of equals the first.
-            nearest = min((left, up, corner), key=lambda one: abs(left + up - corner - one))
-            row[x] = (value + [0, left, up, (left + up) // 2, nearest][kind]) % 256
-        rows.append(row)
-        above = row
-    return rows
+def read_rows(file):
+    """The rows of a PNG, the uppermost first."""
+    picture = labs.Picture(file)
+    size = picture.channels * picture.width
+    return [picture.samples[y * size:(y + 1) * size] for y in reversed(range(picture.height))]
 
 
 class CourseTree(unittest.TestCase):
@@ -338,14 +323,14 @@ class Helped(StudentTree):
             self.assertGreater(scale[-1] - scale[0], 200)
             return [[value for row in rows for value in row[3 * n * (size + 6) + 1:3 * (n * (size + 6) + size):3]] for n in range(3)]
 
-        yours, expected, difference = squares(read_png(self.root / "out/see/6.2.png"))
+        yours, expected, difference = squares(read_rows(self.root / "out/see/6.2.png"))
         self.assertNotEqual(yours, expected)
         # These are no pictures of one colour.
         self.assertGreater(len(set(expected)), 10)
         self.assertGreater(max(difference), 200)
         # In the course's own tree nothing differs, or what renderers differ by: 1 step of 3, with a scale to 15.
         self.assertEqual(in_course(f"see 6.2 --out {self.folder}/solved.png")[0], 0)
-        _, same, nothing = squares(read_png(self.folder / "solved.png"))
+        _, same, nothing = squares(read_rows(self.folder / "solved.png"))
         self.assertEqual(same, expected)
         self.assertLess(max(nothing), 30)
         self.assertEqual(self.texel("see 6.9")[0], 2)
