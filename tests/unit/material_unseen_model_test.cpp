@@ -20,7 +20,7 @@
 namespace texel::material {
 namespace {
 
-constexpr std::uint64_t seeds = 50;
+constexpr std::uint64_t seeds = 100;
 
 /// Of each seed. Made at once: to start the script for each takes longer than what it does.
 const std::vector<std::string>& unseen_models(const std::string& kind) {
@@ -89,12 +89,12 @@ Outline flattened(const std::vector<glm::dvec3>& corners) {
 }
 
 bool cross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d) {
-  using mesh::area;
-  return area(a, b, c) * area(a, b, d) <= 0 && area(c, d, a) * area(c, d, b) <= 0;
+  return mesh::area(a, b, c) * mesh::area(a, b, d) <= 0 && mesh::area(c, d, a) * mesh::area(c, d, b) <= 0;
 }
 
 bool is_simple(const Outline& outline) {
-  for (std::size_t n = outline.size(), i = 0; i < n; ++i)
+  const std::size_t n = outline.size();
+  for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 2; j < n; ++j)
       if ((j + 1) % n != i && cross(outline[i], outline[i + 1], outline[j], outline[(j + 1) % n]))
         return false;

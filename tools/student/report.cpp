@@ -19,18 +19,18 @@ using judge::LabResult;
 using judge::Status;
 using judge::StepResult;
 
-constexpr const char *kGreen = "\033[32m", *kYellow = "\033[1;33m", *kDim = "\033[2m", *kBold = "\033[1m",
-                     *kPlain = "\033[0m";
+constexpr const char* kGreen = "\033[32m";
+constexpr const char* kYellow = "\033[1;33m";
+constexpr const char *kDim = "\033[2m", *kBold = "\033[1m";
 
 /// On standard output: a terminal, and no NO_COLOR.
 bool wants_colors() {
-  static const char* const no = std::getenv("NO_COLOR");
-  static const bool wants = ::isatty(STDOUT_FILENO) != 0 && (no == nullptr || *no == '\0');
-  return wants;
+  const char* const no = std::getenv("NO_COLOR");
+  return ::isatty(STDOUT_FILENO) != 0 && (no == nullptr || *no == '\0');
 }
 
 std::string paint(const char* color, const std::string& text) {
-  return wants_colors() ? color + text + kPlain : text;
+  return wants_colors() ? color + text + "\033[0m" : text;
 }
 
 /// A case's message: of a compiler's, the first, since the others often follow from it.
