@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
-# Compiles SOURCE with DEFINES, which must fail, and for this REASON.
+# Compiles SOURCE with DEFINES, which must fail, and for this REASON. Of a parameter's fault, NAME, only what needs no lab.
 list(TRANSFORM INCLUDE PREPEND -I)
+if(NOT NAME MATCHES "^(lab|answer|without)_")
+  list(APPEND DEFINES -DPARAMETERS_ALONE)
+endif()
 execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only ${INCLUDE} ${DEFINES} ${SOURCE} RESULT_VARIABLE result ERROR_VARIABLE output)
 if(REASON STREQUAL "")
   if(NOT result EQUAL 0)

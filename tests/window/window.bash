@@ -7,7 +7,6 @@ bin=$(readlink -f "${1:?the folder of the programs}")
 source_root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
 work=$(mktemp -d)
 passed=0 failed=0 pid='' window=''
-export MESA_SHADER_CACHE_DISABLE=true
 
 end() {
   [[ -z $pid ]] || kill "$pid" 2>/dev/null
