@@ -141,6 +141,7 @@ def numbers(random):
 
     def texcoord(point):
         s, t = relief.texcoords[point]
+        s, t = 3 * s - 1, 2 * t  # the picture repeats
         return (s,) if t == 0 else (s, t) + ((random.between(0, 1),) if random.coin() else ())
 
     for keyword, numbers_of in ("v", position), ("vt", texcoord), ("vn", relief.normals.__getitem__):
@@ -164,8 +165,12 @@ def negative(random):
     return text
 
 
-def shared(random):
-    relief, text = Relief(random, 24, 32), ObjText()  # as many vertices as nobody finds who looks at the latest alone
+def faces(random):
+    return shared(random, 5, 10)  # so few that each of them counts
+
+
+def shared(random, least=24, most=32):  # as many vertices as nobody finds who looks at the latest alone
+    relief, text = Relief(random, least, most), ObjText()
     # Two cuts make four patches, each with entries of its own along the cuts. The two pairs of cuts differ, so that there are
     # corners with another vt, another vn, and both.
     half_columns, half_rows = relief.columns // 2, relief.rows // 2
@@ -195,8 +200,10 @@ def shared(random):
     # One triangle once more, above: only v tells its corners from the first one's.
     above = [plus(relief.points[point], (0, 0, 0.3)) for point in (0, 1, relief.columns + 1)]
     faces.append([corner | {"v": text.add("v", place)} for corner, place in zip(faces[0], above)])
-    # And one without area: its corners lie on a line along x.
-    y, z = random.vector(0.4, 0.6, 2)
+    # One that is very small, and one without area: its corners lie on a line along x.
+    x, y, z = random.vector(0.4, 0.6)
+    faces.append([corner | {"v": text.add("v", plus((x, y, z), place))} for corner, place in
+                  zip(faces[2], ((0, 0, 0.2), (0.001, 0, 0.2), (0, 0.001, 0.2)))])
     faces.append([corner | {"v": text.add("v", (x, y, z))} for corner, x in zip(faces[1], (0.2, 0.3, 0.4))])
     random.shuffle(faces)  # equal corners lie far apart
     for corners in faces:
@@ -333,5 +340,5 @@ def no_vt(random):
 
 
 if __name__ == "__main__":
-    make = {"numbers": numbers, "negative": negative, "polygons": polygons, "shared": shared, "no_vt": no_vt}[sys.argv[1]]
+    make = {"numbers": numbers, "negative": negative, "polygons": polygons, "shared": shared, "faces": faces, "no_vt": no_vt}[sys.argv[1]]
     print("\n#\n".join("\n".join(make(Random(int(seed))).lines) for seed in sys.argv[2:]))

@@ -2,7 +2,6 @@
 // What must not compile. The file compiles as it is, so that nothing else is what fails. Each line of this
 // table is a test: its name, what it defines, and the reason that the compiler must give.
 // clang-format off
-//
 // choice_default_is_no_item | METHOD=~,static_cast<Method>(2) | the default is not one of the items
 // choice_item_without_help | HELP=~, | an item needs a name and a line of help
 // choice_with_duplicate_items | ITEM=~,nearest | two items have the same name
@@ -20,13 +19,8 @@
 // answer_with_misspelt_declare | DECLARE=~,declares | override
 // answer_with_misspelt_measure | MEASURE=~,measures | override
 // answer_with_misspelt_truth | TRUTH=~,truths | override
-//
 // clang-format on
 #include "params/set.hpp"
-#ifndef PARAMETERS_ALONE  // which compile five times as fast
-#include "answers/answer.hpp"
-#include "app/lab.hpp"
-#endif
 
 #define QUOTED(words) #words
 #define TEXT(words) QUOTED(words)
@@ -34,8 +28,7 @@
 #define SECOND(first, second, ...) second
 #define USUALLY(...) SECOND(__VA_ARGS__, ~)
 
-namespace texel {
-namespace params {
+namespace texel::params {
 
 enum class Method { nearest, linear };
 constexpr Item methods[] = {{"nearest", "The nearest texel"},
@@ -44,17 +37,20 @@ constexpr Choice<Method> choice("method", USUALLY(METHOD, Method::linear), metho
                                 "How the texture is filtered");
 constexpr Item files[] = {{"nearest", "The nearest texel"}, {"linear", "Four texels"}};
 constexpr File file("texture", TEXT(USUALLY(FILE_NAME, linear)), files, "The picture on the square");
-constexpr Number tilt("tilt", USUALLY(TILT, 60), USUALLY(LEAST, -89), 89, "degrees",
-                      "How far the quad leans back");
-constexpr Number near("near", 1, USUALLY(NEAREST, 0.1), 10, "", "Distance of the near plane",
-                      Scale::logarithmic);
+constexpr Number tilt("tilt", USUALLY(TILT, 60), USUALLY(LEAST, -89), 89, "degrees", "Leans the quad back");
+constexpr Number near("near", 1, USUALLY(NEAREST, 0.1), 10, "", "The near plane", Scale::logarithmic);
 constexpr Number number(TEXT(USUALLY(NUMBER, bump_strength)), 1, 0, 4, "", "How deep the bumps are");
 constexpr Toggle toggle(TEXT(USUALLY(TOGGLE, flip_v)), true,
                         TEXT(USUALLY(TOGGLE_HELP, Turns the picture over)));
 
-}  // namespace params
+}  // namespace texel::params
 
-#ifndef PARAMETERS_ALONE
+#ifndef PARAMETERS_ALONE  // which compile five times as fast
+#include "answers/answer.hpp"
+#include "app/lab.hpp"
+
+namespace texel {
+
 struct SmallParameters {
   void declare(params::Set&) {}
 };
@@ -77,6 +73,6 @@ struct SmallAnswer final : answers::Answer<SmallParameters> {
   answers::Truth USUALLY(TRUTH, truth)(const SmallParameters&, glm::ivec2) const override { return {}; }
 };
 const bool known = answers::know<SmallParameters, SmallAnswer>();
-#endif
 
 }  // namespace texel
+#endif

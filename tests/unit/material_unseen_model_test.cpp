@@ -122,8 +122,8 @@ TEST_P(EachKind, is_sound_and_follows_from_the_seed) {
     EXPECT_EQ(data.texcoords.empty(), GetParam() == "no_vt");
     for (const glm::vec3& p : data.positions)
       for (int c = 0; c < 3; ++c) EXPECT_TRUE(p[c] >= 0 && p[c] <= 1) << p[c];
-    // Faces show the side to which their normals point. One of "shared" has no area.
-    int flat = 0;
+    // Faces show the side to which their normals point. One of "shared" and one of "faces" has no area.
+    std::size_t flat = 0;
     for (std::size_t i = 0; i < data.corners.size(); i += 3) {
       const auto at = [&](std::size_t k) { return glm::dvec3(data.positions[data.corners[i + k].position]); };
       const glm::dvec3 normal = glm::cross(at(1) - at(0), at(2) - at(0));
@@ -132,7 +132,7 @@ TEST_P(EachKind, is_sound_and_follows_from_the_seed) {
       else
         EXPECT_GT(glm::dot(normal, glm::dvec3(data.normals[data.corners[i].normal])), 0);
     }
-    EXPECT_EQ(flat, GetParam() == "shared" ? 1 : 0);
+    EXPECT_EQ(flat, (std::set<std::string>{"faces", "shared"}.count(GetParam())));
   }
 }
 
