@@ -22,7 +22,7 @@ difference counts as none that a move by 1/64 of a pixel explains: 1/64 of what 
 `check` and `grade` use these limits and draw in software: the solution has all points by each of these renderers. Pages in a
 browser draw with the machine's graphics card. They judge the public cases of steps in shaders, and the column `hardware` has
 these.
-Where columns are empty, the case was changed since the other renderers drew it: llvmpipe and softpipe of Mesa 22 have drawn it again.
+Where a column is empty, the case was changed since that renderer drew it.
 
 `./run renderers` draws and measures. A machine has one version of Mesa only. To join several machines, copy the folders in
 their `out/renderers` into one, and let `./run renderers --judge-only` measure there.
