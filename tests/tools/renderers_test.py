@@ -18,8 +18,6 @@ from renderers_table import group_of, limits_of, read_renderers, renderers_markd
 KEPT = read_renderers(ROOT / "docs/renderers.json")
 LABS = read_labs()
 VERSIONS = ("mesa22", "mesa25", "mesa26")
-# Cases that were changed since the other machines drew: one of them is to draw them again.
-LATER = {(row["lab"], row["case"]) for row in KEPT["cases"] if "llvmpipe, mesa26" not in row["by"]}
 
 
 def arguments_of(text, begin):
@@ -69,15 +67,16 @@ class Kept(unittest.TestCase):
         names = {f"{mesa}_{way}" for mesa in VERSIONS for way in ways} | {"mesa22_llvmpipe_osmesa", "mesa22_softpipe_osmesa"}
         self.assertEqual(names - set(KEPT["drawn_by"]), set())
         for row in KEPT["cases"]:  # each case was drawn by them
-            wanted = {group_of(name) for name in names} if (row["lab"], row["case"]) not in LATER else {"llvmpipe, mesa22", "softpipe, mesa22"}
-            self.assertEqual(wanted - set(row["by"]), set(), (row["lab"], row["case"]))
-        self.assertLessEqual(len(LATER), 57)
+            self.assertEqual({group_of(name) for name in names} - set(row["by"]), set(), (row["lab"], row["case"]))
 
     def test_has_a_graphics_card_for_the_cases_that_pages_judge_by_one(self):
         in_shaders = {step for file in ROOT.glob("shaders/*/*") for step in re.findall(r"//@step (\S+) begin", file.read_text(encoding="utf-8"))}
         in_pages = {(lab["number"], case["name"]) for lab in LABS for case in lab["case"] if case["step"] in in_shaders and "hidden" not in case
                     and not any(str(value).startswith("unseen") for value in case.get("set", {}).values())}
-        self.assertEqual({(row["lab"], row["case"]) for row in KEPT["cases"] if "hardware, nvidia580" in row["by"]}, in_pages - LATER)
+        drawn = {(row["lab"], row["case"]) for row in KEPT["cases"] if "hardware, nvidia580" in row["by"]}
+        self.assertEqual(drawn - in_pages, set())
+        # So many were changed since the card drew: one is to draw them again.
+        self.assertLessEqual(len(in_pages - drawn), 14)
 
     def test_has_its_document(self):
         text = (ROOT / "docs/accuracy/renderers.md").read_text(encoding="utf-8")
