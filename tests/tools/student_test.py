@@ -62,7 +62,10 @@ class CourseTree(unittest.TestCase):
         self.assertEqual(code, 0, said)
         labs = json.loads(said)
         self.assertEqual([int(lab["lab"][:2]) for lab in labs], [lab["number"] for lab in LABS])
-        self.assertEqual([step for lab in labs for step in lab["steps"] if step["status"] != "passed"], [])
+        steps = [step for lab in labs for step in lab["steps"]]
+        self.assertEqual([step for step in steps if step["status"] != "passed"], [])
+        # No renderer differs by more than a third of a limit. What is further off has an expected picture of an earlier shader.
+        self.assertEqual([case for step in steps for case in step["cases"] if 3 * case["error"] > case["limit"]], [])
 
     def test_has_its_catalogue_in_the_samples_of_mistakes(self):
         # ./run expected renews them.
