@@ -459,10 +459,11 @@ class JudgedAlone(GraderTest):
         self.assertEqual([row[3] for row in table_of(one.out)[1:]], ["0", "0", "0"])
 
     def test_blames_the_step_that_spoils_pictures_of_others_only(self):
-        """Each step of lab 2 is right by itself, but 2.1 puts its object into the first one's place too."""
+        """Each step of lab 2 is right by itself, but 2.1 puts its object into the first one's place too, where it is no decal."""
         one, file, steps = Class("spoiler", "2"), "labs/02_multi_texture/lab.cpp", {"2.1", "2.2", "2.3", "2.4"}
         put(one, "jane", file, replaced(students_file(file, steps), "p.texture1, premultiply) : nullptr;\n",
-                                        "p.texture1, premultiply) : nullptr;\n    if (p.unit0_on && p.unit1_on) object0 = object1;\n"))
+                                        "p.texture1, premultiply) : nullptr;\n"
+                                        "    if (p.unit0_on && p.unit1_on && p.combine != Combine::decal) object0 = object1;\n"))
         shader = "shaders/02_multi_texture/combine.glsl"
         put(one, "jane", shader, students_file(shader, steps))
         self.grade(one, "--format gradescope")
