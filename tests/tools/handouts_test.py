@@ -61,6 +61,14 @@ class Handouts(unittest.TestCase):
                 for begin in step.get("hint_of", {}):
                     self.assertTrue(any(name.startswith(begin) for name in names), f"{step['id']}: no case begins with {begin}")
 
+    def test_have_no_case_that_hangs_on_lab_3(self):
+        # An OBJ file is read by the student's own steps of lab 3; all other labs read meshes (PLY).
+        for lab in LABS:
+            for case in lab["case"] if lab["number"] != 3 else ():
+                values = [case.get("set", {}).get("model", ""), *case.get("hidden", {}).get("model", ())]
+                with self.subTest(f"{lab['folder']}: {case['name']}"):
+                    self.assertEqual([value for value in values if re.search(r"\.obj$|^unseen:.*(?<!\.ply)$", value)], [])
+
     def test_have_the_cases_and_limits_of_the_check(self):
         for lab, step, section in steps():
             with self.subTest(step["id"]):
