@@ -148,8 +148,7 @@ void draw_batch(Canvas& canvas, AnyLab& lab, const Assets& assets, const Batch& 
     if (in_turn) finish(std::move(before));
   }
   finish(std::move(before));
-  const auto faults =
-      std::count_if(drawings.begin(), drawings.end(), [](auto& one) { return !one.is_drawn; });
+  const auto faults = std::ranges::count_if(drawings, [](auto& one) { return !one.is_drawn; });
   if (faults > 0)
     throw Error::failed(fmt::format("{} of {} entries could not be drawn", faults, batch.size()));
 }

@@ -198,8 +198,7 @@ fs::path expected_folder(const fs::path& source, const course::Lab& lab) {
 
 bool is_software(const std::string& renderer) {
   constexpr std::array kNames = {"llvmpipe", "softpipe", "lavapipe", "swrast", "Software Rasterizer"};
-  return std::any_of(kNames.begin(), kNames.end(),
-                     [&](const char* name) { return renderer.find(name) != renderer.npos; });
+  return std::ranges::any_of(kNames, [&](const char* name) { return renderer.find(name) != renderer.npos; });
 }
 
 std::string renderer_note(const std::string& own, const std::string& expected) {

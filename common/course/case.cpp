@@ -33,8 +33,7 @@ const char* name_of(View view) {
 }
 
 std::optional<View> find_view(std::string_view name) {
-  const auto found =
-      std::find_if(std::begin(kViews), std::end(kViews), [&](const ViewOf& one) { return one.name == name; });
+  const auto found = std::ranges::find(kViews, name, &ViewOf::name);
   if (found == kViews.end()) return {};
   return static_cast<View>(found - kViews.begin());
 }

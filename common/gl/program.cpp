@@ -103,8 +103,7 @@ std::string Program::name() const {
 }
 
 const Uniform* Program::find(std::string_view name) const {
-  const auto found =
-      std::find_if(uniforms_.begin(), uniforms_.end(), [&](const Uniform& u) { return u.name == name; });
+  const auto found = std::ranges::find(uniforms_, name, &Uniform::name);
   return found == uniforms_.end() ? nullptr : &*found;
 }
 

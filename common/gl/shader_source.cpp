@@ -52,8 +52,7 @@ Directive directive(std::string_view code) {
   code = trimmed(code);
   if (!code.starts_with('#')) return {};
   code = trimmed(code.substr(1));
-  const auto end =
-      static_cast<std::size_t>(std::find_if_not(code.begin(), code.end(), is_word) - code.begin());
+  const auto end = static_cast<std::size_t>(std::ranges::find_if_not(code, is_word) - code.begin());
   return {code.substr(0, end), trimmed(code.substr(end))};
 }
 
@@ -135,8 +134,7 @@ std::string at_missing_semicolon(const std::string& line, const std::vector<Code
   if (says_what && (line.find("';'") == line.npos || line.find("'{'", line.find("expecting")) != line.npos))
     return line;
   const auto [number, behind] = first_mark(line);
-  const auto found =
-      std::find_if(code.begin(), code.end(), [n = number](const CodeLine& one) { return one.number == n; });
+  const auto found = std::ranges::find(code, number, &CodeLine::number);
   if (found == code.begin() || found == code.end()) return line;
   // What was not expected must be the line's first: Mesa gives a column, from 0 or 1, and the others the
   // token.

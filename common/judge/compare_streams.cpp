@@ -135,14 +135,13 @@ std::string first_wrong(const char* name, const VertexPairs& both,
   if (wrong.empty()) return "";
   const std::uint32_t i = wrong.front();
   const auto& corners = both.reference.indices;
-  const auto owner = std::find_if(expected.begin(), expected.end(),
-                                  [&](const Vector& other) { return is_same(other, own[i]); });
+  const auto owner =
+      std::ranges::find_if(expected, [&](const Vector& other) { return is_same(other, own[i]); });
   return fmt::format(
       "The {} of the vertex at {}, a corner of triangle {}, is {} and not {}{}; so are {} of {} vertices "
       "wrong.",
-      name, text_of(both.reference.positions[i]),
-      (std::find(corners.begin(), corners.end(), i) - corners.begin()) / 3 + 1, text_of(own[i]),
-      text_of(expected[i]),
+      name, text_of(both.reference.positions[i]), (std::ranges::find(corners, i) - corners.begin()) / 3 + 1,
+      text_of(own[i]), text_of(expected[i]),
       owner == expected.end()
           ? ""
           : ", but that of the one at " +

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "core/error.hpp"
@@ -163,8 +166,8 @@ double median(std::vector<double> values) {
 }
 
 double share_of(const std::vector<char>& hits, const Field& of) {
-  const auto end = hits.begin() + static_cast<std::ptrdiff_t>(of.wrong);
-  return static_cast<double>(std::count(hits.begin(), end, 1)) / static_cast<double>(of.wrong);
+  const auto followed = std::ranges::count(std::span(hits).first(of.wrong), 1);
+  return static_cast<double>(followed) / static_cast<double>(of.wrong);
 }
 
 /// Keeps a way if enough of the wrong pairs follow it.
@@ -278,8 +281,8 @@ Options channel_options(const Field& of, int c) {
                    of.tolerance;
           });
     }
-  const auto [low, high] = std::minmax_element(
-      of.pairs.begin(), of.pairs.end(), [&](const Pair& x, const Pair& y) { return x.own[c] < y.own[c]; });
+  const auto [low, high] =
+      std::ranges::minmax_element(of.pairs, {}, [&](const Pair& one) { return one.own[c]; });
   const double least = low->own[c], most = high->own[c];
   if ((bit(of.quantity) & (bit(texcoord) | bit(level))) != 0 && most - least > 8 * of.tolerance)
     add(found, of, {of.quantity, cut_off, c, c, {least, most, 0}}, 4, [&](const Pair& p) {
@@ -288,8 +291,7 @@ Options channel_options(const Field& of, int c) {
   if (of.quantity == texcoord && distinct(of, c) > 4)  // between 0 and 1 each change is a whole number
     add(found, of, {of.quantity, whole, c, c}, 5,
         [&](const Pair& p) { return std::abs(std::remainder(p.own[c] - p.expected[c], 1)) <= of.tolerance; });
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Option& x, const Option& y) { return x.cost < y.cost; });
+  std::ranges::stable_sort(found, {}, &Option::cost);
   if (found.size() > 4) found.resize(4);
   return found;
 }
@@ -344,12 +346,12 @@ Sums fitted_without_strays(const Field& of) {
 
 void add_directions(Options& found, const Field& of) {
   const auto near = [&](const dvec3& a, const dvec3& b) { return glm::distance(a, b) <= of.tolerance; };
-  std::vector<double> lengths, away;
+  std::vector<double> lengths, angles;
   std::set<std::array<int, 3>> cells;  // of expected directions: few can be taken anywhere
   for (std::size_t i = 0; i < of.wrong; ++i) {
-    const dvec3 cell = 10.0 * of.pairs[i].expected;
-    lengths.push_back(glm::length(of.pairs[i].own));
-    away.push_back(glm::distance(of.pairs[i].own, of.pairs[i].expected));
+    const dvec3 &e = of.pairs[i].expected, &o = of.pairs[i].own, cell = 10.0 * e;
+    lengths.push_back(glm::length(o));
+    angles.push_back(std::atan2(glm::length(glm::cross(e, o)), glm::dot(e, o)));
     cells.insert({static_cast<int>(cell.x), static_cast<int>(cell.y), static_cast<int>(cell.z)});
   }
   add(found, of, {of.quantity, longer, 0, 0, {median(lengths), 0, 0}}, 4,
@@ -360,8 +362,11 @@ void add_directions(Options& found, const Field& of) {
     });
   add(found, of, {of.quantity, leaning, 0, 0}, 5,
       [&](const Pair& p) { return near(unit(p.own - glm::dot(p.own, p.normal) * p.normal), p.expected); });
+  const double away = median(std::move(angles));
   // Any small turn fits what is wrong by two or three times what may be: such were said, and were false.
-  if (of.wrong < 60 || cells.size() < 12 || median(std::move(away)) < 4 * of.tolerance) return;
+  if (of.wrong < 60 || cells.size() < 12 || away < 4 * of.tolerance) return;
+  add(found, of, {of.quantity, apart, 0, 0, {glm::degrees(away), 0, 0}}, kLast,
+      [](const Pair&) { return true; });
 
   const glm::dmat3 map = fitted_without_strays<Turn>(of).matrix();
   const double side = glm::determinant(map) < 0 ? -1 : 1;  // a mirror turns what was negated
@@ -435,10 +440,23 @@ void add_contrast(Options& found, const Field& of) {
         [&](const Pair& p) { return is_even[block(p)]; });
 }
 
+/// The same colours, as often, at other places: sorted they are much nearer than pixel by pixel.
+void add_elsewhere(Options& found, const Field& of) {
+  std::vector<double> expected = of.values.all, own = of.own.all;
+  const auto apart = [&] {
+    return std::inner_product(own.begin(), own.end(), expected.begin(), 0.0, std::plus(),
+                              [](double a, double b) { return std::abs(a - b); });
+  };
+  const double here = apart();
+  std::ranges::sort(expected), std::ranges::sort(own);
+  if (apart() < 0.1 * here) add(found, of, {color, elsewhere}, kLast, [](const Pair&) { return true; });
+}
+
 void add_pictures(Options& found, const Field& of) {
   if (of.quantity == color || (bit(of.quantity) & kUnit) != 0) add_moved(found, of);
   if (of.quantity == color) {
     add_contrast(found, of);
+    add_elsewhere(found, of);
     add(found, of, {of.quantity, grey}, 10, [&](const Pair& p) {
       return of.is_near(p.own, dvec3(p.own.x)) && !of.is_near(p.expected, dvec3(p.expected.x));
     });
@@ -452,10 +470,9 @@ void add_pictures(Options& found, const Field& of) {
   if (of.is_plain || of.quantity != color)
     add(found, of, {of.quantity, nothing}, of.quantity == texcoord ? 4 : 3, is_nothing);
   add(found, of, {of.quantity, covering}, 3, is_covering);
-  const auto end = of.pairs.begin() + static_cast<std::ptrdiff_t>(of.wrong);
-  const auto outside =
-      std::count_if(of.pairs.begin(), end, [&](const Pair& p) { return is_nothing(p) || is_covering(p); });
-  if (of.is_plain && 3 * outside > end - of.pairs.begin())
+  const auto outside = std::ranges::count_if(std::span(of.pairs).first(of.wrong),
+                                             [&](const Pair& p) { return is_nothing(p) || is_covering(p); });
+  if (of.is_plain && 3 * outside > static_cast<std::ptrdiff_t>(of.wrong))
     add(found, of, {of.quantity, outline}, kVague + 1, [](const Pair&) { return true; });
   if (of.quantity != color && (bit(of.quantity) & kSingle) == 0) return;
   const auto more_by = [](const Pair& p) { return glm::dot(p.own - p.expected, dvec3(1.0 / 3)); };
@@ -496,7 +513,7 @@ void add_difference(std::vector<Difference>& found, const Field& of,
   if (all.share < kExplained || all.changes.empty()) return;
   // Does what is right follow it too?
   const auto right = std::count(hits.begin() + static_cast<std::ptrdiff_t>(of.wrong), hits.end(), 1);
-  if (all.changes.front().way < sharper &&
+  if (all.way() < sharper &&
       static_cast<double>(right) < 0.9 * static_cast<double>(of.pairs.size() - of.wrong))
     put_place(of, all), all.cost += 3;  // what holds everywhere is simpler
   found.push_back(std::move(all));
@@ -529,8 +546,6 @@ std::vector<Difference> count_differences(const Failed& failed) {
   return found;
 }
 
-constexpr auto is_simpler = [](const Difference& a, const Difference& b) { return a.cost < b.cost; };
-
 std::vector<Difference> differences_of(const Field& of) {
   std::vector<Difference> found;
   std::array<Options, 3> channels;
@@ -556,7 +571,7 @@ std::vector<Difference> differences_of(const Field& of) {
   if ((bit(of.quantity) & kUnit) != 0) add_directions(whole, of);
   if (of.size.width > 0) add_pictures(whole, of);
   for (const Option& option : whole) add_difference(found, of, {&option});
-  std::stable_sort(found.begin(), found.end(), is_simpler);
+  std::ranges::stable_sort(found, {}, &Difference::cost);
   if (found.size() > 12) found.resize(12);
   return found;
 }
@@ -583,7 +598,7 @@ std::vector<Difference> differences(const course::Case& of, const Failed& failed
   } catch (const Error&) {  // no picture of this case
     return {};
   }
-  std::stable_sort(all.begin(), all.end(), is_simpler);
+  std::ranges::stable_sort(all, {}, &Difference::cost);
   return all;
 }
 

@@ -63,6 +63,8 @@ enum class Way : std::uint8_t {
   sharper,
   blurred,
   grey,
+  elsewhere,
+  apart,
   nothing,
   covering,
   outline,
@@ -94,13 +96,15 @@ struct Difference {
   int cost = 0;      ///< the less, the simpler
   Where where = Where::everywhere;
   std::size_t wrong = 0, count = 0;  ///< vertices of a stream
+
+  [[nodiscard]] Way way() const { return changes.front().way; }
 };
 
 /// The part of what is wrong that a difference explains.
 constexpr double kExplained = 0.95;
 /// Differences that cost less say what became of each value; from kVague on they say a direction or a place
-/// alone.
-constexpr int kPlain = 13, kVague = 20, kAnyCost = 1000;
+/// alone, and from kLast on only that it is none of the others.
+constexpr int kPlain = 13, kVague = 20, kLast = 100, kAnyCost = 1000;
 
 /// All ways in which the case's values follow from the expected ones, the simplest first.
 std::vector<Difference> differences(const course::Case& of, const Failed& failed);

@@ -78,8 +78,7 @@ std::string short_number(double value) {
 bool is_finite(const Case& of, std::string_view bytes) {
   if (of.view == View::color) return true;
   const ImageF picture = parse_data(bytes, "the reference", of.size);
-  return std::all_of(picture.samples.begin(), picture.samples.end(),
-                     [](float value) { return std::isfinite(value); });
+  return std::ranges::all_of(picture.samples, [](float value) { return std::isfinite(value); });
 }
 
 template <class Picture>
@@ -101,15 +100,14 @@ Verdict judge_picture(const Case& of, const Expected& expected, std::string_view
   const Image8 mask = parse_color(expected.mask, "the mask", of.size);
   for (const bool is_object : {true, false}) {
     const Image8 part = part_of(mask, is_object);
-    if (std::find(part.samples.begin(), part.samples.end(), 255) == part.samples.end()) continue;
+    const auto in_part = std::ranges::count(part.samples, 255);
+    if (in_part == 0) continue;
     const image::Difference difference = image::compare(
         reference, picture,
         {.mask = &part, .edge_tolerance = true, .moved_pixels = kMovedPixels, .in_degrees = in_degrees});
     if (difference.p999 > verdict.error || place.empty()) {
       verdict.error = std::max(verdict.error, difference.p999);
-      const auto in_part = std::count(part.samples.begin(), part.samples.end(), 255);
-      const auto wrong = std::count_if(difference.pixels.begin(), difference.pixels.end(),
-                                       [&](double pixel) { return pixel > of.limit; });
+      const auto wrong = std::ranges::count_if(difference.pixels, [&](double off) { return off > of.limit; });
       const double share = 100.0 * static_cast<double>(wrong) / static_cast<double>(in_part);
       place = fmt::format("in {} % of the {}, as at the pixel {}, {} from the lower left",
                           share < 1 ? "less than 1" : fmt::format("{:.0f}", share),

@@ -90,8 +90,7 @@ std::map<std::string, Seen> best_of(const std::vector<Mistake>& mistakes, const 
 /// The sentence of the simplest of these differences; of two that are as simple both, of more none.
 Seen said(const std::vector<Difference>& from, bool has_numbers, int below) {
   if (from.empty() || from.front().cost >= below) return {};
-  const auto alike = std::count_if(from.begin(), from.end(),
-                                   [&](const Difference& one) { return one.cost == from.front().cost; });
+  const auto alike = std::ranges::count(from, from.front().cost, &Difference::cost);
   if (alike > 2) return {};
   return {{}, words(from[0], has_numbers) + (alike == 2 ? " Or: " + words(from[1], has_numbers) : "")};
 }
@@ -135,7 +134,7 @@ std::map<std::string, Seen> explain(const std::vector<Mistake>& mistakes, const 
   std::map<std::string, std::vector<Difference>> own, shared;
   for (const Read& one : read) own[one.of->name] = differences(*one.of, failed.at(one.of->name));
   const auto has = [](const std::vector<Difference>& list, const Difference& one) {
-    return std::any_of(list.begin(), list.end(), [&](const auto& two) { return two.changes == one.changes; });
+    return std::ranges::count(list, one.changes, &Difference::changes) > 0;
   };
   shared = own;
   for (auto& [name, list] : shared)
@@ -165,15 +164,13 @@ std::map<std::string, Seen> explain(const std::vector<Mistake>& mistakes, const 
     causes.merge(known);
     std::erase_if(left, [&](const Read& one) { return causes.contains(one.of->name); });
   }
-  const bool are_causes = left.empty() && std::none_of(causes.begin(), causes.end(), [&](const auto& one) {
-                            const std::vector<Difference>& list = own[one.first];
-                            return std::any_of(list.begin(), list.end(), [](const Difference& each) {
-                              return each.changes.front().way == Way::nothing;
-                            });
+  const bool are_causes = left.empty() && std::ranges::none_of(causes, [&](const auto& one) {
+                            return std::ranges::count(own[one.first], Way::nothing, &Difference::way) > 0;
                           });
   if (are_causes)
     for (const auto& [name, one] : causes) put(name, one, false);
-  for (const int below : {kPlain, kVague, kAnyCost}) say(shared, below), say(own, below);
+  for (const int below : {kPlain, kVague, kLast}) say(shared, below), say(own, below);
+  if (seen.empty()) say(shared, kAnyCost), say(own, kAnyCost);
   return seen;
 }
 

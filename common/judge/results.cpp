@@ -35,8 +35,7 @@ void sort_cases(const course::Lab& lab, std::vector<CaseResult>& cases) {
     const auto found = place.find(result.name);
     return std::tuple(result.hidden, found == place.end() ? place.size() : found->second, result.name);
   };
-  std::sort(cases.begin(), cases.end(),
-            [&](const CaseResult& a, const CaseResult& b) { return key(a) < key(b); });
+  std::ranges::sort(cases, {}, key);
 }
 
 }  // namespace
@@ -52,8 +51,7 @@ Status status_called(const std::string& name) {
 }
 
 bool StepResult::is_untouched() const {
-  return std::any_of(cases.begin(), cases.end(),
-                     [](const CaseResult& one) { return one.status == Status::untouched; });
+  return std::ranges::count(cases, Status::untouched, &CaseResult::status) > 0;
 }
 
 const char* word_of(const StepResult& step, bool is_next) {
@@ -103,9 +101,7 @@ const CaseResult* clearest_case(const StepResult& step) {
     const double share = std::isnan(one.error) ? HUGE_VAL : one.error / std::max(one.limit, 1e-12);
     return std::pair(!one.passed(), share);
   };
-  const auto worst =
-      std::max_element(step.cases.begin(), step.cases.end(),
-                       [&](const CaseResult& a, const CaseResult& b) { return key(a) < key(b); });
+  const auto worst = std::ranges::max_element(step.cases, {}, key);
   return worst == step.cases.end() ? nullptr : &*worst;
 }
 

@@ -102,8 +102,7 @@ class Parser {
   /// Counts one more of a trouble; its warning says the `details` of the first.
   template <class... Details>
   [[gnu::cold]] void note(std::string_view format, const Details&... details) {
-    auto found = std::find_if(troubles_.begin(), troubles_.end(),
-                              [&](const Trouble& one) { return one.format == format; });
+    auto found = std::ranges::find(troubles_, format, &Trouble::format);
     if (found == troubles_.end())
       found = troubles_.insert(found, Trouble{format, fmt::format(fmt::runtime(format), details...)});
     ++found->count;
@@ -321,9 +320,7 @@ class Parser {
           {name_}, "is this an OBJ file, and was it exported with its faces?");
     // A file that gives them to no corner simply has none.
     const auto tell_missing = [&](auto& list, std::uint32_t Corner::*index, const char* text) {
-      const auto missing = static_cast<std::size_t>(
-          std::count_if(data_.corners.begin(), data_.corners.end(),
-                        [&](const Corner& corner) { return corner.*index == no_index; }));
+      const auto missing = static_cast<std::size_t>(std::ranges::count(data_.corners, no_index, index));
       if (missing == data_.corners.size()) return list.clear();
       if (missing > 0) troubles_.push_back({{}, text, missing});
     };

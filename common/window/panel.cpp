@@ -107,8 +107,7 @@ void parameters_section(params::Set& parameters, const WindowState& state) {
     return p.name == "method" || (state.split && state.split->parameter == p.name);
   };
   for (auto first = parameters.begin(), end = first; first != parameters.end(); first = end) {
-    end = std::find_if(first, parameters.end(),
-                       [&](const params::Parameter& p) { return p.section != first->section; });
+    end = std::find_if(first, parameters.end(), [&](const auto& p) { return p.section != first->section; });
     const auto changed = std::count_if(first, end, [](const auto& p) { return !p.is_default(); });
     const std::string count = changed > 0 ? fmt::format("  ({} changed)", changed) : "";
     const bool starts_open = std::any_of(first, end, is_of_lesson);

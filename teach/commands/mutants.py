@@ -238,7 +238,7 @@ class Suite:
         for test in self.tests:
             order = order_of(test, self.tree, pathlib.PurePath(file))
             if short(test["name"]) in catchers:
-                order = (-1, 0)
+                order = (-1, *(order or (sys.maxsize, 0)))
             if test["is_used"] and order:
                 stages.setdefault(order, []).append(test)
         log = self.logs / f"{name}.log"

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdlib>
+#include <set>
 
 #include "../support/picture_files.hpp"
 #include "../support/said.hpp"
@@ -31,10 +31,8 @@ struct Grey : Lab<GreyParameters> {
   }
 
   static std::string names_in(const std::filesystem::path& place) {
-    std::vector<std::string> names;
-    for (const auto& file : std::filesystem::directory_iterator(place))
-      names.push_back(file.path().filename());
-    std::sort(names.begin(), names.end());
+    std::set<std::string> names;
+    for (const auto& file : std::filesystem::directory_iterator(place)) names.insert(file.path().filename());
     std::string text;
     for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
     return text;

@@ -182,8 +182,7 @@ class Cache {
   /// The value of `key`, which `make` makes if it is not there. Valid until the end of the frame.
   template <class Make>
   Value& get(const Key& key, Make&& make) {
-    const auto found =
-        std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.key == key; });
+    const auto found = std::ranges::find(entries_, key, &Entry::key);
     if (found != entries_.end())
       entries_.splice(entries_.begin(), entries_, found);
     else
