@@ -181,7 +181,7 @@ class Suite:
             labels = [label for one in entry.get("properties", []) if one["name"] == "LABELS" for label in one["value"]]
             self.tests.append({"number": number, "name": entry["name"], "key": f"{program.name} {entry['name']}".lower(),
                                "target": program.name if built else "",
-                               "is_used": not {"tree", "class"} & set(labels), "seconds": 0})
+                               "is_used": not {"tree", "class", "exhaustive"} & set(labels), "seconds": 0})
         numbers = {test["name"]: test["number"] for test in self.tests if test["is_used"]}
         xml, store = self.logs / "unchanged.xml", self.logs / "unchanged.json"
         known, runs = json.loads(store.read_text(encoding="utf-8")) if store.exists() else ("", {})

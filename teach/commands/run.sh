@@ -98,6 +98,9 @@ check_format() {
   sources | xargs -0 -n 16 -P "$(nproc)" clang-format --dry-run -Werror || fail 1 "some files are not formatted; ./run format fixes that"
 }
 
+# What is exhaustive runs on a build server, and by --all.
+exhaustive() { [[ -n ${CI:-}${TEXEL_TEST_ALL:-} ]]; }
+
 run_tests() { # preset, arguments of ctest
   say "Testing (preset $1)"
   # One more than there are processors: the tests of windows and pages mostly wait.
@@ -148,7 +151,9 @@ run_all_tests() {
     "$root/run" web && "$root/run" web --starter
   fi
   build_tests
-  run_tests release
+  local some=(--label-exclude exhaustive)
+  exhaustive && some=()
+  run_tests release "${some[@]}"
   configure asan-ubsan -D TEXEL_TESTS=ON
   build asan-ubsan tests/all
   run_tests asan-ubsan

@@ -10,7 +10,10 @@ draws_the_same() {
   "$bin/$1" --size 256x256 --snapshot "$work/alone.png" && "$bin/$1" --size 256x256 --context window --snapshot "$work/window.png" &&
     cmp "$work/alone.png" "$work/window.png"
 }
-for lab in "${labs[@]}"; do
+each=3 # or all, where all tests run
+[[ -z ${CI:-}${TEXEL_TEST_ALL:-} ]] || each=1
+for ((i = 0; i < ${#labs[@]}; i += each)); do
+  lab=${labs[i]}
   program=lab$(basename "$(dirname "$lab")")
   check "$program draws the same in a window's context" draws_the_same "$program"
   check "$program opens" open_lab "$program"
