@@ -48,8 +48,11 @@ std::string write_unseen(const std::string& kind, std::uint64_t number, const fs
   const fs::path named(kind);
   const std::string shape = named.stem().string(), obj = material::unseen_model(shape, number);
   const bool is_mesh = named.extension() == ".ply";
-  const fs::path file = models / fmt::format("{}_{:016x}.{}", shape, number, is_mesh ? "ply" : "obj");
-  write_file(file, is_mesh ? mesh_of(obj, file.string()) : obj);
+  const std::string text = is_mesh ? mesh_of(obj, kind) : obj;
+  // Named after what it holds, so references are those of another model when a course makes another one.
+  const fs::path file =
+      models / fmt::format("{}_{:.16}.{}", shape, fingerprint({text}), is_mesh ? "ply" : "obj");
+  write_file(file, text);
   return file.string();
 }
 

@@ -203,7 +203,7 @@ def shared(random, least=24, most=32):  # as many vertices as nobody finds who l
     # One that is very small, and one without area: its corners lie on a line along x.
     x, y, z = random.vector(0.4, 0.6)
     faces.append([corner | {"v": text.add("v", plus((x, y, z), place))} for corner, place in
-                  zip(faces[2], ((0, 0, 0.2), (0.001, 0, 0.2), (0, 0.001, 0.2)))])
+                  zip(faces[2], ((0, 0, 0.2), (0.0003, 0, 0.2), (0, 0.0003, 0.2)))])
     faces.append([corner | {"v": text.add("v", (x, y, z))} for corner, x in zip(faces[1], (0.2, 0.3, 0.4))])
     random.shuffle(faces)  # equal corners lie far apart
     for corners in faces:

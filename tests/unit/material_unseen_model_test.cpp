@@ -239,8 +239,8 @@ TEST(UnseenNumbers, has_every_count_of_numbers) {
 }
 
 TEST(UnseenModel, of_an_unknown_kind_is_an_error_that_names_a_near_one) {
-  EXPECT_TRUE(
-      test::has(test::error_of([] { unseen_model("polygon", 1); }, Exit::usage), "did you mean 'polygons'?"));
+  const std::string said = test::error_of([] { unseen_model("polygon", 1); }, Exit::usage);
+  EXPECT_TRUE(test::has(said, "did you mean 'polygons'?")) << said;
 }
 
 }  // namespace
