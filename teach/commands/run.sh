@@ -26,7 +26,7 @@ For teachers and makers of the course:
                        student; see docs/instructor.md
 ./run course NAME [..] autograder for Gradescope, GitHub workflow, gradebook,
                        similarity; see docs/course.md
-./run test             check the formatting, build, run all tests, and run the
+./run test             check the formatting, build, run the tests, and run the
                        parsers' tests with sanitizers
 ./run test N           build, and run the tests of lab N
 ./run test ROOM        build, and run the tests of one folder below common or
