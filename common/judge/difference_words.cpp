@@ -43,7 +43,7 @@ constexpr std::array kWays = {
     ", but blurred: neighbouring pixels differ {k} times as much",
     ", but grey",
     ", but with its colours at other places",
-    ", turned at each place in another way, by about {k} degrees",
+    ", turned at each place in another way, by about {a} degrees",
     ", but nothing is drawn there",
     ", but something is drawn where only the background should be",
     ", but of another outline: some of the object is missing, or lies where the background should be",
