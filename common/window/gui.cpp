@@ -150,8 +150,8 @@ void draw_texture(const gl::Texture& texture, ImVec2 from, ImVec2 to, ImVec2 upp
 
 void draw_legend(const app::Legend& legend, const gl::Texture& picture, float scale) {
   ImGui::TextUnformatted(legend.title.c_str());
-  const bool is_bar = !legend.ticks.empty();
-  const float margin = is_bar ? 12 * scale : 0;  // for the numbers at both ends
+  const bool is_bar = !legend.ticks.empty();  // with room for half a number at both ends
+  const float margin = is_bar ? ImGui::CalcTextSize(legend.ticks.back().second.c_str()).x / 2 : 0;
   const ImVec2 room = is_bar ? ImVec2(190 * scale, 12 * scale) : ImVec2(64 * scale, 64 * scale),
                corner = ImGui::GetCursorScreenPos(), at(corner.x + margin, corner.y),
                to(at.x + room.x, at.y + room.y);

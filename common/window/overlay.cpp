@@ -92,7 +92,7 @@ void draw_overlay(app::AnyLab& lab, WindowState& state, glm::vec2 size, float pi
     const auto name = [&](const std::string& side, float pivot) {
       const float width = ImGui::CalcTextSize(side.c_str()).x, left = x - pivot * (width + 2 * gap);
       canvas.AddRectFilled({left, y - gap / 2}, {left + width + 2 * gap, size.y - gap / 2},
-                           IM_COL32(0, 0, 0, 170));
+                           IM_COL32(0, 0, 0, 225));
       canvas.AddText({left + gap, y}, IM_COL32_WHITE, side.c_str());
     };
     const auto [left, right] = sides(lab.parameters().at(state.split->parameter), state);
@@ -122,7 +122,7 @@ void draw_overlay(app::AnyLab& lab, WindowState& state, glm::vec2 size, float pi
   if (!state.shown_error().first.empty()) {
     error_plate(state, size, scale);
   } else {
-    const float margin = 12 * scale, bottom = size.y - margin;
+    const float margin = 12 * scale, bottom = size.y - (state.split ? 3 : 1) * margin;  // above the sides
     text_plate("##warnings", {origin + size.x - margin, bottom}, {1, 1}, theme().next,
                fmt::format("{}", fmt::join(state.record.warnings, "\n")));
     if (!state.legend.title.empty() && size.x > 260 * scale)

@@ -83,7 +83,7 @@ function ignoredSection() {
 /** A line with a link to the files that were not used. */
 function ignoredLink() {
   const count = data.ignored.length;
-  return count > 0 && html`<p><a href="#ignored">${counted(count, 'file')} of the submission</a> ${count === 1 ? 'is' : 'are'} not used.</p>`;
+  return count > 0 && html`<p class="aside"><a href="#ignored">${counted(count, 'file')} of the submission</a> ${count === 1 ? 'is' : 'are'} not used.</p>`;
 }
 
 /** What to do first: the submission's or the grader's fault, or the first step that was begun and did not pass. */
@@ -99,9 +99,9 @@ function firstThing() {
     const how = data.logs.length > 0 ? html`Correct the <a href="#compiler">compiler's errors</a>, then` :
         step.isUntouched ? 'All that you began is right. Next is' : 'Correct this first:';
     return html`<div class="start ${step.isUntouched ? 'skipped' : 'failed'}">
-      <p>${how} <a href="#step-${step.id}">step ${step.id}: ${step.title}</a></p>${ignoredLink()}</div>`;
+      <p>${how} <a href="#step-${step.id}">step ${step.id}: ${step.title}</a></p></div>${ignoredLink()}`;
   }
-  return data.labs.length > 0 && html`<div class="start passed"><p>Every step passed.</p>${ignoredLink()}</div>`;
+  return data.labs.length > 0 && html`<div class="start passed"><p>Every step passed.</p></div>${ignoredLink()}`;
 }
 
 function mark() {
