@@ -26,7 +26,7 @@ TEST(StepText, has_the_steps_lines_and_the_handouts_task) {
   write_file(
       root.path() / "labs/05_x/README.md",
       "### 5.1 One\n![A picture.](a.png)\n\nOf *a*\nthis is known:\n\n$$a = b$$\n\n"
-      "| name | value |\n|---|---|\n| `c` | $d_1$ |\n\n- `c`: one,\n  no more.\n\n"
+      "| name | value |\n|---|---|\n| `c` | $d_1$ |\n\n- `c`: 1,\n  2.\n\n"
       "**Predict:** What comes\nnext?\n1. `a`\n2. b,\n   or c\n\n<details><summary>Answers</summary>\n\n"
       "1. No.\n   Not so.\n2. Right: $x_1$.\n\n</details>\n\n- **Where:** here\n"
       "- **Write:** the value,\n  and more.\n- **Checked by:** us\n  and you\n\n"
@@ -38,8 +38,7 @@ TEST(StepText, has_the_steps_lines_and_the_handouts_task) {
   EXPECT_EQ(text.line, 2);
   EXPECT_EQ(text.first_line, 1);
   EXPECT_EQ(text.task,
-            "Of a this is known:\n   a = b\nname | value\nc | d₁\n\nc: one, no more.\n\nWrite: the value, "
-            "and more.");
+            "Of a this is known:\n   a = b\nname | value\nc | d₁\n\nc: 1, 2.\n\nWrite: the value, and more.");
   EXPECT_EQ(text.question, "Predict: What comes next?");
   EXPECT_EQ(text.choices, (std::vector<std::string>{"a", "b, or c"}));
   EXPECT_EQ(text.answers, (std::vector<std::string>{"No. Not so.", "Right: x₁."}));
