@@ -101,7 +101,7 @@ Exit run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& done) {  // --help, --version
-    app.exit(done);
+    fmt::print("{}", done.get_name() == "CallForVersion" ? TEXEL_VERSION "\n" : fitted(app.help()));
     return Exit::holds;
   } catch (const CLI::ParseError& error) {
     throw Error::usage(error.what(), "see --help");

@@ -26,18 +26,26 @@ std::string wrapped(const std::string& text, std::size_t columns, std::size_t in
     line.clear();
   };
   bool is_first = true;  // word of a line of the text: it keeps the blanks before it
+  std::size_t hang = 0;  // of what goes on below
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t letters = is_first ? text.find_first_not_of(' ', at) : at;
     const std::size_t end = std::min(text.find_first_of(" \n", letters), text.size());
-    const std::string word = text.substr(at, end - at);
-    if (!line.empty() && indent + line.size() + 1 + word.size() > columns) flush();
+    std::string word = text.substr(at, end - at);
+    if (const std::size_t gap = text.find("  ", letters); is_first)
+      hang = gap < text.find('\n', letters) ? text.find_first_not_of(' ', gap) - at : letters - at;
+    if (!line.empty() && indent + line.size() + 1 + word.size() > columns) flush(), word.insert(0, hang, ' ');
     line += (line.empty() ? "" : " ") + word;
     is_first = end < text.size() && text[end] == '\n';
-    if (is_first) flush();
+    if (is_first) line.empty() ? void(result += '\n') : flush();
     at = end + 1;
   }
   flush();
   return result;
+}
+
+std::string fitted(const std::string& text, std::size_t indent) {
+  static const std::size_t columns = terminal_columns(STDOUT_FILENO).value_or(80);
+  return wrapped(text, columns, indent);
 }
 
 void flush_output() {

@@ -25,8 +25,7 @@ void MeshBuffers::bind(const Program& program) {
   mesh::for_each_attribute(mesh_, [&]<class Vector>(const std::vector<Vector>& values) {
     const auto attribute = static_cast<Attribute>(next++);
     const auto location = static_cast<GLuint>(attribute);
-    if (std::find(read.begin(), read.end(), attribute) == read.end())
-      return glDisableVertexAttribArray(location);
+    if (std::ranges::count(read, attribute) == 0) return glDisableVertexAttribArray(location);
     if (values.empty())
       throw Error::failed(
           fmt::format("reads the attribute '{}', which the mesh does not have", kAttributeNames[location]),

@@ -75,8 +75,7 @@ Program::Program(std::shared_ptr<const ShaderSource> vertex, std::shared_ptr<con
     GLenum type = 0;
     glGetActiveAttrib(id_, static_cast<GLuint>(i), sizeof text, nullptr, &size, &type, text);
     if (std::string_view(text).starts_with("gl_")) continue;
-    const auto* known =
-        std::find(std::begin(kAttributeNames), std::end(kAttributeNames), std::string_view(text));
+    const auto* known = std::ranges::find(kAttributeNames, std::string_view(text));
     if (known == std::end(kAttributeNames))
       throw Error::failed(fmt::format("there is no vertex attribute '{}'", text),
                           {vertex_->files().front().string()},

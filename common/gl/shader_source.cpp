@@ -241,10 +241,8 @@ void ShaderSource::include(Reading& reading, const std::string& name, const Plac
   if (!std::filesystem::is_regular_file(target))
     return fault(fmt::format("there is no file '{}' to include", name),
                  "name a file beside this one or below shaders/");
-  const auto file =
-      static_cast<std::size_t>(std::find(files_.begin(), files_.end(), target) - files_.begin());
-  if (std::find(reading.open.begin(), reading.open.end(), file) != reading.open.end())
-    return fault(fmt::format("'{}' includes itself", name));
+  const auto file = static_cast<std::size_t>(std::ranges::find(files_, target) - files_.begin());
+  if (std::ranges::count(reading.open, file) > 0) return fault(fmt::format("'{}' includes itself", name));
   if (file == files_.size()) files_.push_back(target), reading.taken.push_back(false);
   if (reading.taken[file]) return;
   if (++reading.includes > kMostIncludes)

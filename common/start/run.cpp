@@ -108,7 +108,7 @@ std::optional<CommandLine> read_command_line(app::AnyLab& lab, int argc, char** 
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& done) {  // --help, --version
-    app.exit(done);
+    fmt::print("{}", done.get_name() == "CallForVersion" ? TEXEL_VERSION "\n" : fitted(app.help()));
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
     throw Error::usage(error.what(), "see --help");
@@ -249,7 +249,7 @@ void run_headless(app::AnyLab& lab, const app::Assets& assets, const CommandLine
 void run_as_asked(app::AnyLab& lab, const CommandLine& line) {
   if (line.list_parameters) {
     fmt::print("{}", line.json ? app::parameters_as_json(lab.parameters())
-                               : app::parameters_as_text(lab.parameters()));
+                               : fitted(app::parameters_as_text(lab.parameters())));
     return;
   }
   if (line.list_views) {

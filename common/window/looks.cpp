@@ -56,8 +56,7 @@ Looks::Looks(app::AnyLab& lab, const app::Assets& assets) {
   } catch (const Error& error) {
     fault = error.what();
   }
-  std::stable_partition(entries.begin(), entries.end(),
-                        [](const Entry& entry) { return entry.look.right || entry.look.hero; });
+  std::ranges::stable_partition(entries, [](const Entry& one) { return one.look.right || one.look.hero; });
 }
 
 void Looks::draw_next(gl::Context& context, const app::Assets& assets, app::AnyLab& lab) {

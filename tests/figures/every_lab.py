@@ -86,6 +86,7 @@ def test_views_begin_with_color(_):
 
 def test_help_explains_every_option(_):
     said = ran("--help")
+    expect(all(len(line) <= 80 for line in (said + ran("--list-parameters")).splitlines()), "a terminal has 80 columns")
     for p in PARAMETERS:
         for part in [flag(p) + " "] + [choice["name"] + ": " for choice in p["choices"]]:
             expect(part in said, part)

@@ -54,7 +54,7 @@ std::string details(const StepResult& step) {
   const bool is_drawn = !telling.picture.empty();
   const std::string see = paint(kDim, fmt::format("{:12}see it: ./run see {}\n", "", step.id));
   if (step.is_untouched() && is_drawn)
-    return wrapped("Not begun. Write your lines there.", indent) + see + prediction(step.id, 0, indent);
+    return fitted("Not begun. Write your lines there.", indent) + see + prediction(step.id, 0, indent);
   // One fault may be in the way of several cases.
   std::vector<std::pair<std::string, std::string>> names_by_message;
   for (const CaseResult& one : step.cases) {
@@ -67,9 +67,9 @@ std::string details(const StepResult& step) {
   std::string text;
   const bool concerns_all = !is_drawn && names_by_message.size() == 1;  // a shader that does not compile
   for (const auto& [names, message] : names_by_message)
-    text += wrapped(concerns_all ? message : fmt::format("{}: {}", names, message), indent);
+    text += fitted(concerns_all ? message : fmt::format("{}: {}", names, message), indent);
   if (!step.mistake_says.empty())
-    text += paint(kYellow, wrapped("This looks like: " + step.mistake_says, indent));
+    text += paint(kYellow, fitted("This looks like: " + step.mistake_says, indent));
   return is_drawn ? text + see : text;
 }
 
@@ -81,11 +81,6 @@ std::string what_follows(int number) {
 }
 
 }  // namespace
-
-std::string wrapped(const std::string& text, std::size_t indent) {
-  static const std::size_t columns = terminal_columns(STDOUT_FILENO).value_or(80);
-  return texel::wrapped(text, columns, indent);
-}
 
 const StepResult* next_step(const LabResult& lab) {
   const StepResult* latest = nullptr;
@@ -111,12 +106,12 @@ std::string report(const LabResult& lab) {
     if (step.status == Status::skipped && &step != next && step.message != said)
       line += fmt::format(": {}", said = step.message);
     const std::string begin = fmt::format("  {:<5}  {}  ", word, step.id);
-    line = begin + wrapped(line, begin.size()).substr(begin.size());
+    line = begin + fitted(line, begin.size()).substr(begin.size());
     text += paint(step.passed() ? kGreen : &step == next ? kYellow : kDim, line);
     // A picture that cannot be drawn is told at the next step: another step's text may be the reason.
     if (&step != next && !(is_wrong(step) && !judge::clearest_case(step)->picture.empty())) continue;
     text += paint(kDim, fmt::format("{:12}{}:{}\n", "", step.file, step.line));
-    if (&step == next && step.status == Status::skipped) text += wrapped(step.message, 12);
+    if (&step == next && step.status == Status::skipped) text += fitted(step.message, 12);
     if (is_wrong(step) || step.status != Status::skipped) text += details(step);
   }
   if (lab.steps.size() < lab.lab.steps.size() && next == nullptr)  // some of them were asked for
@@ -126,7 +121,7 @@ std::string report(const LabResult& lab) {
             what_follows(lab.lab.number) + "\n";
   else
     text += fmt::format("A hint: ./run hint {}\n", next->id);
-  for (const std::string& note : lab.notes) text += paint(kDim, wrapped(note));
+  for (const std::string& note : lab.notes) text += paint(kDim, fitted(note));
   return text;
 }
 
@@ -156,8 +151,8 @@ std::string progress_report(const std::vector<LabResult>& labs) {
                       paint(kGreen, done), to_do, waits);
   for (const LabResult& lab : labs)
     for (const std::string& copy : lab.lab.copies)
-      text += wrapped(fmt::format("labs/{} is a copy of lab {}: what is written there does not count.", copy,
-                                  lab.lab.number));
+      text += fitted(fmt::format("labs/{} is a copy of lab {}: what is written there does not count.", copy,
+                                 lab.lab.number));
   if (next != nullptr)
     text += fmt::format("next: {} {}   ./run watch {}\nWhat is left takes about {}.\n", next_step(*next)->id,
                         next_step(*next)->title, next->lab.number,

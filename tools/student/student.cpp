@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "core/json.hpp"
+#include "core/terminal.hpp"
 #include "course/markers.hpp"
 #include "course/step_text.hpp"
 #include "image/save.hpp"
@@ -90,17 +91,17 @@ std::string prediction(const std::string& step, std::size_t choice, std::size_t 
   if (text.question.empty()) return {};
   if (choice > text.answers.size())
     throw Error::usage(fmt::format("there is no answer {}", choice), "choose one of the numbers");
-  std::string said = wrapped(text.question, indent);
+  std::string said = fitted(text.question, indent);
   for (std::size_t i = 0; i < text.choices.size(); ++i)
-    if (choice == 0 || choice == i + 1) said += wrapped(fmt::format("{} {}", i + 1, text.choices[i]), indent);
-  return said + wrapped(choice == 0 ? fmt::format("Your answer: ./run predict {} 1, 2 or 3", step)
-                                    : text.answers[choice - 1],
-                        indent);
+    if (choice == 0 || choice == i + 1) said += fitted(fmt::format("{} {}", i + 1, text.choices[i]), indent);
+  return said + fitted(choice == 0 ? fmt::format("Your answer: ./run predict {} 1, 2 or 3", step)
+                                   : text.answers[choice - 1],
+                       indent);
 }
 
 std::string after_step(const std::string& step) {
   const std::string after = handout_of(step).after;
-  return after.empty() ? "" : wrapped(fmt::format("{}: {}", step, after));
+  return after.empty() ? "" : fitted(fmt::format("{}: {}", step, after));
 }
 
 std::string next_hint(const course::Step& step) {
@@ -114,9 +115,9 @@ std::string next_hint(const course::Step& step) {
   shown[step.id] = count;
   make_folder(file.parent_path());
   write_file(file, to_text(shown, 1) + "\n");
-  std::string text = wrapped(fmt::format("Step {}: {}", step.id, step.title));
+  std::string text = fitted(fmt::format("Step {}: {}", step.id, step.title));
   for (std::size_t i = 0; i < count; ++i)
-    text += wrapped(fmt::format("hint {} of {}: {}", i + 1, step.hints.size(), step.hints[i]), 2);
+    text += fitted(fmt::format("hint {} of {}: {}", i + 1, step.hints.size(), step.hints[i]), 2);
   if (before == step.hints.size()) text += "  This was the last hint.\n";
   return text;
 }
@@ -137,9 +138,9 @@ Exit see(const std::string& wanted, fs::path out, const std::string& context) {
   const judge::LabResult lab = check_places({wanted}, context).front();
   const judge::StepResult& step = lab.steps.front();
   const judge::CaseResult& one = *judge::clearest_case(step);  // each step has a case
-  fmt::print("{}", wrapped(fmt::format("{} {}, {}: {}", step.id, step.title, one.name,
-                                       one.passed() ? "right" : one.message)));
-  if (!one.mistake_says.empty()) fmt::print("{}", wrapped("This looks like: " + one.mistake_says));
+  fmt::print("{}", fitted(fmt::format("{} {}, {}: {}", step.id, step.title, one.name,
+                                      one.passed() ? "right" : one.message)));
+  if (!one.mistake_says.empty()) fmt::print("{}", fitted("This looks like: " + one.mistake_says));
   if (one.picture.empty()) return Exit::failed;  // the message says why
   if (one.is_mesh()) {
     std::string flags;
@@ -199,8 +200,8 @@ Exit reset(const std::string& step) {
       kept = fmt::format("{}.before-reset-{}", (root / file).string(), i);
     write_file(kept, own);
     write_file(root / file, text);
-    fmt::print("{}", wrapped(fmt::format("{}: step {} has its starting code again; your code is in {}", file,
-                                         step, kept.lexically_relative(root).generic_string())));
+    fmt::print("{}", fitted(fmt::format("{}: step {} has its starting code again; your code is in {}", file,
+                                        step, kept.lexically_relative(root).generic_string())));
     changed = true;
   }
   if (!changed) fmt::print("step {} already has its starting code\n", step);

@@ -38,7 +38,4 @@ std::string report(const judge::LabResult& lab);
 /// A line for each lab, how far it is, and what comes next in the course.
 std::string progress_report(const std::vector<judge::LabResult>& labs);
 
-/// Text in lines that fit the terminal, each after so many blanks.
-std::string wrapped(const std::string& text, std::size_t indent = 0);
-
 }  // namespace texel::tools

@@ -88,7 +88,7 @@ class Watch {
                                                         flush_output();
                                                       });
     if (messages.empty()) return true;
-    fmt::print("Your code cannot be built. The messages from the first error on:\n{}", wrapped(messages));
+    fmt::print("Your code cannot be built. The messages from the first error on:\n{}", fitted(messages));
     return false;
   }
 
