@@ -285,7 +285,7 @@ void draw_panel(app::AnyLab& lab, WindowState& state, float scale) {
   const std::string status = status_of(state);
   const std::vector<judge::StepResult> nothing, &course = state.steps ? state.steps->found().course : nothing;
   const float line = course.empty() ? 0 : 2 * ImGui::GetTextLineHeightWithSpacing();
-  ImGui::BeginChild("sections", {0, -status_height(status) - line});
+  ImGui::BeginChild("sections", {0, -status_height(status) - line}, false, ImGuiWindowFlags_NavFlattened);
   wrapped_text(theme().dim, info.lesson);
   buttons(state);
   steps_section(lab, state);

@@ -27,9 +27,8 @@ std::string figure(const judge::StepResult& step) {
 
 void step_details(app::AnyLab& lab, WindowState& state, const judge::StepResult& step) {
   wrapped_plain(theme().dim, fmt::format("{}:{}", step.file, step.line));
-  const auto picked = std::ranges::find_if(step.cases, [&](const judge::CaseResult& one) {
-    return state.case_pictures && state.case_pictures->result.name == one.name;
-  });
+  const std::string open = state.case_pictures ? state.case_pictures->result.name : "";
+  const auto picked = std::ranges::find(step.cases, open, &judge::CaseResult::name);
   const std::string& message = picked != step.cases.end() ? picked->message : step.message;
   if (step.status != Status::passed && state.shown_error().first.empty())
     wrapped_plain(theme().text, message);
@@ -90,9 +89,7 @@ void steps_section(app::AnyLab& lab, WindowState& state) {
     if (ImGui::IsItemToggledOpen() && shows) pick_step(lab, state, step);
     if (ImGui::IsItemHovered() && is_done) ImGui::SetTooltip("%s", figure(step).c_str());
     ImGui::SameLine();  // the title beside the triangle: a tree node's own text is not wrapped
-    const std::string waits = step.status == Status::skipped && !step.spoilt_by.empty()
-                                  ? " (for " + judge::listed(step.spoilt_by) + ")"
-                                  : "";
+    const std::string waits = step.spoilt_by.empty() ? "" : " (for " + judge::listed(step.spoilt_by) + ")";
     wrapped_plain(color,
                   fmt::format("{} {} {}{}", judge::word_of(step, is_next), step.id, step.title, waits));
     if (is_wrong && !shows && !step.is_untouched()) {

@@ -285,9 +285,12 @@ void Window::go_on_with_turntable() {
 }
 
 void Window::on_key(int key, int action, bool control) {
-  if (action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
-  if (ImGui::GetIO().NavVisible && key == GLFW_KEY_SPACE)
-    return;  // it presses the control that has the focus
+  ImGuiIO& io = ImGui::GetIO();
+  // Of Dear ImGui the space bar presses a control, and Tab finds fields of text alone.
+  const int known = key == GLFW_KEY_ENTER ? GLFW_KEY_SPACE : key == GLFW_KEY_TAB ? GLFW_KEY_DOWN : 0;
+  if (known != 0 && !io.WantTextInput) io.KeysDown[known] = action != GLFW_RELEASE;
+  if (action == GLFW_RELEASE || io.WantTextInput) return;
+  if (io.NavVisible && key == GLFW_KEY_SPACE) return;  // it presses the control that has the focus
   // Held down, Esc would close one thing after the other, and quit.
   if (action == GLFW_REPEAT && key == GLFW_KEY_ESCAPE) return;
   for (const Key& one : kKeys)

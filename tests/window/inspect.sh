@@ -31,3 +31,13 @@ xdotool mousemove --window "$window" 400 30 click 1
 check 'the background has none' eventually has_no_frames
 check 'Esc quits with exit code 0' quits_with 0
 check 'nothing stands on standard error' test ! -s "$work/errors"
+
+# A key is held for some frames: the panel reads once a frame which are down.
+hold() { xdotool keydown --window "$window" "$1" && sleep 0.3 && xdotool keyup --window "$window" "$1"; }
+marks() { hold Tab && shows_other "$work/panel" 340x640+0+0; }
+check 'lab 5 opens' open_lab lab05_normal_map --turn 0
+check 'the panel comes to rest' settle "$work/panel" 340x640+0+0
+check 'Tab marks a control without a click' eventually marks
+until_pressed() { hold Tab && look "$work/marked" 340x640+0+0 && hold Return && shows_other "$work/marked" 340x640+0+0; }
+check 'Enter presses one' eventually until_pressed
+check 'and the lab still quits' quits_with 0
