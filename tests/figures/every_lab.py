@@ -98,6 +98,23 @@ def test_help_explains_every_option(_):
         expect(f"{flag(p)} ({p['type']}" in said, flag(p))
 
 
+def test_shaders_are_printed_with_the_origin_of_each_constant_and_uniform(_):
+    said = ran("--print-shader", "--size", "64x64")
+    expect(f"// ---- shaders/{NAME[3:]}/" in said and "#line " not in said, said)
+    flags, counts = {flag(p) for p in PARAMETERS}, collections.Counter()
+    for line in said.splitlines():
+        _, _, origin = line.rpartition("  // ") if "  // " in line else ("", "", "")
+        of = re.split("[ :]", origin)[0]
+        if line.startswith("#define ") and of.startswith("--"):
+            expect(of in flags | {"--view"}, line)
+            counts["constants"] += 1
+        if line.startswith("uniform "):
+            of_the_lab = origin == "set in the lab's draw()"
+            expect(of_the_lab or of in flags, line)
+            counts["of the lab" if of_the_lab else "of parameters"] += 1
+    expect(counts["constants"] > 1 and counts["of parameters"] > 0, counts)
+
+
 def objects():
     """What the default look shows: the eight materials of lab 3's ship, lab 7's five spheres and what surrounds them, the ball of labs 8
     and 9 and what it mirrors; else one object."""
@@ -124,23 +141,6 @@ def test_only_what_the_scene_needs_is_there(_):
            ("start", "loader", "context", "decode", "compile", "first_draw", "total", "draw")), times)
     whole = sum(time for stage, time in times.items() if stage not in ("total", "draw"))  # all time is somebody's
     expect(abs(whole - times["total"]) < 1e-6, times)
-
-
-def test_shaders_are_printed_with_the_origin_of_each_constant_and_uniform(_):
-    said = ran("--print-shader", "--size", "64x64")
-    expect(f"// ---- shaders/{NAME[3:]}/" in said and "#line " not in said, said)
-    flags, counts = {flag(p) for p in PARAMETERS}, collections.Counter()
-    for line in said.splitlines():
-        _, _, origin = line.rpartition("  // ") if "  // " in line else ("", "", "")
-        of = re.split("[ :]", origin)[0]
-        if line.startswith("#define ") and of.startswith("--"):
-            expect(of in flags | {"--view"}, line)
-            counts["constants"] += 1
-        if line.startswith("uniform "):
-            of_the_lab = origin == "set in the lab's draw()"
-            expect(of_the_lab or of in flags, line)
-            counts["of the lab" if of_the_lab else "of parameters"] += 1
-    expect(counts["constants"] > 1 and counts["of parameters"] > 0, counts)
 
 
 # ---- Bad input gives one clear line, the right exit code, and no file.
