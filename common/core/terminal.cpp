@@ -31,8 +31,9 @@ std::string wrapped(const std::string& text, std::size_t columns, std::size_t in
     const std::size_t letters = is_first ? text.find_first_not_of(' ', at) : at;
     const std::size_t end = std::min(text.find_first_of(" \n", letters), text.size());
     std::string word = text.substr(at, end - at);
-    if (const std::size_t gap = text.find("  ", letters); is_first)
-      hang = gap < text.find('\n', letters) ? text.find_first_not_of(' ', gap) - at : letters - at;
+    if (const std::size_t gap = is_first ? text.find("  ", letters) : 0; is_first)
+      hang = std::min(columns / 2,
+                      (gap < text.find('\n', letters) ? text.find_first_not_of(' ', gap) : letters) - at);
     if (!line.empty() && indent + line.size() + 1 + word.size() > columns) flush(), word.insert(0, hang, ' ');
     line += (line.empty() ? "" : " ") + word;
     is_first = end < text.size() && text[end] == '\n';
@@ -44,8 +45,7 @@ std::string wrapped(const std::string& text, std::size_t columns, std::size_t in
 }
 
 std::string fitted(const std::string& text, std::size_t indent) {
-  static const std::size_t columns = terminal_columns(STDOUT_FILENO).value_or(80);
-  return wrapped(text, columns, indent);
+  return wrapped(text, terminal_columns(STDOUT_FILENO).value_or(80), indent);
 }
 
 void flush_output() {

@@ -288,7 +288,7 @@ void Window::on_key(int key, int action, bool control) {
   ImGuiIO& io = ImGui::GetIO();
   // Of Dear ImGui the space bar presses a control, and Tab finds fields of text alone.
   const int known = key == GLFW_KEY_ENTER ? GLFW_KEY_SPACE : key == GLFW_KEY_TAB ? GLFW_KEY_DOWN : 0;
-  if (known != 0 && !io.WantTextInput) io.KeysDown[known] = action != GLFW_RELEASE;
+  if (known != 0) io.KeysDown[known] = action != GLFW_RELEASE && !io.WantTextInput;
   if (action == GLFW_RELEASE || io.WantTextInput) return;
   if (io.NavVisible && key == GLFW_KEY_SPACE) return;  // it presses the control that has the focus
   // Held down, Esc would close one thing after the other, and quit.

@@ -190,9 +190,8 @@ TEST(PlainText, has_lines_that_end_with_any_line_feed_and_breaks_them_at_blanks)
   EXPECT_EQ(lines_of("a\r\n\nb\nc"), lines);
   EXPECT_EQ(lines_of("a\n\nb\nc\n"), lines);
   EXPECT_TRUE(lines_of("").empty());
-  EXPECT_EQ(wrapped("one two three\n  four\n\na   b c", 6), "one\ntwo\nthree\n  four\n\na   b\n    c\n");
-  EXPECT_EQ(wrapped("see a/path/that/is/long.cpp:1: no", 10, 2),
-            "  see\n  a/path/that/is/long.cpp:1:\n  no\n");
+  EXPECT_EQ(wrapped("one two three\n  four\n\na   b ccc", 8), "one two\nthree\n  four\n\na   b\n    ccc\n");
+  EXPECT_EQ(wrapped("see a/path/a.cpp:1: no", 10, 2), "  see\n  a/path/a.cpp:1:\n  no\n");
 }
 
 TEST(Json, keeps_the_order_of_keys) {

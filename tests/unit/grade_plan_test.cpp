@@ -92,6 +92,7 @@ TEST_F(Plan, writes_models_that_nobody_has_seen) {
   EXPECT_TRUE(unseen.hidden);
   const fs::path file = unseen.settings[0].value;
   EXPECT_EQ(file, models_ / fmt::format("polygons_{:.16}.obj", fingerprint({read_file(file)})));
+  EXPECT_FALSE(mesh::load_obj(file).corners.empty());
   EXPECT_NE(read_file(file), read_file(plan_of(lab_, "t").front().cases[2].settings[0].value));
 }
 
