@@ -29,7 +29,7 @@ void bind_and_clear(const gl::Target& target) {
   const glm::vec4& background = background_of(target);
   glClearColor(background.r, background.g, background.b, background.a);
   glDepthMask(GL_TRUE);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
 }  // namespace
@@ -70,6 +70,10 @@ void Canvas::draw_into(const gl::Target& target, View view, const std::optional<
     if (!edges_ || view != View::color) return;
     glEnable(GL_COLOR_LOGIC_OP);
     glLogicOp(GL_INVERT);
+    // Once each: an edge is drawn with both of its triangles, and twice inverted is as before.
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_EQUAL, 0, ~0U);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
     glEnable(GL_POLYGON_OFFSET_LINE);
     glPolygonOffset(-1, -1);
     glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
@@ -77,6 +81,7 @@ void Canvas::draw_into(const gl::Target& target, View view, const std::optional<
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glDisable(GL_POLYGON_OFFSET_LINE);
     glDisable(GL_COLOR_LOGIC_OP);
+    glDisable(GL_STENCIL_TEST);
   };
   if (!split) {
     draw_once();

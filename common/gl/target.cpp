@@ -36,7 +36,7 @@ Target::Target(Kind kind, int width, int height, int samples, const Target* othe
     scratch_ = std::make_shared<Scratch>();
     const GLsizei stored = samples_ > 1 ? samples_ : 0;
     glBindRenderbuffer(GL_RENDERBUFFER, scratch_->depth.id());
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, stored, GL_DEPTH_COMPONENT24, width, height);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, stored, GL_DEPTH24_STENCIL8, width, height);
     if (samples_ > 1) {
       glBindFramebuffer(GL_FRAMEBUFFER, scratch_->multisampled.id());
       glBindRenderbuffer(GL_RENDERBUFFER, scratch_->color.id());
@@ -45,7 +45,8 @@ Target::Target(Kind kind, int width, int height, int samples, const Target* othe
     }
   }
   bind();
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, scratch_->depth.id());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
+                            scratch_->depth.id());
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE)
     throw Error::failed(fmt::format("this renderer cannot draw into a {}x{} {} picture (0x{:04x})", width,

@@ -189,7 +189,10 @@ void Window::perform(Action action) {
         toggle(state_.light_theme);
         return set_theme(state_.light_theme, scale_);
       case Action::toggle_wireframe:
-        return toggle(state_.wireframe);
+        toggle(state_.wireframe);
+        if (state_.wireframe && state_.view != app::View::color)
+          state_.message = "edges are drawn over the view color";
+        return;
       case Action::toggle_axes:
         toggle(state_.axes);
         if (std::ranges::count(lab_.views(), app::View::normal) == 0)

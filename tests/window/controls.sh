@@ -54,7 +54,9 @@ check 'F1 shows the keys' changed_from "$work/first"
 press F1
 check 'and hides them' returned_to "$work/first"
 press w
-check 'W shows the triangles' changed_from "$work/first"
+# Measured: 102337 pixels; 44704 where an edge that two triangles share is inverted twice.
+has_edges() { settle "$work/edges" && (($(compare -metric AE "$work/first" "$work/edges" null: 2>&1) > 80000)); }
+check 'W shows the edges of all triangles' eventually has_edges
 press w
 check 'and the surface again' returned_to "$work/first"
 # shows_lines: red, green and blue lines of T, B and N.

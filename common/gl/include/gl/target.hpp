@@ -10,7 +10,7 @@ namespace texel::gl {
 
 /// A framebuffer object to draw into: colour as GL_SRGB8_ALPHA8 (with GL_FRAMEBUFFER_SRGB on, linear values
 /// are encoded as they are written), encoded colour as GL_RGBA8 (shaders encode; a pixel's samples are
-/// averaged as they are encoded) or GL_RGBA32F for data, and a depth buffer.
+/// averaged as they are encoded) or GL_RGBA32F for data, with a buffer of depth and stencil.
 class Target {
  public:
   enum class Kind { color, encoded, data };
