@@ -56,7 +56,7 @@ std::string text_at(const std::map<std::string, std::string>& texts, const std::
   return found == texts.end() ? "" : found->second;
 }
 
-/// The step that a line is of, as "labs/03_obj_texcoords/triangulate.cpp:41": the last one in its file that
+/// The step that a line is of, as "labs/03_obj_texcoords/clip_ears.cpp:41": the last one in its file that
 /// begins above it, else the first; "" for any other file.
 std::string step_at(const fs::path& source, const std::string& line) {
   std::string found;
@@ -197,7 +197,8 @@ fs::path expected_folder(const fs::path& source, const course::Lab& lab) {
 }
 
 bool is_software(const std::string& renderer) {
-  constexpr std::array kNames = {"llvmpipe", "softpipe", "lavapipe", "swrast", "Software Rasterizer"};
+  constexpr std::array kNames = {"llvmpipe",   "softpipe", "lavapipe", "swrast", "Software Rasterizer",
+                                 "SwiftShader"};
   return std::ranges::any_of(kNames, [&](const char* name) { return renderer.find(name) != renderer.npos; });
 }
 
@@ -208,9 +209,8 @@ std::string renderer_note(const std::string& own, const std::string& expected) {
         "libgl1-mesa-dri and type LIBGL_ALWAYS_SOFTWARE=1 before the command.",
         own);
   if (expected.empty() || expected == own) return fmt::format("Drawn by {}.", own);
-  return fmt::format(
-      "Your pictures are drawn by {}, the expected ones by {}. The limits allow for both: docs/accuracy.md.",
-      own, expected);
+  return fmt::format("Your pictures are drawn by {}, the expected ones by {}. The limits allow for both.",
+                     own, expected);
 }
 
 std::set<std::string> untouched_steps(const OwnTree& tree) {

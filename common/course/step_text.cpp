@@ -10,12 +10,12 @@
 #include "core/files.hpp"
 #include "core/pattern.hpp"
 #include "core/plain_text.hpp"
+#include "course/markers.hpp"
 
 namespace texel::course {
 namespace {
 
-constexpr std::size_t kMostLines = 200;  // of a step whose last marker is gone
-constexpr std::size_t kMostBefore = 6;   // of the function's head
+constexpr std::size_t kMostBefore = 6;  // lines of the function's head
 
 /// Of formulas that stand in lines of their own.
 constexpr const char* kIndent = "   ";
@@ -96,20 +96,22 @@ std::string without_markdown(const std::string& text) {
 StepText read_step_text(const std::filesystem::path& root, const std::string& lab_folder,
                         const std::string& step, const std::string& file, int line) {
   StepText text;
-  text.file = root / file, text.shown_file = file, text.line = line, text.first_line = line;
+  text.file = root / file, text.shown_file = file, text.line = line;
   try {
-    const std::vector<std::string> lines = lines_of(read_file(text.file));
-    const auto begin = static_cast<std::size_t>(std::max(line, 1)) - 1;
-    // From the comment and the head of the function on.
-    std::size_t first = std::min(begin, lines.size());
-    while (first > 0 && begin - first < kMostBefore && !lines[first - 1].empty() &&
-           lines[first - 1].find("//@") == std::string::npos)
-      --first;
-    text.first_line = static_cast<int>(first) + 1;
-    for (std::size_t i = first; i < lines.size(); ++i) {
-      if (lines[i].find("//@starter") != std::string::npos || text.lines.size() == kMostLines) break;
-      text.lines.push_back(lines[i]);
-      if (i >= begin && lines[i].find("//@end") != std::string::npos) break;
+    const std::string all = read_file(text.file);
+    const std::vector<std::string> lines = lines_of(all);
+    for (const StepPart& part : parts_of(all)) {
+      if (part.step != step || !part.is_whole()) continue;
+      const auto begin = static_cast<std::size_t>(part.line) - 1;
+      // From the comment and the head of the function on.
+      std::size_t first = begin;
+      while (first > 0 && begin - first < kMostBefore && !lines[first - 1].empty() &&
+             lines[first - 1].find("//@") == std::string::npos)
+        --first;
+      const std::string own = all.substr(part.begin, part.text_end - part.begin);
+      const std::size_t end = begin + static_cast<std::size_t>(std::ranges::count(own, '\n'));
+      for (std::size_t i = first; i < end && lines[i].find("//@starter") == std::string::npos; ++i)
+        text.lines.push_back({static_cast<int>(i) + 1, lines[i], i <= begin});
     }
   } catch (const Error&) {
     text.lines.clear();  // the file's name still helps

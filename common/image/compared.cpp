@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <glm/glm.hpp>
 
@@ -29,12 +28,8 @@ Compared compared(const Picture& own, const Picture& expected, double least_scal
                   const Shown& shown) {
   if (own.width != expected.width || own.height != expected.height)
     throw Error::failed("your picture does not have the size of the expected one");
-  Compared all{shown(own), shown(expected), {}, {}, compare(expected, own, comparing), 0};
+  Compared all{shown(own), shown(expected), {}, compare(expected, own, comparing), 0};
   all.full_scale = std::max(std::isnan(comparing.told) ? all.figures.max : comparing.told, least_scale);
-  all.difference = all.own;
-  for (std::size_t i = 0; i < all.own.samples.size(); ++i)
-    all.difference.samples[i] =
-        static_cast<std::uint8_t>(std::abs(all.own.samples[i] - all.expected.samples[i]));
   all.heat_map = heatmap(all.figures, all.full_scale);
   return all;
 }

@@ -106,8 +106,8 @@ void draw_overlay(app::AnyLab& lab, WindowState& state, glm::vec2 size, float pi
   }
   for (int i = 0; i < 3; ++i)
     if (std::ranges::count(state.frame_lines, FrameLine::Axis(i), &FrameLine::axis) > 0)
-      canvas.AddText({origin + (12 + 16 * static_cast<float>(i)) * scale, 10 * scale}, kAxisColors[i],
-                     kAxisNames[i]);
+      canvas.AddText({origin + size.x - (60 - 16 * static_cast<float>(i)) * scale, 10 * scale},
+                     kAxisColors[i], kAxisNames[i]);
   if (state.inspected && state.error.first.empty()) {  // the last good picture may have another size
     const glm::vec2 pixel = glm::vec2(state.inspected->pixel) + 0.5F;
     const ImVec2 at(origin + pixel.x / pixels_per_unit, size.y - pixel.y / pixels_per_unit);
@@ -126,7 +126,7 @@ void draw_overlay(app::AnyLab& lab, WindowState& state, glm::vec2 size, float pi
     text_plate("##warnings", {origin + size.x - margin, bottom}, {1, 1}, theme().next,
                fmt::format("{}", fmt::join(state.record.warnings, "\n")));
     if (!state.legend.title.empty() && size.x > 260 * scale)
-      plate("##legend", {origin + margin, bottom}, {0, 1},
+      plate("##legend", {origin + margin, margin}, {0, 0},
             [&] { draw_legend(state.legend, state.legend_picture, scale); });
     text_plate("##no truth", {middle, size.y / 2}, {0.5F, 0.5F}, theme().text, state.no_truth);
   }

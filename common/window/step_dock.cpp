@@ -12,8 +12,6 @@
 namespace texel::window {
 namespace {
 
-using Shown = CasePictures::Shown;
-
 /// The step's question, and the answer to the choice that was made.
 void question_part(CasePictures& p) {
   wrapped_text(theme().text, p.text.question);
@@ -25,7 +23,21 @@ void question_part(CasePictures& p) {
   }
 }
 
-/// The file, a button that opens it, the handout's task, and the step's lines.
+/// The step's lines, and what stands before them.
+void code_part(const course::StepText& text) {
+  ImGui::PushFont(Gui::code_font);
+  for (const auto& [number, line, is_given] : text.lines) {
+    ImGui::TextColored(theme().dim, "%4d", number);
+    const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+    if (indent == line.size()) continue;
+    // What does not fit goes on below, indented as the line is.
+    ImGui::SameLine(0, ImGui::CalcTextSize(std::string(indent + 1, ' ').c_str()).x);
+    wrapped_text(is_given ? theme().dim : theme().text, line.substr(indent));
+  }
+  ImGui::PopFont();
+}
+
+/// The file, a button that opens it, and what the handout says, beside the code. The chosen tab stays.
 void text_part(WindowState& state) {
   const course::StepText& text = state.case_pictures->text;
   if (ImGui::SmallButton("Open in editor")) state.wanted = Action::open_in_editor;
@@ -33,58 +45,50 @@ void text_part(WindowState& state) {
   ImGui::SameLine();
   if (ImGui::SmallButton("See it")) state.wanted = Action::see_step;
   tooltip("Sets the look in which the handout shows this step");
-  wrapped_text(theme().dim, fmt::format("{}:{}", text.shown_file, text.line));
   wrapped_text(theme().good, text.after);
-  question_part(*state.case_pictures);
-  wrapped_text(theme().text, text.task);
-  if (text.lines.empty()) return;
-  ImGui::Separator();
-  ImGui::PushFont(Gui::code_font);
-  for (std::size_t i = 0; i < text.lines.size(); ++i) {
-    const int number = text.first_line + static_cast<int>(i);
-    const std::string& line = text.lines[i];
-    ImGui::TextColored(theme().dim, "%4d", number);
-    const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
-    if (indent == line.size()) continue;
-    // What does not fit goes on below, indented as the line is.
-    ImGui::SameLine(0, ImGui::CalcTextSize(std::string(indent + 1, ' ').c_str()).x);
-    // The function's head is not the student's to write.
-    const bool is_given = number <= text.line || line.find("//@") != std::string::npos;
-    wrapped_text(is_given ? theme().dim : theme().text, line.substr(indent));
-  }
-  ImGui::PopFont();
+  const auto tab = [&](const char* name, const auto& part) {
+    if (!ImGui::BeginTabItem(name)) return;
+    if (ImGui::BeginChild(name)) part();
+    ImGui::EndChild();
+    ImGui::EndTabItem();
+  };
+  if (!ImGui::BeginTabBar("step")) return;
+  tab("Predict", [&] { question_part(*state.case_pictures); });
+  tab("Task", [&] { wrapped_text(theme().text, text.task); });
+  tab("Code", [&] {
+    wrapped_text(theme().dim, fmt::format("{}:{}", text.shown_file, text.line));
+    code_part(text);
+  });
+  ImGui::EndTabBar();
 }
 
 /// The figure that the step is judged by: a ring marks a pixel that has it.
 std::string caption(const CasePictures& p) {
   const image::Difference& found = p.compared.figures;
   if (found.non_finite > 0)
-    return fmt::format("{} pixels are not finite (green in the heat map)", found.non_finite);
+    return fmt::format("{} pixels are not finite (green in the difference)", found.non_finite);
   const judge::CaseResult& one = p.result;
   if (found.max == 0) return fmt::format("equal to the expected picture; limit {:g}", one.limit);
   return one.passed() ? "right: " + off_by(one) : "wrong: " + off_by(one) + ", as in the ring";
 }
 
 void picture_part(CasePictures& p, float side, float scale) {
-  const auto choose = [&](const char* name, Shown value) {
-    if (value != Shown::split) ImGui::SameLine();
-    if (ImGui::RadioButton(name, p.shown == value)) p.shown = value;
-  };
-  choose("yours | expected", Shown::split), choose("difference", Shown::difference);
-  choose("heat map", Shown::heat_map);
+  if (ImGui::RadioButton("yours | expected", !p.shows_difference)) p.shows_difference = false;
+  ImGui::SameLine();
+  if (ImGui::RadioButton("difference", p.shows_difference)) p.shows_difference = true;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = side * p.aspect();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto show = [&](const gl::Texture& texture, float from, float to) {
     draw_texture(texture, {at.x + from * side, at.y}, {at.x + to * side, at.y + height}, {from, 1}, {to, 0});
   };
-  if (p.shown == Shown::split) {
+  if (p.shows_difference) {
+    show(p.difference, 0, 1);
+  } else {
     show(p.own, 0, p.position);
     show(p.expected, p.position, 1);
     const float x = at.x + p.position * side;
     list.AddLine({x, at.y}, {x, at.y + height}, IM_COL32_WHITE, 1);
-  } else {
-    show(p.shown == Shown::difference ? p.difference : p.heat_map, 0, 1);
   }
   if (const image::Difference& found = p.compared.figures; !p.result.passed() && found.max > 0) {
     const float pixel = side / static_cast<float>(p.compared.own.width);  // the one that has the error
@@ -95,9 +99,9 @@ void picture_part(CasePictures& p, float side, float scale) {
   }
   // The picture is a slider: the line follows the mouse.
   ImGui::InvisibleButton("##picture", {side, height});
-  if (ImGui::IsItemActive() && p.shown == Shown::split)
+  if (ImGui::IsItemActive() && !p.shows_difference)
     p.position = std::clamp((ImGui::GetIO().MousePos.x - at.x) / side, 0.0F, 1.0F);
-  if (p.shown == Shown::heat_map) draw_legend(p.legend, p.legend_picture, scale);
+  if (p.shows_difference) draw_legend(p.legend, p.legend_picture, scale);
   wrapped_text(theme().dim, caption(p));
 }
 
@@ -125,13 +129,13 @@ void draw_step(WindowState& state, glm::vec2 window, float scale) {
   // The text begins at its first line, wherever the last one was scrolled to.
   if (is_new) ImGui::SetScrollY(0);
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  // Below the picture: its buttons, the heat map's scale and two lines of text.
+  // Below the picture: its buttons, the difference's scale and two lines of text.
   const float texts = ImGui::GetFrameHeightWithSpacing() + 4 * ImGui::GetTextLineHeightWithSpacing();
   if (!p.fault.empty()) {
-    text_part(state);
     // A shader's error stands over the picture already, and in one place only.
     wrapped_text(theme().next,
                  state.error.first.empty() ? p.fault : "No picture: the shader does not compile.");
+    text_part(state);
   } else if (is_below) {
     const float side = std::clamp((room.y - texts) / p.aspect(), 64.0F, 0.5F * room.x);
     const float column = std::max(side, std::min(ImGui::GetFontSize() * 23, 0.54F * room.x));

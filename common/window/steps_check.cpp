@@ -155,8 +155,7 @@ CasePictures StepsCheck::load_case(const judge::StepResult& step, const judge::C
   try {
     const image::Compared& all = pictures.compared = check::compared(one);
     pictures.own = picture_texture(all.own), pictures.expected = picture_texture(all.expected);
-    pictures.difference = picture_texture(all.difference);
-    pictures.heat_map = picture_texture(all.heat_map);
+    pictures.difference = picture_texture(all.heat_map);
     pictures.legend = app::error_legend(all.full_scale, one.unit());
     pictures.legend_picture = picture_texture(pictures.legend.picture);
   } catch (const Error& error) {

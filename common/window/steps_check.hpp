@@ -19,13 +19,13 @@ struct CasePictures {
   std::string step, title;  ///< of the step
   judge::CaseResult result;
   course::StepText text;
-  std::string fault;  ///< why there is nothing to be seen, or ""
-  enum class Shown { split, difference, heat_map } shown = Shown::split;
-  std::size_t chosen = 0;  ///< answer to the step's question, from 1
-  float position = 0.5F;   ///< of the split line, 0 to 1; the expected picture is right of it
+  std::string fault;              ///< why there is nothing to be seen, or ""
+  bool shows_difference = false;  ///< in place of yours and the expected one
+  std::size_t chosen = 0;         ///< answer to the step's question, from 1
+  float position = 0.5F;          ///< of the split line, 0 to 1; the expected picture is right of it
   image::Compared compared;
-  gl::Texture own, expected, difference, heat_map;  ///< its pictures, bottom row first
-  app::Legend legend;                               ///< of the heat map
+  gl::Texture own, expected, difference;  ///< its pictures, bottom row first; the last as a heat map
+  app::Legend legend;                     ///< of the difference
   gl::Texture legend_picture;
 
   /// Height by width of the pictures, which are there without a fault.

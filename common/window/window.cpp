@@ -211,7 +211,8 @@ void Window::follow_steps() {
       if (one.name == state_.case_pictures->result.name) {
         CasePictures fresh = state_.steps->load_case(step, one);
         const CasePictures& before = *state_.case_pictures;
-        fresh.shown = before.shown, fresh.position = before.position, fresh.chosen = before.chosen;
+        fresh.shows_difference = before.shows_difference, fresh.position = before.position;
+        fresh.chosen = before.chosen;
         state_.case_pictures = std::move(fresh);
       }
 }

@@ -21,13 +21,6 @@ inline constexpr params::Item kNormals[] = {
     {"shared", "One normal for all faces that meet at a point: smooth, and wrong at a cube's edge"},
     {"face", "Each triangle's own: triangles that face different ways cannot share vertices"}};
 
-inline constexpr params::Item kTextures[] = {{"label_grid", "Cells with letters: shows every flip and swap"},
-                                             {"brick", "A brick wall (the report)"},
-                                             {"wood", "Wooden planks"},
-                                             {"scales", "A reptile's scales"},
-                                             {"smile", "A face"},
-                                             {"checker", "Black and white squares: shows stretch and shear"}};
-
 struct CubeWrapParameters {
   std::string model, texture;
   Method method{};
@@ -43,7 +36,7 @@ struct CubeWrapParameters {
             {"method", Method::weld, kMethods, "Which faces share a vertex and its texture coordinate"});
     set.add(normals, {"normals", Normals::by_method, kNormals, "Which faces share a normal"});
     set.add(model, {"model", "cube", app::kModels, "What is wrapped"});
-    set.add(texture, {"texture", "label_grid", kTextures, "The picture on it (keys K and L)"});
+    set.add(texture, {"texture", "label_grid", app::kTextures, "The picture on it (keys K and L)"});
     set.add(texture_scale,
             {"texture_scale", 1, 0.1, 20, "", "How often the picture repeats", params::Scale::logarithmic});
     light.declare<app::Lighting{}>(set);

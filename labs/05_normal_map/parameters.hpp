@@ -40,13 +40,6 @@ inline constexpr params::Item kFilters[] = {
     {"anisotropic", "Up to 8 samples along a long footprint, in two mipmap levels; the driver decides how"},
     {"bilinear", "Four texels of the full picture, exactly as OpenGL defines it; steps are checked with it"}};
 
-inline constexpr params::Item kTextures[] = {{"brick", "A brick wall"},
-                                             {"wood", "Wooden planks"},
-                                             {"scales", "A reptile's scales"},
-                                             {"smile", "A face"},
-                                             {"label_grid", "Cells with letters"},
-                                             {"checker", "Black and white squares"}};
-
 inline constexpr params::Item kNormalMaps[] = {
     {"matching", "The map that belongs to the texture; flat if there is none"},
     {"brick", "Bricks and mortar"},
@@ -78,7 +71,7 @@ struct NormalMapParameters {
     set.add(bump_strength,
             {"bump_strength", 1, 0, 4, "", "Steepness of the relief: multiplies the normal's x and y"});
     set.section("Textures");
-    set.add(texture, {"texture", "brick", kTextures, "Colour of the surface (keys K and L)"});
+    set.add(texture, {"texture", "brick", app::kTextures, "Colour of the surface (keys K and L)"});
     set.add(normal_map, {"normal_map", "matching", kNormalMaps, "Relief of the surface"});
     set.add(filter, {"filter", Filter::anisotropic, kFilters, "How both textures are filtered"});
     set.add(texture_scale,

@@ -3,6 +3,7 @@
 #pragma once
 #include "app/camera.hpp"
 #include "app/environment.hpp"
+#include "app/models.hpp"
 #include "params/set.hpp"
 
 namespace texel::cube_map {
@@ -34,13 +35,6 @@ inline constexpr params::Item kSeamMethods[] = {
     {"wrapped", "Takes the difference of u the short way round"},
     {"analytic", "Derivative of the formula instead of differences"}};
 
-inline constexpr params::Item kPictures[] = {
-    {"label_grid", "Cells with letters: shows every flip and swap"},
-    {"brick", "A brick wall"},
-    {"checker", "Black and white squares: shows the level of detail"},
-    {"scales", "A reptile's scales"},
-    {"smile", "A face"}};
-
 struct CubeMapParameters {
   Mapping mapping{};
   Method method{};
@@ -59,7 +53,7 @@ struct CubeMapParameters {
     set.add(method, {"method", Method::mipmapped, kMethods, "How the cube map is uploaded and filtered"});
     set.add(faces, {"faces", Faces::by_method, kFaces, "Which picture is on which face, and which way up"});
     set.section("Picture by angles");
-    set.add(picture, {"picture", "label_grid", kPictures, "The picture for mapping sphere-2d"});
+    set.add(picture, {"picture", "label_grid", app::kTextures, "The picture for mapping sphere-2d"});
     set.add(seam_method, {"seam_method", SeamMethod::analytic, kSeamMethods,
                           "How the level of detail is found where u jumps (for mapping sphere-2d)"});
     set.section("Sphere");

@@ -40,7 +40,7 @@ truth::Placement sphere_placement(const CubeMapParameters& p) {
 std::optional<double> texels_across(const CubeMapParameters& p) {
   const std::string& name = p.mapping == Mapping::cube ? p.cube_map : p.picture;
   for (const params::Item& item : p.mapping == Mapping::cube ? std::span<const params::Item>(app::kCubeMaps)
-                                                             : std::span<const params::Item>(kPictures))
+                                                             : std::span<const params::Item>(app::kTextures))
     if (name == item.name) return name == "labelled" ? 256 : name == "smooth" ? 128 : 512;
   return std::nullopt;
 }

@@ -220,7 +220,7 @@ app::Measured Measuring::measured(app::Canvas& canvas, glm::ivec2 size) {
   ErrorFigures figures = figures_of(error, truth_);
   figures.truth_error = truth_error_;
   tell_outlines_apart(figures, error, picture, truth_, measure());
-  const double full_scale = scale > 0 ? scale : app::round_up(figures.p99);
+  const double full_scale = app::round_up(figures.p99);
   image::Image8 map = error_map(error, full_scale);
   return {std::move(error), figures, std::move(map), full_scale};
 }

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "app/settings.hpp"
+#include "check/check.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/json.hpp"
@@ -160,18 +161,12 @@ class Bench {
   app::KeptValues start_;
 };
 
-bool is_software(const std::string& renderer) {
-  constexpr std::array kSoftware = {"llvmpipe", "softpipe", "swrast", "Software Rasterizer", "SwiftShader"};
-  return std::any_of(kSoftware.begin(), kSoftware.end(),
-                     [&](const char* name) { return renderer.find(name) != std::string::npos; });
-}
-
 }  // namespace
 
 double frame_nanoseconds(app::Canvas& canvas, glm::ivec2 size) {
   canvas.draw(app::View::color, size, 1);
   glFinish();
-  if (is_software(canvas.context().renderer())) {
+  if (check::is_software(canvas.context().renderer())) {
     const Stopwatch stopwatch;
     canvas.draw(app::View::color, size, 1);
     glFinish();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// --measure, --bench, --report and --error-scale.
+// --measure, --bench and --report.
 #include <CLI/CLI.hpp>
 
 #include "app/reports.hpp"
@@ -17,9 +17,6 @@ class Options final : public start::MoreOptions {
     app.add_option("--bench", bench_,
                    "Measure error and cost of the cases in a JSON file that texel bench wrote");
     app.add_option("--report", report_, "Where --bench writes its figures, as JSON [-]");
-    app.add_option("--error-scale", error_scale_,
-                   "Error at the end of the colour scale of view error [the 99th percentile]")
-        ->check(CLI::PositiveNumber);
   }
   [[nodiscard]] bool is_headless() const override { return !measure_.empty() || !bench_.empty(); }
   [[nodiscard]] bool prepare(app::AnyLab& lab) override {
@@ -28,7 +25,6 @@ class Options final : public start::MoreOptions {
     return !list_.cases.empty() && (list_.seconds > 0 || list_.counts);
   }
   void run(app::Canvas& canvas, app::AnyLab& lab, glm::ivec2 size) override {
-    if (lab.answer() != nullptr) lab.answer()->scale = error_scale_;
     if (!measure_.empty()) {
       canvas.draw(app::View::error, size, 1);
       start::write_report(measure_, lab.answer()->report(lab, *canvas.error_figures()));
@@ -38,7 +34,6 @@ class Options final : public start::MoreOptions {
 
  private:
   std::filesystem::path measure_, bench_, report_ = "-";
-  double error_scale_ = 0;
   BenchList list_;
 };
 

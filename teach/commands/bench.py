@@ -101,7 +101,7 @@ def measure(labs, folder, given):
         print(f"lab {lab['number']} {lab['title']}: {len(lab['bench'])} cases", file=sys.stderr, flush=True)
         begin_of_lab, renderer = time.monotonic(), measure_lab(lab, folder, given.errors_only)
         print(f"  {time.monotonic() - begin_of_lab:.0f} s, {time.monotonic() - begin:.0f} s in all", file=sys.stderr, flush=True)
-    counts = {} if given.errors_only or given.times_only or "llvmpipe" not in renderer else count(labs, folder)
+    counts = {} if given.errors_only or "llvmpipe" not in renderer else count(labs, folder)
     return {"renderer": renderer, "results": [one for lab in labs for one in read_lab_output(
         folder / f"{lab['lab']}-raw.json", lab, counts.get(lab["lab"]))["results"]]}
 
@@ -154,7 +154,6 @@ def main():
     parser.add_argument("--gpu", type=pathlib.Path, help="show the ratios of this --json too, which a graphics card measured")
     parser.add_argument("--against", type=pathlib.Path, help="compare the errors with those of an earlier --json")
     parser.add_argument("--errors-only", action="store_true", help="measure errors, but no costs")
-    parser.add_argument("--times-only", action="store_true", help="count no instructions (which takes minutes): times say what is cheaper")
     parser.add_argument("--every", type=int, default=1, help="each so many-th case of a lab, as a sample")
     given = parser.parse_intermixed_args()
     if given.every < 1:

@@ -66,13 +66,12 @@ void print_json(const Comparison& result) {
   const auto number = [&](double figure) { return result.perceived ? fmt::format("{}", figure) : "null"; };
   fmt::print(
       "{{\"width\": {}, \"height\": {}, \"max\": {}, \"mean\": {}, \"p99\": {}, \"flip_mean\": {}, "
-      "\"flip_p99\": {}, \"ssim\": {}, \"non_finite\": {}, "
-      "\"forgiven\": {}, \"unit\": \"{}\"}}\n",
+      "\"flip_p99\": {}, \"ssim\": {}, \"non_finite\": {}, \"unit\": \"{}\"}}\n",
       d.width, d.height, d.max, d.mean, d.p99, number(flip.mean), number(flip.p99), number(ssim),
-      d.non_finite, d.forgiven, result.unit);
+      d.non_finite, result.unit);
 }
 
-void print_text(const Comparison& result, bool edge_tolerance) {
+void print_text(const Comparison& result) {
   const image::Difference& d = result.difference;
   fmt::print("{}x{}, in {}\nmax         {:.6g}\nmean        {:.6g}\np99         {:.6g}\n", d.width, d.height,
              result.unit, d.max, d.mean, d.p99);
@@ -81,7 +80,6 @@ void print_text(const Comparison& result, bool edge_tolerance) {
     fmt::print("FLIP mean   {:.6g}\nFLIP p99    {:.6g}\nSSIM        {:.6g}\n", flip.mean, flip.p99, ssim);
   }
   fmt::print("non-finite  {} pixels\n", d.non_finite);
-  if (edge_tolerance) fmt::print("forgiven    {} pixels at edges\n", d.forgiven);
 }
 
 /// Says on standard error which limits are passed.
@@ -119,15 +117,14 @@ Exit compare(const CompareOptions& options) {
   check_options(options);
   std::optional<image::Image8> mask;
   if (!options.mask.empty()) mask = image::load8(options.mask);
-  const image::Comparing comparing = {.mask = mask ? &*mask : nullptr,
-                                      .edge_tolerance = options.edge_tolerance};
+  const image::Comparing comparing = {.mask = mask ? &*mask : nullptr};
   const Comparison result =
       is_float(options.reference) ? compare_floats(options, comparing) : compare_colors(options, comparing);
   if (!options.heatmap.empty()) image::save_png(options.heatmap, image::heatmap(result.difference));
   if (options.json)
     print_json(result);
   else
-    print_text(result, options.edge_tolerance);
+    print_text(result);
   const bool any_limit = options.max || options.mean || options.p99 || options.flip;
   const bool same = any_limit || result.difference.max == 0;
   return within_limits(options, result) && same ? Exit::holds : Exit::differs;

@@ -77,9 +77,6 @@ CLI::App* add_compare(CLI::App& app, CompareOptions& options) {
   command->add_option("--p99", options.p99,
                       "Limit of the 99th percentile over the pixels' largest differences");
   command->add_option("--flip", options.flip, "Limit of the mean of FLIP, 0 to 1");
-  command->add_flag(
-      "--edge-tolerance", options.edge_tolerance,
-      "At edges, accept a pixel that equals one of the 3x3 pixels around it in the other picture");
   return command;
 }
 

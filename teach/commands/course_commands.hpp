@@ -18,7 +18,6 @@ grade::CourseTree course_tree(const std::vector<int>& labs, const std::filesyste
 
 struct CompareOptions {
   std::filesystem::path reference, image, mask, heatmap;
-  bool edge_tolerance = false;
   std::optional<double> max, mean, p99, flip;
   bool json = false;
 };

@@ -68,7 +68,7 @@ class Compare(InFolder):
         (self.folder / "cut.png").write_bytes((self.folder / "a.png").read_bytes()[:40])
         (self.folder / "empty.png").touch()
         same = ('{"width": 10, "height": 10, "max": 0, "mean": 0, "p99": 0, "flip_mean": 0, "flip_p99": 0, "ssim": 1, "non_finite": 0, '
-                '"forgiven": 0, "unit": "8-bit steps"}\n')
+                '"unit": "8-bit steps"}\n')
         rows = [("a.png a.png --json", 0, same),
                 # (60 + 15) steps over 300 samples; the pixel of rank 99 of 100 is the one of 15 steps.
                 ("a.png b.png --json", 1, '"max": 60, "mean": 0.25, "p99": 15,'),
@@ -121,15 +121,6 @@ class Compare(InFolder):
         heat = labs.Picture(self.folder / "heat.png")
         self.assertEqual(heat.width, 10)
         self.assertNotEqual(heat.at(3, 4), heat.at(0, 0))
-
-    def test_forgives_edges_when_asked(self):
-        square = {(x, y): [200] for x in range(10, 50) for y in range(10, 50)}
-        self.picture("square.png", square, [0], 60)
-        self.picture("dent.png", {**square, (49, 20): [0]}, [0], 60)
-        self.assertEqual(self.compare("square.png", "dent.png")[0], 1)
-        code, said = self.compare("square.png", "dent.png", "--edge-tolerance")
-        self.assertEqual(code, 0, said)
-        self.assertIn("forgiven    1 pixels at edges", said)
 
 
 class Commands(InFolder):

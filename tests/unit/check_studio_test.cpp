@@ -189,6 +189,7 @@ TEST_F(BuildTest, gives_what_compiler_linker_and_ninja_say_from_the_first_error_
 TEST(Renderers, in_software_are_told_from_gpus_by_their_names) {
   for (const char* name :
        {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe, Mesa 22.3.6", "Software Rasterizer",
+        "Google SwiftShader",
         "zink Vulkan 1.4(llvmpipe (LLVM 22.1.8, 256 bits) (MESA_LLVMPIPE)), Mesa 26.2.6-1"})
     EXPECT_TRUE(is_software(name)) << name;
   for (const char* name :
@@ -203,8 +204,7 @@ TEST(Renderers, are_named_and_a_gpu_gets_advice) {
   EXPECT_EQ(renderer_note("softpipe", "softpipe"), "Drawn by softpipe.");
   EXPECT_EQ(renderer_note("softpipe", ""), "Drawn by softpipe.");
   EXPECT_EQ(renderer_note("softpipe", "llvmpipe"),
-            "Your pictures are drawn by softpipe, the expected ones by llvmpipe. The limits allow for both: "
-            "docs/accuracy.md.");
+            "Your pictures are drawn by softpipe, the expected ones by llvmpipe. The limits allow for both.");
   const std::string gpu = renderer_note("Radeon", "llvmpipe");
   EXPECT_NE(gpu.find("Drawn by Radeon, which seems to be a GPU"), gpu.npos) << gpu;
   EXPECT_NE(gpu.find("LIBGL_ALWAYS_SOFTWARE=1"), gpu.npos) << gpu;

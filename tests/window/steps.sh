@@ -53,23 +53,17 @@ check 'the line follows the mouse' eventually line_at 690
 xdotool mouseup 1
 settle "$work/split" 340x290+620+430
 
-# Of the heat map's scale, which ends where the error is largest.
-shows_heat() { look "$work/corner" 310x280+640+430 && (($(pixels_of "$work/corner" 255,255,191 6) > 10)); }
-click 785 419
-check 'difference takes the two pictures away' eventually no_white_line
-check 'and shows another' changed_from "$work/split" 340x290+620+430
-no_heat() { ! shows_heat; }
-check 'which is not the heat map' eventually no_heat
-click 641 419
-check 'yours and expected come back' eventually line_at 690
-
 click 395 416
 is_opened() { grep -qs 'shaders/05_normal_map/decode_normal.glsl' "$work/edited"; }
 check 'Open in editor opens the step' eventually is_opened
 
-click 865 419
-check 'heat map shows where the error is' eventually shows_heat
+# Of the scale, which ends where the error is largest.
+shows_heat() { look "$work/corner" 310x280+640+430 && (($(pixels_of "$work/corner" 255,255,191 6) > 10)); }
+click 785 419
+check 'difference shows where the error is' eventually shows_heat
 check 'in place of the two pictures' eventually no_white_line
+click 641 419
+check 'yours and expected come back' eventually line_at 690
 press ctrl+z
 press Escape
 check 'Undo sets the look as it was' returned_to "$work/wrong"

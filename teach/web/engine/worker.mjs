@@ -166,8 +166,8 @@ const special = {
     return ask("check", args).result;
   },
   compare(args) {
-    const { result, pictures: [own, expected, difference, heat_map] } = ask("compare", args);
-    return result && { ...result, own, expected, difference, heat_map };
+    const { result, pictures: [own, expected, heat_map] } = ask("compare", args);
+    return result && { ...result, own, expected, heat_map };
   },
   figures: () => ({
     first_picture_ms: firstPicture,

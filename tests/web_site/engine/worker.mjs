@@ -129,7 +129,7 @@ const calls = {
     return frame();
   },
   check: () => ({ lab: "05_normal_map", title: "Normal map", steps: [stepResult()] }),
-  compare: () => ({ width: 4, height: 2, own: filled(32, 40), expected: filled(32, 200), difference: filled(32, 160), heat_map: filled(32, 90) }),
+  compare: () => ({ width: 4, height: 2, own: filled(32, 40), expected: filled(32, 200), heat_map: filled(32, 90) }),
   figures: () => ({ first_picture_ms: performance.now(), frame_ms: 1.5, bytes: 1000, renderer: "stripes" }),
   presented: () => new Promise((done) => setTimeout(done, 200)),
   lose: () => void postMessage({ lost: "the context was lost" }),

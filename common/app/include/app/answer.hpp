@@ -49,7 +49,7 @@ struct Measured {
   image::ImageF error;  ///< in red, alpha 1 where it is known; NaN where the picture is not finite
   ErrorFigures figures;
   image::Image8 map;  ///< the error in colours
-  double full_scale;  ///< with whose colour they end
+  double full_scale;  ///< with whose colour they end: the 99th percentile, rounded up to 1, 2 or 5 times 10^n
 };
 
 /// What a lab measures at one pixel, as method and truth have it: directions, coordinates, or 8-bit steps of
@@ -92,10 +92,6 @@ class Answer {
   [[nodiscard]] virtual std::string report(AnyLab& lab, const ErrorFigures& figures) const = 0;
   /// For a lab that has no preparation of its own.
   [[nodiscard]] virtual std::optional<Preparation> preparation(const Assets& /*assets*/) const { return {}; }
-
-  /// The error at which the colours of the map end; 0 takes the 99th percentile, rounded up to 1, 2 or 5
-  /// times a power of ten.
-  double scale = 0;
 };
 
 /// Makes the answer of the lab with these parameters, and adds its own to the set; null where the tree has

@@ -16,6 +16,14 @@ inline constexpr params::Item kModels[] = {{"cube", "Six faces, each with its ow
                                            {"gator", "An alligator"},
                                            {"quad", "A square that faces +z"}};
 
+/// Pictures for these, for a parameter `texture`.
+inline constexpr params::Item kTextures[] = {{"label_grid", "Cells with letters: shows every flip and swap"},
+                                             {"brick", "A brick wall"},
+                                             {"wood", "Wooden planks"},
+                                             {"scales", "A reptile's scales"},
+                                             {"smile", "A face"},
+                                             {"checker", "Black and white squares: shows stretch and shear"}};
+
 /// A mesh that is ready to be drawn, and what was repaired in it.
 struct Model {
   mesh::Mesh mesh;

@@ -29,8 +29,8 @@ inline constexpr const char* kMistakesFile = "mistakes.json";
 /// Beside the expected pictures: what drew them.
 inline constexpr const char* kRendererFile = "renderer.txt";
 
-/// Whether a renderer of this name (GL_RENDERER) draws by the processor: llvmpipe, softpipe, or zink on
-/// Vulkan's llvmpipe.
+/// Whether a renderer of this name (GL_RENDERER) draws by the processor: Mesa's llvmpipe and softpipe,
+/// zink on Vulkan's llvmpipe, SwiftShader.
 bool is_software(const std::string& renderer);
 /// What a student should know: `own` drew here, and `expected`, or "" if that is not known, what is compared
 /// with.

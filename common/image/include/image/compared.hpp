@@ -16,7 +16,6 @@ Image8 shown(const ImageF& values, const std::string& view);
 /// A picture beside the expected one, as one looks at them: data views in colours.
 struct Compared {
   Image8 own, expected;
-  Image8 difference;   ///< of each channel, absolute
   Image8 heat_map;     ///< of the error; `full_scale` has the hottest colour
   Difference figures;  ///< the pixel that has the error that was given
   double full_scale;   ///< this error, and not less than was asked for

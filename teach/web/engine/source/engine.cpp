@@ -404,7 +404,7 @@ class Engine {
     const bool differs = !one->passed() && all.figures.max > 0;
     Json size = give(std::move(all.own));
     if (differs) size["mark"] = {telling.x, telling.y};  // from the lower left
-    give(std::move(all.expected)), give(std::move(all.difference)), give(std::move(all.heat_map));
+    give(std::move(all.expected)), give(std::move(all.heat_map));
     return size;
   }
 

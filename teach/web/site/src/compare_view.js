@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// A case's pictures: yours and the expected one with a line between them, their difference, or how large the error is.
+// A case's pictures: yours and the expected one with a line between them, or how large the error is.
 import { element } from "./dom.js";
 import { imageOf } from "./image.js";
 
 
-const modes = { split: "yours | expected", difference: "difference", heat_map: "heat map" };
+const modes = { split: "yours | expected", heat_map: "difference" };
 let count = 0;
 
 /** The viewer of one comparison, as the engine's `compare` gives it. */
-export function compareView({ width, height, own, expected, difference, heat_map, mark }) {
-  const pictures = { own, expected, difference, heat_map };
+export function compareView({ width, height, own, expected, heat_map, mark }) {
+  const pictures = { own, expected, heat_map };
   const images = Object.fromEntries(Object.entries(pictures).map(([name, bytes]) => [name, bytes && imageOf(bytes, width, height)]));
   const canvas = element("canvas", { width, height, role: "img" });
   const context = canvas.getContext("2d");
