@@ -17,7 +17,7 @@ Format format_of(int channels, image::Encoding encoding) {
   return kLinear[channels - 1];
 }
 
-image::Image8 expand_grey(const image::Image8& image) {
+image::Image8 expand_gray(const image::Image8& image) {
   if (image.channels > 2) return image;
   image::Image8 color(image.width, image.height, image.channels + 2);
   for (int y = 0; y < image.height; ++y)
@@ -76,7 +76,7 @@ namespace {
 /// The levels that the sampling reads, the whole picture first; colours in a format that the GPU decodes.
 std::vector<image::Image8> levels_for(const image::Image8& image, image::Encoding encoding,
                                       const Sampling& sampling) {
-  const image::Image8 whole = encoding == image::Encoding::srgb ? expand_grey(image) : image;
+  const image::Image8 whole = encoding == image::Encoding::srgb ? expand_gray(image) : image;
   if (sampling.minify == GL_NEAREST || sampling.minify == GL_LINEAR) return {whole};
   return image::mip_chain(whole, encoding);
 }

@@ -30,7 +30,7 @@ std::string lost_shape(const Mesh& mesh) {
 
   const glm::vec3 far = glm::max(glm::abs(box.least), glm::abs(box.greatest));
   const float farthest = std::max({far.x, far.y, far.z});
-  const double step = double{farthest} - double{std::nextafter(farthest, 0.0f)};
+  const double step = double{farthest} - double{std::nextafter(farthest, 0.0F)};
   if (longest < 1024 * step)
     return fmt::format(
         "the model is {:.3g} long and lies {:.3g} from the origin, where 32-bit floats are {:.3g} apart: its "

@@ -27,12 +27,12 @@ bool not_zero(const glm::vec3& v) {
   return not_zero(v.x) || not_zero(v.y) || not_zero(v.z);
 }
 glm::vec3 unit(const glm::vec3& v) {
-  return not_zero(v) ? v * (1.0f / glm::length(v)) : v;
+  return not_zero(v) ? v * (1.0F / glm::length(v)) : v;
 }
 /// Zero where the reference's result has no direction: it is (0, 0, 0), or far from unit length.
 glm::vec3 direction(const glm::vec3& sum) {
   const glm::vec3 result = unit(sum);
-  return std::abs(glm::dot(result, result) - 1.0f) < 1e-3f ? result : glm::vec3(0.0f);
+  return std::abs(glm::dot(result, result) - 1.0F) < 1e-3F ? result : glm::vec3(0.0F);
 }
 glm::vec3 into_plane(const glm::vec3& v, const glm::vec3& normal) {
   return v - normal * glm::dot(normal, v);
@@ -83,7 +83,7 @@ Kind find_directions(const std::array<glm::vec3, 3>& p, const std::array<glm::ve
   const glm::vec2 d1 = st[1] - st[0], d2 = st[2] - st[0];
   const float area = float_area(st);
   if (!not_zero(area)) return Kind::loose;
-  const float turn = area > 0.0f ? 1.0f : -1.0f;
+  const float turn = area > 0.0F ? 1.0F : -1.0F;
   const glm::vec3 tangent = e1 * d2.t - e2 * d1.t, bitangent = e1 * -d2.s + e2 * d1.s;
   const TriangleFrame solved = triangle_frame({p[1], p[0], p[2]}, {st[1], st[0], st[2]});
   if (same_way(solved.tangent, turn * tangent)) {
@@ -95,7 +95,7 @@ Kind find_directions(const std::array<glm::vec3, 3>& p, const std::array<glm::ve
     directions = {unit_or_zero(solved.tangent), unit_or_zero(solved.bitangent)};
     if (is_zero(directions.tangent) || is_zero(directions.bitangent)) return Kind::loose;
   }
-  return area > 0.0f ? Kind::straight : Kind::mirrored;
+  return area > 0.0F ? Kind::straight : Kind::mirrored;
 }
 
 Triangles find_triangles(const Mesh& mesh, unsigned threads) {
@@ -110,7 +110,7 @@ Triangles find_triangles(const Mesh& mesh, unsigned threads) {
 
 /// Which part does the things with this hash, by its lower half: DistinctTable takes the upper one.
 unsigned part_of(std::uint64_t hash, unsigned parts) {
-  return static_cast<unsigned>((hash & 0xFFFFFFFFu) * parts >> 32);
+  return static_cast<unsigned>((hash & 0xFFFFFFFFU) * parts >> 32);
 }
 
 /// For each corner the first vertex of its mesh that has the same position, normal and texcoord.
@@ -238,8 +238,8 @@ Groups group_corners(const std::vector<std::uint32_t>& opposite, const std::vect
 /// A triangle's T at one of its corners, at unit length in the plane of the corner's normal, and the corner's
 /// angle in that plane, by which it counts. Both zero where one is not finite.
 struct Spoke {
-  glm::vec3 tangent{0.0f};
-  float angle = 0.0f;
+  glm::vec3 tangent{0.0F};
+  float angle = 0.0F;
 };
 
 Spoke spoke_at(const Mesh& mesh, std::size_t corner, const glm::vec3& triangle_tangent) {
@@ -249,7 +249,7 @@ Spoke spoke_at(const Mesh& mesh, std::size_t corner, const glm::vec3& triangle_t
     return unit(into_plane(mesh.positions[mesh.indices[other]] - here, normal));
   };
   const float cosine =
-      std::clamp(glm::dot(towards(previous_corner(corner)), towards(next_corner(corner))), -1.0f, 1.0f);
+      std::clamp(glm::dot(towards(previous_corner(corner)), towards(next_corner(corner))), -1.0F, 1.0F);
   const Spoke spoke{unit(into_plane(triangle_tangent, normal)),
                     static_cast<float>(std::acos(double{cosine}))};
   return std::isfinite(glm::dot(spoke.tangent, spoke.tangent) * spoke.angle) ? spoke : Spoke{};
@@ -258,8 +258,8 @@ Spoke spoke_at(const Mesh& mesh, std::size_t corner, const glm::vec3& triangle_t
 /// What a group adds up to, and whether some of its T or B may be opposite: never where all are less than a
 /// right angle from the first, by more than rounding.
 struct Sum {
-  glm::vec3 tangent{0.0f};
-  glm::vec3 first_tangent{0.0f}, first_bitangent{0.0f};
+  glm::vec3 tangent{0.0F};
+  glm::vec3 first_tangent{0.0F}, first_bitangent{0.0F};
   std::uint32_t count = 0;
   bool may_oppose = false;
 
@@ -268,8 +268,8 @@ struct Sum {
       first_tangent = spoke.tangent;
       first_bitangent = into_plane(bitangent, normal);
     }
-    may_oppose = may_oppose || !(glm::dot(first_tangent, spoke.tangent) > 1e-3f &&
-                                 glm::dot(first_bitangent, bitangent) > 1e-3f);
+    may_oppose = may_oppose || !(glm::dot(first_tangent, spoke.tangent) > 1e-3F &&
+                                 glm::dot(first_bitangent, bitangent) > 1e-3F);
     tangent += spoke.tangent * spoke.angle;
   }
 };
@@ -311,11 +311,11 @@ void divide(const std::vector<Member>& members, std::uint32_t group, Frames& fra
   const glm::vec4 whole = frames.tangents[group];
   std::map<std::array<float, 3>, std::uint32_t> known{{{whole.x, whole.y, whole.z}, group}};
   for (const Member& member : members) {
-    glm::vec3 sum(0.0f);
+    glm::vec3 sum(0.0F);
     bool counts_all = true;
     for (const Member& other : members) {
-      if (glm::dot(member.tangent, other.tangent) > -1.0f &&
-          glm::dot(member.bitangent, other.bitangent) > -1.0f)
+      if (glm::dot(member.tangent, other.tangent) > -1.0F &&
+          glm::dot(member.bitangent, other.bitangent) > -1.0F)
         sum += other.weighted;
       else
         counts_all = false;
@@ -339,7 +339,7 @@ Frames find_frames(const Mesh& mesh, Groups groups, const Triangles& triangles, 
   frames.tangents.reserve(sums.size() + 1);
   for (std::size_t g = 0; g < sums.size(); ++g)
     frames.tangents.emplace_back(direction(sums[g].tangent),
-                                 groups.kinds[g] == Kind::mirrored ? -1.0f : 1.0f);
+                                 groups.kinds[g] == Kind::mirrored ? -1.0F : 1.0F);
   frames.of_corner = std::move(groups.of_corner);
 
   std::vector<std::pair<std::uint32_t, std::uint32_t>> divided;  // groups and their corners
@@ -387,7 +387,7 @@ void mikktspace(Mesh& mesh, unsigned threads) {
 
   // What no group reached is (1, 0, 0) with the sign -1, whatever the normal.
   const auto nothing = static_cast<std::uint32_t>(frames.tangents.size());
-  frames.tangents.emplace_back(1.0f, 0.0f, 0.0f, -1.0f);
+  frames.tangents.emplace_back(1.0F, 0.0F, 0.0F, -1.0F);
   std::replace(frames.of_corner.begin(), frames.of_corner.end(), no_index, nothing);
   give_to_collapsed(welded, triangles.kinds, frames);
 
@@ -402,7 +402,7 @@ void mikktspace(Mesh& mesh, unsigned threads) {
   // seen.
   for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
     const std::uint32_t v = mesh.indices[i];
-    if (of_vertex[v] == nothing && triangles.kinds[i / 3] == Kind::loose && mesh.tangents[v].x == 1.0f &&
+    if (of_vertex[v] == nothing && triangles.kinds[i / 3] == Kind::loose && mesh.tangents[v].x == 1.0F &&
         !not_zero(float_area(of_triangle(mesh, mesh.texcoords, i / 3))))
       mesh.tangents[v] = {unit_or_zero(orthogonal_part({1.0, 0.0, 0.0}, mesh.normals[v])),
                           mesh.tangents[v].w};

@@ -14,9 +14,9 @@ namespace {
 /// pictures are drawn; none where any word is fine. Fewer numbers may follow: the first word that is none
 /// ends them.
 std::vector<float> neutral_arguments(std::string_view option) {
-  if (option == "-s") return {1.0f, 1.0f, 1.0f};
-  if (option == "-o" || option == "-t") return {0.0f, 0.0f, 0.0f};
-  if (option == "-mm") return {0.0f, 1.0f};
+  if (option == "-s") return {1.0F, 1.0F, 1.0F};
+  if (option == "-o" || option == "-t") return {0.0F, 0.0F, 0.0F};
+  if (option == "-mm") return {0.0F, 1.0F};
   return {};
 }
 
@@ -30,7 +30,7 @@ std::string map_file(std::string_view line, std::string& unfollowed) {
     const std::vector<float> neutral = neutral_arguments(option);
     for (std::size_t i = 0; i < std::max<std::size_t>(neutral.size(), 1); ++i) {
       std::string_view peek = after;
-      float number = 0.0f;
+      float number = 0.0F;
       const std::string_view word = take_word(peek);
       if (parse_float(word, number) != NumberStatus::ok && i > 0) break;
       if (neutral.empty() ? option == "-clamp" && lower_case(word) != "off" : number != neutral[i])
@@ -52,7 +52,7 @@ bool is_number(std::string_view word, float& value) {
 /// `r g b`, or one number for all three.
 bool parse_color(std::string_view line, glm::vec3& color) {
   std::string_view word = take_word(line);
-  glm::vec3 rgb(0.0f);
+  glm::vec3 rgb(0.0F);
   if (!is_number(word, rgb.r)) return false;
   rgb = glm::vec3(rgb.r);
   if (word = take_word(line); !word.empty())

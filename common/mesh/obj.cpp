@@ -25,7 +25,7 @@ std::string_view first_word(const char* at, const char* end) {
 
 /// Beyond it float32 has no fractions: a texture coordinate there tells nothing of a place in the picture,
 /// and differences of larger ones could overflow.
-constexpr float greatest_texcoord = 16777216.0f;
+constexpr float greatest_texcoord = 16777216.0F;
 
 template <class Vector>
 bool is_finite(const Vector& v) {
@@ -173,7 +173,7 @@ class Parser {
     const std::span<const float> n = numbers(line, "v", 3, 7);
     if (n.size() == 5) fail("v has 5 numbers", "write x y z, x y z w or x y z r g b");
     data_.positions.push_back(position_from(n));
-    if ((n.size() == 4 || n.size() == 7) && n[3] != 1.0f) note("weights (the fourth number of v) ignored");
+    if ((n.size() == 4 || n.size() == 7) && n[3] != 1.0F) note("weights (the fourth number of v) ignored");
   }
 
   void texcoord_line(std::string_view line) {
@@ -301,7 +301,7 @@ class Parser {
       group = 1;
     else if (word != "off" && at == word.data())
       note("smoothing groups (s) that are no number, taken as off; the first is {}", for_message(word));
-    if (group < 0 || group > UINT32_MAX) group = 0x80000000u | static_cast<std::uint32_t>(group);
+    if (group < 0 || group > UINT32_MAX) group = 0x80000000U | static_cast<std::uint32_t>(group);
     if (data_.smoothing.empty() && group == 0) return;  // off is how it begins
     if (data_.smoothing.empty() && triangles_so_far() > 0) data_.smoothing.push_back({0, 0});
     data_.smoothing.push_back({static_cast<std::uint32_t>(group), triangles_so_far()});

@@ -78,8 +78,8 @@ void store_averages(Mesh& mesh, const std::vector<TriangleFrame>& sums) {
     if (is_zero(unit.tangent)) unit.tangent = any_orthogonal(normal);
     if (is_zero(unit.bitangent)) unit.bitangent = unit_or_zero(glm::cross(normal, unit.tangent));
     if (is_zero(unit.bitangent)) unit.bitangent = any_orthogonal(unit.tangent);
-    const bool mirrored = glm::determinant(glm::mat3(unit.tangent, unit.bitangent, normal)) < 0.0f;
-    mesh.tangents[v] = {unit.tangent, mirrored ? -1.0f : 1.0f};
+    const bool mirrored = glm::determinant(glm::mat3(unit.tangent, unit.bitangent, normal)) < 0.0F;
+    mesh.tangents[v] = {unit.tangent, mirrored ? -1.0F : 1.0F};
     mesh.bitangents[v] = unit.bitangent;
   }
 }
@@ -108,7 +108,7 @@ void compute_tangents(Mesh& mesh, TangentMethod method, unsigned threads) {
   if (threads == 0)
     threads = static_cast<unsigned>(std::clamp<std::size_t>(mesh.triangle_count() / least, 1, processors()));
   mesh.bitangents.clear();
-  mesh.tangents.assign(mesh.vertex_count(), glm::vec4(0.0f));
+  mesh.tangents.assign(mesh.vertex_count(), glm::vec4(0.0F));
   if (method == TangentMethod::mikktspace) return mikktspace(mesh, threads);
   const Frames frames = triangle_frames(mesh, threads);
   if (method == TangentMethod::averaged) return store_averages(mesh, sum_by_vertex(mesh, frames));

@@ -20,23 +20,23 @@ using TrianglePositions = std::array<glm::vec3, 3>;  // from the box's centre
 /// normal, seen straight from outside and upright.
 glm::vec2 box_texcoord(const glm::vec3& p, const glm::vec3& normal) {
   const glm::vec3 part = glm::abs(normal);
-  if (part.z >= part.x && part.z >= part.y) return {normal.z < 0.0f ? -p.x : p.x, p.y};
-  if (part.x >= part.y) return {normal.x > 0.0f ? -p.z : p.z, p.y};
-  return {p.x, normal.y > 0.0f ? -p.z : p.z};
+  if (part.z >= part.x && part.z >= part.y) return {normal.z < 0.0F ? -p.x : p.x, p.y};
+  if (part.x >= part.y) return {normal.x > 0.0F ? -p.z : p.z, p.y};
+  return {p.x, normal.y > 0.0F ? -p.z : p.z};
 }
 
 /// Makes the three longitudes those of one unbroken piece: past the seam they go on beyond 1, and a corner on
 /// the axis takes the mean of the others.
 void mend_seam(const TrianglePositions& p, float size, TriangleTexcoords& texcoords) {
   // Within rounding: the box's centre is rounded, so a pole rarely lies at exactly 0.
-  const auto on_axis = [&](std::size_t k) { return std::hypot(p[k].x, p[k].z) <= 1e-6f * size; };
-  float greatest = 0.0f, sum = 0.0f;
+  const auto on_axis = [&](std::size_t k) { return std::hypot(p[k].x, p[k].z) <= 1e-6F * size; };
+  float greatest = 0.0F, sum = 0.0F;
   int count = 0;
   for (std::size_t k = 0; k < 3; ++k)
     if (!on_axis(k)) greatest = std::max(greatest, texcoords[k].s);
   for (std::size_t k = 0; k < 3; ++k) {
     if (on_axis(k)) continue;
-    if (greatest - texcoords[k].s > 0.5f) texcoords[k].s += 1.0f;
+    if (greatest - texcoords[k].s > 0.5F) texcoords[k].s += 1.0F;
     sum += texcoords[k].s;
     ++count;
   }
@@ -49,7 +49,7 @@ void mend_seam(const TrianglePositions& p, float size, TriangleTexcoords& texcoo
 void generate_texcoords(Mesh& mesh, Projection projection) {
   const Bounds box = bounds(mesh);
   const glm::vec3 extent = box.extent();
-  const auto or_one = [](float length) { return length > 0.0f ? length : 1.0f; };  // flat meshes
+  const auto or_one = [](float length) { return length > 0.0F ? length : 1.0F; };  // flat meshes
   const float size = or_one(std::max({extent.x, extent.y, extent.z}));
 
   // Texture coordinates by corner, then one vertex for each distinct one.
@@ -61,11 +61,11 @@ void generate_texcoords(Mesh& mesh, Projection projection) {
     TrianglePositions p = of_triangle(mesh, mesh.positions, t);
     for (glm::vec3& position : p) position -= box.center();
     const glm::vec3 normal =
-        projection == Projection::box ? newell_unit(p[0], p[1], p[2]) : glm::vec3(0.0f, 0.0f, 1.0f);
+        projection == Projection::box ? newell_unit(p[0], p[1], p[2]) : glm::vec3(0.0F, 0.0F, 1.0F);
     TriangleTexcoords texcoords;
     for (std::size_t k = 0; k < 3; ++k) {
-      texcoords[k] = is_round ? spherical_texcoord(p[k]) : box_texcoord(p[k], normal) / size + 0.5f;
-      if (projection == Projection::cylindrical) texcoords[k].t = p[k].y / or_one(extent.y) + 0.5f;
+      texcoords[k] = is_round ? spherical_texcoord(p[k]) : box_texcoord(p[k], normal) / size + 0.5F;
+      if (projection == Projection::cylindrical) texcoords[k].t = p[k].y / or_one(extent.y) + 0.5F;
     }
     if (is_round) mend_seam(p, size, texcoords);
     for (const glm::vec2& st : texcoords)
@@ -75,7 +75,7 @@ void generate_texcoords(Mesh& mesh, Projection projection) {
   mesh.bitangents.clear();
   mesh.texcoords.clear();
   for (const std::uint32_t n : split_by_label(mesh, labels))
-    mesh.texcoords.push_back(n == no_index ? glm::vec2(0.0f) : distinct.things()[n]);
+    mesh.texcoords.push_back(n == no_index ? glm::vec2(0.0F) : distinct.things()[n]);
 }
 
 void lay_texture(Mesh& mesh, const TextureLayout& layout) {

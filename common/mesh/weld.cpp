@@ -66,7 +66,7 @@ Mesh weld(ObjData data) {
   };
   fill(mesh.positions, true, [&](const Corner& corner) { return data.positions[corner.position]; });
   fill(mesh.texcoords, !data.texcoords.empty(), [&](const Corner& corner) {
-    return corner.texcoord == no_index ? glm::vec2(0.0f) : data.texcoords[corner.texcoord];
+    return corner.texcoord == no_index ? glm::vec2(0.0F) : data.texcoords[corner.texcoord];
   });
   fill(mesh.normals, !data.normals.empty(),
        [&](const Corner& corner) { return unit_or_zero(data.normals[corner.normal]); });

@@ -64,7 +64,7 @@ void Parameter::set(std::string_view text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     const bool whole = type == Type::number || number == std::floor(number);
     const bool inside = static_cast<double>(number) >= least && static_cast<double>(number) <= most;
-    // The bounds are doubles: 0.1f lies a little outside of [0.1, 1], and is meant to be in it.
+    // The bounds are doubles: 0.1F lies a little outside of [0.1, 1], and is meant to be in it.
     const bool at_bound = number == static_cast<float>(least) || number == static_cast<float>(most);
     if (error != std::errc{} || end != text.data() + text.size() || !whole || !(inside || at_bound))
       throw refusal(fmt::format("{} from {} to {}{}{}", type == Type::integer ? "a whole number" : "a number",

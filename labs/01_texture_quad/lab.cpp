@@ -45,7 +45,7 @@ struct TextureQuad : app::Lab<TextureQuadParameters> {
     const GLenum minify = minify_filter(p);
     const bool mipmapped = minify != GL_NEAREST && minify != GL_LINEAR;
     const gl::Texture& texture = textures_.get({p.texture, p.flip_v, p.linear_light, mipmapped}, [&] {
-      image::Image8 picture = gl::expand_grey(frame.assets().texture(p.texture));
+      image::Image8 picture = gl::expand_gray(frame.assets().texture(p.texture));
       if (p.flip_v) picture = image::flipped(picture);
       return upload(picture, p.linear_light ? image::Encoding::srgb : image::Encoding::linear, mipmapped);
     });

@@ -77,7 +77,7 @@ struct MultiTexture : app::Lab<MultiTextureParameters> {
   }
 
   std::optional<app::Preparation> preparation(const Parameters& p) override {
-    const image::Image8 picture = gl::expand_grey(assets_.texture(p.texture0));
+    const image::Image8 picture = gl::expand_gray(assets_.texture(p.texture0));
     return app::Preparation{
         "texel", picture.samples.size() / static_cast<std::size_t>(picture.channels), [picture, p] {
           const image::Encoding encoding =
@@ -92,7 +92,7 @@ struct MultiTexture : app::Lab<MultiTextureParameters> {
   const gl::Texture& texture_object(const Parameters& p, const std::string& name, bool premultiply) {
     const bool is_linear = p.method != Method::encoded;
     const auto load = [&] {
-      image::Image8 picture = gl::expand_grey(assets_.texture(name));
+      image::Image8 picture = gl::expand_gray(assets_.texture(name));
       if (premultiply) picture = premultiplied(std::move(picture));
       // With an sRGB format the sampler decodes before it filters.
       return upload(picture, is_linear ? image::Encoding::srgb : image::Encoding::linear, is_mipmapped(p),

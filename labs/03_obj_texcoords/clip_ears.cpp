@@ -10,7 +10,7 @@ namespace texel::mesh {
 bool clip_ears(const std::vector<glm::dvec2>& flat, std::vector<Triangle>& triangles) {
   //@step 3.3 begin
   std::vector<std::uint32_t> rest(flat.size());  // the corners not yet cut off, in order
-  std::iota(rest.begin(), rest.end(), 0u);
+  std::iota(rest.begin(), rest.end(), 0U);
   bool simple = true;
   std::size_t tip = 0, refused = 0;
   while (rest.size() > 3) {

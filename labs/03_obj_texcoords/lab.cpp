@@ -101,7 +101,7 @@ struct ObjTexcoords : app::Lab<ObjTexcoordsParameters> {
       std::fill(white.samples.begin(), white.samples.end(), std::uint8_t{255});
       return white;
     }
-    image::Image8 image = gl::expand_grey(assets_.texture(name));
+    image::Image8 image = gl::expand_gray(assets_.texture(name));
     return flip_v ? image::flipped(image) : image;
   }
 

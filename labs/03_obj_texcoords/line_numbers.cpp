@@ -12,12 +12,12 @@ glm::vec3 position_from(std::span<const float> numbers) {
 }
 
 glm::vec2 texcoord_from(std::span<const float> numbers) {
-  return {numbers[0], numbers.size() > 1 ? numbers[1] : 0.0f};
+  return {numbers[0], numbers.size() > 1 ? numbers[1] : 0.0F};
 }
 //@starter
 // // The model's shadow on the ground, drawn upright, and one point of the picture all over it.
 // glm::vec3 position_from(std::span<const float> numbers) {
-//   return {numbers[0], numbers[2], 0.0f};
+//   return {numbers[0], numbers[2], 0.0F};
 // }
 //
 // glm::vec2 texcoord_from(std::span<const float> numbers) {

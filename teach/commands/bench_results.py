@@ -198,7 +198,9 @@ def read_report(file):
 
 
 def to_json(report):
-    return json.dumps(report, indent=1, ensure_ascii=False) + "\n"
+    """Each result is one line, which a difference of two files shows."""
+    results = ",\n".join(json.dumps(one, ensure_ascii=False) for one in report["results"])
+    return f'{{"renderer": {json.dumps(report["renderer"])}, "results": [\n{results}\n]}}\n'
 
 
 def over_all_cases(lab, results):

@@ -307,8 +307,7 @@ def markdown(results, catalogue, state):
             + table("By folder", ("folder", "mutants", "caught", "survive for a reason"), [(folder, of[1], of[0], of[2]) for folder, of in scores])
             + ("\n## Changes that change nothing\n\n" + "".join(unchanged) if unchanged else "")
             + of_fate("broken", "Broken", "why") + of_fate("survived", "Survivors", "why that is right")
-            + table("Tests that caught what no test beside them did", ("test", "alone", "in all"), [row for row in alone if row[1] > 0])
-            + of_fate("caught", "Caught", "by"))
+            + table("Tests that caught what no test beside them did", ("test", "alone", "in all"), [row for row in alone if row[1] > 0]))
 
 
 def change_of(mutant):

@@ -193,7 +193,7 @@ std::vector<course::Lab> plans_of(const CourseTree& tree, const std::string& see
 }
 
 /// What check compares a public case with.
-check::ExpectedFiles kept(const CourseTree& tree, const course::Lab& lab, const course::Case& of) {
+check::ExpectedFiles expected_files(const CourseTree& tree, const course::Lab& lab, const course::Case& of) {
   const fs::path folder = check::expected_folder(tree.course, lab);
   return {folder / of.file, of.is_mesh() ? fs::path() : folder / (of.name + ".mask.png")};
 }
@@ -227,7 +227,7 @@ std::vector<std::string> wrongly_passed(const CourseTree& tree, const std::strin
     return std::all_of(lab.cases.begin(), lab.cases.end(), [&](const course::Case& of) {
       const fs::path picture = folder / of.file;
       return of.step != step || check::judge(of, course.expected(lab, of), picture).passed ||
-             (!of.hidden && check::judge(of, kept(tree, lab, of), picture).passed);
+             (!of.hidden && check::judge(of, expected_files(tree, lab, of), picture).passed);
     });
   };
   for (const course::Lab& lab : full_plan(tree.labs, kSeeds.front(), tree.cache / "models")) {
@@ -262,7 +262,7 @@ Json spreads(const CourseTree& tree, const fs::path& drawn, const std::string& r
       in_parallel(processors(), lab.cases.size(), [&](std::size_t i) {
         const course::Case& of = lab.cases[i];
         const fs::path folder = fs::path(seed) / lab.folder;
-        check::ExpectedFiles expected = kept(tree, lab, of);
+        check::ExpectedFiles expected = expected_files(tree, lab, of);
         if (of.hidden) {
           expected.reference = drawn / reference / folder / of.file;
           if (!of.is_mesh()) expected.mask = drawn / reference / folder / "mask" / (of.name + ".png");

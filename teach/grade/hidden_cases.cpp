@@ -56,7 +56,7 @@ std::string write_unseen(const std::string& kind, std::uint64_t number, const fs
   return file.string();
 }
 
-void settle(const course::Lab& lab, Case& one, const std::string& seed, const fs::path& models) {
+void resolve(const course::Lab& lab, Case& one, const std::string& seed, const fs::path& models) {
   for (const course::Hidden& hidden : one.hidden_settings) {
     const std::string value = drawn(hidden, one, draw({seed, lab.folder, one.name, hidden.parameter}));
     std::erase_if(one.settings, [&](const auto& setting) { return setting.parameter == hidden.parameter; });
@@ -73,7 +73,7 @@ void settle(const course::Lab& lab, Case& one, const std::string& seed, const fs
 std::vector<course::Lab> full_plan(std::vector<course::Lab> labs, const std::string& seed,
                                    const fs::path& models) {
   for (course::Lab& lab : labs)
-    for (Case& one : lab.cases) settle(lab, one, seed, models);
+    for (Case& one : lab.cases) resolve(lab, one, seed, models);
   return labs;
 }
 

@@ -66,12 +66,12 @@ bool is_better(const Root& a, const Root& b) {
 /// two equal paths the later is taken, as tar does.
 void stand(Root& root, const Item& item, const std::string& file) {
   std::vector<const Item*>& taken = root.files[file];
-  const auto order = [&](const Item& one) {
+  const auto rank = [&](const Item& one) {
     return std::pair(one.path.size(), file.ends_with(one.path.substr(root.folder.size())));
   };
-  if (taken.empty() || order(*taken[0]) < order(item)) {
+  if (taken.empty() || rank(*taken[0]) < rank(item)) {
     taken = {&item};
-  } else if (order(*taken[0]) == order(item)) {
+  } else if (rank(*taken[0]) == rank(item)) {
     std::erase_if(taken, [&](const Item* one) { return one->path == item.path; });
     taken.push_back(&item);
   }

@@ -267,7 +267,7 @@ pid_t Process::wait_until_ready(const Descriptor& ready, const Descriptor& info)
   if (changed != 1 || ::read(ready.get(), &byte, 1) != 1) {
     end();
     drain();
-    throw sandbox_error(streams_[1].kept.empty() ? "it does not start" : streams_[1].kept,
+    throw sandbox_error(streams_[1].beginning.empty() ? "it does not start" : streams_[1].beginning,
                         "allow this user to create namespaces, or use --unsafe for code that you trust");
   }
   std::string text(4096, '\0');
@@ -305,8 +305,8 @@ Outcome Process::watch(const std::vector<std::filesystem::path>& results) {
   // The kernel forgets the times of a sandbox that was killed.
   outcome.cpu_seconds = std::max(outcome.cpu_seconds, ended.usage.cpu_seconds);
   outcome.peak_memory = std::max(outcome.peak_memory, ended.usage.memory);
-  outcome.output = streams_[0].kept;
-  outcome.errors = streams_[1].kept;
+  outcome.output = streams_[0].beginning;
+  outcome.errors = streams_[1].beginning;
   outcome.output_bytes = streams_[0].bytes;
   outcome.error_bytes = streams_[1].bytes;
   if (outcome.limit == Limit::none) outcome.limit = limit_behind(outcome);
@@ -364,7 +364,7 @@ void Process::drain() {
       if (got <= 0) break;
       const auto size = static_cast<std::size_t>(got);
       stream.bytes += size;
-      stream.kept.append(block.data(), std::min(size, keep - std::min(keep, stream.kept.size())));
+      stream.beginning.append(block.data(), std::min(size, keep - std::min(keep, stream.beginning.size())));
     }
 }
 

@@ -25,10 +25,10 @@ struct Launch {
   unsigned user = 0;   ///< the id of the program where there are no namespaces, or 0
 };
 
-/// One stream of the program: its beginning is kept, the rest only counted.
+/// One stream of the program: the rest is only counted.
 struct Stream {
   Descriptor read_end;
-  std::string kept = {};
+  std::string beginning = {};
   std::uint64_t bytes = 0;
 };
 

@@ -66,7 +66,7 @@ Words parents(const fs::path& folder) {
 }
 
 /// What bwrap does before the first process, as words for its --args.
-Words walls(const Confines& confines) {
+Words bwrap_arguments(const Confines& confines) {
   constexpr std::uint64_t page = 4096;
   const Words disk = {"--size", fmt::format("{}", confines.limits.disk / page * page), "--perms", "0777",
                       "--tmpfs"};
@@ -133,7 +133,7 @@ Launch launch_of(const Confines& confines, const Words& command) {
   // process without capabilities, would not reach it.
   if (::geteuid() == 0) append(launch.command, become(unprivileged_id()));
   append(launch.command, held(confines.limits, command));
-  for (const std::string& word : walls(confines)) launch.arguments.append(word).push_back('\0');
+  for (const std::string& word : bwrap_arguments(confines)) launch.arguments.append(word).push_back('\0');
   return launch;
 }
 

@@ -54,7 +54,7 @@ class Plain {
 
  private:
   struct Triangle {
-    vec3 tangent{0.0f}, bitangent{0.0f};  // unit
+    vec3 tangent{0.0F}, bitangent{0.0F};  // unit
     bool takes_part = true;               // no two corners at one place
     int turn = 0;                         // +1 or -1 as the texture turns; 0 without a tangent of its own
   };
@@ -71,7 +71,7 @@ class Plain {
         // Twice the area times T and times B, solved for as in step 5.2.
         const vec3 s = b.y * (p[1] - p[0]) - a.y * (p[2] - p[0]);
         const vec3 t_up = a.x * (p[2] - p[0]) - b.x * (p[1] - p[0]);
-        const float sign = area > 0 ? 1.0f : -1.0f;
+        const float sign = area > 0 ? 1.0F : -1.0F;
         if (counts(glm::length(s))) triangle.tangent = sign / glm::length(s) * s;
         if (counts(glm::length(t_up))) triangle.bitangent = sign / glm::length(t_up) * t_up;
         if (counts(glm::length(s) / std::abs(area)) && counts(glm::length(t_up) / std::abs(area)))
@@ -140,25 +140,25 @@ class Plain {
 
   /// A triangle's tangents and its corner's angle, in the plane of the normal.
   struct Share {
-    vec3 tangent{0.0f}, bitangent{0.0f};
-    float angle = 0.0f;
+    vec3 tangent{0.0F}, bitangent{0.0F};
+    float angle = 0.0F;
   };
 
   [[nodiscard]] Share share_of(CornerNumber corner) const {
     const vec3 normal = mesh_.normals[mesh_.indices[corner]];
     const auto in_plane = [&](const vec3& v) {
       const vec3 flat = v - glm::dot(normal, v) * normal;
-      return counts(flat) ? 1.0f / glm::length(flat) * flat : flat;
+      return counts(flat) ? 1.0F / glm::length(flat) * flat : flat;
     };
     const auto place = [&](CornerNumber c) { return mesh_.positions[mesh_.indices[c]]; };
     const vec3 before = in_plane(place(previous_of(corner)) - place(corner)),
                after = in_plane(place(next_of(corner)) - place(corner));
-    const float cosine = std::clamp(glm::dot(before, after), -1.0f, 1.0f);
+    const float cosine = std::clamp(glm::dot(before, after), -1.0F, 1.0F);
     const Triangle& triangle = triangles_[corner / 3];
     const Share share{in_plane(triangle.tangent), in_plane(triangle.bitangent),
                       static_cast<float>(std::acos(double{cosine}))};
     const bool is_finite = std::isfinite(glm::dot(share.tangent, share.tangent) * share.angle);
-    return is_finite ? share : Share{vec3(0.0f), share.bitangent, 0.0f};
+    return is_finite ? share : Share{vec3(0.0F), share.bitangent, 0.0F};
   }
 
   /// Each corner's sum over its group, without those whose tangent or bitangent is exactly opposite to its
@@ -177,12 +177,12 @@ class Plain {
         else
           shares.push_back(share_of(corner));
       const auto sum = [&](const auto& is_counted) {
-        vec3 total(0.0f);
+        vec3 total(0.0F);
         for (const Share& share : shares)
           if (is_counted(share)) total += share.angle * share.tangent;
-        total = 1.0f / glm::length(total) * total;
-        const bool is_unit = std::abs(glm::dot(total, total) - 1.0f) < 1e-3f;
-        return glm::vec4(is_unit ? total : vec3(0.0f), group_turns_[group] < 0 ? -1.0f : 1.0f);
+        total = 1.0F / glm::length(total) * total;
+        const bool is_unit = std::abs(glm::dot(total, total) - 1.0F) < 1e-3F;
+        return glm::vec4(is_unit ? total : vec3(0.0F), group_turns_[group] < 0 ? -1.0F : 1.0F);
       };
       const glm::vec4 whole = sum([](const Share&) { return true; });
       for (const CornerNumber corner : members[group]) tangent_[corner] = whole;
@@ -191,8 +191,8 @@ class Plain {
       for (const CornerNumber corner : members[group]) {
         if (triangles_[corner / 3].turn == 0) continue;
         tangent_[corner] = sum([&](const Share& share) {
-          return glm::dot(own->tangent, share.tangent) > -1.0f &&
-                 glm::dot(own->bitangent, share.bitangent) > -1.0f;
+          return glm::dot(own->tangent, share.tangent) > -1.0F &&
+                 glm::dot(own->bitangent, share.bitangent) > -1.0F;
         });
         ++own;
       }
@@ -204,7 +204,7 @@ class Plain {
   /// point has.
   void give_each_tangent_its_vertices() {
     using Label = std::tuple<std::size_t, float, float, float, float>;
-    const Label nothing{group_turns_.size(), 1.0f, 0.0f, 0.0f, -1.0f};
+    const Label nothing{group_turns_.size(), 1.0F, 0.0F, 0.0F, -1.0F};
     std::vector<Label> labels;
     std::map<std::uint32_t, Label> first;  // by point
     for (CornerNumber corner = 0; corner < point_.size(); ++corner) {

@@ -212,7 +212,7 @@ TEST(Json, names_the_line_and_column_of_what_is_wrong) {
 TEST(Json, is_null_where_a_text_is_none) {
   for (const char* text : {"", "{", "[1,]", "Segmentation fault", "{\"a\": 1} more", "\"\xFF\""})
     EXPECT_TRUE(json_or_null(text).is_null()) << text;
-  EXPECT_EQ(json_or_null("[1]").size(), 1u);
+  EXPECT_EQ(json_or_null("[1]").size(), 1U);
 }
 
 TEST(Json, has_a_sign_for_bytes_that_are_no_text) {

@@ -24,26 +24,26 @@ Mesh cube_at(float x, float half_size) {
 }
 
 TEST(LostShape, is_none_for_models_of_any_size_that_floats_can_tell_apart) {
-  for (const float size : {1e-37f, 1e-3f, 1.0f, 1e18f, 1.5e38f})
-    EXPECT_EQ(lost_shape(cube_at(0.0f, size)), "") << size;
-  EXPECT_EQ(lost_shape(cube_at(1e3f, 0.1f)), "");
-  EXPECT_EQ(lost_shape(cube_at(1e6f, 50.0f)), "") << "1600 floats along it are finer than pixels";
-  EXPECT_EQ(lost_shape(torus(0.7f, 0.001f, 48, 24)), "") << "a thin ring";
+  for (const float size : {1e-37F, 1e-3F, 1.0F, 1e18F, 1.5e38F})
+    EXPECT_EQ(lost_shape(cube_at(0.0F, size)), "") << size;
+  EXPECT_EQ(lost_shape(cube_at(1e3F, 0.1F)), "");
+  EXPECT_EQ(lost_shape(cube_at(1e6F, 50.0F)), "") << "1600 floats along it are finer than pixels";
+  EXPECT_EQ(lost_shape(torus(0.7F, 0.001F, 48, 24)), "") << "a thin ring";
 }
 
 TEST(LostShape, says_why_nothing_would_be_seen) {
-  Mesh point = cube_at(0.0f, 1e-3f), far_vertex = cube_at(0.0f, 1e-30f);
-  for (glm::vec3& position : point.positions) position += 1e6f;
-  far_vertex.positions.emplace_back(1e30f, 0.0f, 0.0f);
+  Mesh point = cube_at(0.0F, 1e-3F), far_vertex = cube_at(0.0F, 1e-30F);
+  for (glm::vec3& position : point.positions) position += 1e6F;
+  far_vertex.positions.emplace_back(1e30F, 0.0F, 0.0F);
   far_vertex.indices.insert(far_vertex.indices.end(), {0, 1, 8});
   Mesh line = far_vertex;
   for (std::size_t i = 0; i < line.positions.size(); ++i)
-    line.positions[i] = static_cast<float>(i) * glm::vec3(1.0f, 0.5f, 0.25f);
+    line.positions[i] = static_cast<float>(i) * glm::vec3(1.0F, 0.5F, 0.25F);
   const std::pair<Mesh, const char*> rows[] = {
       {point, "one point, 1000000 1000000 1000000,"},
       // At 1e6 floats are 1/16 apart: 160 of them along 10.
-      {cube_at(1e6f, 5.0f), "10 long and lies 1e+06 from the origin, where 32-bit floats are 0.0625 apart"},
-      {cube_at(1e6f, 1e-3f), "0.002 long"},  // flat now, since x is lost
+      {cube_at(1e6F, 5.0F), "10 long and lies 1e+06 from the origin, where 32-bit floats are 0.0625 apart"},
+      {cube_at(1e6F, 1e-3F), "0.002 long"},  // flat now, since x is lost
       {far_vertex, "size of 1e+30 its triangles are points and lines"},
       {line, "points and lines"}};
   for (const auto& [mesh, part] : rows) EXPECT_TRUE(test::has(lost_shape(mesh), part)) << lost_shape(mesh);
@@ -51,16 +51,16 @@ TEST(LostShape, says_why_nothing_would_be_seen) {
 
 void expect_unit(Mesh mesh) {
   normalize_to_unit(mesh);
-  EXPECT_LT(glm::length(bounds(mesh).center()), 1e-6f);  // float32 offsets of three radii
-  float farthest = 0.0f;
+  EXPECT_LT(glm::length(bounds(mesh).center()), 1e-6F);  // float32 offsets of three radii
+  float farthest = 0.0F;
   for (const glm::vec3& p : mesh.positions) farthest = std::max(farthest, glm::length(p));
-  EXPECT_NEAR(farthest, 1.0f, 1e-6f);
+  EXPECT_NEAR(farthest, 1.0F, 1e-6F);
 }
 
 TEST(Bounds, center_and_unit_size_hold_for_models_of_any_size_and_place) {
-  for (const float size : {1e-6f, 1.0f, 1e6f}) {
+  for (const float size : {1e-6F, 1.0F, 1e6F}) {
     Mesh mesh = sphere(16, 32, size);
-    for (glm::vec3& p : mesh.positions) p += glm::vec3(3.0f * size, -size, 0.0f);
+    for (glm::vec3& p : mesh.positions) p += glm::vec3(3.0F * size, -size, 0.0F);
     expect_unit(mesh);
   }
   Mesh mesh;
@@ -69,12 +69,12 @@ TEST(Bounds, center_and_unit_size_hold_for_models_of_any_size_and_place) {
     mesh.positions[1][axis] = 10;
     expect_unit(mesh);
   }
-  mesh.positions = {{5.0f, 5.0f, 5.0f}};
+  mesh.positions = {{5.0F, 5.0F, 5.0F}};
   normalize_to_unit(mesh);
-  EXPECT_EQ(mesh.positions[0], glm::vec3(0.0f));
+  EXPECT_EQ(mesh.positions[0], glm::vec3(0.0F));
   Mesh empty;
   normalize_to_unit(empty);
-  EXPECT_EQ(bounds(empty).extent(), glm::vec3(0.0f));
+  EXPECT_EQ(bounds(empty).extent(), glm::vec3(0.0F));
 }
 
 }  // namespace

@@ -33,9 +33,9 @@ TEST(Mtl, reads_colors_and_maps_and_tells_of_lines_that_are_lost_and_options_not
   const char *lost = "a.mtl: 1 lines ignored; the first is line 2", *unfollowed = "of material 'm'";
   const Row rows[] = {
       {""},
-      {"Kd 0.25 0.5 1\n", {0.25f, 0.5f, 1}},
-      {"Kd 0.5\n", glm::vec3(0.5f)},
-      {"Kd 0,5 0 1\n", {0.5f, 0, 1}},
+      {"Kd 0.25 0.5 1\n", {0.25F, 0.5F, 1}},
+      {"Kd 0.5\n", glm::vec3(0.5F)},
+      {"Kd 0,5 0 1\n", {0.5F, 0, 1}},
       {"Kd spectral a.rfl\nmap_Kd b.png\n", white, "b.png", lost},
       {"Kd 0.5 x 1\nmap_Kd b.png\n", white, "b.png", lost},
       {"Kd 0.5 0.5\nmap_Kd b.png\n", white, "b.png", lost},
@@ -63,20 +63,20 @@ TEST(Mtl, reads_colors_and_maps_and_tells_of_lines_that_are_lost_and_options_not
     std::vector<std::string> warnings;
     const std::vector<Material> materials =
         parse_mtl("newmtl m\n" + row.text + "newmtl n\nKd 0 0 1\n", "a.mtl", warnings);
-    ASSERT_EQ(materials.size(), 2u);
+    ASSERT_EQ(materials.size(), 2U);
     EXPECT_EQ(materials[0].name, "m");
     EXPECT_EQ(materials[0].diffuse, row.diffuse);
     EXPECT_EQ(materials[0].color_map, row.color_map);
     EXPECT_EQ(materials[1].diffuse, glm::vec3(0, 0, 1)) << "the rest is kept";
-    ASSERT_EQ(warnings.size(), row.warning != nullptr ? 1u : 0u);
+    ASSERT_EQ(warnings.size(), row.warning != nullptr ? 1U : 0U);
     if (row.warning != nullptr) {
       EXPECT_TRUE(has(warnings[0], row.warning)) << warnings[0];
     }
   }
   std::vector<std::string> warnings;
   EXPECT_TRUE(parse_mtl("", "a.mtl", warnings).empty());
-  EXPECT_EQ(parse_mtl("# c\nmap_Kd a.png\nnewmtl m\n", "a.mtl", warnings).size(), 1u);
-  ASSERT_EQ(warnings.size(), 1u) << "a map before any material";
+  EXPECT_EQ(parse_mtl("# c\nmap_Kd a.png\nnewmtl m\n", "a.mtl", warnings).size(), 1U);
+  ASSERT_EQ(warnings.size(), 1U) << "a map before any material";
   EXPECT_TRUE(has(warnings[0], lost)) << warnings[0];
 }
 
@@ -101,11 +101,11 @@ TEST_F(ObjFiles, material_libraries_are_read_beside_the_file) {
   write("b.mtl", "newmtl blue\nKd 0 0 1\nmap_Bump -bm 0.5 h.png\n");
   const ObjData data =
       load("mtllib my paints.mtl\nmtllib missing.mtl b.mtl\nusemtl red\n" + face_ + "usemtl green\n" + face_);
-  ASSERT_EQ(data.materials.size(), 2u);
+  ASSERT_EQ(data.materials.size(), 2U);
   EXPECT_EQ(find_material(data, "red")->color_map, "");
   EXPECT_EQ(find_material(data, "blue")->diffuse, glm::vec3(0, 0, 1));
   EXPECT_EQ(find_material(data, "green"), nullptr);
-  ASSERT_EQ(data.warnings.size(), 3u);
+  ASSERT_EQ(data.warnings.size(), 3U);
   EXPECT_TRUE(has(data.warnings[0], "red brick.png")) << "the picture is missing";
   EXPECT_TRUE(has(data.warnings[1], "missing.mtl"));
   EXPECT_TRUE(has(data.warnings[2], "'green'"));
@@ -132,9 +132,9 @@ TEST_F(ObjFiles, pictures_are_found_beside_the_library_then_beside_the_model) {
   for (const auto& [written, found] : rows) {
     write("lib/my #1.mtl", "newmtl m\nmap_Kd " + written + "\n");
     const ObjData data = load("mtllib lib/my #1.mtl # a note\nusemtl m\n" + face_);
-    ASSERT_EQ(data.materials.size(), 1u) << written;
+    ASSERT_EQ(data.materials.size(), 1U) << written;
     EXPECT_EQ(data.materials[0].color_map, found ? (folder_ / found).string() : "") << written;
-    EXPECT_EQ(data.warnings.size(), found ? 0u : 1u) << written;
+    EXPECT_EQ(data.warnings.size(), found ? 0U : 1U) << written;
   }
 }
 
@@ -158,7 +158,7 @@ TEST_F(ObjFiles, names_run_to_the_end_of_their_line_but_for_a_comment_that_one_s
     write("a.mtl", "newmtl " + row.defined[0] + "\nnewmtl " + row.defined[1] + "\n");
     const ObjData data = load("mtllib a.mtl # note\nusemtl " + row.used[0] + "\n" + face_ + "usemtl " +
                               row.used[1] + "\n" + face_);
-    ASSERT_EQ(data.material_runs.size(), 2u);
+    ASSERT_EQ(data.material_runs.size(), 2U);
     for (std::size_t i = 0; i < 2; ++i) {
       const Material* material = find_material(data, data.material_runs[i].name);
       ASSERT_EQ(material != nullptr, row.found[i] != nullptr) << i;

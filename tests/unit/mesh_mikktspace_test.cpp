@@ -31,8 +31,8 @@ Mesh heap(std::uint64_t seed, int triangles, unsigned steps) {
   const auto number = [&state](unsigned below) { return static_cast<float>((state = mix(state)) % below); };
   for (int i = 0; i < 3 * triangles; ++i) {
     mesh.positions.emplace_back(number(steps), number(steps), number(2));
-    mesh.texcoords.emplace_back(number(steps), number(2) == 0.0f ? -0.0f : 0.0f);
-    mesh.normals.push_back(number(4) == 0.0f ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1));
+    mesh.texcoords.emplace_back(number(steps), number(2) == 0.0F ? -0.0F : 0.0F);
+    mesh.normals.push_back(number(4) == 0.0F ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1));
   }
   for (glm::vec2& st : mesh.texcoords) {
     st.t += number(steps);
@@ -43,10 +43,10 @@ Mesh heap(std::uint64_t seed, int triangles, unsigned steps) {
 
 /// The torus with its texture mirrored in one half and shrunk to a point in a quarter.
 Mesh mirrored_and_shrunk() {
-  Mesh mesh = torus(1.0f, 0.4f, 60, 40, {0.5f, 3});
+  Mesh mesh = torus(1.0F, 0.4F, 60, 40, {0.5F, 3});
   for (glm::vec2& st : mesh.texcoords) {
-    if (st.s > 0.75f) st = {0.75f, 0.5f};
-    st.t = st.t > 0.5f ? 1.0f - st.t : st.t;
+    if (st.s > 0.75F) st = {0.75F, 0.5F};
+    st.t = st.t > 0.5F ? 1.0F - st.t : st.t;
   }
   return mesh;
 }
@@ -55,7 +55,7 @@ Mesh mirrored_and_shrunk() {
 Mesh cap(std::uint32_t segments) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}};
-  mesh.texcoords = {{0.5f, 1}};
+  mesh.texcoords = {{0.5F, 1}};
   for (std::uint32_t i = 0; i <= segments; ++i) {
     const double turn = static_cast<double>(i) / segments, angle = 6.283185307179586 * turn;
     mesh.positions.emplace_back(std::cos(angle), std::sin(angle), 0);
@@ -67,18 +67,18 @@ Mesh cap(std::uint32_t segments) {
 }
 
 std::vector<std::pair<const char*, Mesh>> meshes() {
-  Mesh smeared = torus(1.0f, 0.4f, 30, 20), point = smeared, faceted = smeared, tiny = smeared,
+  Mesh smeared = torus(1.0F, 0.4F, 30, 20), point = smeared, faceted = smeared, tiny = smeared,
        unused = smeared;
-  smeared.texcoords.assign(smeared.vertex_count(), glm::vec2(0.5f));
-  point.positions.assign(point.vertex_count(), glm::vec3(1.0f));
+  smeared.texcoords.assign(smeared.vertex_count(), glm::vec2(0.5F));
+  point.positions.assign(point.vertex_count(), glm::vec3(1.0F));
   flat_normals(faceted);
-  for (glm::vec3& p : tiny.positions) p *= 1e-20f;
+  for (glm::vec3& p : tiny.positions) p *= 1e-20F;
   unused.indices.resize(unused.indices.size() / 2);
   std::vector<std::pair<const char*, Mesh>> all = {
       {"quad", quad()},
       {"sphere", sphere(24, 40)},
       {"sphere of separate triangles", split(sphere(24, 40))},
-      {"rough torus", torus(1.0f, 0.4f, 60, 40, {0.5f, 3})},
+      {"rough torus", torus(1.0F, 0.4F, 60, 40, {0.5F, 3})},
       {"mirrored and shrunk", mirrored_and_shrunk()},
       {"mirrored and shrunk, separate triangles", split(mirrored_and_shrunk())},
       {"cap", cap(64)},
@@ -126,12 +126,12 @@ void expect_usable(const Mesh& mesh, TangentMethod method, const char* name) {
   ASSERT_EQ(mesh.tangents.size(), mesh.vertex_count());
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     const glm::vec4& t = mesh.tangents[v];
-    ASSERT_NEAR(glm::length(glm::vec3(t)), 1.0f, 1e-6f) << name << ", vertex " << v;
-    ASSERT_EQ(std::abs(t.w), 1.0f) << name;
+    ASSERT_NEAR(glm::length(glm::vec3(t)), 1.0F, 1e-6F) << name << ", vertex " << v;
+    ASSERT_EQ(std::abs(t.w), 1.0F) << name;
     // The plain average leans, and what MikkTSpace gives where it finds no tangent. A T that is nearly along
     // the normal loses digits in the projection: 1.1e-6 was measured.
     if (method != TangentMethod::averaged && t != glm::vec4(1, 0, 0, -1)) {
-      ASSERT_NEAR(glm::dot(glm::vec3(t), mesh.normals[v]), 0.0f, 2e-6f) << name << ", vertex " << v;
+      ASSERT_NEAR(glm::dot(glm::vec3(t), mesh.normals[v]), 0.0F, 2e-6F) << name << ", vertex " << v;
     }
   }
 }
@@ -146,17 +146,17 @@ TEST(TangentsPlain, are_usable_and_equal_the_plain_version_with_any_number_of_th
             << name << ", method " << static_cast<int>(method) << ", " << threads << " threads";
     }
   // Large enough for threads of its own.
-  const Mesh large = split(torus(1.0f, 0.4f, 300, 200, {0.5f, 4}));
+  const Mesh large = split(torus(1.0F, 0.4F, 300, 200, {0.5F, 4}));
   EXPECT_TRUE(same_bits(computed(large), plain(large)));
 }
 
 TEST(Mikktspace, divides_a_cap_s_tip_up_to_4096_triangles) {
   // With an odd number none faces another exactly. Rounding decides whether two that do are opposite to the
   // last bit: measured 64 of 64 and 4017 of 4096.
-  EXPECT_EQ(copies_of(cap(63)), 0u);
-  EXPECT_GT(copies_of(cap(64)), 32u);
-  EXPECT_GT(copies_of(cap(4096)), 2048u);
-  EXPECT_EQ(copies_of(cap(4098)), 0u);
+  EXPECT_EQ(copies_of(cap(63)), 0U);
+  EXPECT_GT(copies_of(cap(64)), 32U);
+  EXPECT_GT(copies_of(cap(4096)), 2048U);
+  EXPECT_EQ(copies_of(cap(4098)), 0U);
 }
 
 // ---- The reference code.
@@ -183,9 +183,9 @@ TEST(MikktspaceReference, does_not_add_up_tangents_that_are_exactly_opposite) {
   // each counts itself and its two neighbours, which cancel, and not the one that faces it: T is its own.
   const dvec3 sides[] = {{0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {1, 0, 0}};
   Mesh roof = model("hard/opposite_tangents");
-  EXPECT_EQ(copies_of(roof), 3u) << "four vertices at the tip";
+  EXPECT_EQ(copies_of(roof), 3U) << "four vertices at the tip";
   const std::vector<glm::vec4> tangents = corner_tangents(roof);
-  ASSERT_EQ(tangents.size(), 12u);
+  ASSERT_EQ(tangents.size(), 12U);
   for (std::size_t t = 0; t < 4; ++t) {
     expect_corner(tangents[3 * t], sides[t], 3 * t);
     // Along the rim two neighbours count alike; at the texture's seam one is alone.
@@ -194,8 +194,8 @@ TEST(MikktspaceReference, does_not_add_up_tangents_that_are_exactly_opposite) {
   }
   // With a rim point moved by 1 % two sides are no longer parallel, and all four count in each other's sum.
   for (glm::vec3& p : roof.positions)
-    if (p.x > 0 && p.y > 0) p.x *= 1.01f;
-  EXPECT_EQ(copies_of(roof), 2u) << "up and down are not opposite now; left and right are";
+    if (p.x > 0 && p.y > 0) p.x *= 1.01F;
+  EXPECT_EQ(copies_of(roof), 2U) << "up and down are not opposite now; left and right are";
 }
 
 TEST(MikktspaceReference, does_not_add_up_triangles_whose_bitangents_are_exactly_opposite) {
@@ -220,7 +220,7 @@ TEST(MikktspaceReference, pairs_the_first_two_triangles_that_run_opposite_ways_a
   const dvec3 at_a = 45.0 * first + 90.0 * right, at_b = 90.0 * first + 45.0 * right;
   const std::vector<dvec3> expected = {at_a, at_b, first, second, second, second, at_b, at_a, right};
   const std::vector<glm::vec4> tangents = corner_tangents(model("hard/three_at_an_edge"));
-  ASSERT_EQ(tangents.size(), 9u);
+  ASSERT_EQ(tangents.size(), 9U);
   for (std::size_t c = 0; c < 9; ++c) expect_corner(tangents[c], expected[c], c);
 }
 
@@ -231,7 +231,7 @@ TEST(MikktspaceReference, gives_1_0_0_and_minus_1_where_no_texture_area_reaches)
   const std::vector<bool> reached = {true,  true,  true,  true, true,  false,
                                      false, false, false, true, false, false};
   const std::vector<glm::vec4> tangents = corner_tangents(model("hard/no_texture_area"));
-  ASSERT_EQ(tangents.size(), 12u);
+  ASSERT_EQ(tangents.size(), 12U);
   for (std::size_t c = 0; c < 12; ++c)
     if (reached[c])
       expect_corner(tangents[c], {0, 1, 0}, c);
@@ -250,12 +250,12 @@ struct Digest {
 Digest digest(const Mesh& mesh) {
   const std::vector<glm::vec4> tangents = corner_tangents(mesh);
   Digest digest{.corners = tangents.size()};
-  std::vector<glm::vec4> first(mesh.vertex_count(), glm::vec4(0.0f));
+  std::vector<glm::vec4> first(mesh.vertex_count(), glm::vec4(0.0F));
   for (std::size_t c = 0; c < tangents.size(); ++c) {
     digest.sum += static_cast<double>(mix(c) >> 11U) * 0x1p-53 * dvec3(tangents[c]);
     if (tangents[c].w < 0) ++digest.mirrored;
     glm::vec4& own = first[mesh.indices[c]];
-    if (own.w == 0.0f) own = tangents[c];
+    if (own.w == 0.0F) own = tangents[c];
     if (own.w != tangents[c].w || test::degrees_between(own, tangents[c]) > 1) ++digest.split;
   }
   return digest;

@@ -28,12 +28,12 @@ TEST(Normals, of_a_face_points_to_its_counter_clockwise_side_at_any_size) {
       flat_normals(triangle, by);
       return triangle.normals[0];
     };
-    for (const float size : {1e-30f, 1e-6f, 1.0f, 1e6f, 1e30f})
+    for (const float size : {1e-30F, 1e-6F, 1.0F, 1e6F, 1e30F})
       EXPECT_EQ(normal_of({{0, 0, 0}, {size, 0, 0}, {0, size, 0}}), glm::vec3(0, 0, 1)) << size;
     EXPECT_EQ(normal_of({{1, 2, 3}, {2, 2, 5}, {1, 6, 4}}), normal_of({{2, 2, 5}, {1, 6, 4}, {1, 2, 3}}));
     EXPECT_EQ(normal_of({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}), fallback_normal) << "no area";
   }
-  EXPECT_EQ(face_normal({0, 0, 0}, {1, 1, 1}, {2, 2, 2}), glm::vec3(0.0f)) << "no area";
+  EXPECT_EQ(face_normal({0, 0, 0}, {1, 1, 1}, {2, 2, 2}), glm::vec3(0.0F)) << "no area";
 }
 
 TEST(Normals, are_those_of_the_given_function) {
@@ -53,8 +53,8 @@ TEST(Normals, smooth_ones_come_near_the_exact_ones) {
       {"sphere by area", sphere(32, 64), Weighting::area,
        0.95},  // next to the poles, where areas are unequal
       {"sphere by angle", sphere(32, 64), Weighting::angle, 0.09},
-      {"torus by area", torus(1.0f, 0.4f, 64, 32), Weighting::area, 0.18},
-      {"torus by angle", torus(1.0f, 0.4f, 64, 32), Weighting::angle, 0.18},
+      {"torus by area", torus(1.0F, 0.4F, 64, 32), Weighting::area, 0.18},
+      {"torus by angle", torus(1.0F, 0.4F, 64, 32), Weighting::angle, 0.18},
       {"icosphere by angle", test::icosphere(4), Weighting::angle, 0.15},
   };
   for (const auto& [name, exact, weighting, limit] : rows) {
@@ -112,7 +112,7 @@ TEST(Normals, of_a_file_follow_weights_positions_and_smoothing_groups) {
 TEST(Normals, of_a_file_can_be_taken_away_and_made_anew) {
   ObjData data = parse_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 0 0\nf 1//1 2//1 3//1\n", "a.obj");
   generate_missing_normals(data, Weighting::angle);
-  EXPECT_EQ(data.normals.size(), 1u) << "none is missing";
+  EXPECT_EQ(data.normals.size(), 1U) << "none is missing";
   remove_normals(data);
   generate_missing_normals(data, Weighting::angle);
   EXPECT_EQ(weld(data).normals[0], glm::vec3(0, 0, 1));
@@ -122,7 +122,7 @@ TEST(Normals, flat_ones_split_only_where_faces_differ) {
   Mesh cube =
       weld(parse_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\nf 1 5 2\n", "a.obj"));
   flat_normals(cube, face_normal);
-  EXPECT_EQ(cube.vertex_count(), 7u);  // the two triangles of the square share, the third one does not
+  EXPECT_EQ(cube.vertex_count(), 7U);  // the two triangles of the square share, the third one does not
   for (std::size_t i = 0; i < cube.indices.size(); ++i)
     EXPECT_EQ(cube.normals[cube.indices[i]], i < 6 ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0)) << i;
 }

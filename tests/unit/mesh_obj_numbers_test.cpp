@@ -58,7 +58,7 @@ TEST_F(ObjNumbers, are_nearest_around_the_middle_between_two_floats) {
   std::vector<std::string> words;
   for (int n = 0; n < 150'000; ++n) {
     // A float of 1e-5 to 1e9 and the next one; their middle is a double.
-    const auto bits = static_cast<std::uint32_t>(0x3727C5ACu + random(0x4E6E6B28u - 0x3727C5ACu));
+    const auto bits = static_cast<std::uint32_t>(0x3727C5ACU + random(0x4E6E6B28U - 0x3727C5ACU));
     const double middle = (double{std::bit_cast<float>(bits)} + double{std::bit_cast<float>(bits + 1)}) / 2;
     const int before_point = std::max(1, static_cast<int>(std::ceil(std::log10(middle))));
     // The middle itself, cut to 14 to 18 digits, and the numbers one up and down in the last of them.

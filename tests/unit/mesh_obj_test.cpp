@@ -120,35 +120,35 @@ TEST(Obj, rounds_numbers_to_the_nearest_float_and_repairs_unusual_ones) {
     bool repaired = false;
   };
   std::vector<Row> rows = {
-      {"0.1", 0.1f},
-      {"+2.5", 2.5f},
-      {"-1e-3", -1e-3f},
-      {"1.5E+2", 150.0f},
-      {".5", 0.5f},
-      {"5.", 5.0f},
-      {"16777217", 16777216.0f},             // halfway: to even
-      {"16777217.0000000001", 16777218.0f},  // just above halfway: a parser by double rounds it down
-      {"3.4028235e38", 3.4028235e38f},       // the largest
+      {"0.1", 0.1F},
+      {"+2.5", 2.5F},
+      {"-1e-3", -1e-3F},
+      {"1.5E+2", 150.0F},
+      {".5", 0.5F},
+      {"5.", 5.0F},
+      {"16777217", 16777216.0F},             // halfway: to even
+      {"16777217.0000000001", 16777218.0F},  // just above halfway: a parser by double rounds it down
+      {"3.4028235e38", 3.4028235e38F},       // the largest
       {"1e-45", std::numeric_limits<float>::denorm_min()},
-      {"-0", -0.0f},
-      {"0." + zeros + "1e6001", 1.0f},
-      {"3.1+e2", 3.1f, true},  // the part that other programs read
-      {"-1.5-E3", -1.5f, true},
-      {"+2+e", 2.0f, true},
-      {"1,5", 1.5f, true},  // of a country with a decimal comma
-      {"-0,25", -0.25f, true},
-      {"1,5e-2", 0.015f, true},
-      {"3,", 3.0f, true},
-      {"1.5D+02", 150.0f, true},  // Fortran
-      {"0.1d0", 0.1f, true},
-      {"-2D-1", -0.2f, true},
+      {"-0", -0.0F},
+      {"0." + zeros + "1e6001", 1.0F},
+      {"3.1+e2", 3.1F, true},  // the part that other programs read
+      {"-1.5-E3", -1.5F, true},
+      {"+2+e", 2.0F, true},
+      {"1,5", 1.5F, true},  // of a country with a decimal comma
+      {"-0,25", -0.25F, true},
+      {"1,5e-2", 0.015F, true},
+      {"3,", 3.0F, true},
+      {"1.5D+02", 150.0F, true},  // Fortran
+      {"0.1d0", 0.1F, true},
+      {"-2D-1", -0.2F, true},
   };
   for (const std::string sign : {"", "-"})  // too small, for a double too
     for (const std::string& text :
          {std::string("1e-46"), std::string("1e-400"), "0." + zeros + "1", "." + zeros + "1e+999",
           "0." + zeros + "1e-99999999999999999999", zeros + "e7", std::string("1e-99999999999999999999"),
           "0." + zeros + "e99999999999999999999"})
-      rows.push_back({sign + text, sign.empty() ? 0.0f : -0.0f});
+      rows.push_back({sign + text, sign.empty() ? 0.0F : -0.0F});
   for (const Row& row : rows) {
     SCOPED_TRACE(row.text.substr(0, 20));
     const ObjData data = parse("v 0 " + row.text + " 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -168,8 +168,8 @@ TEST(Obj, reads_over_weights_and_colors_and_takes_one_to_three_texture_numbers) 
   EXPECT_EQ(data.positions[0], glm::vec3(0, 2, 3));
   EXPECT_EQ(data.positions[3], glm::vec3(1, 1, 0));
   EXPECT_EQ(data.texcoords, (std::vector<glm::vec2>{
-                                {0.25f, 0}, {0.25f, 0.75f}, {2, -1}, {0.5f, 0.5f}, {16777216, -16777216}}));
-  EXPECT_EQ(data.corners[3].texcoord, 3u) << "the third number does not matter";
+                                {0.25F, 0}, {0.25F, 0.75F}, {2, -1}, {0.5F, 0.5F}, {16777216, -16777216}}));
+  EXPECT_EQ(data.corners[3].texcoord, 3U) << "the third number does not matter";
 }
 
 TEST(Obj, keeps_runs_of_materials_groups_and_smoothing) {
@@ -185,10 +185,10 @@ TEST(Obj, keeps_runs_of_materials_groups_and_smoothing) {
   EXPECT_EQ(data.libraries, (std::vector<std::string>{"a.mtl b.mtl", "c d.mtl"}));
   EXPECT_EQ(runs(data.material_runs), "0 red paint #1; 1 blue; ");
   EXPECT_EQ(runs(data.group_runs), "0 Part #1; 1 tail; ");
-  ASSERT_EQ(data.smoothing.size(), 3u);
-  EXPECT_EQ(data.smoothing[0].group, 0u);
-  EXPECT_EQ(data.smoothing[1].first_triangle, 1u);
-  EXPECT_EQ(data.smoothing[2].first_triangle, 3u);
+  ASSERT_EQ(data.smoothing.size(), 3U);
+  EXPECT_EQ(data.smoothing[0].group, 0U);
+  EXPECT_EQ(data.smoothing[1].first_triangle, 1U);
+  EXPECT_EQ(data.smoothing[2].first_triangle, 3U);
   EXPECT_TRUE(parse(triangle + "s off\nf 1 2 3\ns 0\n").smoothing.empty()) << "never switched on";
 }
 
@@ -204,9 +204,9 @@ TEST(Obj, takes_any_smoothing_group) {
       SCOPED_TRACE(line);
       // After a group, so that off is seen.
       const ObjData data = parse(triangle + "s 7\nf 1 2 3\n" + line + "\nf 1 2 3\n");
-      ASSERT_EQ(data.smoothing.size(), 2u);
+      ASSERT_EQ(data.smoothing.size(), 2U);
       EXPECT_EQ(data.smoothing[1].group != 0, is_smooth);
-      EXPECT_NE(data.smoothing[1].group, 7u);
+      EXPECT_NE(data.smoothing[1].group, 7U);
       expect_warnings(data, warnings);
     }
 }
@@ -229,7 +229,7 @@ TEST(Obj, takes_what_is_not_finite_as_missing_in_every_spelling) {
     EXPECT_EQ(corners_of(used), "1/1/1 2/1/1 3//2");
     expect_warnings(used, {told, "1 faces that use such a v", "1 corners without vt"});
     EXPECT_TRUE(has(used.warnings[0], "the first is line 4"));
-    for (const glm::vec3& normal : weld(used).normals) EXPECT_EQ(normal, glm::vec3(0.0f, 0.0f, 1.0f));
+    for (const glm::vec3& normal : weld(used).normals) EXPECT_EQ(normal, glm::vec3(0.0F, 0.0F, 1.0F));
   }
 }
 
@@ -347,7 +347,7 @@ TEST(Obj, agrees_with_tinyobjloader_on_generated_files) {
       for (const auto& value : ours)
         for (int k = 0; k < value.length(); ++k)
           // Theirs adds up digits in double and rounds twice, so the last bit may differ: relative 2^-23.
-          EXPECT_NEAR(value[k], expected.at(at++), 0x1p-23f * std::abs(value[k]) + 1e-30f);
+          EXPECT_NEAR(value[k], expected.at(at++), 0x1p-23f * std::abs(value[k]) + 1e-30F);
       EXPECT_EQ(at, expected.size());
     };
     expect_near(data.positions, reader.GetAttrib().vertices);

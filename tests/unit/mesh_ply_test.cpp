@@ -29,7 +29,7 @@ TEST(Ply, gives_back_what_was_written_in_every_combination) {
     EXPECT_EQ(back.tangents, mesh.tangents);
     EXPECT_EQ(back.indices, mesh.indices);
   }
-  EXPECT_EQ(parse_ply(to_ply(Mesh{}), "empty.ply").vertex_count(), 0u);
+  EXPECT_EQ(parse_ply(to_ply(Mesh{}), "empty.ply").vertex_count(), 0U);
 }
 
 TEST(Ply, has_the_header_that_scripts_outside_read) {

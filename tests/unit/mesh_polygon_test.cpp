@@ -15,11 +15,11 @@ using Outline = std::vector<glm::vec2>;
 
 /// The outline in some plane in space, far from the origin, or in the plane z = 0.
 std::vector<glm::vec3> placed(const Outline& outline, bool flat = false) {
-  glm::mat4 plane = glm::translate(glm::mat4(1.0f), glm::vec3(3.0f, -5.0f, 7.0f));
-  plane = glm::rotate(plane, 1.1f, glm::normalize(glm::vec3(1.0f, 2.0f, -0.5f)));
-  if (flat) plane = glm::mat4(1.0f);
+  glm::mat4 plane = glm::translate(glm::mat4(1.0F), glm::vec3(3.0F, -5.0F, 7.0F));
+  plane = glm::rotate(plane, 1.1F, glm::normalize(glm::vec3(1.0F, 2.0F, -0.5F)));
+  if (flat) plane = glm::mat4(1.0F);
   std::vector<glm::vec3> corners;
-  for (const glm::vec2& p : outline) corners.emplace_back(plane * glm::vec4(p, 0.0f, 1.0f));
+  for (const glm::vec2& p : outline) corners.emplace_back(plane * glm::vec4(p, 0.0F, 1.0F));
   return corners;
 }
 
@@ -90,14 +90,14 @@ TEST(Polygon, is_covered_where_a_corner_lies_on_the_edge_of_an_ear) {
 
 TEST(Polygon, is_cut_into_two_fewer_triangles_even_when_it_makes_no_sense) {
   std::vector<glm::vec3> zigzag;  // too large to clip
-  for (std::size_t i = 0; i <= max_clipped_corners; ++i) zigzag.emplace_back(float(i), float(i % 2), 0.0f);
-  zigzag.emplace_back(0.0f, 10.0f, 0.0f);
+  for (std::size_t i = 0; i <= max_clipped_corners; ++i) zigzag.emplace_back(float(i), float(i % 2), 0.0F);
+  zigzag.emplace_back(0.0F, 10.0F, 0.0F);
   const std::vector<std::vector<glm::vec3>> outlines{
       {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}},  // crosses itself
       zigzag,
       {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}},             // on a line
       {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}},  // a point
-      {{0, 0, 0}, {3e38f, 0, 0}, {3e38f, 3e38f, 0}, {0, 3e38f, 0}},
+      {{0, 0, 0}, {3e38F, 0, 0}, {3e38F, 3e38F, 0}, {0, 3e38F, 0}},
   };
   std::vector<Triangle> triangles;
   for (std::size_t i = 0; i < outlines.size(); ++i) {

@@ -22,7 +22,7 @@ using test::icosphere;
 
 /// The square of half-size 1 whose texture coordinates are (x, y) times the matrix with these columns.
 Mesh textured_square(const glm::mat2& texture) {
-  Mesh mesh = quad(1.0f);
+  Mesh mesh = quad(1.0F);
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i)
     mesh.texcoords[i] = texture * glm::vec2(mesh.positions[i]);
   return mesh;
@@ -30,8 +30,8 @@ Mesh textured_square(const glm::mat2& texture) {
 
 /// Squares of half-size 1 and 3, each with the whole texture.
 Mesh two_squares() {
-  Mesh mesh = quad(1.0f);
-  const Mesh big = quad(3.0f);
+  Mesh mesh = quad(1.0F);
+  const Mesh big = quad(3.0F);
   for (std::size_t i = 0; i < 4; ++i) {
     mesh.positions.push_back(big.positions[i] + glm::vec3(10, 0, 0));
     mesh.normals.push_back(big.normals[i]);
@@ -42,8 +42,8 @@ Mesh two_squares() {
 }
 
 Mesh smeared_square(bool in_space_too) {
-  Mesh mesh = quad(1.0f);
-  mesh.texcoords.assign(4, {0.5f, 0.5f});
+  Mesh mesh = quad(1.0F);
+  mesh.texcoords.assign(4, {0.5F, 0.5F});
   if (in_space_too) mesh.positions.assign(4, {1, 2, 3});
   return mesh;
 }
@@ -59,9 +59,9 @@ TEST(Stretch, is_what_sander_s_formulas_give_by_hand) {
   const Row rows[] = {
       {"even", textured_square({{1, 0}, {0, 1}}), 1, 1, 0, 0, 0, 0},
       {"fine", textured_square({{64, 0}, {0, 64}}), 1, 1, 0, 0, 0, 0},
-      {"coarse", textured_square({{0.125f, 0}, {0, 0.125f}}), 1, 1, 0, 0, 0, 0},
+      {"coarse", textured_square({{0.125F, 0}, {0, 0.125F}}), 1, 1, 0, 0, 0, 0},
       // One step in s reaches 4, one in t 1; spread evenly both would reach 2.
-      {"4 to 1", textured_square({{0.25f, 0}, {0, 1}}), std::sqrt((16 + 1) / 2.0) / 2, 2, 0, 0, 0, 0},
+      {"4 to 1", textured_square({{0.25F, 0}, {0, 1}}), std::sqrt((16 + 1) / 2.0) / 2, 2, 0, 0, 0, 0},
       // s = x + y, t = y: a step in t at equal s goes along (-1, 1). Singular values of a shear by 1.
       {"sheared", textured_square({{1, 0}, {1, 1}}), std::sqrt((1 + 2) / 2.0), phi, 45, 45, 0, 0},
       // Of the report's cube the four sides are smeared and the back is mirrored; what is left is even.
@@ -77,7 +77,7 @@ TEST(Stretch, is_what_sander_s_formulas_give_by_hand) {
   for (const Row& row : rows) {
     SCOPED_TRACE(row.name);
     std::vector<std::string> lines = describe_stretch(row.mesh);
-    ASSERT_EQ(lines.size(), 4u);
+    ASSERT_EQ(lines.size(), 4U);
     EXPECT_EQ(lines[0], fmt::format("{} of {} triangles are smeared (no texture area), {} mirrored",
                                     row.smeared, row.mesh.triangle_count(), row.mirrored));
     EXPECT_EQ(lines[1], fmt::format("stretch of the others: {:.3f} on average (L2), {:.3f} at most (L "

@@ -45,7 +45,7 @@ auto inside(int columns, int rows) {
 
 /// The torus of lab 5, whose vertices slide by up to `jitter` of a cell; at 1/2 triangles begin to turn over.
 Model ring(int segments, int sides, float jitter) {
-  return {torus(0.7f, 0.3f, segments, sides, {jitter, 5}), truth::torus(0.7f, 0.3f), inside(segments, sides)};
+  return {torus(0.7F, 0.3F, segments, sides, {jitter, 5}), truth::torus(0.7F, 0.3F), inside(segments, sides)};
 }
 Model ball(int rings, int segments) {
   return {sphere(rings, segments), truth::sphere(), inside(segments, rings - 2)};
@@ -119,7 +119,7 @@ Errors errors_of(const Model& model, Method method) {
 
 TEST(TangentError, lies_between_limits_on_each_kind_of_mesh) {
   const Model regular = ring(96, 48, 0), regular_ball = ball(32, 64), seam = seam_of(regular, 96);
-  const Model leaning = sheared(ring(96, 48, 0.49f)), soup = of_separate_triangles(regular);
+  const Model leaning = sheared(ring(96, 48, 0.49F)), soup = of_separate_triangles(regular);
   struct Row {
     const char* name;
     const Model& model;
@@ -166,7 +166,7 @@ TEST(TangentError, of_angle_weights_is_at_most_40_percent_of_the_plain_average_s
   // Around a vertex these parts cancel when every direction counts alike, as by angle. The plain sum counts a
   // small triangle more, a corner that is cut in two twice, and keeps what leaves the plane. Measured,
   // whatever the amount: T 33 %, B 16 %; with the diagonals turned 10 to 29 % and 4 to 13 %.
-  for (const float amount : {0.1f, 0.25f, 0.49f})
+  for (const float amount : {0.1F, 0.25F, 0.49F})
     for (const Model& model : {ring(96, 48, amount), with_turned_diagonals(ring(96, 48, amount))}) {
       const Errors average = errors_of(model, Method::averaged);
       for (const Method method : weighted) {
@@ -178,7 +178,7 @@ TEST(TangentError, of_angle_weights_is_at_most_40_percent_of_the_plain_average_s
     }
   // On triangles five times as long in s as in t a corner's angle is near 0 or 90 degrees whatever the
   // triangle spans. Measured 68 %.
-  const Model is_long = ring(24, 48, 0.49f);
+  const Model is_long = ring(24, 48, 0.49F);
   EXPECT_GT(errors_of(is_long, Method::angle_weighted).tangent,
             0.5 * errors_of(is_long, Method::averaged).tangent);
 }
@@ -197,7 +197,7 @@ TEST(TangentError, falls_with_the_triangles_size_or_its_square) {
   };
   const Methods unweighted = {Method::averaged, Method::gram_schmidt};
   const Row rows[] = {{"regular", [](int n) { return ring(n, n / 2, 0); }, unweighted, 2, 2, 0.1},
-                      {"rough", [](int n) { return ring(n, n / 2, 0.49f); }, all, 1.07, 1.07, 0.12},
+                      {"rough", [](int n) { return ring(n, n / 2, 0.49F); }, all, 1.07, 1.07, 0.12},
                       {"sphere", [](int n) { return ball(n / 2, n); }, plain, 1.5, 2.1, 0.15}};
   for (const Row& row : rows)
     for (const Method method : row.methods) {

@@ -26,11 +26,11 @@ TEST(Orthonormalize, keeps_the_side_of_the_bitangent) {
 }
 
 TEST(TextureArea, is_zero_on_a_line_and_signed_elsewhere) {
-  EXPECT_EQ(texture_area({{{0.1f, 0.2f}, {0.2f, 0.4f}, {0.3f, 0.6f}}}), 0.0);
-  EXPECT_EQ(texture_area({{{0.3f, 0.3f}, {0.3f, 0.3f}, {1, 0}}}), 0.0);
+  EXPECT_EQ(texture_area({{{0.1F, 0.2F}, {0.2F, 0.4F}, {0.3F, 0.6F}}}), 0.0);
+  EXPECT_EQ(texture_area({{{0.3F, 0.3F}, {0.3F, 0.3F}, {1, 0}}}), 0.0);
   EXPECT_EQ(texture_area({{{0, 0}, {1, 0}, {0, 1}}}), 1.0);
   EXPECT_EQ(texture_area({{{0, 0}, {0, 1}, {1, 0}}}), -1.0);
-  EXPECT_GT(texture_area({{{0, 0}, {1e-6f, 0}, {0, 1e-6f}}}), 0.0) << "small is not degenerate";
+  EXPECT_GT(texture_area({{{0, 0}, {1e-6F, 0}, {0, 1e-6F}}}), 0.0) << "small is not degenerate";
 }
 
 /// Triangles around vertex 0, which lies at the origin with texture coordinate (0, 0).
@@ -48,7 +48,7 @@ Mesh fan(const std::vector<glm::vec3>& around, const std::vector<glm::vec2>& tex
 
 /// A quarter turn with the texture straight, then an eighth where T, solved for by hand, is (1, 1/2, 0).
 Mesh bent_fan() {
-  return fan({{1, 0, 0}, {0, 1, 0}, {-1, 1, 0}}, {{1, 0}, {0, 1}, {-1, 1.5f}});
+  return fan({{1, 0, 0}, {0, 1, 0}, {-1, 1, 0}}, {{1, 0}, {0, 1}, {-1, 1.5F}});
 }
 
 void expect_tangent(const Mesh& mesh, std::size_t vertex, const dvec3& direction) {
@@ -84,15 +84,15 @@ TEST(Tangents, follow_a_sheared_stretched_and_mirrored_texture) {
       {{{-1, 0}, {0, 1}}, {-1, 0, 0}, {0, 1, 0}, -1},
       {{{1, 0}, {1, 4}}, {1, 0, 0}, {-1, 1, 0}, 1},
       // The slides' triangle: 71.57 degrees between T and B.
-      {{{0.5f, 0.5f}, {-0.5f, 1}}, {2, -1, 0}, {1, 1, 0}, 1},
+      {{{0.5F, 0.5F}, {-0.5F, 1}}, {2, -1, 0}, {1, 1, 0}, 1},
       // A thousandth of a texture's height, as on a long thin face: as exact as the numbers.
-      {{{1, 0}, {0, 0.001f}}, {1, 0, 0}, {0, 1, 0}, 1}};
+      {{{1, 0}, {0, 0.001F}}, {1, 0, 0}, {0, 1, 0}, 1}};
   for (const auto& [texture, tangent, bitangent, side] : rows)
     for (const Method method : test::tangent_methods) {
-      Mesh mesh = quad(1.0f, 4);
+      Mesh mesh = quad(1.0F, 4);
       for (glm::vec2& st : mesh.texcoords) st = texture * st;
       compute_tangents(mesh, method);
-      ASSERT_EQ(mesh.vertex_count(), 25u);
+      ASSERT_EQ(mesh.vertex_count(), 25U);
       EXPECT_EQ(mesh.bitangents.empty(), method != Method::averaged);
       for (std::size_t v = 0; v < 25; ++v) {
         expect_tangent(mesh, v, tangent);
@@ -106,11 +106,11 @@ TEST(Tangents, follow_a_sheared_stretched_and_mirrored_texture) {
 }
 
 TEST(Tangents, do_not_depend_on_the_size_of_a_model) {
-  const Mesh unit = torus(1.0f, 0.4f, 24, 12);
+  const Mesh unit = torus(1.0F, 0.4F, 24, 12);
   for (const Method method : test::tangent_methods) {
     Mesh expected = unit;
     compute_tangents(expected, method);
-    for (const float size : {1e-6f, 1e6f}) {
+    for (const float size : {1e-6F, 1e6F}) {
       Mesh mesh = unit;
       for (glm::vec3& p : mesh.positions) p *= size;
       compute_tangents(mesh, method);
@@ -132,15 +132,15 @@ TEST(Tangents, are_split_where_the_texture_is_mirrored) {
     Mesh mesh = squares;
     compute_tangents(mesh, method);
     if (method == Method::averaged) {
-      EXPECT_EQ(mesh.vertex_count(), 6u);
+      EXPECT_EQ(mesh.vertex_count(), 6U);
       // Two triangles against one: on the other side of the mirror T points the wrong way.
       EXPECT_EQ(glm::vec3(mesh.tangents[1]), glm::vec3(-1, 0, 0));
       EXPECT_EQ(glm::vec3(mesh.tangents[4]), glm::vec3(1, 0, 0));
       continue;
     }
-    ASSERT_EQ(mesh.vertex_count(), 8u);
+    ASSERT_EQ(mesh.vertex_count(), 8U);
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
-      const float side = i < 6 ? 1.0f : -1.0f;
+      const float side = i < 6 ? 1.0F : -1.0F;
       EXPECT_EQ(mesh.tangents[mesh.indices[i]], glm::vec4(side, 0, 0, side)) << "corner " << i;
     }
   }
@@ -149,7 +149,7 @@ TEST(Tangents, are_split_where_the_texture_is_mirrored) {
 // ---- Where there is no tangent.
 
 /// What MikkTSpace gives where it finds no tangent, whatever the normal.
-constexpr glm::vec4 mikktspace_nothing{1.0f, 0.0f, 0.0f, -1.0f};
+constexpr glm::vec4 mikktspace_nothing{1.0F, 0.0F, 0.0F, -1.0F};
 
 TEST(Tangents, ignore_degenerate_triangles_and_fall_back_where_there_is_nothing_else) {
   for (const Method method : test::tangent_methods) {
@@ -157,12 +157,12 @@ TEST(Tangents, ignore_degenerate_triangles_and_fall_back_where_there_is_nothing_
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {5, 5, 5}, {6, 5, 5}, {5, 6, 5}};
     // The second triangle has no area in the texture; the third is alone and has none either; the fourth has
     // none in space.
-    mesh.texcoords = {{0, 0}, {1, 0}, {0, 1}, {0.5f, 0.5f}, {0.3f, 0.3f}, {0.3f, 0.3f}, {0.3f, 0.3f}};
+    mesh.texcoords = {{0, 0}, {1, 0}, {0, 1}, {0.5F, 0.5F}, {0.3F, 0.3F}, {0.3F, 0.3F}, {0.3F, 0.3F}};
     mesh.normals.assign(7, glm::normalize(glm::vec3(1, 2, 3)));
     for (std::size_t v = 0; v < 4; ++v) mesh.normals[v] = {0, 0, 1};
     mesh.indices = {0, 1, 2, 2, 1, 3, 4, 5, 6, 0, 1, 1};
     compute_tangents(mesh, method);
-    ASSERT_EQ(mesh.vertex_count(), 7u);
+    ASSERT_EQ(mesh.vertex_count(), 7U);
     for (std::size_t v = 0; v < 3; ++v) EXPECT_EQ(mesh.tangents[v], glm::vec4(1, 0, 0, 1));
     // MikkTSpace alone hands a neighbour's frame over the shared edge's ends, not to the far corner.
     for (std::size_t v = 3; v < 7; ++v)
@@ -177,7 +177,7 @@ TEST(Tangents, of_a_line_in_the_texture_are_none_but_by_mikktspace) {
   // On a line, but not to the last bit: 0.1, 0.3 and 0.9 are no floats. To MikkTSpace's reference an area of
   // 1e-8 counts.
   for (const Method method : test::tangent_methods) {
-    Mesh mesh = fan({{1, 0, 0}, {1, 1, 0}}, {{0.1f, 0.3f}, {0.3f, 0.9f}});
+    Mesh mesh = fan({{1, 0, 0}, {1, 1, 0}}, {{0.1F, 0.3F}, {0.3F, 0.9F}});
     compute_tangents(mesh, method);
     for (const glm::vec4& tangent : mesh.tangents)
       EXPECT_EQ(glm::vec3(tangent) == any_orthogonal({0, 0, 1}), method != Method::mikktspace);
@@ -190,10 +190,10 @@ TEST(Tangents, make_a_frame_where_there_are_none_or_they_lie_along_the_normal) {
     for (const Method method : test::tangent_methods) {
       const bool leans = method == Method::averaged && has_texture;  // as T was given
       const bool mikktspace = method == Method::mikktspace && has_texture;
-      for (const glm::vec3& n : {glm::vec3(1, 0, 0), {-1, 0, 0}, {0, 1, 0}, {0.8f, 0, 0.6f}, {1, 0.01f, 0}}) {
+      for (const glm::vec3& n : {glm::vec3(1, 0, 0), {-1, 0, 0}, {0, 1, 0}, {0.8F, 0, 0.6F}, {1, 0.01F, 0}}) {
         Mesh mesh;
         const glm::vec3 normal = glm::normalize(n), up = any_orthogonal(normal);
-        mesh.positions = {{0, 0, 0}, has_texture ? 3.0f * n : glm::cross(up, normal), up};
+        mesh.positions = {{0, 0, 0}, has_texture ? 3.0F * n : glm::cross(up, normal), up};
         mesh.texcoords = {{0, 0}, {has_texture, 0}, {0, has_texture}};
         mesh.normals.assign(3, normal);
         mesh.indices = {0, 1, 2};
@@ -224,7 +224,7 @@ TEST(Mikktspace, goes_through_a_triangle_without_texture_area) {
   // The middle triangle's texture is a line; its neighbours have T = (1, 0, 0) and (1, 1, 0).
   Mesh mesh = fan({{1, 0, 0}, {0, 1, 0}, {-1, 1, 0}, {-1, 0, 0}}, {{1, 0}, {0, 1}, {0, 2}, {-1, 1}});
   compute_tangents(mesh, Method::mikktspace);
-  ASSERT_EQ(mesh.vertex_count(), 5u);
+  ASSERT_EQ(mesh.vertex_count(), 5U);
   expect_tangent(mesh, 0, 90.0 * dvec3(1, 0, 0) + 45.0 * glm::normalize(dvec3(1, 1, 0)));
 }
 

@@ -33,7 +33,7 @@ TEST(Distinct, numbers_things_by_first_appearance_however_they_hash) {
       EXPECT_EQ(n, thing);
       if (n == things.size()) things.push_back(thing);
     }
-    EXPECT_EQ(things.size(), 1000u);
+    EXPECT_EQ(things.size(), 1000U);
   }
 }
 
@@ -53,7 +53,7 @@ TEST(Weld, makes_one_vertex_for_each_distinct_corner_and_keeps_what_each_says) {
     const Mesh mesh = weld(data);
     EXPECT_EQ(mesh.vertex_count(), vertices);
     EXPECT_EQ(mesh.texcoords.empty(), data.corners[0].texcoord == no_index);
-    ASSERT_EQ(mesh.indices.size(), 6u);
+    ASSERT_EQ(mesh.indices.size(), 6U);
     for (std::size_t i = 0; i < 6; ++i) {
       const auto& [position, texcoord, normal] = data.corners[i];
       const std::uint32_t vertex = mesh.indices[i];
@@ -72,7 +72,7 @@ TEST(Weld, groups_triangles_by_material_in_order_of_first_use) {
   const Mesh mesh =
       weld(square("f 1 2 3\nusemtl a\nf 2 3 4\nusemtl b\nf 3 4 1\nusemtl a\nf 4 1 2\nf 1 2 4\n"));
   const Group expected[] = {{"", 0, 3}, {"a", 3, 9}, {"b", 12, 3}};
-  ASSERT_EQ(mesh.groups.size(), 3u);
+  ASSERT_EQ(mesh.groups.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(mesh.groups[i].material, expected[i].material);
     EXPECT_EQ(mesh.groups[i].first_index, expected[i].first_index);
@@ -83,17 +83,17 @@ TEST(Weld, groups_triangles_by_material_in_order_of_first_use) {
 
 TEST(Weld, fills_what_some_corners_lack) {
   const Mesh mesh = weld(square("vt 0.5 0.5\nvn 0 0 0\nvn 1 0 0\nf 1/1/2 2/1/1 3\n"));
-  EXPECT_EQ(mesh.texcoords[2], glm::vec2(0.0f));
-  EXPECT_EQ(mesh.normals[0], glm::vec3(1.0f, 0.0f, 0.0f));  // as written
-  EXPECT_EQ(mesh.normals[1], glm::vec3(0.0f, 0.0f, 1.0f));  // of zero length: generated
-  EXPECT_EQ(mesh.normals[2], glm::vec3(0.0f, 0.0f, 1.0f));
+  EXPECT_EQ(mesh.texcoords[2], glm::vec2(0.0F));
+  EXPECT_EQ(mesh.normals[0], glm::vec3(1.0F, 0.0F, 0.0F));  // as written
+  EXPECT_EQ(mesh.normals[1], glm::vec3(0.0F, 0.0F, 1.0F));  // of zero length: generated
+  EXPECT_EQ(mesh.normals[2], glm::vec3(0.0F, 0.0F, 1.0F));
 }
 
 TEST(Weld, of_a_mesh_takes_minus_zero_as_zero_drops_unused_vertices_and_keeps_apart_what_differs) {
   Mesh mesh;
-  mesh.positions = {{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0f, 0, 0}, {1, 1, 0}};
+  mesh.positions = {{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0F, 0, 0}, {1, 1, 0}};
   mesh.indices = {1, 2, 3, 4, 2, 5};
-  EXPECT_EQ(weld(mesh).vertex_count(), 4u);
+  EXPECT_EQ(weld(mesh).vertex_count(), 4U);
   EXPECT_EQ(weld(mesh).indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 1, 3}));
   // Each attribute in turn differs between two vertices; the attributes after it are the same.
   mesh.normals.assign(6, {0, 0, 1});
@@ -101,14 +101,14 @@ TEST(Weld, of_a_mesh_takes_minus_zero_as_zero_drops_unused_vertices_and_keeps_ap
   mesh.tangents.assign(6, {1, 0, 0, 1});
   mesh.bitangents.assign(6, {0, 1, 0});
   mesh.colors.assign(6, {1, 1, 1});
-  EXPECT_EQ(weld(mesh).vertex_count(), 4u);
+  EXPECT_EQ(weld(mesh).vertex_count(), 4U);
   for (int attribute = 0; attribute < 6; ++attribute) {
     Mesh other = mesh;
     int at = 0;
     for_each_attribute(other, [&](auto& values) {
-      if (at++ == attribute) values[4][0] += 0.5f;
+      if (at++ == attribute) values[4][0] += 0.5F;
     });
-    EXPECT_EQ(weld(other).vertex_count(), 5u) << attribute;
+    EXPECT_EQ(weld(other).vertex_count(), 5U) << attribute;
   }
 }
 
@@ -119,17 +119,17 @@ TEST(Split, by_label_gives_a_vertex_one_copy_for_each_further_label) {
   const std::vector<std::uint32_t> labels = {5, 5, no_index, 6, 5, 5, 7, 5, 5, 6, 5, 5};
   const std::vector<std::uint32_t> of_vertex = split_by_label(mesh, labels);
   EXPECT_EQ(mesh.indices, (std::vector<std::uint32_t>{a, b, c, 4, b, c, 5, b, c, 4, b, c}));
-  ASSERT_EQ(of_vertex.size(), 6u);
+  ASSERT_EQ(of_vertex.size(), 6U);
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (labels[i] != no_index) {
       EXPECT_EQ(of_vertex[mesh.indices[i]], labels[i]) << i;
     }
-  for (const std::size_t copy : {4u, 5u}) EXPECT_EQ(mesh.texcoords[copy], mesh.texcoords[a]);
+  for (const std::size_t copy : {4U, 5U}) EXPECT_EQ(mesh.texcoords[copy], mesh.texcoords[a]);
 }
 
 TEST(Cube, by_face_welds_to_24_vertices_that_equal_the_primitive) {
   const Mesh mesh = weld(cube_by_face()), expected = cube_split();
-  EXPECT_EQ(mesh.vertex_count(), 24u);
+  EXPECT_EQ(mesh.vertex_count(), 24U);
   EXPECT_EQ(mesh.triangle_count(), expected.triangle_count());
   for (std::size_t v = 0; v < 24; ++v) {
     int found = 0;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the box's Python scripts share."""
+"""What the course box's Python scripts share."""
 import os
 import sys
 

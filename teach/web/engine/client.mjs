@@ -34,7 +34,7 @@ export class Engine {
 
   set(values) { return this.#call("set", values); }
   draw(what = {}) { return this.#call("draw", what); }
-  shown(what = {}) { return this.#call("draw", { ...what, colours: true }); }
+  shown(what = {}) { return this.#call("draw", { ...what, colors: true }); }
 
   async start(canvas) {
     // A page may have started a worker for this canvas before this script was there: {worker, canvas, started}.

@@ -17,7 +17,7 @@ using mesh::Mesh;
 /// A torus, its vertices moved at random.
 Mesh rough_torus(std::size_t triangles) {
   const int side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(triangles) / 2)));
-  return mesh::torus(1.0f, 0.4f, side, side, {0.5f, 1});
+  return mesh::torus(1.0F, 0.4F, side, side, {0.5F, 1});
 }
 
 /// The same with three vertices for each triangle, which welding has to find.
@@ -28,7 +28,7 @@ Mesh soup(std::size_t triangles) {
 /// Each texture coordinate the same: no triangle has a direction, and all are neighbours.
 Mesh degenerate(std::size_t triangles) {
   Mesh torus = rough_torus(triangles);
-  torus.texcoords.assign(torus.vertex_count(), glm::vec2(0.5f));
+  torus.texcoords.assign(torus.vertex_count(), glm::vec2(0.5F));
   return torus;
 }
 

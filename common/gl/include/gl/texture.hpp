@@ -31,7 +31,7 @@ struct Format {
 Format format_of(int channels, image::Encoding encoding);
 
 /// OpenGL has sRGB formats for RGB and RGBA only: grey colour pictures become RGB, grey and alpha RGBA.
-image::Image8 expand_grey(const image::Image8& image);
+image::Image8 expand_gray(const image::Image8& image);
 
 /// Sampling state of the texture that is bound to `target`.
 void set_sampling(GLenum target, const Sampling& sampling);

@@ -9,10 +9,10 @@ namespace texel::mesh {
 
 /// The box around a mesh, axis-aligned, in object space; both zero for an empty mesh.
 struct Bounds {
-  glm::vec3 least{0.0f};
-  glm::vec3 greatest{0.0f};
+  glm::vec3 least{0.0F};
+  glm::vec3 greatest{0.0F};
 
-  [[nodiscard]] glm::vec3 center() const { return 0.5f * least + 0.5f * greatest; }
+  [[nodiscard]] glm::vec3 center() const { return 0.5F * least + 0.5F * greatest; }
   [[nodiscard]] glm::vec3 extent() const { return greatest - least; }
 };
 

@@ -9,15 +9,15 @@ namespace texel::mesh {
 /// Mixes 64 bits so that every input bit moves every output bit (the finaliser of SplitMix64: Steele, Lea and
 /// Flood 2014, with Stafford's constants). The same on every machine.
 constexpr std::uint64_t mix(std::uint64_t x) {
-  x += 0x9E3779B97F4A7C15u;
-  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
-  x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+  x += 0x9E3779B97F4A7C15U;
+  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9U;
+  x = (x ^ (x >> 27)) * 0x94D049BB133111EBU;
   return x ^ (x >> 31);
 }
 
 /// The bits of a float for hashing and comparing by value: -0 counts as +0.
 inline std::uint32_t value_bits(float x) {
-  return std::bit_cast<std::uint32_t>(x + 0.0f);
+  return std::bit_cast<std::uint32_t>(x + 0.0F);
 }
 
 /// Numbers distinct things 0, 1, 2, … in order of first appearance. The caller keeps the things, gives
@@ -43,7 +43,7 @@ class DistinctTable {
   }
 
  private:
-  static constexpr std::uint32_t empty = 0xFFFFFFFFu;
+  static constexpr std::uint32_t empty = 0xFFFFFFFFU;
   struct Slot {
     std::uint32_t tag = 0;
     std::uint32_t number = empty;

@@ -14,7 +14,7 @@ enum class Weighting {
 };
 
 /// The normal of a vertex whose triangles have no area.
-inline constexpr glm::vec3 fallback_normal{0.0f, 1.0f, 0.0f};
+inline constexpr glm::vec3 fallback_normal{0.0F, 1.0F, 0.0F};
 
 /// How a triangle's normal is found: a unit vector on the side from which a b c run counter-clockwise; zero
 /// when the triangle has no area. Lab 4 teaches one; where none is given, the triangle is taken as a polygon

@@ -11,7 +11,7 @@
 namespace texel::mesh {
 
 /// Stands for "this corner has no vt" and the like.
-inline constexpr std::uint32_t no_index = 0xFFFFFFFFu;
+inline constexpr std::uint32_t no_index = 0xFFFFFFFFU;
 
 /// One corner of a triangle: indices from 0 into ObjData's lists.
 struct Corner {
@@ -24,7 +24,7 @@ struct Corner {
 /// The part of a `newmtl` that we use. Names run to the end of their line, and paths have '/' for '\'.
 struct Material {
   std::string name;
-  glm::vec3 diffuse{1.0f};  ///< Kd, as written
+  glm::vec3 diffuse{1.0F};  ///< Kd, as written
   /// map_Kd, or ""; after load_obj an absolute path, or "" where there is no file.
   std::string color_map = {};
 };

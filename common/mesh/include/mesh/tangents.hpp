@@ -32,8 +32,8 @@ enum class TangentMethod {
 
 /// T and B: the moves on the triangle when s or t grows by 1, as long as the texture's width and height.
 struct TriangleFrame {
-  glm::vec3 tangent{0.0f};
-  glm::vec3 bitangent{0.0f};
+  glm::vec3 tangent{0.0F};
+  glm::vec3 bitangent{0.0F};
 };
 
 // What lab 5 teaches of it: files in labs/05_normal_map define these functions.

@@ -31,8 +31,8 @@ void generate_texcoords(Mesh& mesh, Projection projection);
 /// How a texture lies on a surface that has one already: s' = stretch (s + shear t), and 1 - s' when
 /// mirrored.
 struct TextureLayout {
-  float shear = 0.0f;    ///< 1: the lines of equal s lean by 45 degrees where the texture was square
-  float stretch = 1.0f;  ///< positive: so many times as often along s
+  float shear = 0.0F;    ///< 1: the lines of equal s lean by 45 degrees where the texture was square
+  float stretch = 1.0F;  ///< positive: so many times as often along s
   bool mirror = false;
   bool operator==(const TextureLayout&) const = default;
 };

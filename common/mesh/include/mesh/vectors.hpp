@@ -10,11 +10,11 @@ namespace texel::mesh {
 /// 1e-30 and 1e30 do not vanish or overflow when squared.
 inline glm::vec3 unit_or_zero(const glm::dvec3& v) {
   const double squared = glm::dot(v, v);
-  return squared > 0.0 && std::isfinite(squared) ? glm::vec3(v / std::sqrt(squared)) : glm::vec3(0.0f);
+  return squared > 0.0 && std::isfinite(squared) ? glm::vec3(v / std::sqrt(squared)) : glm::vec3(0.0F);
 }
 
 inline bool is_zero(const glm::vec3& v) {
-  return v == glm::vec3(0.0f);
+  return v == glm::vec3(0.0F);
 }
 
 /// The angle between two directions in radians, 0..pi. Exact also for slivers, unlike the arc cosine. 0
@@ -33,9 +33,9 @@ inline std::array<double, 3> corner_angles(const std::array<glm::vec3, 3>& p) {
 /// it, and is never near zero.
 inline glm::vec3 any_orthogonal(const glm::vec3& n) {
   const glm::vec3 size = glm::abs(n);
-  const glm::vec3 axis = size.x <= size.y && size.x <= size.z ? glm::vec3(1.0f, 0.0f, 0.0f)
-                         : size.y <= size.z                   ? glm::vec3(0.0f, 1.0f, 0.0f)
-                                                              : glm::vec3(0.0f, 0.0f, 1.0f);
+  const glm::vec3 axis = size.x <= size.y && size.x <= size.z ? glm::vec3(1.0F, 0.0F, 0.0F)
+                         : size.y <= size.z                   ? glm::vec3(0.0F, 1.0F, 0.0F)
+                                                              : glm::vec3(0.0F, 0.0F, 1.0F);
   const glm::vec3 t = unit_or_zero(glm::cross(glm::dvec3(axis), glm::dvec3(n)));
   return is_zero(t) ? axis : t;
 }

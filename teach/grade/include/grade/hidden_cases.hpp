@@ -8,7 +8,7 @@
 
 namespace texel::grade {
 
-/// The labs with all parameters of their cases settled. Hidden values are drawn from the seed, the lab, the
+/// The labs with all parameters of their cases resolved. Hidden values are drawn from the seed, the lab, the
 /// case and the parameter: they stay the same for all submissions, and when other cases come or go. Models
 /// that nobody has seen are written into `models`. Throws Error (exit 3) when the folder cannot be written,
 /// or there is nothing to draw from.

@@ -11,9 +11,9 @@ namespace detail {
 /// Every bit of the result depends on every bit of the argument (the finaliser of MurmurHash3).
 inline std::uint32_t mix_bits(std::uint32_t h) {
   h ^= h >> 16;
-  h *= 0x85ebca6bu;
+  h *= 0x85ebca6bU;
   h ^= h >> 13;
-  h *= 0xc2b2ae35u;
+  h *= 0xc2b2ae35U;
   return h ^ (h >> 16);
 }
 
@@ -27,8 +27,8 @@ inline int floor_of(double a) {
 
 /// A well-mixed 32-bit number from a lattice point and a seed, the same on every machine.
 inline std::uint32_t hash(int x, int y, std::uint32_t seed) {
-  const std::uint32_t h = detail::mix_bits(seed * 0x9e3779b9u + static_cast<std::uint32_t>(x));
-  return detail::mix_bits(h * 0x9e3779b9u + static_cast<std::uint32_t>(y));
+  const std::uint32_t h = detail::mix_bits(seed * 0x9e3779b9U + static_cast<std::uint32_t>(x));
+  return detail::mix_bits(h * 0x9e3779b9U + static_cast<std::uint32_t>(y));
 }
 
 /// The hash as a number in [0, 1).
@@ -56,7 +56,7 @@ Real noise(Real x, Real y, int period_x, int period_y, std::uint32_t seed) {
   // Height at (x, y), seen from a lattice point, of the plane through that point with its random slope.
   const auto plane = [&](int i_at, int j_at, Real x_from, Real y_from) {
     const std::uint32_t bits = hash(i_at, j_at, seed);
-    const double slope_x = (bits & 0xffffu) * 0x2p-16 - 1.0;
+    const double slope_x = (bits & 0xffffU) * 0x2p-16 - 1.0;
     const double slope_y = (bits >> 16) * 0x2p-16 - 1.0;
     return x_from * slope_x + y_from * slope_y;
   };

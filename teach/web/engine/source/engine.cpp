@@ -198,7 +198,7 @@ class Engine {
     if (draws) {
       const app::KeptValues before(now.lab.parameters());
       fit_view();
-      const gl::Preview glance(now.view == View::color);
+      const gl::Preview preview(now.view == View::color);
       if (!display_) display_.emplace(assets_.shader_root());
       if (now.view == View::error) try {
           now.lab.answer()->work(size_, 0);
@@ -253,7 +253,7 @@ class Engine {
     const glm::ivec2 size = app::pixels(course::parse_size(a.value("size", std::string("512x512"))));
     const int samples = a.value("samples", view == View::color ? 4 : 1);
     now.canvas.draw(view, size, samples);
-    if (view == View::color || a.value("colours", false))
+    if (view == View::color || a.value("colors", false))
       return give(image::without_alpha(now.canvas.read8()));
     given_ = now.canvas.read_float();
     buffers.push_back({given_.samples.data(), given_.samples.size() * sizeof(float), "f32"});

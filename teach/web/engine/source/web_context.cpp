@@ -22,7 +22,7 @@ constexpr GLenum kUnmaskedRenderer = 0x9246;  // WEBGL_debug_renderer_info
 
 bool encodes = true;  ///< GL_FRAMEBUFFER_SRGB
 float shift_x = 0, shift_y = 0;
-bool glance = false;
+bool is_preview = false;
 GLsizei width = 1, height = 1;  ///< of the viewport, which is the whole picture
 
 void tell(GLuint program) {
@@ -84,22 +84,22 @@ int subpixel_bits() {
 }
 
 Preview::Preview(bool wanted) {
-  glance = wanted && subpixel_bits() < kEnoughSubpixelBits;
-  ProgramCache::variant = glance ? "\nglance" : "";
+  is_preview = wanted && subpixel_bits() < kEnoughSubpixelBits;
+  ProgramCache::variant = is_preview ? "\npreview" : "";
 }
 Preview::~Preview() {
-  glance = false;
+  is_preview = false;
   ProgramCache::variant.clear();
 }
 Target::Kind Preview::kind() {
-  return glance ? Target::Kind::encoded : Target::Kind::color;
+  return is_preview ? Target::Kind::encoded : Target::Kind::color;
 }
 
 void set_shader_text(GLuint shader, const GLchar* text) {
   GLint stage = 0;
   (glGetShaderiv)(shader, GL_SHADER_TYPE, &stage);
-  const std::string es =
-      es_source(text, stage == GL_FRAGMENT_SHADER, glance ? kEnoughSubpixelBits : subpixel_bits(), glance);
+  const std::string es = es_source(text, stage == GL_FRAGMENT_SHADER,
+                                   is_preview ? kEnoughSubpixelBits : subpixel_bits(), is_preview);
   const char* data = es.c_str();
   (glShaderSource)(shader, 1, &data, nullptr);
 }
@@ -116,7 +116,7 @@ void get_shader_log(GLuint shader, GLsizei size, GLchar* log) {
 }
 
 void set_clear_color(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
-  const auto stored = [](float light) { return glance ? image::srgb_from_linear(light) : light; };
+  const auto stored = [](float light) { return is_preview ? image::srgb_from_linear(light) : light; };
   (glClearColor)(stored(red), stored(green), stored(blue), alpha);
 }
 

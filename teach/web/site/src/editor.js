@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The editor of a step: CodeMirror with GLSL's colours. Loaded when the first step comes into view.
+// The editor of a step: CodeMirror with GLSL's colors. Loaded when the first step comes into view.
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
 import { bracketMatching, HighlightStyle, indentOnInput, indentUnit, StreamLanguage, syntaxHighlighting } from "@codemirror/language";
 import { shader } from "@codemirror/legacy-modes/mode/clike";
@@ -8,7 +8,7 @@ import { EditorState } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 
-const colours = HighlightStyle.define([
+const colors = HighlightStyle.define([
   { tag: [tags.keyword, tags.modifier, tags.controlKeyword], color: "var(--code-keyword)" },
   { tag: [tags.typeName, tags.standard(tags.variableName), tags.standard(tags.name)], color: "var(--code-name)" },
   { tag: [tags.number, tags.bool, tags.atom], color: "var(--code-number)" },
@@ -40,7 +40,7 @@ export function makeEditor({ host, text, numbers, label, changed, wraps = false 
       extensions: [
         lineNumbers({ formatNumber: (n, state) => String(numbers(state.doc.toString())[n - 1] ?? "") }),
         history(), drawSelection(), wraps ? EditorView.lineWrapping : [], indentOnInput(), bracketMatching(), highlightActiveLine(), lintGutter(),
-        indentUnit.of("  "), StreamLanguage.define(shader), syntaxHighlighting(colours), look,
+        indentUnit.of("  "), StreamLanguage.define(shader), syntaxHighlighting(colors), look,
         EditorView.contentAttributes.of({ "aria-label": label, spellcheck: "false", autocapitalize: "off", autocorrect: "off" }),
         // Tab indents; Escape and then Tab leaves the editor (https://codemirror.net/examples/tab/).
         keymap.of([...defaultKeymap, ...historyKeymap, indentWithTab]),

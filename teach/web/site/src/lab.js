@@ -297,11 +297,11 @@ const tools = {
   async snapshot() {
     const { width, height } = picture.size();
     const asked = { view: now.view, size: `${width}x${height}`, set: changed(now.parameters, now.values) };
-    const isColour = now.view === "color";
-    const drawing = await session.call(isColour ? "draw" : "shown", asked);
+    const isColor = now.view === "color";
+    const drawing = await session.call(isColor ? "draw" : "shown", asked);
     const canvas = element("canvas", { width, height });
     canvas.getContext("2d").putImageData(imageOf(drawing.data ?? drawing, width, height), 0, 0);
-    download(`${now.lab.folder}${isColour ? "" : `-${now.view}`}.png`, await new Promise((done) => canvas.toBlob(done)));
+    download(`${now.lab.folder}${isColor ? "" : `-${now.view}`}.png`, await new Promise((done) => canvas.toBlob(done)));
     said("Saved");
   },
 };
@@ -434,7 +434,7 @@ function mine() {
 function followText() {
   let last = null;
   const steps = [...ui.article.querySelectorAll(".step")];
-  const settle = afterPause(350, () => {
+  const follow = afterPause(350, () => {
     if (!follows || !isScrolled) return;
     const line = innerHeight * (matchMedia("(max-width: 62rem)").matches ? 0.7 : 0.45);
     const step = steps.find((one) => one.getBoundingClientRect().bottom > line);
@@ -448,7 +448,7 @@ function followText() {
   for (const place of [ui.article, document])
     place.addEventListener("scroll", () => {
       isScrolled = true;
-      settle();
+      follow();
     }, { passive: true });
 }
 
