@@ -13,13 +13,15 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 LIMITS = {"all": 50_000, "tests": 15_100, "starter": 21_000, "a room": 3_600}  # lines of C++
 ROOMS = ("common", "teach")  # each folder below these is a library with a namespace of its own
 WITHHELD = ("teach", "tests")
+LANGUAGES = {"Python": ["*.py", "teach/commands/scripts/*"], "JavaScript": ["*.js", "*.mjs"], "GLSL": ["*.glsl", "*.vert", "*.frag"],
+             "Bash": ["*.sh", "*.bash", "run", ".ci/run"], "Markdown": ["*.md"], "TOML": ["*.toml"]}  # counted, without a limit
 # What others declare is defined by who starts the labs, on a desktop and on a page.
 ELSEWHERE = ("common/start/run.cpp", "teach/web/engine/source/")
 
 
-def sources():
-    """{path: text} of all C++ files."""
-    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-z", "*.cpp", "*.hpp"], capture_output=True, text=True, check=False)
+def sources(*names):
+    """{path: text} of all files with these endings."""
+    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-z", *names], capture_output=True, text=True, check=False)
     if listed.returncode != 0:
         sys.exit(f"rooms.py: git lists no files in {ROOT}: {listed.stderr.strip()}")
     paths = [path for path in listed.stdout.split("\0") if path and (ROOT / path).exists()]
@@ -67,9 +69,11 @@ def namespace_faults(files):
     """A namespace is its folder's name."""
     faults = []
     for path, text in files.items():
-        room = room_of(path)
-        for name in re.findall(r"^namespace texel::(\w+)", text, flags=re.M) if room and not path.startswith(ELSEWHERE) else []:
-            if name not in (room.split("/")[1], re.sub(r"^.*/\d\d_|\.cpp$", "", path)):  # an answer is a part of its lab
+        room, lab = room_of(path), re.search(r"\d\d_(\w+)", path)  # an answer is a part of its lab
+        names = {room.split("/")[-1], lab and lab[1]} | ({"mesh"} if path.startswith("labs/") else set())  # which declares steps
+        is_held = (room or path.startswith("labs/")) and not path.startswith(ELSEWHERE)
+        for name in re.findall(r"^namespace texel::(\w+)", text, flags=re.M) if is_held else []:
+            if name not in names:
                 faults.append(f"{path} is in namespace {name}; a namespace has its folder's name")
     return faults
 
@@ -91,7 +95,9 @@ def caller_faults(files):
 
 
 def main():
-    files = sources()
+    files = sources("*.cpp", "*.hpp")
+    for language, names in LANGUAGES.items():
+        print(f"{sum(text.count(chr(10)) for text in sources(*names).values()):7} {language}")
     faults = line_faults(files) + step_faults(files) + namespace_faults(files) + caller_faults(files)
     for fault in faults:
         print(f"rooms.py: {fault}", file=sys.stderr)

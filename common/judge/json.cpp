@@ -65,7 +65,7 @@ CaseResult parse_case(const Json& json) {
   const auto view = course::find_view(json.at("view").get<std::string>());
   if (!view) throw Error::failed(fmt::format("there is no view {}", to_text(json.at("view"))));
   one.view = *view;
-  for (const auto& [parameter, value] : json.at("set").items()) one.settings.push_back({parameter, value});
+  one.settings = course::settings_from(json.at("set"));
   one.error = number(json.at("error"));
   one.limit = json.at("limit");
   one.picture = json.at("picture"), one.reference = json.at("expected");
