@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <tuple>
 
 namespace texel::judge {
@@ -59,6 +60,25 @@ const char* word_of(const StepResult& step, bool is_next) {
   if (step.status == Status::failed && !step.is_untouched()) return "wrong";
   if (is_next) return "next";
   return step.status == Status::skipped ? "waits" : "to do";
+}
+
+const StepResult* next_step(const std::vector<StepResult>& steps) {
+  const StepResult* next = nullptr;
+  const auto rank = [](const StepResult& step) {
+    const bool failed = step.status == Status::failed, is_wrong = failed && step.is_wrong();
+    return std::tuple(is_wrong, is_wrong ? step.saved : 0, failed);
+  };
+  for (const StepResult& step : steps)
+    if (!step.passed() && (next == nullptr || rank(step) > rank(*next))) next = &step;
+  return next;
+}
+
+double hours_left(const std::vector<StepResult>& steps) {
+  std::set<int> labs;
+  double points = 0;
+  for (const StepResult& step : steps)
+    if (!step.passed()) labs.insert(std::stoi(step.id)), points += step.points;
+  return 0.5 * static_cast<double>(labs.size()) + 0.25 * points;
 }
 
 std::string listed(const std::vector<std::string>& steps) {

@@ -74,10 +74,10 @@ void steps_section(app::AnyLab& lab, WindowState& state) {
     wrapped_plain(theme().next, "Not checked: " + fault);
   else if (steps.empty())
     ImGui::TextColored(theme().dim, "checking");
-  const auto next = std::ranges::find(steps, Status::failed, &judge::StepResult::status);
+  const judge::StepResult* next = judge::next_step(steps);
   for (const judge::StepResult& step : steps) {
     const bool is_done = step.status == Status::passed, is_wrong = step.status == Status::failed;
-    const bool is_next = is_wrong && &step == &*next;
+    const bool is_next = &step == next;
     const ImVec4& color = is_done ? theme().good : is_next ? theme().next : theme().dim;
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     if (state.step_to_open == step.id) {
@@ -108,11 +108,10 @@ void course_line(const std::vector<judge::StepResult>& course, int lab) {
   const float unit = ImGui::GetFontSize() / 2,
               width = ImGui::GetContentRegionAvail().x / static_cast<float>(course.size());
   ImVec2 from = ImGui::GetCursorScreenPos();
-  const judge::StepResult* next = nullptr;
+  const judge::StepResult* next = judge::next_step(course);
   const ImVec4& border = ImGui::GetStyleColorVec4(ImGuiCol_Border);  // seen in both themes
   for (const judge::StepResult& step : course) {
-    const bool is_done = step.status == Status::passed, is_next = !is_done && next == nullptr;
-    if (is_next) next = &step;
+    const bool is_done = step.passed(), is_next = &step == next;
     const float height = std::stoi(step.id) == lab ? 1.5F * unit : unit;
     const ImVec4& color = is_done ? theme().good : is_next ? theme().next : border;
     ImGui::GetWindowDrawList()->AddRectFilled({from.x, from.y + 1.5F * unit - height},
@@ -123,9 +122,11 @@ void course_line(const std::vector<judge::StepResult>& course, int lab) {
     from.x += width;
   }
   ImGui::Dummy({0, 2 * unit});
-  const auto done = std::ranges::count(course, Status::passed, &judge::StepResult::status);
-  wrapped_text(theme().dim, fmt::format("Course: {} of {} steps right{}", done, course.size(),
-                                        next != nullptr ? ", next is " + next->id : ""));
+  const auto done = std::ranges::count_if(course, &judge::StepResult::passed);
+  const std::string left = next == nullptr ? ""
+                                           : fmt::format(", next {}, {:.0f} h left", next->id,
+                                                         std::ceil(judge::hours_left(course)));
+  wrapped_text(theme().dim, fmt::format("{} of {} steps right{}", done, course.size(), left));
 }
 
 void set_look(app::AnyLab& lab, WindowState& state, const course::Case& look) {

@@ -2,8 +2,6 @@
 // Lab 1: a picture on a square. An image becomes a texture object, the object is bound to a texture
 // unit, and a sampler in the shader reads that unit at interpolated texture coordinates. A filter decides
 // which colour a pixel gets between texels, and from many texels.
-#include <glm/gtc/matrix_transform.hpp>
-
 #include <tuple>
 
 #include "app/lab.hpp"
@@ -51,7 +49,7 @@ struct TextureQuad : app::Lab<TextureQuadParameters> {
     });
     gl::forget_sampling(texture);
     gl::Program& program = frame.program("01_texture_quad/texture_quad");
-    const glm::mat4 world_from_object = glm::rotate(glm::mat4(1), glm::radians(-p.tilt), glm::vec3(1, 0, 0));
+    const glm::mat4 world_from_object = app::tilt_about_x(-p.tilt);
     program.set("clip_from_object", p.camera.clip_from_world(frame.aspect()) * world_from_object);
 
     //@step 1.2 begin

@@ -2,8 +2,6 @@
 // Lab 2: two pictures on one square. Each is a texture object on its own unit, read by its own
 // sampler. The fragment shader combines the two colours. The result depends on the values that it combines:
 // the file's encoded values, or the linear light that they stand for.
-#include <glm/gtc/matrix_transform.hpp>
-
 #include <tuple>
 
 #include "app/lab.hpp"
@@ -41,7 +39,7 @@ struct MultiTexture : app::Lab<MultiTextureParameters> {
 
   void draw(const Parameters& p, app::Frame& frame) override {
     gl::Program& program = frame.program("02_multi_texture/multi_texture");
-    const glm::mat4 world_from_object = glm::rotate(glm::mat4(1), glm::radians(-p.tilt), glm::vec3(1, 0, 0));
+    const glm::mat4 world_from_object = app::tilt_about_x(-p.tilt);
     program.set("clip_from_object", p.camera.clip_from_world(frame.aspect()) * world_from_object);
     const int second = std::min(p.second_unit, gl::texture_units() - 1);  // at most the driver's highest
 

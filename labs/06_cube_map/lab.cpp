@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lab 6: a cube map. A sphere can show one picture, found by two angles, with a seam at the back and a pinch
 // at each pole. Or it shows six pictures on the faces of a cube, found by the direction, with neither.
-#include <glm/gtc/matrix_transform.hpp>
 #include <tuple>
 
 #include "app/lab.hpp"
@@ -24,7 +23,7 @@ struct CubeMap : app::Lab<CubeMapParameters> {
   void draw(const Parameters& p, app::Frame& frame) override {
     gl::MeshBuffers& sphere = spheres_.get(
         {p.rings, p.segments}, [&] { return gl::MeshBuffers(mesh::sphere(p.rings, p.segments)); });
-    const glm::mat4 tilted = glm::rotate(glm::mat4(1), glm::radians(p.tilt), glm::vec3(1, 0, 0));
+    const glm::mat4 tilted = app::tilt_about_x(p.tilt);
 
     gl::Program& program = frame.program("06_cube_map/cube_map");
     program.set("clip_from_world", p.camera.clip_from_world(frame.aspect()));

@@ -12,13 +12,13 @@
 
 namespace texel::environment {
 
-struct EnvironmentLab : app::Lab<EnvironmentParameters> {
+struct Environment : app::Lab<EnvironmentParameters> {
   static constexpr app::View kViews[] = {app::View::color, app::View::direction, app::View::depth,
                                          app::View::mask};
   static constexpr app::Info info{7, "environment", "Environment",
                                   "Surround the scene with a cube map behind everything.", kViews};
 
-  explicit EnvironmentLab(const app::Assets& assets) : environment_(assets), quad_(make_quad()) {}
+  explicit Environment(const app::Assets& assets) : environment_(assets), quad_(make_quad()) {}
 
   void draw(const Parameters& p, app::Frame& frame) override {
     environment_.bind(0, p.cube_map);
@@ -109,5 +109,5 @@ struct EnvironmentLab : app::Lab<EnvironmentParameters> {
 }  // namespace texel::environment
 
 int main(int argc, char** argv) {
-  return texel::app::run<texel::environment::EnvironmentLab>(argc, argv);
+  return texel::app::run<texel::environment::Environment>(argc, argv);
 }

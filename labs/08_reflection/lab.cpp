@@ -22,7 +22,7 @@ struct Reflection : app::Lab<ReflectionParameters> {
   void draw(const Parameters& p, app::Frame& frame) override {
     gl::MeshBuffers& ball =
         balls_.get({p.rings, p.segments}, [&] { return gl::MeshBuffers(mesh::sphere(p.rings, p.segments)); });
-    const glm::mat4 tilted = glm::rotate(glm::mat4(1), glm::radians(p.tilt), glm::vec3(1, 0, 0));
+    const glm::mat4 tilted = app::tilt_about_x(p.tilt);
     const glm::mat4 turned = app::turn_about_y(p.turn) * tilted;
     const glm::mat4 world_from_object = glm::scale(turned, glm::vec3(1, p.stretch, 1));
     const glm::mat4 object_from_world = glm::inverse(world_from_object);

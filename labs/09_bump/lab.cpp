@@ -2,10 +2,8 @@
 // Lab 9: a bumpy mirror ball. A normal map bends the normals, and with them what the mirror shows. A sphere
 // has no given tangents: each pixel builds its frame from the normal alone, in one of seven ways. That is
 // done in shaders/09_bump/frame.glsl; here is what the shaders get.
-#include <glm/gtc/matrix_transform.hpp>
-
-#include "app/environment.hpp"
 #include "app/lab.hpp"
+#include "app/environment.hpp"
 #include "gl/upload.hpp"
 #include "mesh/primitives.hpp"
 #include "parameters.hpp"
@@ -24,7 +22,7 @@ struct Bump : app::Lab<BumpParameters> {
   void draw(const Parameters& p, app::Frame& frame) override {
     gl::MeshBuffers& ball =
         balls_.get({p.rings, p.segments}, [&] { return gl::MeshBuffers(mesh::sphere(p.rings, p.segments)); });
-    const glm::mat4 tilted = glm::rotate(glm::mat4(1), glm::radians(p.tilt), glm::vec3(1, 0, 0));
+    const glm::mat4 tilted = app::tilt_about_x(p.tilt);
 
     environment_.bind(0, p.cube_map);
     gl::Program& program = frame.program("09_bump/bump");

@@ -402,7 +402,7 @@ def thieves():
     stolen = ('\nasm(".section .rodata\\n.globl stolen\\nstolen: .incbin \\"" __FILE__ "\\"\\n.byte 0\\n.text");\nextern "C" const char stolen[];\n' +
               (ROOT / "tests/threats/asked.hpp").read_text(encoding="utf-8"))
     begun = replaced(students_file(CPP, set()), "-0.5F, -0.5F, 0", "-0.6F, -0.5F, 0")
-    program = replaced(begun, "return texel::app::run<texel::environment::EnvironmentLab>(argc, argv);", "return carry_out(argc, argv);")
+    program = replaced(begun, "return texel::app::run<texel::environment::Environment>(argc, argv);", "return carry_out(argc, argv);")
     shader = replaced(students_file(GLSL, set()), "return normal;", "return 2.0 * normal;")
     return {"program": (CPP, replaced(program, "int main(", stolen + CARRY_OUT)),
             # What the compiler says, and the compiler of shaders.

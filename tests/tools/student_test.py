@@ -402,8 +402,13 @@ class Helped(StudentTree):
     def test_by_the_progress_in_all_labs(self):
         code, said = self.texel("progress")
         self.assertEqual(code, 0, said)
-        for words in ("next: ", "What is left takes about ", *(f"{lab['number']}  {lab['title']}" for lab in LABS)):
+        # The programs are built with all steps: what is to do is in shaders.
+        for words in ("  1-.....  2##-#  3#####  4####", " of 42 steps: ", "\nnext: 1.1 ", "What is left takes about 1",
+                      *(f"{lab['number']}  {lab['title']}" for lab in LABS)):
             self.assertIn(words, said)
+        # Where one stopped is a step that was begun, in any lab.
+        with self.changed(DECODE, (self.root / DECODE).read_text(encoding="utf-8").replace("return color;", "return 2.0 * color;")):
+            self.assertIn("\nyou were at: 5.1 ", self.texel("progress")[1])
 
 
 class Built(StudentTree):

@@ -42,11 +42,6 @@ std::string short_message(const CaseResult& one) {
   return first + (others > 0 ? fmt::format("\n{} more: ./run see {}", others, one.step) : "");
 }
 
-/// Written, and not right: its own text is to be changed, whether other steps come first or not.
-bool is_wrong(const StepResult& step) {
-  return !step.passed() && !step.is_untouched() && !step.was_right;
-}
-
 /// What is wrong with a step, and what helps.
 std::string details(const StepResult& step) {
   constexpr std::size_t indent = 12;
@@ -82,23 +77,11 @@ std::string what_follows(int number) {
 
 }  // namespace
 
-const StepResult* next_step(const LabResult& lab) {
-  const StepResult* latest = nullptr;
-  for (const StepResult& step : lab.steps)
-    if (step.status == Status::failed && is_wrong(step) && (latest == nullptr || step.saved > latest->saved))
-      latest = &step;
-  if (latest != nullptr) return latest;
-  for (const Status status : {Status::failed, Status::skipped})
-    for (const StepResult& step : lab.steps)
-      if (step.status == status) return &step;
-  return nullptr;
-}
-
 std::string report(const LabResult& lab) {
   const auto done = std::ranges::count(lab.steps, Status::passed, &StepResult::status);
   std::string text = paint(kBold, fmt::format("Lab {}: {}", lab.lab.number, lab.lab.title)) +
                      fmt::format(", {} of {} steps\n", done, lab.steps.size());
-  const StepResult* next = next_step(lab);
+  const StepResult* next = judge::next_step(lab.steps);
   std::string said;  // of the step above
   for (const StepResult& step : lab.steps) {
     const char* word = word_of(step, &step == next);
@@ -109,10 +92,10 @@ std::string report(const LabResult& lab) {
     line = begin + fitted(line, begin.size()).substr(begin.size());
     text += paint(step.passed() ? kGreen : &step == next ? kYellow : kDim, line);
     // A picture that cannot be drawn is told at the next step: another step's text may be the reason.
-    if (&step != next && !(is_wrong(step) && !judge::clearest_case(step)->picture.empty())) continue;
+    if (&step != next && !(step.is_wrong() && !judge::clearest_case(step)->picture.empty())) continue;
     text += paint(kDim, fmt::format("{:12}{}:{}\n", "", step.file, step.line));
     if (&step == next && step.status == Status::skipped) text += fitted(step.message, 12);
-    if (is_wrong(step) || step.status != Status::skipped) text += details(step);
+    if (step.is_wrong() || step.status != Status::skipped) text += details(step);
   }
   if (lab.steps.size() < lab.lab.steps.size() && next == nullptr)  // some of them were asked for
     for (const StepResult& step : lab.steps) text += paint(kGreen, "Right.") + "\n" + after_step(step.id);
@@ -125,38 +108,39 @@ std::string report(const LabResult& lab) {
   return text;
 }
 
+std::vector<StepResult> all_steps(const std::vector<LabResult>& labs) {
+  std::vector<StepResult> all;
+  for (const LabResult& lab : labs) std::ranges::copy(lab.steps, std::back_inserter(all));
+  return all;
+}
+
 std::string progress_report(const std::vector<LabResult>& labs) {
   const bool colors = wants_colors();
   std::string text;
-  double points = 0, most = 0, hours = 0;
-  const LabResult* next = nullptr;
+  std::string way, table;
+  const std::vector<StepResult> all = all_steps(labs);
+  const char *done = colors ? "█" : "#", *to_do = colors ? "░" : "-", *waits = colors ? "·" : ".";
   std::size_t width = 0;
   for (const LabResult& lab : labs) width = std::max(width, lab.lab.title.size());
-  const char *done = colors ? "█" : "#", *to_do = colors ? "░" : "-", *waits = colors ? "·" : ".";
   for (const LabResult& lab : labs) {
-    std::string bar;
+    way += fmt::format("  {}", lab.lab.number);
     for (const StepResult& step : lab.steps)
-      bar += step.status == Status::passed    ? paint(kGreen, done)
-             : step.status == Status::skipped ? waits
-                                              : to_do;
-    bar += std::string(8 - std::min<std::size_t>(8, lab.steps.size()), ' ');
-    text += fmt::format("  {:>2}  {:<{}}  {} {:>3g} of {:g} points\n", lab.lab.number, lab.lab.title, width,
-                        bar, lab.points(), lab.max_points());
-    points += lab.points(), most += lab.max_points();
-    // As docs/course.md estimates.
-    if (lab.points() < lab.max_points()) hours += 0.5 + 0.25 * (lab.max_points() - lab.points());
-    if (next == nullptr && next_step(lab) != nullptr) next = &lab;
+      way += step.passed() ? paint(kGreen, done) : step.status == Status::skipped ? waits : to_do;
+    table += fmt::format("  {:>2}  {:<{}}  {:>3g} of {:g} points\n", lab.lab.number, lab.lab.title, width,
+                         lab.points(), lab.max_points());
   }
-  text += fmt::format("  {:g} of {:g} points; {} done, {} to do, {} waits for another step\n", points, most,
-                      paint(kGreen, done), to_do, waits);
+  text += fmt::format("{}\n  {} of {} steps: {} done, {} to do, {} waits for another step\n{}", way,
+                      std::ranges::count_if(all, &StepResult::passed), all.size(), paint(kGreen, done), to_do,
+                      waits, table);
   for (const LabResult& lab : labs)
     for (const std::string& copy : lab.lab.copies)
       text += fitted(fmt::format("labs/{} is a copy of lab {}: what is written there does not count.", copy,
                                  lab.lab.number));
-  if (next != nullptr)
-    text += fmt::format("next: {} {}   ./run watch {}\nWhat is left takes about {}.\n", next_step(*next)->id,
-                        next_step(*next)->title, next->lab.number,
-                        hours > 1 ? fmt::format("{:.0f} hours", std::ceil(hours)) : "an hour");
+  const double hours = std::ceil(judge::hours_left(all));
+  if (const StepResult* next = judge::next_step(all))
+    text += fmt::format("{}: {} {}   ./run watch {}\nWhat is left takes about {}.\n",
+                        next->is_wrong() ? "you were at" : "next", next->id, next->title, std::stoi(next->id),
+                        hours > 1 ? fmt::format("{:g} hours", hours) : "an hour");
   return text;
 }
 

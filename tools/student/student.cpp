@@ -25,13 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The step that comes next in the first lab that is not done.
-const judge::StepResult* next_of(const std::vector<judge::LabResult>& labs) {
-  for (const judge::LabResult& lab : labs)
-    if (const judge::StepResult* next = next_step(lab)) return next;
-  return nullptr;
-}
-
 /// Whether a step of these labs was changed by the student.
 bool is_begun(const std::vector<judge::LabResult>& labs) {
   return std::ranges::any_of(labs, [](const judge::LabResult& lab) {
@@ -129,7 +122,8 @@ Exit check(const CheckOptions& options, const std::string& context) {
   else
     for (const judge::LabResult& lab : labs)
       fmt::print("{}{}", &lab == &labs.front() ? "" : "\n", report(lab));
-  if (next_of(labs) == nullptr || (options.unless_begun && !is_begun(labs))) return Exit::holds;
+  if (judge::next_step(all_steps(labs)) == nullptr || (options.unless_begun && !is_begun(labs)))
+    return Exit::holds;
   return Exit::differs;
 }
 
@@ -164,9 +158,9 @@ Exit progress(const std::string& context) {
 Exit hint(const std::string& where, const std::string& context) {
   std::string id = where;
   if (id.find('.') == id.npos) {
-    const std::vector<judge::LabResult> results =
-        check_places(id.empty() ? std::vector<std::string>() : std::vector{id}, context);
-    const judge::StepResult* next = next_of(results);
+    const std::vector<judge::StepResult> steps =
+        all_steps(check_places(id.empty() ? std::vector<std::string>() : std::vector{id}, context));
+    const judge::StepResult* next = judge::next_step(steps);
     if (next == nullptr) {
       fmt::print("{}", id.empty() ? "All steps are done.\n" : "All steps of this lab are done.\n");
       return Exit::holds;

@@ -27,15 +27,14 @@ std::string after_step(const std::string& step);
 
 // What a check found, for people; judge/results.hpp is for programs.
 
-/// The step that comes next: of those that were begun and failed the one that was saved last, else the first
-/// that failed, else the first that is not done, or none.
-const judge::StepResult* next_step(const judge::LabResult& lab);
+/// The steps of these labs, one after the other.
+std::vector<judge::StepResult> all_steps(const std::vector<judge::LabResult>& labs);
 
 /// A lab's steps, each in a line: done, wrong, next, to do or waiting; below the next one and below each that
 /// was begun, what is wrong and what helps. Lines end in '\n'. With colours for a terminal.
 std::string report(const judge::LabResult& lab);
 
-/// A line for each lab, how far it is, and what comes next in the course.
+/// The course as one line, a line for each lab, and what comes next.
 std::string progress_report(const std::vector<judge::LabResult>& labs);
 
 }  // namespace texel::tools

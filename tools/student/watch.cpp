@@ -118,7 +118,7 @@ class Watch {
   }
 
   void hint() {
-    const judge::StepResult* next = last_ ? next_step(*last_) : nullptr;
+    const judge::StepResult* next = last_ ? judge::next_step(last_->steps) : nullptr;
     fmt::print("{}", !last_  ? "Nothing is checked yet. Correct the first message above.\n"
                      : !next ? "All steps are done.\n"
                              : next_hint(*next));

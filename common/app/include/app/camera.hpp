@@ -26,6 +26,11 @@ inline glm::mat4 turn_about_y(float degrees) {
   return glm::rotate(glm::mat4(1), glm::radians(degrees), glm::vec3(0, 1, 0));
 }
 
+/// Rotation about the x axis, which points to the right: a positive angle leans the top forwards.
+inline glm::mat4 tilt_about_x(float degrees) {
+  return glm::rotate(glm::mat4(1), glm::radians(degrees), glm::vec3(1, 0, 0));
+}
+
 /// A camera that circles the origin, y up. Its values are parameters: a snapshot can have any look,
 /// and in the window the mouse changes them.
 struct OrbitCamera {

@@ -80,7 +80,15 @@ struct StepResult : course::Step {
   [[nodiscard]] bool passed() const { return status == Status::passed; }
   /// Whether it failed, and nothing of it was written.
   [[nodiscard]] bool is_untouched() const;
+  /// Written, and not right: its own text is to be changed, whether other steps come first or not.
+  [[nodiscard]] bool is_wrong() const { return !passed() && !is_untouched() && !was_right; }
 };
+
+/// Where to go on: the step that failed and was saved last, else the first that failed, else the first that
+/// waits. Null when all passed.
+const StepResult* next_step(const std::vector<StepResult>& steps);
+/// What those take that did not pass: half an hour a lab and a quarter a point, as docs/course.md estimates.
+double hours_left(const std::vector<StepResult>& steps);
 
 /// A word for the step in a list of its lab's: "done", "waits", "wrong", and of one that is not begun "next"
 /// or "to do".
