@@ -34,10 +34,6 @@ Error Reader::error(const std::string& key, const std::string& what, const std::
   return error(node == nullptr ? table_ : *node, what, remedy);
 }
 
-Place Reader::place() const {
-  return place_at(table_.source(), file_);
-}
-
 const toml::node* Reader::find(const std::string& key) {
   if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.push_back(key);
   return table_.get(key);

@@ -164,19 +164,19 @@ std::string other_format(std::string_view bytes) {
     const char* name;
   };
   using namespace std::string_view_literals;
-  static constexpr Format formats[] = {
-      {8, "WEBP", "a WebP file"},      {4, "ftypavi", "an AVIF file"},
-      {4, "ftyphe", "a HEIC file"},    {4, "ftypm", "a HEIC, AVIF or MP4 file"},
-      {4, "ftyp", "a video"},          {4, "jP  ", "a JPEG 2000 file"},
-      {4, "JXL ", "a JPEG XL file"},   {0, "\xff\x0a", "a JPEG XL file"},
-      {0, "qoif", "a QOI file"},       {0, "\0\0\1\0"sv, "an icon file"},
-      {0, "%PDF", "a PDF file"},       {0, "II*\0"sv, "a TIFF file"},
-      {0, "MM\0*"sv, "a TIFF file"},   {0, "\xabKTX", "a KTX file"},
-      {0, "DDS ", "a DDS file"},       {0, "#?R", "a Radiance HDR file"},
-      {0, "v/1\1", "an OpenEXR file"}, {0, "8BPS", "a Photoshop file"},
-      {0, "gimp xcf", "a GIMP file"},  {0, "<svg", "an SVG file"},
-      {0, "<", "a file of text"},      {0, "version https://git-lfs", "Git LFS's pointer to a file"},
-  };
+  static constexpr Format formats[] = {{8, "WEBP", "a WebP file"},
+                                       {4, "ftyp", "a HEIC, AVIF or MP4 file"},
+                                       {4, "JXL ", "a JPEG XL file"},
+                                       {0, "II*\0"sv, "a TIFF file"},
+                                       {0, "MM\0*"sv, "a TIFF file"},
+                                       {0, "%PDF", "a PDF file"},
+                                       {0, "\xabKTX", "a KTX file"},
+                                       {0, "DDS ", "a DDS file"},
+                                       {0, "#?R", "a Radiance HDR file"},
+                                       {0, "v/1\1", "an OpenEXR file"},
+                                       {0, "<svg", "an SVG file"},
+                                       {0, "<", "a file of text"},
+                                       {0, "version https://git-lfs", "Git LFS's pointer to a file"}};
   const Bytes file{bytes};
   for (const Format& format : formats)
     if (file.has(format.at, format.start)) return format.name;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "difference.hpp"
+#include "mesh/vectors.hpp"
 
 namespace texel::judge {
 namespace {
@@ -22,9 +23,7 @@ constexpr std::size_t kMostTooMany = 16;
 
 /// The angle between two vectors in degrees; 180 where only one is zero.
 double angle_between(const dvec3& a, const dvec3& b) {
-  const bool zero_a = a == dvec3(0), zero_b = b == dvec3(0);
-  if (zero_a || zero_b) return zero_a == zero_b ? 0 : 180;
-  return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+  return (a == dvec3(0)) != (b == dvec3(0)) ? 180 : glm::degrees(mesh::angle_between(a, b));
 }
 
 /// How far apart two vectors are that should be unit vectors: the angle, or the difference of their lengths

@@ -102,7 +102,7 @@ std::optional<CommandLine> read_command_line(app::AnyLab& lab, int argc, char** 
   for (const params::Parameter& p : lab.parameters())
     app.add_option("--" + p.flag(), values[std::string(p.name)], app::describe(p))->group("Parameters");
   app.footer(
-      "In the window: drag orbit, wheel zoom, G looks, J default look, space pause; F1 lists all keys, Esc "
+      "In the window: drag orbit, wheel zoom, G looks, J first look, space pause; F1 lists all keys, Esc "
       "closes what is open, else quits");
 
   try {

@@ -61,7 +61,7 @@ struct Key {
 inline constexpr Key kKeys[] = {
     {GLFW_KEY_F1, false, Action::show_keys, "F1", "all keys"},
     {GLFW_KEY_G, false, Action::show_looks, "G", "looks of the gallery"},
-    {GLFW_KEY_J, false, Action::default_look, "J", "default look"},
+    {GLFW_KEY_J, false, Action::default_look, "J", "first look"},
     {GLFW_KEY_M, false, Action::toggle_normal_map, "M", "normal map on and off"},
     {GLFW_KEY_K, false, Action::previous_texture, "K", "previous texture"},
     {GLFW_KEY_L, false, Action::next_texture, "L", "next texture"},

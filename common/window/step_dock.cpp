@@ -73,15 +73,21 @@ std::string caption(const CasePictures& p) {
 }
 
 void picture_part(CasePictures& p, float side, float scale) {
+  const float height = side * p.aspect();
+  const auto show = [&](const gl::Texture& texture, float from, float to) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    draw_texture(texture, {at.x + from * side, at.y}, {at.x + to * side, at.y + height}, {from, 1}, {to, 0});
+  };
+  if (p.result.is_mesh()) {
+    show(p.expected, 0, 1);
+    ImGui::Dummy({side, height});
+    return wrapped_text(theme().dim, "Before | right. Yours is the large picture, in the same look.");
+  }
   if (ImGui::RadioButton("yours | expected", !p.shows_difference)) p.shows_difference = false;
   ImGui::SameLine();
   if (ImGui::RadioButton("difference", p.shows_difference)) p.shows_difference = true;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = side * p.aspect();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const auto show = [&](const gl::Texture& texture, float from, float to) {
-    draw_texture(texture, {at.x + from * side, at.y}, {at.x + to * side, at.y + height}, {from, 1}, {to, 0});
-  };
   if (p.shows_difference) {
     show(p.difference, 0, 1);
   } else {

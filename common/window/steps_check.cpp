@@ -12,6 +12,7 @@
 #include "check/check.hpp"
 #include "core/error.hpp"
 #include "core/process.hpp"
+#include "image/load.hpp"
 
 namespace texel::window {
 
@@ -153,6 +154,12 @@ CasePictures StepsCheck::load_case(const judge::StepResult& step, const judge::C
       course::read_step_text(shared_->tree.source, shared_->lab.folder, step.id, step.file, step.line);
   if (step.status != judge::Status::passed) pictures.text.after.clear();
   try {
+    if (one.is_mesh()) {  // what the handout shows: before, and right
+      pictures.compared.own =
+          image::load8(shared_->tree.source / "docs/pictures/steps" / (step.id + ".png"), 3);
+      pictures.expected = picture_texture(pictures.compared.own);
+      return pictures;
+    }
     const image::Compared& all = pictures.compared = check::compared(one);
     pictures.own = picture_texture(all.own), pictures.expected = picture_texture(all.expected);
     pictures.difference = picture_texture(all.heat_map);

@@ -26,7 +26,7 @@ bool is_below_root(const fs::path& file) {
 Mutant read_mutant(course::Reader& reader, const std::string& kind) {
   Mutant mutant;
   mutant.is_right = kind == "equivalent";
-  mutant.place = reader.place();
+  mutant.place = reader.error("", "").place();
   mutant.name = reader.text("name");
   mutant.file = reader.text("file");
   mutant.what = reader.text("what");

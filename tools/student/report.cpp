@@ -116,20 +116,17 @@ std::vector<StepResult> all_steps(const std::vector<LabResult>& labs) {
 
 std::string progress_report(const std::vector<LabResult>& labs) {
   const bool colors = wants_colors();
-  std::string text;
-  std::string way, table;
+  std::string text, table;
   const std::vector<StepResult> all = all_steps(labs);
   const char *done = colors ? "█" : "#", *to_do = colors ? "░" : "-", *waits = colors ? "·" : ".";
-  std::size_t width = 0;
-  for (const LabResult& lab : labs) width = std::max(width, lab.lab.title.size());
   for (const LabResult& lab : labs) {
-    way += fmt::format("  {}", lab.lab.number);
+    text += fmt::format("  {}", lab.lab.number);
     for (const StepResult& step : lab.steps)
-      way += step.passed() ? paint(kGreen, done) : step.status == Status::skipped ? waits : to_do;
-    table += fmt::format("  {:>2}  {:<{}}  {:>3g} of {:g} points\n", lab.lab.number, lab.lab.title, width,
+      text += step.passed() ? paint(kGreen, done) : step.status == Status::skipped ? waits : to_do;
+    table += fmt::format("  {:>2}  {:<28}  {:>3g} of {:g} points\n", lab.lab.number, lab.lab.title,
                          lab.points(), lab.max_points());
   }
-  text += fmt::format("{}\n  {} of {} steps: {} done, {} to do, {} waits for another step\n{}", way,
+  text += fmt::format("\n  {} of {} steps: {} done, {} to do, {} waits for another step\n{}",
                       std::ranges::count_if(all, &StepResult::passed), all.size(), paint(kGreen, done), to_do,
                       waits, table);
   for (const LabResult& lab : labs)

@@ -137,10 +137,8 @@ Exit see(const std::string& wanted, fs::path out, const std::string& context) {
   if (!one.mistake_says.empty()) fmt::print("{}", fitted("This looks like: " + one.mistake_says));
   if (one.picture.empty()) return Exit::failed;  // the message says why
   if (one.is_mesh()) {
-    std::string flags;
-    for (const course::Setting& setting : one.settings) flags += course::flag(setting);
-    fmt::print("This case compares vertices. To see the model, type: ./run lab {}{}\n", lab.lab.number,
-               flags);
+    fmt::print("This case compares vertices. To see your model beside the right one: ./run lab {} --see {}\n",
+               lab.lab.number, step.id);
     return Exit::holds;
   }
   if (out.empty()) out = course_root() / "out/see" / (step.id + ".png");

@@ -25,7 +25,6 @@ class Reader {
                             const std::string& remedy = {}) const;
   [[nodiscard]] Error error(const std::string& key, const std::string& what,
                             const std::string& remedy = {}) const;
-  [[nodiscard]] Place place() const;
 
   /// The value at `key`, or nullptr.
   const toml::node* find(const std::string& key);
