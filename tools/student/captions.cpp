@@ -59,7 +59,7 @@ image::Image8 with_captions(const image::Compared& pictures, course::Unit unit) 
     std::copy_n(&legend.picture.at(i, 0), 3, color.begin());
     fill(all, x, 8, x + 1, kBaseline, color);
   }
-  write(all, x, fmt::format(" {} {} off", legend.ticks.back().second, name_of(unit)));
+  write(all, x, fmt::format(" {} {}", legend.ticks.back().second, name_of(unit)));
   return all;
 }
 
