@@ -58,7 +58,7 @@ void read_section(const std::vector<std::string>& lines, const std::string& step
     const bool is_fold = line.starts_with("<details>"), is_after = line.find("After") != line.npos;
     const bool is_bullet = line.starts_with("- "), is_row = line.starts_with("| ");
     const bool is_item = items != nullptr && line.size() > 2 && line.substr(1, 2) == ". ";
-    if (line.starts_with("- **")) part = line.starts_with("- **Write:**") ? &text.task : nullptr;
+    if (line.starts_with("- **")) part = line.starts_with("- **W") ? &text.task : nullptr;  // where and what
     if (line.starts_with("**Predict:**")) part = &text.question, items = &text.choices;
     if (is_fold) part = is_after ? &text.after : nullptr, items = is_after ? nullptr : &text.answers;
     if (line == "</details>") part = nullptr, items = nullptr;

@@ -19,7 +19,7 @@ void question_part(CasePictures& p) {
     if (ImGui::RadioButton(fmt::format("##choice{}", i).c_str(), p.chosen == i)) p.chosen = i;
     ImGui::SameLine();
     wrapped_text(theme().text, p.text.choices[i - 1]);
-    if (p.chosen == i && i <= p.text.answers.size()) wrapped_text(theme().next, p.text.answers[i - 1]);
+    if (p.chosen == i && i <= p.text.answers.size()) wrapped_text(theme().dim, p.text.answers[i - 1]);
   }
 }
 

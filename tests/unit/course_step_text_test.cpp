@@ -39,9 +39,9 @@ TEST(StepText, has_the_steps_lines_and_the_handouts_task) {
                                              {3, "  return x;", false},      {7, "int g() {", true},
                                              {8, "//@step 5.1 begin", true}, {9, "y", false}};
   EXPECT_EQ(text.lines, lines);
-  EXPECT_EQ(text.line, 2);
   EXPECT_EQ(text.task,
-            "Of a this is known:\n   a = b\nname | value\nc | d₁\n\nc: 1, 2.\n\nWrite: the value, and more.");
+            "Of a this is known:\n   a = b\nname | value\nc | d₁\n\nc: 1, 2.\n\nWhere: here\n\nWrite: the "
+            "value, and more.");
   EXPECT_EQ(text.question, "Predict: What comes next?");
   EXPECT_EQ(text.choices, (std::vector<std::string>{"a", "b, or c"}));
   EXPECT_EQ(text.answers, (std::vector<std::string>{"No. Not so.", "Right: x₁."}));

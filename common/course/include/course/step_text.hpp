@@ -19,7 +19,7 @@ struct StepText {
   };
   std::vector<Line> lines;  ///< of each place of the step, from the function's head on; none without the file
   // The handout's, as plain text; "" and none without it.
-  std::string task;                           ///< its explanation and its "Write:"
+  std::string task;                           ///< its explanation, "Where:" and "Write:"
   std::string question;                       ///< to be answered before the picture shows it
   std::vector<std::string> choices, answers;  ///< what may be chosen, and what is said to each
   std::string after;                          ///< what is said once the step is right
