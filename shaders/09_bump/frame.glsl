@@ -47,7 +47,7 @@ mat3 frame_at(vec3 n) {
   //@end
 }
 
-#else
+#else  // METHOD_UV_ALIGNED, and METHOD_BLINN, which also scales a slope (below)
 // Step 9.3, second place. T runs along the circle of latitude, where u grows (to -x at +z). B runs along the
 // meridian, where v grows (down). At the poles u has no direction: any T is right. Near the poles the squares in
 // length() lose digits.
@@ -65,7 +65,7 @@ mat3 frame_at(vec3 n) {
 // The ball's normal bent by m, the map's normal; both in object space.
 vec3 bent_normal(vec3 n, vec3 m) {
 #if METHOD == METHOD_ROTATE_TO_NORMAL
-  return frame_at(n) * m;  // averaged normals are too short, and nobody minds (worksheet)
+  return frame_at(n) * m;  // averaged normals are too short: the worksheet leaves them so
 #elif METHOD == METHOD_BLINN
   // The map's slopes -dh/du = m.x / m.z and -dh/dv, per length of the map; along v the map is as long as half a meridian.
   // The circle of latitude is 2 sin(angle from the pole) times as long. Slopes along it are smaller by this factor: the
