@@ -108,9 +108,7 @@ StepText read_step_text(const std::filesystem::path& root, const std::string& la
       while (first > 0 && begin - first < kMostBefore && !lines[first - 1].empty() &&
              lines[first - 1].find("//@") == std::string::npos)
         --first;
-      const std::string own = all.substr(part.begin, part.text_end - part.begin);
-      const std::size_t end = begin + static_cast<std::size_t>(std::ranges::count(own, '\n'));
-      for (std::size_t i = first; i < end && lines[i].find("//@starter") == std::string::npos; ++i)
+      for (std::size_t i = first; i <= begin || !is_marker(lines[i]); ++i)  // a whole part has an end
         text.lines.push_back({static_cast<int>(i) + 1, lines[i], i <= begin});
     }
   } catch (const Error&) {

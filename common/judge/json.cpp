@@ -43,6 +43,8 @@ static void to_json(Json& json, const StepResult& step) {
           {"looks_like", step.mistake},
           {"looks_like_says", step.mistake_says},
           {"spoilt_by", step.spoilt_by},
+          {"saved", step.saved},
+          {"was_right", step.was_right},
           {"hints", step.hints},
           {"cases", step.cases}};
 }
@@ -79,6 +81,7 @@ StepResult parse_step(const Json& json) {
   step.mistake = json.at("looks_like"), step.mistake_says = json.at("looks_like_says");
   step.file = json.at("file"), step.line = json.at("line"), step.hints = json.at("hints");
   step.spoilt_by = json.at("spoilt_by");
+  step.saved = json.at("saved"), step.was_right = json.at("was_right");
   for (const Json& one : json.at("cases")) step.cases.push_back(parse_case(one));
   return step;
 }

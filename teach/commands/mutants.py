@@ -426,8 +426,9 @@ def main():
     return 0 if 100 * caught >= WANTED * sound and not impossible else 1
 
 
-try:
-    sys.exit(main())
-except (Failure, OSError, tomllib.TOMLDecodeError) as error:
-    print(f"mutants: {error}", file=sys.stderr)
-    sys.exit(getattr(error, "code", 3))
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except (Failure, OSError, tomllib.TOMLDecodeError) as error:
+        print(f"mutants: {error}", file=sys.stderr)
+        sys.exit(getattr(error, "code", 3))

@@ -135,7 +135,7 @@ std::string progress_report(const std::vector<LabResult>& labs) {
                                  lab.lab.number));
   const double hours = std::ceil(judge::hours_left(all));
   if (const StepResult* next = judge::next_step(all))
-    text += fmt::format("{}: {} {}   ./run watch {}\nWhat is left takes about {}.\n",
+    text += fmt::format("{}: {} {}\n  ./run watch {}\nWhat is left takes about {}.\n",
                         next->is_wrong() ? "you were at" : "next", next->id, next->title, std::stoi(next->id),
                         hours > 1 ? fmt::format("{:g} hours", hours) : "an hour");
   return text;

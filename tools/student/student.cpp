@@ -137,7 +137,7 @@ Exit see(const std::string& wanted, fs::path out, const std::string& context) {
   if (!one.mistake_says.empty()) fmt::print("{}", fitted("This looks like: " + one.mistake_says));
   if (one.picture.empty()) return Exit::failed;  // the message says why
   if (one.is_mesh()) {
-    fmt::print("This case compares vertices. To see your model beside the right one: ./run lab {} --see {}\n",
+    fmt::print("This case compares vertices. Your model beside the right one:\n./run lab {} --see {}\n",
                lab.lab.number, step.id);
     return Exit::holds;
   }

@@ -15,7 +15,6 @@ struct StepText {
     int number;  ///< from 1
     std::string text;
     bool is_given;  ///< not the student's to write
-    bool operator==(const Line&) const = default;
   };
   std::vector<Line> lines;  ///< of each place of the step, from the function's head on; none without the file
   // The handout's, as plain text; "" and none without it.

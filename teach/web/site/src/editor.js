@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The editor of a step: CodeMirror with GLSL's colors. Loaded when the first step comes into view.
+// The editor of a step: CodeMirror with GLSL's colours. Loaded when the first step comes into view.
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
 import { bracketMatching, HighlightStyle, indentOnInput, indentUnit, StreamLanguage, syntaxHighlighting } from "@codemirror/language";
 import { shader } from "@codemirror/legacy-modes/mode/clike";
