@@ -165,6 +165,8 @@ void Program::check_uniforms() const {
   }
 }
 
+ProgramCache::ProgramCache(std::filesystem::path shader_root) : root_(std::move(shader_root)) {}
+
 std::shared_ptr<const ShaderSource> ProgramCache::source(const std::string& file) {
   auto& source = sources_[file];
   if (source == nullptr) {

@@ -85,7 +85,7 @@ class Program {
 /// Fast enough for every frame.
 class ProgramCache {
  public:
-  explicit ProgramCache(std::filesystem::path shader_root) : root_(std::move(shader_root)) {}
+  explicit ProgramCache(std::filesystem::path shader_root);
 
   /// By what else than its files and defines a program is told from another one: a page sets it.
   static inline std::string variant;
