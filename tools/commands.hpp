@@ -45,13 +45,9 @@ std::filesystem::path program_of(const course::Lab& lab);
 /// `texel list`: the labs at a glance.
 Exit list();
 
-struct GalleryOptions {
-  std::filesystem::path out = "out/gallery";
-  std::vector<int> labs;  ///< numbers; none for all
-};
-
-/// `texel gallery`: draws the looks of every lab that changed, and writes the page that shows them.
-Exit gallery(const GalleryOptions& options);
+/// `texel gallery`: draws the looks of each of these labs that changed, all for an empty list, and writes the
+/// page that shows them.
+Exit gallery(const std::vector<int>& labs, const std::filesystem::path& out);
 
 struct CheckOptions {
   std::vector<std::string> places;  ///< labs as "9" and steps as "9.4"; none for all labs

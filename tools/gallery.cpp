@@ -132,16 +132,16 @@ std::string page_of(const std::vector<course::Lab>& labs, const fs::path& out) {
 
 }  // namespace
 
-Exit gallery(const GalleryOptions& options) {
-  std::vector<course::Lab> labs = chosen_labs(options.labs);
+Exit gallery(const std::vector<int>& numbers, const fs::path& out) {
+  std::vector<course::Lab> labs = chosen_labs(numbers);
   // Errors need the right answers, which only the course's own tree has.
   const bool has_answers = MoreCommands::make != nullptr;
   for (course::Lab& lab : labs)
     std::erase_if(lab.looks, [&](auto& look) { return look.view == course::View::error && !has_answers; });
-  draw(labs, options.out);
-  make_folder(options.out);
-  const fs::path page = options.out / "index.html";
-  write_file(page, page_of(labs, options.out));
+  draw(labs, out);
+  make_folder(out);
+  const fs::path page = out / "index.html";
+  write_file(page, page_of(labs, out));
   std::size_t count = 0;
   for (const course::Lab& lab : labs) count += lab.looks.size();
   fmt::print("{} pictures of {} labs: {}\n", count, labs.size(), page.string());

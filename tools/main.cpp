@@ -23,7 +23,8 @@ namespace {
 
 /// What the commands take: one of them runs.
 struct Options {
-  GalleryOptions gallery;
+  std::filesystem::path gallery = "out/gallery";
+  std::vector<int> labs;  ///< none for all
   CheckOptions check;
   int lab = 0;
   std::size_t choice = 0;
@@ -46,9 +47,9 @@ std::vector<std::pair<const CLI::App*, std::function<Exit()>>> add_commands(CLI:
   };
   add("list", "List the labs", false, list);
   CLI::App* command = add("gallery", "Draw every lab's looks, and a page that shows them", false,
-                          [&] { return gallery(o.gallery); });
-  command->add_option("--out", o.gallery.out, "Folder for the page and the pictures [out/gallery]");
-  command->add_option("--lab", o.gallery.labs, "Draw only this lab; repeat the option for several labs")
+                          [&] { return gallery(o.labs, o.gallery); });
+  command->add_option("--out", o.gallery, "Folder for the page and the pictures [out/gallery]");
+  command->add_option("--lab", o.labs, "Draw only this lab; repeat the option for several labs")
       ->check(CLI::Range(1, 99));
   command = add("check", "Show which steps are right, and how far the next one is off", true,
                 [&] { return check(o.check, o.context); });

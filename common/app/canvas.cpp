@@ -150,12 +150,11 @@ const gl::Target& Canvas::draw_scene(View view, glm::ivec2 size, int samples,
 void Canvas::finish(View view, glm::ivec2 size) {
   if (view != View::color) {
     const gl::Target& shown = fit(color_, gl::Target::Kind::color, size, 1);
-    gl::Program& program = programs_.get("app/present.vert", "app/present.frag");
+    gl::Program& program = programs_.get("app/present.vert", "app/present.frag", constants({}, view));
     shown.bind();
     program.use();
     gl::bind(0, GL_TEXTURE_2D, data_->texture());
     program.set("values", 0);
-    program.set("view", static_cast<int>(view));
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     glDisable(GL_FRAMEBUFFER_SRGB);  // the colours of present.frag are encoded already

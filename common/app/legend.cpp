@@ -76,7 +76,8 @@ Legend error_legend(double full_scale, course::Unit unit) {
 }
 
 Legend legend_of(View view, params::Set& parameters, const image::ImageF& values) {
-  if (view == View::color || view == View::mask || view == View::mesh) return {};
+  if (view == View::color || view == View::mesh) return {};
+  if (view == View::mask) return bar("mask: 1 on the surface, 0 beside it", 0, 1, 1, view);
   if (view != View::lod && view != View::depth) return map_of(view, parameters);
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (std::size_t i = 0; i + 3 < values.samples.size(); i += 4)

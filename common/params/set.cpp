@@ -101,12 +101,6 @@ void Set::append(Parameter parameter, const Number& number) {
   append(std::move(parameter), fmt::format("{}", number.initial));
 }
 
-void Set::append(Parameter parameter, std::span<const Item> items, const char* initial) {
-  parameter.items = items;
-  parameter.most = static_cast<double>(items.size()) - 1;
-  append(std::move(parameter), initial);
-}
-
 void Set::add(bool& variable, Toggle toggle) {
   Parameter parameter = numeric(Type::toggle, toggle.name, toggle.help, variable);
   parameter.most = 1;
@@ -122,7 +116,9 @@ void Set::add(float& variable, Number number) {
 }
 
 void Set::add(std::string& variable, File file) {
-  append(Parameter(Type::file, file.name, file.help, &variable), file.items, file.initial);
+  Parameter parameter(Type::file, file.name, file.help, &variable);
+  parameter.items = file.items;
+  append(std::move(parameter), file.initial);
 }
 
 Parameter* Set::find(std::string_view name) {

@@ -110,8 +110,7 @@ class Bench {
                      {"parameter", joined(values, true)},
                      {"method", joined(values, false)},
                      {"frame_ns", Json::array()}});
-      if (const auto preparation = lab_.preparation(canvas_.assets()))
-        result["prepare_of"] = preparation->element;
+      if (const auto preparation = prepared()) result["prepare_of"] = preparation->element;
     }
     const Stopwatch stopwatch;
     constexpr std::size_t kFewest = 5, kMost = 50;
@@ -127,6 +126,12 @@ class Bench {
   }
 
  private:
+  /// Nothing when the lab's methods differ only in the frame.
+  std::optional<app::Preparation> prepared() {
+    std::optional<app::Preparation> own = lab_.preparation(canvas_.assets());
+    return own || lab_.answer() == nullptr ? own : lab_.answer()->preparation(canvas_.assets());
+  }
+
   void select(const BenchCase& c, const app::Settings& values) {
     start_.set(c.settings);
     for (const auto& [name, value] : values) lab_.parameters().at(name).set(value);
@@ -148,7 +153,7 @@ class Bench {
   void time(const BenchCase& c, const app::Settings& values, Json& result) {
     select(c, values);
     result["frame_ns"].push_back(frame_nanoseconds(canvas_, app::pixels(c.size)));
-    if (const auto preparation = lab_.preparation(canvas_.assets())) {
+    if (const auto preparation = prepared()) {
       const Stopwatch stopwatch;
       preparation->work();
       result["prepare_ns"].push_back(stopwatch.milliseconds() * 1e6 /

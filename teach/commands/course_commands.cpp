@@ -315,10 +315,6 @@ class CourseCommands final : public tools::MoreCommands {
       command->set_help_flag();
       add(command, [=] { return run_script(script.file, command->remaining()); });
     }
-    gallery_ = app.get_subcommand("gallery");
-    gallery_->add_option(
-        "--heroes", heroes_,
-        "Folder for one small picture of each lab, cut to 3:2, as in the README; beside it source_pictures");
     add(add_compare(app, compare_), [&] { return compare(compare_); });
     add(add_starter(app, starter_), [&] { return starter(starter_); });
     CLI::App* grade = add_grade(app, grade_);
@@ -338,29 +334,18 @@ class CourseCommands final : public tools::MoreCommands {
   }
 
   [[nodiscard]] std::optional<Exit> run() const override {
-    if (gallery_->parsed() && !heroes_.empty()) return gallery_with_heroes();
     for (const auto& [command, run] : commands_)
       if (command->parsed()) return run();
     return {};
   }
 
  private:
-  [[nodiscard]] Exit gallery_with_heroes() const {
-    tools::GalleryOptions options;
-    if (gallery_->count("--out") > 0) options.out = gallery_->get_option("--out")->as<std::string>();
-    if (gallery_->count("--lab") > 0) options.labs = gallery_->get_option("--lab")->as<std::vector<int>>();
-    const Exit result = tools::gallery(options);
-    save_heroes(options, heroes_);
-    return result;
-  }
   void add(const CLI::App* command, std::function<Exit()> run) {
     commands_.emplace_back(command, std::move(run));
   }
 
   std::vector<std::pair<const CLI::App*, std::function<Exit()>>>
       commands_;  ///< what is part of one, before it
-  CLI::App* gallery_ = nullptr;
-  std::filesystem::path heroes_;
   CompareOptions compare_;
   StarterOptions starter_;
   GradeCommand grade_;

@@ -39,10 +39,6 @@ struct GradeCommand : grade::GradeOptions {
 /// not taken, and why. Beside it the solution's steps. Draws nothing and runs no student's program.
 Exit print_steps(const GradeCommand& command);
 
-/// `texel gallery --heroes FOLDER`: saves the small pictures of the gallery's labs into it, and those of the
-/// sources into source_pictures beside it.
-void save_heroes(const tools::GalleryOptions& gallery, const std::filesystem::path& folder);
-
 /// `texel grade CLASS`: grades a class and writes its reports.
 Exit grade_class(GradeCommand command);
 

@@ -2,7 +2,7 @@
 # shellcheck shell=bash
 # The part of ./run that a student's tree does not have: grading, tests, measurements, and what is generated.
 
-packages+=(libarchive-dev libsodium-dev libsqlitecpp-dev bubblewrap python3 tzdata)
+packages+=(ccache libarchive-dev libsodium-dev libsqlitecpp-dev bubblewrap python3 tzdata)
 # Debian 13 does not have it.
 optional_packages+=(similarity-tester)
 # texel bench counts instructions with it; not every processor has it.
@@ -198,13 +198,13 @@ make_assets() {
 }
 
 renew_docs() {
+  need "${packages[@]}" imagemagick
   build_programs
-  draw_gallery --heroes "$root/docs/pictures"
+  draw_gallery
   "$root/teach/commands/drawings.py" "$root/docs/pictures/drawings"
   say "Drawing each step before and after"
   texel starter --pictures "$root/docs/pictures/steps"
-  "$root/teach/commands/source_pictures.py" >"$root/docs/pictures.md.part"
-  mv "$root/docs/pictures.md.part" "$root/docs/pictures.md"
+  "$root/teach/commands/pictures.py"
 }
 
 # Runs one of these commands and ends; returns if there is none of that name.

@@ -95,11 +95,11 @@ void draw_stage(Workshop& workshop, const course::Lab& lab, const Stages::value_
 
 image::Image8 step_picture(const fs::path& before, const fs::path& after) {
   const image::Image8 right = image::load8(after, 3);
-  if (fs::exists(before)) return image::side_by_side({image::load8(before, 3), right});
+  image::Image8 left(right.width, right.height, 3);
+  std::ranges::fill(left.samples, std::uint8_t{128});
   // Without the step the lab may refuse to draw. The student sees a message, and an empty window.
-  image::Image8 empty(right.width, right.height, 3);
-  std::ranges::fill(empty.samples, std::uint8_t{128});
-  return image::side_by_side({empty, right});
+  if (fs::exists(before)) left = image::load8(before, 3);
+  return image::side_by_side({left, right});
 }
 
 }  // namespace

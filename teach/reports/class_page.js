@@ -41,7 +41,7 @@ function cell(step, first, page) {
 }
 
 function row(student) {
-  const steps = columns.map(({id}) => stepOf(student, id));
+  const steps = columns.map(({id}) => stepOf(student, id)).map((step) => student.unmarked ? known(step) : step);
   const isDone = student.readable && steps.every((step) => step?.style === 'passed');
   const mistakes = steps.filter((step) => step?.mistake && step.style !== 'passed').map((step) => step.mistake.name);
   return html`<tr data-state="${student.unmarked ? 'incident' : isDone ? 'passed' : 'open'}"

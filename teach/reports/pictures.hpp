@@ -39,7 +39,9 @@ class Pictures {
   /// The picture at a path relative to the folder. Beyond 1024 pixels a side it is only said to be too large.
   [[nodiscard]] Picture read(const std::string& path, const std::string& view,
                              Shown shown = Shown::with_numbers) const;
-  /// The same, kept for the next student.
+  /// Of two vertex streams the first, with a mark at each vertex that the other one does not have.
+  [[nodiscard]] Picture stream(const std::string& path, const std::string& other) const;
+  /// As read, kept for the next student.
   const Picture& reference(const std::string& path, const std::string& view,
                            Shown shown = Shown::with_numbers);
 

@@ -66,12 +66,12 @@ function distance(a, b, unit, view) {
 }
 
 const kChannels = {color: ['R', 'G', 'B'], texcoord: ['s', 't'], lod: ['level'], depth: ['depth'], mask: ['mask']};
-const kHeat = [[0, 0, 4], [59, 15, 112], [140, 41, 129], [222, 73, 104], [254, 159, 109], [252, 253, 191]];
 
+/** A colour of the heat map, for t from 0 to 1. */
 function heat(t) {
-  const at = Math.min(Math.max(t, 0), 1) * (kHeat.length - 1);
-  const i = Math.min(Math.floor(at), kHeat.length - 2);
-  return kHeat[i].map((value, c) => value + (kHeat[i + 1][c] - value) * (at - i));
+  const at = t * (data.heat.length - 1);
+  const i = Math.min(Math.floor(at), data.heat.length - 2);
+  return data.heat[i].map((value, c) => 255 * (value + (data.heat[i + 1][c] - value) * (at - i)));
 }
 
 function element(name, properties = {}, ...children) {

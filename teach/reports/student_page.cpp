@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "image/color.hpp"
 #include "page.hpp"
 #include "wording.hpp"
 
@@ -38,7 +39,10 @@ class StudentPage {
       logs.push_back({{"file", log.file}, {"text", log.text}});
     for (const store::Ignored& one : student_.ignored)
       ignored.push_back({{"path", one.path}, {"reason", one.reason}});
+    Json heat = Json::array();  // its colours, between which the page goes evenly
+    for (int i = 0; i <= 8; ++i) heat.push_back(image::heat(static_cast<float>(i) / 8));
     return {{"name", student_.name},
+            {"heat", heat},
             {"number", student_.number},
             {"points", number(student_.points())},
             {"maxPoints", number(student_.max_points())},
@@ -137,17 +141,23 @@ class StudentPage {
                  {"message", result.message},
                  {"figures", figures},
                  {"command", command(result)},
-                 {"isCompared", shown == Shown::with_numbers},
+                 {"isCompared", shown == Shown::with_numbers && !result.is_mesh()},
                  {"panes", Json::array()}};
     if (result.mistake_says != step.mistake_says)
       data["mistake"] = mistake_data(result.mistake, result.mistake_says);
-    if (result.is_mesh() || shown == Shown::not_at_all) return data;
-    if (!result.picture.empty())
+    if (shown == Shown::not_at_all) return data;
+    const std::string &own = result.picture, &expected = result.reference;
+    if (result.is_mesh()) {
+      if (!own.empty() && !expected.empty())
+        data["panes"] = {pane("yours", "Yours. Red: not expected", pictures_.stream(own, expected)),
+                         pane("expected", "Expected. Red: not in yours", pictures_.stream(expected, own))};
+      return data;
+    }
+    if (!own.empty())
+      data["panes"].push_back(pane("yours", "Yours", pictures_.read(own, name_of(result.view), shown)));
+    if (!expected.empty())
       data["panes"].push_back(
-          pane("yours", "Yours", pictures_.read(result.picture, name_of(result.view), shown)));
-    if (!result.reference.empty())
-      data["panes"].push_back(
-          pane("expected", "Expected", pictures_.reference(result.reference, name_of(result.view), shown)));
+          pane("expected", "Expected", pictures_.reference(expected, name_of(result.view), shown)));
     return data;
   }
 

@@ -13,7 +13,7 @@ function pane({name, label, problem, url, width, height, values, channels}) {
 
 function viewer({view, unit, limit, isCompared, panes}) {
   if (panes.length === 0) return '';
-  const pictures = html`<div class="panes">${panes.map(pane)}</div>`;
+  const pictures = html`<div class="panes ${view}">${panes.map(pane)}</div>`;
   return isCompared ? html`<div class="viewer" data-view="${view}" data-unit="${unit}" data-limit="${limit}">${pictures}</div>` : pictures;
 }
 
@@ -63,7 +63,7 @@ function labSection({number, title, points, maxPoints, notes, steps}) {
     <header><p class="number" aria-hidden="true">${number}</p>
       <div><h2 id="title${number}">${title}</h2><p>${points} of ${maxPoints} points</p></div></header>
     ${notes.map((note) => html`<p class="cause">${note}</p>`)}
-    ${steps.map(stepSection)}</section>`;
+    ${steps.map((step) => data.unmarked ? known(step) : step).map(stepSection)}</section>`;
 }
 
 function logsSection() {

@@ -15,17 +15,9 @@ BUILD = pathlib.Path(sys.argv[1])
 BIN = BUILD / "bin"
 PICTURES = ROOT / "docs/pictures"
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(ROOT / "tests/figures"))
+sys.path[:0] = [str(ROOT / "tests/figures"), str(ROOT / "teach/commands")]
 import labs  # noqa: E402
-
-
-def small(drawn, is_hero):
-    """Makes a picture's file half as large, averaged in linear light; of a hero its middle, as large as fits into 3:2."""
-    whole = labs.png_size(drawn)
-    width, height = (min(whole[0], whole[1] * 3 // 2), min(whole[1], whole[0] * 2 // 3)) if is_hero else whole
-    crop = f"{width}x{height}+{(whole[0] - width) // 2}+{(whole[1] - height + 1) // 2}"
-    subprocess.run(["convert", drawn, "-crop", crop, "+repage", "-colorspace", "RGB", "-scale", f"{width // 2}x{height // 2}!",
-                    "-colorspace", "sRGB", "-depth", "8", f"png24:{drawn}"], check=True)
+import pictures  # noqa: E402
 
 
 class Pictures(unittest.TestCase):
@@ -52,13 +44,16 @@ class Pictures(unittest.TestCase):
         for file, lab, look in tree.some(list(of_each_lab.values())):
             self.assert_is_of(file, lab, look, is_hero=False)
 
+    def test_the_page_of_the_sources_pictures_is_what_the_labs_say(self):
+        self.assertEqual(pictures.page(pictures.read_labs()), (ROOT / "docs/pictures.md").read_text(encoding="utf-8"), "./run docs renews it")
+
     def assert_is_of(self, kept, lab, look, is_hero):
         drawn = self.folder / "drawn.png"
         settings = {name: tree.as_text(value) for name, value in look.get("set", {}).items()}
         said = labs.run(BIN / f"lab{lab['lab']}", "--view", look.get("view", "color"), "--size", look.get("size", "512x512"), "--snapshot", drawn,
                         *labs.flags(settings))
         self.assertEqual(said.returncode, 0, said.stderr)
-        small(drawn, is_hero)
+        pictures.save_small(drawn, drawn, is_hero)
         # Mesa 25 is off by up to 0.15 in the mean and 5 in P99: lab 5's pictures are read by the driver's filter.
         off = self.difference(kept, drawn)
         self.assertLessEqual(off["mean"], 0.5, f"{kept}: ./run docs renews it")

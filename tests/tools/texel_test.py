@@ -139,10 +139,6 @@ class Commands(InFolder):
             help_text = " ".join(labs.run(BIN / f"lab{lab['lab']}", "--help").stdout.split())
             self.assertTrue(help_text.startswith(f"Lab {lab['number']}: {lab['title']}. {lab['lesson']}"), (lab["folder"], help_text[:200]))
 
-    def test_the_page_of_the_sources_pictures_is_what_the_labs_say(self):
-        page = subprocess.run(["teach/commands/source_pictures.py"], stdout=subprocess.PIPE, text=True, check=True).stdout
-        self.assertEqual(page, pathlib.Path("docs/pictures.md").read_text(encoding="utf-8"), "./run docs renews it")
-
     def test_gallery_draws_a_lab_once_and_again_only_when_it_changed(self):
         out = self.folder / "page"
         command = ("gallery", "--lab", 1, "--out", out)

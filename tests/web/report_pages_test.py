@@ -152,6 +152,21 @@ class ReportPages(unittest.TestCase):
         """Where a pane's picture is in the window, at a part of its width and height."""
         return self.ask(f"(b => [b.left + b.width * {part}, b.top + b.height * {part}])(v.querySelector('{pane}').getBoundingClientRect())")
 
+    def test_vertex_streams_show_where_they_differ(self):
+        self.open("ben-nothing.html")
+        shown = "#step-3\\\\.1 .case:nth-of-type(1) [data-pane={}] img"
+        for pane in ("yours", "expected"):
+            reds = self.ask(f"""(async () => {{ const image = document.querySelector('{shown.format(pane)}');
+                await image.decode();
+                const canvas = Object.assign(document.createElement('canvas'), {{width: image.naturalWidth, height: image.naturalHeight}});
+                const context = canvas.getContext('2d');
+                context.drawImage(image, 0, 0);
+                const {{data}} = context.getImageData(0, 0, canvas.width, canvas.height), reds = [0, 0];
+                for (let i = 0; i < data.length; i += 4)
+                  if (data[i] > 200 && data[i + 1] < 100) ++reds[(i / 4) % canvas.width < canvas.width / 2 ? 0 : 1];
+                return reds; }})()""")
+            self.assertEqual(reds, [50, 0], pane)  # a dot of 5x5 pixels at both vertices on the left
+
     def test_say_what_the_grader_found(self):
         for page, selector, says in SAID:
             with self.subTest(page, selector=selector):

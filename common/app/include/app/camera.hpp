@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cmath>
 #include <concepts>
 #include <glm/glm.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "params/set.hpp"
 
@@ -14,13 +16,20 @@ struct Look {
 
 /// Unit vector to which an angle around the vertical axis and one above the horizon point, both in degrees;
 /// (0, 0) is +z.
-glm::vec3 direction_from_angles(float yaw, float pitch);
+inline glm::vec3 direction_from_angles(float yaw, float pitch) {
+  const float a = glm::radians(yaw), b = glm::radians(pitch);
+  return {std::sin(a) * std::cos(b), std::sin(b), std::cos(a) * std::cos(b)};
+}
 
 /// Rotation about the vertical axis by `degrees`: world space from object space.
-glm::mat4 turn_about_y(float degrees);
+inline glm::mat4 turn_about_y(float degrees) {
+  return glm::rotate(glm::mat4(1), glm::radians(degrees), glm::vec3(0, 1, 0));
+}
 
 /// Rotation about the x axis, which points to the right: a positive angle leans the top forwards.
-glm::mat4 tilt_about_x(float degrees);
+inline glm::mat4 tilt_about_x(float degrees) {
+  return glm::rotate(glm::mat4(1), glm::radians(degrees), glm::vec3(1, 0, 0));
+}
 
 /// A camera that circles the origin, y up. Its values are parameters: a snapshot can have any look,
 /// and in the window the mouse changes them.
@@ -42,10 +51,16 @@ struct OrbitCamera {
 
   /// The camera's place in world space.
   [[nodiscard]] glm::vec3 eye() const { return distance * direction_from_angles(yaw, pitch); }
-  [[nodiscard]] glm::mat4 view_from_world() const;
+  [[nodiscard]] glm::mat4 view_from_world() const {
+    return glm::lookAt(eye(), glm::vec3(0), glm::vec3(0, 1, 0));
+  }
   /// Perspective projection of a picture that is `aspect` times as wide as high; near and far in world units.
-  [[nodiscard]] glm::mat4 clip_from_view(float aspect, float near = 0.05F, float far = 200) const;
-  [[nodiscard]] glm::mat4 clip_from_world(float aspect) const;
+  [[nodiscard]] glm::mat4 clip_from_view(float aspect, float near = 0.05F, float far = 200) const {
+    return glm::perspective(glm::radians(field_of_view), aspect, near, far);
+  }
+  [[nodiscard]] glm::mat4 clip_from_world(float aspect) const {
+    return clip_from_view(aspect) * view_from_world();
+  }
 };
 
 /// Where a light starts: angles in degrees, strengths from 0 to 1.

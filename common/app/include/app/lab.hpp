@@ -3,7 +3,6 @@
 #include <glad/gl.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <list>
@@ -31,8 +30,7 @@
 ///     };
 ///     int main(int argc, char** argv) { return app::run<TextureQuad>(argc, argv); }
 ///
-/// A misspelt one of these does not compile. Where the tree knows the lab's right answer (app/answer.hpp), it
-/// has the view `error` too.
+/// A misspelt one of these does not compile.
 namespace texel::app {
 
 /// A lab's name, title and lesson.
@@ -106,19 +104,25 @@ class Lab {
 class AnyLab {
  public:
   virtual ~AnyLab() = default;
-  [[nodiscard]] virtual const Info& info() const = 0;
+  [[nodiscard]] const Info& info() const { return info_; }
   /// The pictures that it draws in this tree: with `error` where it has the right answer.
-  [[nodiscard]] virtual std::span<const View> views() const = 0;
-  [[nodiscard]] virtual params::Set& parameters() = 0;
+  [[nodiscard]] std::span<const View> views() const { return views_; }
+  [[nodiscard]] params::Set& parameters() { return set_; }
+  /// Null where the tree does not have its right answer.
+  [[nodiscard]] Answer* answer() const { return answer_.get(); }
   /// Makes the lab again at the next draw, which reads its files again.
   virtual void forget() = 0;
   virtual void draw(Frame& frame) = 0;
   /// The vertex stream as drawn, for --mesh; null when the lab has none.
   virtual const mesh::Mesh* mesh(const Assets& assets) = 0;
-  /// Null where the tree does not have its right answer.
-  [[nodiscard]] virtual Answer* answer() const = 0;
-  /// Nothing when the lab's methods differ only in the frame.
   virtual std::optional<Preparation> preparation(const Assets& assets) = 0;
+
+ protected:
+  explicit AnyLab(const Info& info) : info_(info), views_(info.views.begin(), info.views.end()) {}
+  const Info& info_;
+  std::vector<View> views_;
+  params::Set set_;
+  std::unique_ptr<Answer> answer_;
 };
 
 template <class TheLab>
@@ -127,31 +131,18 @@ class LabOf final : public AnyLab {
   static_assert(std::count(TheLab::info.views.begin(), TheLab::info.views.end(), View::error) == 0,
                 "a lab has the view error by its answer (app/answer.hpp)");
 
-  static constexpr auto kViews = [] {
-    std::array<View, TheLab::info.views.size() + 1> views{};
-    std::copy(TheLab::info.views.begin(), TheLab::info.views.end(), views.begin());
-    views.back() = View::error;
-    return views;
-  }();
-
  public:
-  LabOf() {
+  LabOf() : AnyLab(TheLab::info) {
     parameters_.declare(set_);
     if (make_answer<Parameters> == nullptr) return;
     answer_ = make_answer<Parameters>(parameters_, set_);
+    views_.push_back(View::error);
   }
-  [[nodiscard]] const Info& info() const override { return TheLab::info; }
-  [[nodiscard]] std::span<const View> views() const override {
-    return std::span(kViews).first(kViews.size() - (answer_ ? 0 : 1));
-  }
-  [[nodiscard]] params::Set& parameters() override { return set_; }
   void forget() override { lab_.reset(); }
   void draw(Frame& frame) override { lab(frame.assets()).draw(parameters_, frame); }
   const mesh::Mesh* mesh(const Assets& assets) override { return lab(assets).mesh(parameters_); }
-  [[nodiscard]] Answer* answer() const override { return answer_.get(); }
   std::optional<Preparation> preparation(const Assets& assets) override {
-    std::optional<Preparation> own = lab(assets).preparation(parameters_);
-    return own || !answer_ ? own : answer_->preparation(assets);
+    return lab(assets).preparation(parameters_);
   }
 
  private:
@@ -160,8 +151,6 @@ class LabOf final : public AnyLab {
     return *lab_;
   }
   Parameters parameters_;
-  params::Set set_;
-  std::unique_ptr<Answer> answer_;
   std::optional<TheLab> lab_;
 };
 

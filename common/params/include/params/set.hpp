@@ -118,7 +118,7 @@ class Parameter {
   Type type;
   std::string_view name, help, unit;
   std::string_view section;    ///< heading under which the panel shows it
-  double least = 0, most = 0;  ///< range of an integer or number; of items 0 and the last one
+  double least = 0, most = 0;  ///< range of an integer or number; for a choice 0 and the last item
   Scale scale = Scale::linear;
   std::span<const Item> items;  ///< of a choice or file
 
@@ -163,8 +163,10 @@ class Set {
   template <class Enum>
   requires std::is_enum_v<Enum>
   void add(Enum& variable, Choice<std::type_identity_t<Enum>> choice) {
-    append(numeric(Parameter::Type::choice, choice.name, choice.help, variable), choice.items,
-           choice.items[static_cast<std::size_t>(choice.initial)].name);
+    Parameter parameter = numeric(Parameter::Type::choice, choice.name, choice.help, variable);
+    parameter.items = choice.items;
+    parameter.most = static_cast<double>(choice.items.size()) - 1;
+    append(std::move(parameter), choice.items[static_cast<std::size_t>(choice.initial)].name);
   }
 
   [[nodiscard]] Parameter* find(std::string_view name);
@@ -193,7 +195,6 @@ class Set {
     return parameter;
   }
   void append(Parameter parameter, const Number& number);
-  void append(Parameter parameter, std::span<const Item> items, const char* initial);
   void append(Parameter parameter, std::string_view initial);
   std::vector<Parameter> parameters_;
   const char* section_ = "";
