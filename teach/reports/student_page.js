@@ -13,7 +13,7 @@ function pane({name, label, problem, url, width, height, values, channels}) {
 
 function viewer({view, unit, limit, isCompared, panes}) {
   if (panes.length === 0) return '';
-  const pictures = html`<div class="panes ${view}">${panes.map(pane)}</div>`;
+  const pictures = html`<div class="panes" data-view="${view}">${panes.map(pane)}</div>`;
   return isCompared ? html`<div class="viewer" data-view="${view}" data-unit="${unit}" data-limit="${limit}">${pictures}</div>` : pictures;
 }
 
