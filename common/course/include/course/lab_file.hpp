@@ -9,9 +9,9 @@
 #include "course/case.hpp"
 
 /// What `labs/NN_name/lab.toml` says of a lab: its title and lesson, the looks that are worth seeing, and
-/// what a student writes, with the pictures that judge it. docs/adding_a_lab.md shows one. The tables
-/// [[bench]] and [[claim]], the list driver_methods and the text choice are the benchmark's, and seen_with of
-/// a step is for its handout's picture: nobody reads them here.
+/// what a student writes, with the pictures that judge it. The tables [[bench]] and [[claim]], the list
+/// driver_methods and the text choice are the benchmark's, and seen_with of a step is for its handout's
+/// picture: nobody reads them here.
 namespace texel::course {
 
 /// A picture that is worth seeing. Its name has lower-case letters, digits, '_' and '-'.

@@ -65,9 +65,9 @@ struct Seen {
 };
 
 /// What the failed cases of a step show, by case. First the mistake of the catalogue that shows in all of
-/// them; then what makes all of their pictures of the expected ones (docs/instructor.md); then for each case
-/// what it shows itself, by the catalogue or by its values, after the case's name. Of two explanations that
-/// fit alike both are said, of more none. A case of which nothing is known is left out.
+/// them; then what makes all of their pictures of the expected ones; then for each case what it shows itself,
+/// by the catalogue or by its values, after the case's name. Of two explanations that fit alike both are
+/// said, of more none. A case of which nothing is known is left out.
 std::map<std::string, Seen> explain(const std::vector<Mistake>& mistakes, const course::Lab& lab,
                                     const std::string& step, const std::map<std::string, Failed>& failed);
 

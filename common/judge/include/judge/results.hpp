@@ -87,7 +87,7 @@ struct StepResult : course::Step {
 /// Where to go on: the step that failed and was saved last, else the first that failed, else the first that
 /// waits. Null when all passed.
 const StepResult* next_step(const std::vector<StepResult>& steps);
-/// What those take that did not pass: half an hour a lab and a quarter a point, as docs/course.md estimates.
+/// What those take that did not pass: half an hour a lab and a quarter a point.
 double hours_left(const std::vector<StepResult>& steps);
 
 /// A word for the step in a list of its lab's: "done", "waits", "wrong", and of one that is not begun "next"
