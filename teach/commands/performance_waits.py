@@ -87,7 +87,7 @@ def measure_waits(setting, report):
             `.starter` counts, which has the files with steps as they were at first. `tests/rooms.py` counts by folder.""")
         report.add("a student's", "ms", interleaved(setting.long_rounds, lambda: first_run(now.tree, cache),
                                                      lambda: first_run(before.tree, cache)), at_most=0.75, why="""
-            nearly all of it compiles: 39 s, where it was 57. Files that nobody edits are compiled seven at a time. What waits for
+            nearly all of it compiles. Files that nobody edits are compiled seven at a time. What waits for
             files and people is compiled with `-Og`, for which GCC 12 needs 0.68 of the time of `-O2`, as for `-O0`; what goes through
             every pixel or vertex with `-O3`. `std::regex` is in one file alone. We tried to instantiate the JSON
             library only once: that costs 10 s and saves 9.""")
