@@ -92,7 +92,7 @@ void draw_line(Image8& picture, std::vector<float>& depths, const glm::vec3& fro
   for (int i = 0; i <= steps; ++i) {
     const glm::vec3 at = glm::mix(from, to, static_cast<float>(i) / static_cast<float>(steps));
     const int x = static_cast<int>(at.x), y = static_cast<int>(at.y);
-    float& known = depths[static_cast<std::size_t>(y * kStreamSize + x)];
+    float& known = depths[static_cast<std::size_t>(y) * kStreamSize + static_cast<std::size_t>(x)];
     if (at.z <= known) continue;
     known = at.z;
     std::fill_n(&picture.at(x, y), 3, static_cast<std::uint8_t>(140 + 200 * at.z / kStreamSize));

@@ -16,10 +16,10 @@ namespace texel::reports {
 struct Picture {
   std::string problem;  ///< why there is none, as a sentence, or ""
   int width = 0, height = 0;
-  std::string url;  ///< an RGB PNG: as one sees it
+  std::string url = {};  ///< an RGB PNG: as one sees it
   /// Of a data view, its numbers: a grey PNG of 3 x channels planes one below the other, for each channel the
   /// upper, middle and lower byte of `upper24`. "" for colour pictures, whose numbers the PNG has.
-  std::string values;
+  std::string values = {};
   int channels = 0;  ///< of the numbers
 };
 
