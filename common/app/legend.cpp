@@ -28,7 +28,7 @@ Legend bar(const std::string& title, double least, double most, double step, Vie
   image::ImageF values(kBar, 1, 3);
   image::Difference parts{.width = kBar, .height = 1};
   for (int x = 0; x < kBar; ++x) {
-    const double part = (x + 0.5) / kBar;
+    const double at = (x + 0.5) / kBar, part = view == View::mask ? std::round(at) : at;
     parts.pixels.push_back(part);
     values.at(x, 0, 0) = static_cast<float>(first + part * (last - first));
   }

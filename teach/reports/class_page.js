@@ -40,6 +40,11 @@ function cell(step, first, page) {
     class="spoken">${step.id} ${step.word}</span></a></td>`;
 }
 
+/** Without a mark only what passed is known. */
+function known(step) {
+  return step && step.style !== 'passed' ? {...step, style: '', symbol: '·', word: 'not judged', earned: '–', mistake: null} : step;
+}
+
 function row(student) {
   const steps = columns.map(({id}) => stepOf(student, id)).map((step) => student.unmarked ? known(step) : step);
   const isDone = student.readable && steps.every((step) => step?.style === 'passed');

@@ -48,8 +48,3 @@ function show(body) {
   document.querySelector('noscript').remove();
   document.body.insertAdjacentHTML('afterbegin', body.text);
 }
-
-/** Without a mark only what passed is known. */
-function known(step) {
-  return step && step.style !== 'passed' ? {...step, style: '', symbol: '·', word: 'not judged', earned: '–', mistake: null} : step;
-}

@@ -139,6 +139,12 @@ class Commands(InFolder):
             help_text = " ".join(labs.run(BIN / f"lab{lab['lab']}", "--help").stdout.split())
             self.assertTrue(help_text.startswith(f"Lab {lab['number']}: {lab['title']}. {lab['lesson']}"), (lab["folder"], help_text[:200]))
 
+    def test_the_legend_of_the_mask_has_the_two_colors_of_its_picture(self):
+        drawn = self.folder / "mask.png"
+        labs.run(BIN / "lab04_cube_wrap", "--view", "mask", "--size", "64x64", "--snapshot", drawn)
+        colors = json.loads(labs.texts(drawn.read_bytes())["Legend"])["colors"]
+        self.assertEqual({colors[at:at + 6] for at in range(0, len(colors), 6)}, {"333840", "ffffff"})
+
     def test_gallery_draws_a_lab_once_and_again_only_when_it_changed(self):
         out = self.folder / "page"
         command = ("gallery", "--lab", 1, "--out", out)
