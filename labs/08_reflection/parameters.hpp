@@ -9,7 +9,7 @@ namespace texel::reflection {
 
 enum class Method { constant_eye, per_fragment };
 inline constexpr params::Item kMethods[] = {
-    {"constant-eye", "-eye for every pixel, as if the ball were very far away (worksheet)"},
+    {"constant-eye", "The same ray for every pixel, as if the ball were very far away (worksheet)"},
     {"per-fragment", "From the eye to the visible point"}};
 
 enum class NormalMethod { interpolated, renormalized, analytic };

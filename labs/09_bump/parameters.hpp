@@ -19,7 +19,7 @@ inline constexpr params::Item kMethods[] = {
     {"blinn", "Blinn 1978: the map's slopes as a height field on this sphere"}};
 
 enum class Incident { constant_eye, per_fragment };
-inline constexpr params::Item kIncidents[] = {{"constant-eye", "-eye for every pixel (worksheet)"},
+inline constexpr params::Item kIncidents[] = {{"constant-eye", "The same ray for every pixel (worksheet)"},
                                               {"per-fragment", "From the eye to the visible point"}};
 
 enum class MipFilter { plain, toksvig, none };
