@@ -345,6 +345,15 @@ class ReportPages(unittest.TestCase):
                 .map(e => e.outerHTML.slice(0, 90))""")
             self.assertLessEqual(self.ask("document.documentElement.scrollWidth"), 390, f"{page}: {wide}")
 
+    def test_a_wide_window_shows_the_labs_that_a_narrow_one_scrolls_to(self):
+        for width, fits in (1280, False), (1920, True):
+            self.browser.resize(width, 1000)
+            self.open("index.html")
+            self.act("document.querySelector('.class td.step').style.minWidth = '900px';")  # as many steps as a whole course's
+            table = "document.querySelector('#students .scroll')"
+            self.assertEqual(self.ask(f"{table}.scrollWidth <= {table}.clientWidth"), fits)
+            self.assertLessEqual(self.ask("document.documentElement.scrollWidth"), width)
+
     def test_are_readable_in_light_and_dark(self):
         papers = set()
         for scheme in ("light", "dark"):
