@@ -349,7 +349,7 @@ class ReportPages(unittest.TestCase):
         for width, fits in (1280, False), (1920, True):
             self.browser.resize(width, 1000)
             self.open("index.html")
-            self.act("document.querySelector('.class td.step').style.minWidth = '900px';")  # as many steps as a whole course's
+            self.act("document.querySelector('.class td.step').style.minWidth = '900px';")  # as wide as a whole course's
             table = "document.querySelector('#students .scroll')"
             self.assertEqual(self.ask(f"{table}.scrollWidth <= {table}.clientWidth"), fits)
             self.assertLessEqual(self.ask("document.documentElement.scrollWidth"), width)
