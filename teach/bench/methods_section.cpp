@@ -216,7 +216,7 @@ class MethodsSection final : public window::MoreSection {
   MethodPlot methods_;
 };
 
-const bool known = [] {
+const bool section_is_known = [] {
   window::MoreSection::make = [](gl::Context& context, const app::Assets& assets,
                                  app::AnyLab& lab) -> std::unique_ptr<window::MoreSection> {
     if (!MethodPlot::is_for(lab)) return nullptr;

@@ -37,7 +37,7 @@ class Options final : public start::MoreOptions {
   BenchList list_;
 };
 
-const bool known = [] {
+const bool options_are_known = [] {
   start::MoreOptions::make = [](CLI::App& app) -> std::unique_ptr<start::MoreOptions> {
     return std::make_unique<Options>(app);
   };
