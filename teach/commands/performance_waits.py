@@ -82,8 +82,8 @@ def measure_waits(setting, report):
         now, before = Tested(ROOT, setting.work / "clone_now").tree, Tested(setting.first_run_before, setting.work / "clone_before").tree
         report.add("the course's", "ms", interleaved(setting.long_rounds, lambda: first_run(now, cache), lambda: first_run(before, cache)),
                    at_most=0.6, why="""
-            most of it compiles. The solution is graded by the programs that were just built, and the compiler's
-            cache has most objects of the starter.""")
+            most of it compiles, files that nobody edits seven at a time. The solution is graded by the programs that were
+            just built, and the compiler's cache has most objects of the starter.""")
         now, before = Starter(ROOT, setting.work / "now"), Starter(setting.first_run_before, setting.work / "before")
         report.add("C++ in a student's tree", "lines", [(now.lines_of_cpp(), before.lines_of_cpp())], at_most=0.75, why="""
             `.starter` counts, which has the files with steps as they were at first. `tests/rooms.py` counts by folder.""")
