@@ -17,7 +17,7 @@ def is_same(texel, there, made):
 
 def main(binaries, assets):
     with tempfile.TemporaryDirectory() as fresh:
-        if subprocess.run([binaries / "make_assets", "--out", fresh], check=False).returncode != 0:
+        if subprocess.run([binaries / "make_assets", fresh], check=False).returncode != 0:
             return 3
         made = sorted(file for file in pathlib.Path(fresh).rglob("*") if file.is_file())
         different = [file for file in made if not is_same(binaries / "texel", assets / file.relative_to(fresh), file)]

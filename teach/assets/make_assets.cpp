@@ -3,7 +3,6 @@
 // truths compare with is then what is drawn. SOURCES.md says where the other files come from.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <functional>
@@ -11,6 +10,7 @@
 #include <glm/vec4.hpp>
 #include <string>
 
+#include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "core/terminal.hpp"
 #include "image/color.hpp"
@@ -143,16 +143,10 @@ void make_all(const fs::path& folder) {
 }  // namespace texel::assets
 
 int main(int argc, char** argv) {
-  CLI::App app("Draws the textures, normal maps and cube maps of the labs that are functions.");
-  std::string folder = "assets";
-  app.add_option("--out", folder, "the asset folder to write")->capture_default_str();
   return texel::run_main("make_assets", [&] {
-    try {
-      app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-      return app.exit(error) == 0 ? texel::Exit::holds : texel::Exit::usage;
-    }
-    texel::assets::make_all(folder);
+    if (argc != 2 || argv[1][0] == '-')
+      throw texel::Error::usage("which folder?", "name the one to write, as in make_assets assets");
+    texel::assets::make_all(argv[1]);
     return texel::Exit::holds;
   });
 }

@@ -41,15 +41,15 @@ def commit_of(tree):
 
 
 class Tested:
-    """A course's tree as its last commit has it."""
+    """A course's tree as its last commit has it, with a compiler's cache of its own that starts empty."""
 
     def __init__(self, course, tree):
-        self.tree = tree
+        self.tree, self.cache = tree, tree.with_name(f"{tree.name}_cache")
         output_of("git", "clone", "--quiet", course, tree)
 
     def run(self, arguments=""):
         """The tests have their own display, and the driver's cache as ./run sets it."""
-        return run_in(self.tree, f"test {arguments}", 0, "--unset=DISPLAY --unset=MESA_SHADER_CACHE_DISABLE CCACHE_DISABLE=1")
+        return run_in(self.tree, f"test {arguments}", 0, f"--unset=DISPLAY --unset=MESA_SHADER_CACHE_DISABLE CCACHE_DIR={shlex.quote(str(self.cache))}")
 
     def run_of_changed_lab(self, number):
         edit(self.tree / "labs/05_normal_map/lab.cpp", number)
@@ -116,7 +116,7 @@ def measure_tests(setting, report):
         return
     report.begin("The tests", f"""
         `./run test` in clones of this commit and of the earlier commit {commit_of(setting.saves_before)}, once each, with nothing
-        built, without the compiler's cache, all packages installed; and `./run test 5` in the same clone after a line was added
+        built, nothing in the compiler's cache, all packages installed; and `./run test 5` in the same clone after a line was added
         to lab 5's `lab.cpp`.""", "now", "before")
     now, before = Tested(ROOT, setting.work / "tests_now"), Tested(setting.saves_before, setting.work / "tests_before")
     from_nothing = before.run()

@@ -191,7 +191,7 @@ make_assets() {
   build_release assets/all texel
   say "Making the assets"
   case $* in
-    '') "$root/build/release/bin/make_assets" --out "$root/assets" ;;
+    '') "$root/build/release/bin/make_assets" "$root/assets" ;;
     --check) "$root/teach/assets/check_assets.py" "$root/build/release/bin" "$root/assets" ;;
     *) fail 2 "./run assets takes --check or nothing" ;;
   esac

@@ -46,7 +46,7 @@ try "$texel" compare "${pictures[0]}" "${pictures[0]}" --json
 try "$texel" course gradebook class.csv --roster roster.csv --out book.csv
 try "$texel" course gradescope --labs 1 --seed-file seed.txt --out autograder.zip
 try "$texel" course classroom --labs 1 starter
-try "$bin/make_assets" --help
+try "$bin/make_assets" assets
 try "$course/run" help
 try "$course/run" packages
 # The same of a file.

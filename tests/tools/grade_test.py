@@ -220,10 +220,11 @@ class Starter(GraderTest):
 
 class GradedClass(GraderTest):
     """Two labs: one of C++, one of GLSL; and a few students on one lab for what does not depend on the labs."""
+    LIMIT = "--limit 3" if tree.EXHAUSTIVE else "--limit 1 --threats 5"  # how many of each kind a class has
 
     @classmethod
     def setUpClass(cls):
-        cls.two_labs = Class("two_labs", "7,9", "solution,starter,prefix,mutant,equivalent --limit 3")
+        cls.two_labs = Class("two_labs", "7,9", f"solution,starter,prefix,mutant,equivalent {cls.LIMIT}")
         cls.graded = shell(cls.two_labs.command())
         cls.few = Class("few", "9", "solution,starter,prefix,mutant --limit 1")
         begin = time.monotonic()
@@ -247,7 +248,7 @@ class GradedClass(GraderTest):
 
     def test_is_not_touched_by_threats(self):
         # Most threats are programs, of lab 7; a few of them, and all on a build server.
-        hostile = Class("hostile", "7", f"solution,starter,mutant,threat,files,broken --limit 3{'' if tree.EXHAUSTIVE else ' --threats 5'}")
+        hostile = Class("hostile", "7", f"solution,starter,mutant,threat,files,broken {self.LIMIT}")
         before = files_in(hostile.folder)
         self.grade(hostile, "--format csv,junit")
         self.check(hostile)

@@ -5,11 +5,9 @@ source "$(dirname "${BASH_SOURCE[0]}")/window.bash"
 
 # A tree with its own build folder, and a stand-in for CMake: it refuses a text with the word "broken", and builds the
 # same program again for another text than before.
-export TEXEL_ROOT=$work/root
+own_tree 05_normal_map
 build=$TEXEL_ROOT/build/release
 mkdir -p "$build/bin" "$work/programs"
-cp -r "$source_root"/{shaders,labs} "$TEXEL_ROOT"
-ln -s "$source_root/assets" "$TEXEL_ROOT/assets"
 cp "$bin"/{lab05_normal_map,texel} "$build/bin"
 printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\n' "$TEXEL_ROOT" >"$build/CMakeCache.txt"
 text=$TEXEL_ROOT/labs/05_normal_map/triangle_frame.cpp

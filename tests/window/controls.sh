@@ -2,10 +2,7 @@
 # The window's controls, each by its key or button, and each taken back: looks, undo, lines, light, clipboard, editor, …
 source "$(dirname "${BASH_SOURCE[0]}")/window.bash"
 
-export TEXEL_ROOT=$work/root
-mkdir -p "$TEXEL_ROOT"
-cp -r "$source_root"/{shaders,labs,common} "$TEXEL_ROOT"
-ln -s "$source_root/assets" "$TEXEL_ROOT/assets"
+own_tree 05_normal_map
 stand_in_for_programs
 
 panel=340x690+0+0 # without the status line

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # A clicked pixel: its data, and the levels or faces of the textures that it reads.
 source "$(dirname "${BASH_SOURCE[0]}")/window.bash"
-export TEXEL_ROOT=$source_root
+own_tree 01_texture_quad 05_normal_map 06_cube_map
 
 # framed: how much of a frame in amber stands over the picture: around levels that are read, and around a face.
 framed() { look "$work/now" $picture && pixels_of "$work/now" 255,199,89 1; }

@@ -3,11 +3,8 @@
 source "$(dirname "${BASH_SOURCE[0]}")/window.bash"
 
 # A lab without steps: the widgets stand where they are below.
-export TEXEL_ROOT=$work/root
-mkdir -p "$TEXEL_ROOT/labs/01_texture_quad"
-cp -r "$source_root/shaders" "$TEXEL_ROOT"
-cp "$source_root/labs/01_texture_quad/lab.toml" "$TEXEL_ROOT/labs/01_texture_quad"
-ln -s "$source_root/assets" "$TEXEL_ROOT/assets"
+own_tree 01_texture_quad
+find "$TEXEL_ROOT"/labs/* -mindepth 1 ! -name lab.toml -delete
 stand_in_for_programs
 
 panel=340x680+0+0 status=330x36+0+684
@@ -183,7 +180,8 @@ check 'a click shows the pixel' changed_from "$work/first"
 check 'Esc quits with exit code 0' quits_with 0
 check 'nothing stands on standard error' test ! -s "$work/errors"
 
-export TEXEL_ROOT=$source_root
+rm -r "$TEXEL_ROOT"
+own_tree 05_normal_map
 check 'lab 5 opens' open_lab lab05_normal_map --turn 0
 check 'the picture comes to rest' settle "$work/first"
 press Escape

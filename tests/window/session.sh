@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Lab 5 in a window, by keys and mouse as a user has them: everything that changes the picture can be taken back.
 source "$(dirname "${BASH_SOURCE[0]}")/window.bash"
-export TEXEL_ROOT=$source_root
+own_tree 05_normal_map
 
 # A turn that was asked for pauses the model.
 check 'the window opens' open_lab lab05_normal_map --turn 0

@@ -37,6 +37,16 @@ eventually() {
   return 1
 }
 
+# own_tree LAB…: a tree of these labs alone, as 05_normal_map, which may be edited. Checking the others' steps takes longer than most
+# of a script.
+own_tree() {
+  export TEXEL_ROOT=$work/root
+  mkdir -p "$TEXEL_ROOT/labs"
+  cp -r "$source_root/shaders" "$TEXEL_ROOT"
+  cp -r "${@/#/$source_root/labs/}" "$TEXEL_ROOT/labs"
+  ln -s "$source_root/assets" "$TEXEL_ROOT/assets"
+}
+
 # open_lab PROGRAM arguments…: starts it in $work and waits for its window.
 open_lab() {
   # Not by a subshell: $! must be the program itself, whose exit code is waited for.
