@@ -117,16 +117,16 @@ void make_all(const fs::path& folder) {
     constexpr int best_compression = 9;  // of zlib: these files are written once and cloned often
     image::save_png(folder / file, picture, {}, best_compression);
   };
+  image::Image8 flat(4, 4, 3);
+  for (std::size_t i = 0; i < flat.samples.size(); ++i)
+    flat.samples[i] = encode_component(i % 3 == 2 ? 1 : 0);
+  save("normal_maps/flat.png", flat);
   for (const auto& made : kTextures)
     save(fs::path("textures") / (std::string(made.file) + ".png"),
          render(made.width, made.height, made.channels, made.samples,
                 [&](double u, double v) { return procedural::color(made.texture, u, v); }));
   for (const auto& [file, field] : procedural::height_fields)
     save(fs::path("normal_maps") / (std::string(file) + ".png"), bake(field, 512));
-  image::Image8 flat(4, 4, 3);
-  for (std::size_t i = 0; i < flat.samples.size(); ++i)
-    flat.samples[i] = encode_component(i % 3 == 2 ? 1 : 0);
-  save("normal_maps/flat.png", flat);
   for (const auto& made : kCubeMaps)
     for (const image::Face face : procedural::faces) {
       constexpr const char* files[] = {"px.png", "nx.png", "py.png", "ny.png", "pz.png", "nz.png"};

@@ -19,19 +19,15 @@ else is said. Speed against *error* is in [accuracy.md](accuracy.md).
 # What users gain and lose, as the page begins: the row's section and name, and what is said of its ratio.
 GAINS = (
     ("A snapshot beside its floor", "lab 5, time", "A snapshot of lab 5 takes {:.2f} of the time of the same program written by hand."),
-    ("A snapshot beside its floor", "lab 5, memory", "It takes {:.2f} of its memory."),
-    ("One more picture", "lab 5, one more", "One more picture from the same process takes {:.2f} of the time."),
     ("A batch beside a process each", "lab 5, a turning camera", "36 pictures by one `--batch` come {:.1f} times as fast as by 36 processes."),
     ("Beside three.js", "page, something to see", "Lab 9's page shows what it opens with after {:.2f} of the time of three.js' first picture."),
     ("Beside three.js", "page, first picture", "Its own first picture comes after {:.2f} of three.js' time."),
     ("Beside three.js", "page, antialiased", "Then a frame takes {:.2f} of three.js'."),
     ("Kernels", "obj/triangles_2m: texel beside tinyobjloader", "An OBJ file of 2 million triangles is read {:.1f} times as fast as by tinyobjloader."),
-    ("Kernels", "tangents/torus: texel beside plain", "Tangents come {:.1f} times as fast as from the plain code that they equal bit by bit."),
     ("Grading beside drawing", "lab 5, 24 students, 10 with a mistake each, 576 cases", "A class with mistakes is graded in {:.2f} of the time of drawing its pictures."),
     ("The first ./run", "the course's", "The first `./run` takes {:.2f} of an earlier commit's time."),
     ("The first ./run", "a student's", "A student's first `./run` takes {:.2f} of an earlier commit's."),
     ("From a save to the verdict", "labs/05_normal_map/lab.cpp", "From a saved `lab.cpp` to the verdict: {:.2f} of an earlier commit's time."),
-    ("The tests", "./run test", "All tests take {:.2f} of an earlier commit's time."),
 )
 STAGES = """
 ## Where a snapshot's milliseconds go

@@ -31,7 +31,7 @@ try() {
   exec 3>&-
   expect "$code" 'a closed pipe' "$*"
 }
-for option in '--stats -' '--measure -' '--frames 1' --print-shader --list-parameters '--list-parameters --json' --list-views --help \
+for option in '--stats -' '--measure - --size 32x32' '--frames 1' --print-shader --list-parameters '--list-parameters --json' --list-views --help \
   --version; do
   # shellcheck disable=SC2086
   try "$lab" $option

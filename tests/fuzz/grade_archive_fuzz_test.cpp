@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Thousands of spoilt archives: whatever the bytes, unpacking ends with files of the allowed names or a
+// Thousands of spoilt archives: whatever the bytes, unpacking ends with files of the step_files names or a
 // fault. The mutations come from a hash of their number, so that a failure repeats.
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ std::string spoilt(const std::string& archive, Random& random) {
 
 TEST(ArchiveFuzz, gives_allowed_files_or_a_fault_when_bytes_are_spoilt) {
   const test::TemporaryFolder folder;
-  const std::vector<std::string> allowed = {"labs/05_normal_map/lab.cpp", "shaders/lib/light.glsl"};
+  const std::vector<std::string> step_files = {"labs/05_normal_map/lab.cpp", "shaders/lib/light.glsl"};
   const std::vector<test::Packed> files = {{"work/labs/05_normal_map/lab.cpp", std::string(3000, 'x')},
                                            {"work/shaders/lib/light.glsl", "short"},
                                            {std::string(150, 'n'), "a long name"},
@@ -52,14 +52,14 @@ TEST(ArchiveFuzz, gives_allowed_files_or_a_fault_when_bytes_are_spoilt) {
     entry.kind = is_zip ? Entry::Kind::zip : Entry::Kind::tar;
     entry.path = folder / ("spoilt" + std::to_string(i));
     write_file(entry.path, spoilt(is_zip ? zip : tar, random));
-    const Submission submission = unpack(entry, allowed, [](const std::string&) { return std::string(); });
+    const Submission submission = unpack(entry, step_files, [](const std::string&) { return std::string(); });
     std::filesystem::remove(entry.path);
     EXPECT_TRUE(submission.fault.empty() || submission.files.empty());
     for (const auto& [path, bytes] : submission.files) {
-      EXPECT_TRUE(std::find(allowed.begin(), allowed.end(), path) != allowed.end()) << path;
+      EXPECT_TRUE(std::find(step_files.begin(), step_files.end(), path) != step_files.end()) << path;
       EXPECT_LE(bytes.size(), 1U << 20U);
     }
-    whole += submission.files.size() == allowed.size() ? 1 : 0;
+    whole += submission.files.size() == step_files.size() ? 1 : 0;
     faults += submission.fault.empty() ? 0 : 1;
   }
   // Neither side may be empty, or the mutations would test nothing.

@@ -98,9 +98,9 @@ A note.
 
     def test_begins_with_what_a_user_gains(self):
         with contextlib.redirect_stdout(io.StringIO()):
-            self.report.begin("The tests", "", "now", "before")
-            self.report.add("./run test", "ms", [(3, 4)])
-        self.assertIn("loses**\n- All tests take 0.75 of an earlier commit's time.\n\n## Title", self.report.as_markdown(Setting(pathlib.Path(), 1)))
+            self.report.begin("The first ./run", "", "now", "before")
+            self.report.add("a student's", "ms", [(3, 4)])
+        self.assertIn("loses**\n- A student's first `./run` takes 0.75 of an earlier commit's.\n\n## Title", self.report.as_markdown(Setting(pathlib.Path(), 1)))
 
     def test_is_json(self):
         figures = json.loads(self.report.as_json())
