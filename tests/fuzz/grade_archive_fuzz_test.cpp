@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Thousands of spoilt archives: whatever the bytes, unpacking ends with files of the step_files names or a
+// Thousands of spoilt archives: whatever the bytes, unpacking ends with files of the allowed names or a
 // fault. The mutations come from a hash of their number, so that a failure repeats.
 #include <gtest/gtest.h>
 
