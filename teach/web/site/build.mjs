@@ -38,7 +38,7 @@ const write = (path, content) => {
 };
 const docs = (path) => join(tree, "docs", path);
 
-/** Scripts and styles, into site/. */
+/** Scripts, into site/. */
 async function bundle() {
   rmSync(join(out, "site"), { recursive: true, force: true });
   await esbuild.build({
@@ -49,8 +49,12 @@ async function bundle() {
     chunkNames: "[name]-[hash]",
     external: ["../engine/client.mjs"],
   });
+}
+
+/** What each page has in its head. */
+async function styles() {
   const css = [join(tree, "common/core/page.css"), join(here, "src/style.css")].map((file) => readFileSync(file, "utf8")).join("\n");
-  write("site/style.css", (await esbuild.transform(css, { loader: "css", minify: true })).code);
+  return (await esbuild.transform(css, { loader: "css", minify: true })).code;
 }
 
 /** The engine's scripts, which lie in out/ already: each with what it includes, without comments and long names. */
@@ -71,7 +75,7 @@ function mathFonts() {
     copyFileSync(join(from, "fonts", font), join(out, "site/katex/fonts", font));
 }
 
-function pages() {
+function pages(style) {
   const labs = readLabs(tree, programs);
   const copies = new Set();
   const sizeOf = (path) => pictureSize(docs(`pictures/${path.replace("../pictures/", "").replace(/webp$/, "png")}`));
@@ -85,12 +89,12 @@ function pages() {
     }
     const markdown = readFileSync(join(tree, "labs", lab.folder, "README.md"), "utf8");
     write(`${lab.folder}/index.html`, labPage({ lab, labs, handout: handout(markdown, lab, copies, sizeOf), thumbnails,
-      still: still(programs && join(programs, `lab${lab.folder}`), tree, lab.opening) }));
+      still: still(programs && join(programs, `lab${lab.folder}`), tree, lab.opening), style }));
   }
   for (const [file, folder] of Object.entries(documents)) {
     const markdown = readFileSync(join(tree, file), "utf8");
     const title = /^# (.*)/.exec(markdown)[1].replace("'", "’");
-    write(`${folder}/index.html`, textPage({ labs, title, html: handout(markdown, null, copies, sizeOf) }));
+    write(`${folder}/index.html`, textPage({ labs, title, html: handout(markdown, null, copies, sizeOf), style }));
   }
 
   const heroes = new Map(labs.map((lab) => {
@@ -101,7 +105,7 @@ function pages() {
     return [lab.folder, { src: `pictures/${lab.folder}.webp`, ...size }];
   }));
   const kind = existsSync(join(tree, "teach/commands")) ? "course" : "starter";
-  write("index.html", indexPage({ labs, heroes, kind }));
+  write("index.html", indexPage({ labs, heroes, kind, style }));
   for (const picture of copies) {
     const bytes = readFileSync(docs(`pictures/${picture}`));
     if (picture.endsWith(".png")) write(`pictures/${picture.replace(/png$/, "webp")}`, asWebp(bytes, 88));
@@ -133,7 +137,7 @@ function compress() {
 await bundle();
 await shrinkEngine();
 mathFonts();
-pages();
+pages(await styles());
 serviceWorker();
 compress();
 console.log(`the pages: ${join(out, "index.html")}`);

@@ -3,8 +3,8 @@
 import { query } from "./course.mjs";
 import { escaped } from "./handout.mjs";
 
-/** `first` comes before the styles, which scripts wait for. */
-function document({ title, description, root, body, first = "", script = "", classes }) {
+/** The styles stand in the page: nothing is asked for before its first paint. */
+function document({ title, description, style, body, script = "", classes }) {
   return `<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -14,7 +14,7 @@ function document({ title, description, root, body, first = "", script = "", cla
 <meta name="description" content="${escaped(description)}">
 <link rel="icon" href="data:,">
 <title>${escaped(title)}</title>
-${first}<link rel="stylesheet" href="${root}site/style.css">
+<style>${style}</style>
 ${script}</head>
 <body class="${classes}">
 ${body}</body>
@@ -55,7 +55,8 @@ function looksList(looks, thumbnails) {
 
 /**
  * Starts the engine with the lab before the page's own script is there, which takes it over (engine/client.mjs). Names the files of
- * the first picture: of the address, or of the best look (src/lab.js).
+ * the first picture: of the address, or of the best look (src/lab.js). Behind the still: in the page's head this kept the first paint
+ * back by a tenth.
  */
 const early = ({ number, files, opening, looks }) => `if (location.protocol !== "file:" && "OffscreenCanvas" in window) {
   const worker = new Worker("../engine/worker.mjs", { type: "module" }), canvas = document.createElement("canvas");
@@ -102,7 +103,7 @@ const opens = (webp, number) => `<img class="still" alt="" width="784" height="4
  * The page of a lab. `thumbnails`: the looks' small pictures by name; a look without one is only its caption. `still`: what the page
  * opens with, as WebP, or null.
  */
-export function labPage({ lab, labs, handout, thumbnails, still }) {
+export function labPage({ lab, labs, handout, thumbnails, still, style }) {
   const at = labs.indexOf(lab);
   const beside = (other, text) => (other ? `<a href="../${other.folder}/index.html">${text} ${other.number}: ${escaped(other.title)}</a>` : "<span></span>");
   const body = `<a class="skip" href="#handout">To the handout</a>
@@ -110,6 +111,7 @@ ${bar(labs, "../", lab.number)}<main class="lab" data-lab="${lab.number}">
 <section class="stage" aria-label="Picture">
 <div class="frame">
 <div class="picture" id="picture" tabindex="0" role="application" aria-roledescription="picture" aria-label="Picture of the lab ${escaped(lab.title)}" aria-describedby="picture-keys">${still ? opens(still, lab.number) : ""}</div>
+<script>${early(lab)}</script>
 <p class="spoken" id="picture-keys">Arrow keys turn the camera, plus and minus zoom, Enter reads the pixel in the middle.</p>
 <div class="divider" role="slider" tabindex="0" aria-label="Where the compared picture begins" aria-valuemin="0" aria-valuemax="100" hidden><span class="left"></span><span class="right"></span></div>
 <div class="message" role="alert" hidden></div>
@@ -146,10 +148,9 @@ ${handout}${experiment(lab)}<footer>${beside(labs[at - 1], "Lab")}${beside(labs[
   return document({
     title: `Lab ${lab.number}: ${lab.title} – Texel Labs`,
     description: lab.lesson,
-    root: "../",
+    style,
     body,
     classes: "of-lab",
-    first: `<script>${early(lab)}</script>\n`,
     script:
       `<link rel="modulepreload" href="../engine/client.mjs">\n<script type="module" src="../site/lab.js"></script>\n` +
       `<script>if (location.protocol === "file:") addEventListener("DOMContentLoaded", () => { document.querySelector(".waiting").textContent = ` +
@@ -166,7 +167,7 @@ function way(labs) {
 }
 
 /** The first page: a picture of each lab, as in the gallery. */
-export function indexPage({ labs, heroes, kind }) {
+export function indexPage({ labs, heroes, kind, style }) {
   const cards = labs.map((lab) => {
     const hero = heroes.get(lab.folder);
     const shader = lab.steps.filter((step) => step.kind === "shader").length;
@@ -193,7 +194,7 @@ ${cards.join("\n")}
   return document({
     title: "Texel Labs",
     description: "Nine labs on texture mapping, normal mapping and environment mapping, in the browser",
-    root: "",
+    style,
     body,
     classes: "of-index",
     script: `<script type="module" src="site/index.js"></script>\n`,
@@ -201,11 +202,11 @@ ${cards.join("\n")}
 }
 
 /** A document of the course as a page of its own. */
-export function textPage({ labs, title, html }) {
+export function textPage({ labs, title, html, style }) {
   return document({
     title: `${title} – Texel Labs`,
     description: title,
-    root: "../",
+    style,
     body: `${bar(labs, "../", 0)}<main class="text"><article class="handout">
 <h1>${escaped(title)}</h1>
 ${html}</article></main>
