@@ -145,7 +145,7 @@ void make_all(const fs::path& folder) {
 int main(int argc, char** argv) {
   return texel::run_main("make_assets", [&] {
     if (argc != 2 || argv[1][0] == '-')
-      throw texel::Error::usage("which folder?", "name the one to write, as in make_assets assets");
+      throw texel::Error::usage("no folder is named", "name the one to write, as in make_assets assets");
     texel::assets::make_all(argv[1]);
     return texel::Exit::holds;
   });

@@ -49,7 +49,8 @@ class Tested:
 
     def run(self, arguments=""):
         """The tests have their own display, and the driver's cache as ./run sets it."""
-        return run_in(self.tree, f"test {arguments}", 0, f"--unset=DISPLAY --unset=MESA_SHADER_CACHE_DISABLE CCACHE_DIR={shlex.quote(str(self.cache))}")
+        return run_in(self.tree, f"test {arguments}", 0,
+                      f"--unset=DISPLAY --unset=MESA_SHADER_CACHE_DISABLE CCACHE_DIR={shlex.quote(str(self.cache))}")
 
     def run_of_changed_lab(self, number):
         edit(self.tree / "labs/05_normal_map/lab.cpp", number)

@@ -431,8 +431,8 @@ def put(one, student, file, text):
 
 class JudgedAlone(GraderTest):
     def test_costs_each_mistake_one_step_and_right_ones_none(self):
-        """Of half of the labs a wrong solution, and a right one written in another way; on a build server two each of all. Labs that share files
-        with steps are graded together."""
+        """Of half of the labs a wrong solution, and a right one written in another way; on a build server two each of all. Labs that
+        share files with steps are graded together."""
         kinds, limit, least, some = [], *((2, 12, 1) if tree.EXHAUSTIVE else (1, 3, 2))
         for labs in ("1", "2", "3,4,5", "6,9", "7", "8")[::some]:
             made = Class(f"mistakes_{labs[0]}", labs, f"mistake,equivalent --limit {limit}")

@@ -3,7 +3,7 @@
 import { query } from "./course.mjs";
 import { escaped } from "./handout.mjs";
 
-/** The styles stand in the page: nothing is asked for before its first paint. */
+/** The styles stand in the page: a lab's first paint waits for no other file. */
 function document({ title, description, style, body, script = "", classes }) {
   return `<!DOCTYPE html>
 <html lang="en">
