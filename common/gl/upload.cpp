@@ -47,7 +47,7 @@ void set_sampling(GLenum target, const Sampling& sampling) {
   glTexParameteri(target, GL_TEXTURE_WRAP_T, static_cast<GLint>(sampling.wrap_t));
   if (GLAD_GL_EXT_texture_filter_anisotropic != 0) {
     float most = 1;
-    glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
+    if (sampling.anisotropy > 1) glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
     glTexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::clamp(sampling.anisotropy, 1.0F, most));
   }
 }

@@ -9,7 +9,7 @@ export class EngineError extends Error {
 
 /// Calls that only pass their arguments on, with the names of these.
 const calls = {
-  open: ["lab"], parameters: [], values: [], looks: [], reset: [], view: ["name"],
+  parameters: [], values: [], looks: [], reset: [], view: ["name"],
   split: ["parameter", "value", "position"], resize: ["width", "height"], samples: ["count"], drag: ["dx", "dy"],
   zoom: ["steps"], turn: ["degrees"], frame: [], pixel: ["x", "y"], steps: [], steps_of: ["lab"],
   read: ["step"], write: ["step", "text"], file: ["path"], put: ["path", "text"], experiment: ["path", "text"], check: ["step"],
@@ -20,7 +20,7 @@ const sums = { drag: ["dx", "dy"], zoom: ["steps"], turn: ["degrees"] };
 
 export class Engine {
   #worker; #waiting = []; #busy = null; #serial = 0; #timer = null; #options;
-  #lab = null; #canvasSize = null; #written = new Map();
+  #lab = null; #opened = null; #canvasSize = null; #written = new Map();
 
   constructor(options) {
     this.#options = { patience: 8000, onLost() {}, onStuck() {}, ...options };
@@ -32,6 +32,13 @@ export class Engine {
       };
   }
 
+  async open(lab) {
+    const opened = this.#opened;
+    this.#opened = null;
+    if (opened?.number !== lab) return this.#call("open", { lab });
+    this.#lab = lab;  // the early worker has done it
+    return opened;
+  }
   set(values) { return this.#call("set", values); }
   draw(what = {}) { return this.#call("draw", what); }
   shown(what = {}) { return this.#call("draw", { ...what, colors: true }); }
@@ -44,7 +51,9 @@ export class Engine {
     this.#worker.onerror = (event) => this.#fail(new EngineError({ message: event.message || "the engine cannot be loaded" }));
     const offscreen = early ? null : canvas?.transferControlToOffscreen?.();
     const about = this.#call("start", { canvas: offscreen, timeOrigin: performance.timeOrigin }, offscreen ? [offscreen] : [], 120000, early);
-    Object.assign(this, await about);
+    const { opened, ...rest } = await about;
+    this.#opened = opened;
+    Object.assign(this, rest);
     return this;
   }
 

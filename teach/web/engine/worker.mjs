@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The engine's thread: it owns the canvas and the C++, and answers calls one after the other. So a slow or endless shader
 // stops this thread, and never the page.
-import { asPpm, isExact } from "./pictures.mjs";
+import { asPpm, unpacks } from "./pictures.mjs";
 
 const here = new URL(".", import.meta.url);
 // All that the engine is made of is asked for at once; `start` waits for it.
@@ -57,7 +57,7 @@ function mount(FS, { texts, files }) {
 async function fetched(path) {
   const answer = await fetch(new URL(`tree/${path}`, here));
   if (!answer.ok) throw new Error(`cannot load ${path} (${answer.status})`);
-  return answer;
+  return answer.arrayBuffer();
 }
 
 /// Loads the files of these parameters' values side by side: the C++ would ask for one after the other. A `cube_map`
@@ -70,9 +70,7 @@ function loadAhead(values) {
   return (coming = Promise.all([coming, ...wanted.map(async (path) => {
     unread.delete(path);
     try {
-      ahead.set(path, packed.has(path)
-        ? await asPpm(await (await fetched(path.replace(/png$/, "webp"))).blob())
-        : new Uint8Array(await (await fetched(path)).arrayBuffer()));
+      ahead.set(path, packed.has(path) ? await asPpm(await fetched(path.replace(/png$/, "webp"))) : new Uint8Array(await fetched(path)));
     } catch (error) {
       console.warn(error);  // the C++ asks for it again, and says what fails
     }
@@ -95,22 +93,13 @@ function load(path) {
   return new Uint8Array(request.response);
 }
 
-/// With `lab`, that lab is opened at once. `files`: the values of its first picture, whose files are loaded meanwhile.
+/// With `lab`, that lab is opened at once: `opened` is what `open` gives. `files`: the values of its first picture, whose files are loaded meanwhile.
 async function start(options) {
   timeOrigin = options.timeOrigin;
   const listing = await tree;
   unread = new Set(Object.keys(listing.files));
-  if (isExact()) packed = new Set(listing.packed);
+  if (unpacks) packed = new Set(listing.packed);
   loadAhead(options.files ?? {});
-  canvas = options.canvas ?? new OffscreenCanvas(16, 16);
-  gl = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false, stencil: false });
-  if (!gl) throw { message: "This browser has no WebGL 2. Use a current Firefox, Chrome, Edge or Safari.", kind: "failed" };
-  for (const name of ["EXT_color_buffer_float", "EXT_texture_filter_anisotropic", "OES_texture_float_linear", "WEBGL_debug_renderer_info"])
-    gl.getExtension(name);
-  canvas.addEventListener("webglcontextlost", (event) => {
-    event.preventDefault();
-    postMessage({ lost: "The browser took the graphics away." });
-  });
   const { default: createEngine } = await glue, compiled = await program;
   module = await createEngine({
     preRun: [(m) => { mount(m.FS, listing); m.FS.chdir("/tree"); m.ENV.TEXEL_ROOT = "/tree"; m.ENV.TEXEL_THREADS = "1"; }],
@@ -121,9 +110,18 @@ async function start(options) {
     print: () => {},
     printErr: (text) => console.warn(text),
   });
-  module.GL.makeContextCurrent(module.GL.registerContext(gl, { majorVersion: 2, minorVersion: 0, enableExtensionsByDefault: 1 }));
-  if (options.lab !== undefined) ask("open", { lab: options.lab });
-  return { kind: listing.kind, labs: listing.labs };
+  // It waits for the page's thread: the pictures come meanwhile.
+  canvas = options.canvas ?? new OffscreenCanvas(16, 16);
+  gl = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false, stencil: false });
+  if (!gl) throw { message: "This browser has no WebGL 2. Use a current Firefox, Chrome, Edge or Safari.", kind: "failed" };
+  for (const name of ["EXT_color_buffer_float", "EXT_texture_filter_anisotropic", "OES_texture_float_linear", "WEBGL_debug_renderer_info"])
+    gl.getExtension(name);
+  canvas.addEventListener("webglcontextlost", (event) => {
+    event.preventDefault();
+    postMessage({ lost: "The browser took the graphics away." });
+  });
+  module.GL.makeContextCurrent(module.GL.registerContext(gl, { majorVersion: 2, minorVersion: 0, enableExtensionsByDefault: 0 }));
+  return { kind: listing.kind, labs: listing.labs, opened: options.lab === undefined ? null : special.open({ lab: options.lab }) };
 }
 
 /// A call to the C++: JSON in and out; pictures come as copies of its memory.
@@ -145,6 +143,7 @@ function ask(call, args = {}) {
 
 const special = {
   start,
+  open: (args) => ({ ...ask("open", args).result, parameters: ask("parameters").result, looks: ask("looks").result }),
   async set(values) {
     await loadAhead(values);
     return ask("set", values).result;

@@ -3,7 +3,7 @@
 // which has the engine in `engine/`; `--gallery` is a gallery's folder, for the looks' small pictures; `--programs` has the
 // desktop's programs, which say what each lab shows first.
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { dirname, join, relative, resolve } from "node:path";
+import { basename, dirname, join, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
 import { brotliCompressSync, constants } from "node:zlib";
@@ -11,7 +11,7 @@ import esbuild from "esbuild";
 import { readLabs } from "./build/course.mjs";
 import { documents, handout } from "./build/handout.mjs";
 import { indexPage, labPage, textPage } from "./build/page.mjs";
-import { asWebp, galleryPicture, pictureSize, pngSize, smallPicture, still } from "./build/pictures.mjs";
+import { asWebp, galleryPicture, pictureSize, pngSize, smallPicture, still, strip } from "./build/pictures.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 
@@ -38,17 +38,20 @@ const write = (path, content) => {
 };
 const docs = (path) => join(tree, "docs", path);
 
-/** Scripts, into site/. */
+/** Scripts, into site/. Gives those that a lab's page needs at once, as its HTML names them. */
 async function bundle() {
   rmSync(join(out, "site"), { recursive: true, force: true });
-  await esbuild.build({
+  const { metafile: { outputs } } = await esbuild.build({
     absWorkingDir: here,
     entryPoints: ["src/lab.js", "src/index.js"],
     outdir: join(out, "site"),
     bundle: true, splitting: true, format: "esm", minify: true, target: ["es2022"], legalComments: "none", logLevel: "error", loader: { ".frag": "text" },
     chunkNames: "[name]-[hash]",
-    external: ["../engine/client.mjs"],
+    external: ["../engine/client.mjs"], metafile: true,
   });
+  const page = Object.values(outputs).find(({ entryPoint }) => entryPoint === "src/lab.js");
+  const needed = page.imports.filter(({ kind }) => kind === "import-statement").map(({ path }) => basename(path));
+  return needed.map((name) => (name === "client.mjs" ? `../engine/${name}` : `../site/${name}`));
 }
 
 /** What each page has in its head. */
@@ -75,20 +78,16 @@ function mathFonts() {
     copyFileSync(join(from, "fonts", font), join(out, "site/katex/fonts", font));
 }
 
-function pages(style) {
+function pages(style, scripts) {
   const labs = readLabs(tree, programs);
   const copies = new Set();
   const sizeOf = (path) => pictureSize(docs(`pictures/${path.replace("../pictures/", "").replace(/webp$/, "png")}`));
   for (const lab of labs) {
-    const thumbnails = new Map();
-    for (const look of lab.looks) {
-      const picture = galleryPicture(gallery, lab, look);
-      if (!picture) continue;
-      write(`${lab.folder}/looks/${look.name}.webp`, smallPicture(picture, 144, 144, 68));
-      thumbnails.set(look.name, `looks/${look.name}.webp`);
-    }
+    rmSync(join(out, lab.folder), { recursive: true, force: true });
+    const pictured = lab.looks.filter((look) => galleryPicture(gallery, lab, look));
+    if (pictured.length > 0) write(`${lab.folder}/looks.webp`, strip(pictured.map((look) => galleryPicture(gallery, lab, look)), 144, 68));
     const markdown = readFileSync(join(tree, "labs", lab.folder, "README.md"), "utf8");
-    write(`${lab.folder}/index.html`, labPage({ lab, labs, handout: handout(markdown, lab, copies, sizeOf), thumbnails,
+    write(`${lab.folder}/index.html`, labPage({ lab, labs, handout: handout(markdown, lab, copies, sizeOf), pictured, scripts,
       still: still(programs && join(programs, `lab${lab.folder}`), tree, lab.opening), style }));
   }
   for (const [file, folder] of Object.entries(documents)) {
@@ -121,7 +120,7 @@ function serviceWorker() {
   const files = filesBelow(out).map((file) => relative(out, file).split("\\").join("/")).filter((file) => file !== "sw.js" && !file.endsWith(".br"));
   // What comes as WebP is kept so.
   const packed = new Set(files.filter((file) => file.endsWith(".webp")).map((file) => file.replace(/webp$/, "png")));
-  const isLater = (file) => /^engine\/tree\/|^pictures\/|\/looks\//.test(file);
+  const isLater = (file) => /^engine\/tree\/|^pictures\/|\/looks\.webp$/.test(file);
   const list = (kept) => () => JSON.stringify(kept);
   write("sw.js", readFileSync(join(here, "src/sw.js"), "utf8")
     .replace("/* shell */ []", list(files.filter((file) => !isLater(file))))
@@ -134,10 +133,10 @@ function compress() {
     writeFileSync(`${file}.br`, brotliCompressSync(readFileSync(file), { params: { [constants.BROTLI_PARAM_QUALITY]: 11 } }));
 }
 
-await bundle();
+const scripts = await bundle();
 await shrinkEngine();
 mathFonts();
-pages(await styles());
+pages(await styles(), scripts);
 serviceWorker();
 compress();
 console.log(`the pages: ${join(out, "index.html")}`);

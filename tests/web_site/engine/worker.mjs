@@ -54,7 +54,8 @@ const calls = {
     lab = number;
     values = initial();
     frame();
-    return { number: lab, folder: "05_normal_map", title: "Normal map", lesson: "", choice: "", views: ["color", "normal", "tangent"] };
+    return { number: lab, folder: "05_normal_map", title: "Normal map", lesson: "", choice: "", views: ["color", "normal", "tangent"],
+      parameters: calls.parameters(), looks: calls.looks() };
   },
   parameters: () => parameters.map((p) => ({ ...p, value: values[p.name] })),
   values: () => ({ values, key: "", flags: "", view }),

@@ -128,7 +128,7 @@ export function handout(markdown, lab, copies, sizeOf = () => ({})) {
   };
   const marked = new Marked(formulas, { renderer });
   const tokens = marked.lexer(markdown);
-  let html = "", step = null;
+  let html = "", step = null, chapters = 0;
   const close = () => {
     if (step) html += `${step.pictures}${step.text}${stepPlace(step)}${step.after}${folded(step.details)}</section>\n`;
     step = null;
@@ -154,6 +154,8 @@ export function handout(markdown, lab, copies, sizeOf = () => ({})) {
     if (token.type === "heading" && token.depth <= 3) {
       close();
       if (token.depth === 1) continue;  // the page's own
+      // What follows the steps is laid out when it comes near, as they are.
+      if (lab && token.depth === 2 && chapters++ > 0) html += `${chapters > 2 ? "</section>\n" : ""}<section class="chapter">\n`;
       const begun = token.depth === 3 && steps.get(token.text.split(" ")[0]);
       if (begun) {
         html += stepHead(begun);
@@ -175,7 +177,7 @@ export function handout(markdown, lab, copies, sizeOf = () => ({})) {
     html += marked.parser([token]);
   }
   close();
-  return html;
+  return chapters > 1 ? `${html}</section>\n` : html;
 }
 
 /** The choices of a step's question: each opens the answer to it, and closes the others. */

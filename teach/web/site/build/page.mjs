@@ -44,10 +44,11 @@ const tools = [
   ["snapshot", "Snapshot", "Save the picture as a PNG (S)"],
 ];
 
-function looksList(looks, thumbnails) {
+/** The small pictures are one file: ten cost the first picture 35 ms. */
+function looksList(looks, pictured) {
   const items = looks.map((look) => {
-    const picture = thumbnails.get(look.name);
-    const image = picture ? `<img src="${picture}" alt="" width="128" height="128" loading="lazy" decoding="async">` : "";
+    const at = (100 * pictured.indexOf(look)) / Math.max(1, pictured.length - 1);
+    const image = at >= 0 ? `<img src="looks.webp" style="object-position: 0 ${at}%" alt="" width="128" height="128" loading="lazy" decoding="async">` : "";
     return `<li><a class="look" href="${escaped(query(look) || "?")}" data-look="${look.name}">${image}<span>${escaped(look.caption)}</span></a></li>`;
   });
   return `<ul class="looks">\n${items.join("\n")}\n</ul>`;
@@ -71,11 +72,17 @@ const early = ({ number, files, opening, looks }) => `if (location.protocol !== 
   globalThis.texelEarly = { worker, canvas, started };
 }`.replace(/\n\s*/g, " ");
 
-/** The handout is laid out after the first paint, which does not wait for its formulas' style: picture and panel come 40 ms sooner. */
-const late = `requestAnimationFrame(() => setTimeout(() => {
+/**
+ * The handout is laid out when the page's scripts are there, which takes long: the picture comes sooner. On a slow line it does not wait
+ * for them.
+ */
+const late = `new Promise((done) => {
+  addEventListener("load", () => setTimeout(done));
+  setTimeout(done, 300);
+}).then(() => {
   document.querySelector("#handout").style.contentVisibility = "";
   document.getElementById(location.hash.slice(1))?.scrollIntoView();
-}));`.replace(/\n\s*/g, " ");
+});`.replace(/\n\s*/g, " ");
 
 /** Has the room of what src/progress.js puts there: nothing moves when that comes. */
 const progress = (count) => count === 0 ? `<div class="progress" hidden></div>`
@@ -100,10 +107,10 @@ const opens = (webp, number) => `<img class="still" alt="" width="784" height="4
 </script>`;
 
 /**
- * The page of a lab. `thumbnails`: the looks' small pictures by name; a look without one is only its caption. `still`: what the page
- * opens with, as WebP, or null.
+ * The page of a lab. `pictured`: the looks that have a small picture; another one is only its caption. `scripts`: those that it needs at
+ * once. `still`: what the page opens with, as WebP, or null.
  */
-export function labPage({ lab, labs, handout, thumbnails, still, style }) {
+export function labPage({ lab, labs, handout, pictured, scripts, still, style }) {
   const at = labs.indexOf(lab);
   const beside = (other, text) => (other ? `<a href="../${other.folder}/index.html">${text} ${other.number}: ${escaped(other.title)}</a>` : "<span></span>");
   const body = `<a class="skip" href="#handout">To the handout</a>
@@ -130,7 +137,7 @@ ${tools.map(([id, text, help]) => `<button type="button" data-tool="${id}" title
 </section>
 <section class="panel" id="panel" aria-label="Panel">
 <details class="part looks-part" data-part="looks" open><summary>Looks</summary>
-${looksList(lab.looks, thumbnails)}
+${looksList(lab.looks, pictured)}
 </details>
 <div class="controls-of-lab"></div>
 <p class="help" aria-hidden="true"></p>
@@ -152,7 +159,7 @@ ${handout}${experiment(lab)}<footer>${beside(labs[at - 1], "Lab")}${beside(labs[
     body,
     classes: "of-lab",
     script:
-      `<link rel="modulepreload" href="../engine/client.mjs">\n<script type="module" src="../site/lab.js"></script>\n` +
+      `${scripts.map((file) => `<link rel="modulepreload" href="${file}">\n`).join("")}<script type="module" src="../site/lab.js"></script>\n` +
       `<script>if (location.protocol === "file:") addEventListener("DOMContentLoaded", () => { document.querySelector(".waiting").textContent = ` +
       `"A browser does not run this page from a file. In the folder of the pages type: python3 -m http.server"; });</script>\n`,
   });

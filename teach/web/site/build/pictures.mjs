@@ -27,8 +27,8 @@ export function asWebp(png, quality) {
   return execFileSync("cwebp", ["-quiet", "-q", String(quality), "-o", "-", "--", "-"], { input: png, maxBuffer: 1 << 24 });
 }
 
-/** The middle of a PNG, fitted to width x height by averaging in linear light, as WebP. */
-export function smallPicture(file, width, height, quality) {
+/** The middle of a PNG, fitted to width x height by averaging in linear light. */
+function fitted(file, width, height) {
   const from = PNG.sync.read(readFileSync(file));
   const scale = Math.min(from.width / width, from.height / height);
   const left = (from.width - scale * width) / 2, top = (from.height - scale * height) / 2;
@@ -44,7 +44,16 @@ export function smallPicture(file, width, height, quality) {
         data[4 * (y * width + x) + c] = encoded(sum / ((x1 - x0) * (y1 - y0)));
       }
     }
-  return asWebp(PNG.sync.write(small), quality);
+  return small;
+}
+
+export const smallPicture = (file, width, height, quality) => asWebp(PNG.sync.write(fitted(file, width, height)), quality);
+
+/** The middles of PNGs as squares of one WebP, one below the other. */
+export function strip(files, side, quality) {
+  const all = new PNG({ width: side, height: side * files.length });
+  files.forEach((file, i) => PNG.bitblt(fitted(file, side, side), all, 0, 0, side, side, 0, i * side));
+  return asWebp(PNG.sync.write(all), quality);
 }
 
 /**

@@ -365,10 +365,10 @@ const known = ({ set: values, ...rest }) => {
 
 async function start() {
   now.lab = await session.start();
-  now.parameters = await session.call("parameters");
+  now.parameters = now.lab.parameters;
   now.values = Object.fromEntries(now.parameters.map((p) => [p.name, textOf(p.value ?? p.default)]));
   // As the window does: without a state in the address the lab opens on its lesson.
-  now.looks = await session.call("looks");
+  now.looks = now.lab.looks;
   const named = location.search === "" ? opening() : now.looks.find((look) => look.name === wanted.look);
   const state = known(named ? { ...wanted, view: named.view, set: { ...named.set, ...wanted.set } } : wanted);
   now.view = now.lab.views.includes(state.view) ? state.view : "color";
