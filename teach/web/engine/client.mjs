@@ -9,7 +9,7 @@ export class EngineError extends Error {
 
 /// Calls that only pass their arguments on, with the names of these.
 const calls = {
-  parameters: [], values: [], looks: [], reset: [], view: ["name"],
+  parameters: [], values: [], reset: [], view: ["name"],
   split: ["parameter", "value", "position"], resize: ["width", "height"], samples: ["count"], drag: ["dx", "dy"],
   zoom: ["steps"], turn: ["degrees"], frame: [], pixel: ["x", "y"], steps: [], steps_of: ["lab"],
   read: ["step"], write: ["step", "text"], file: ["path"], put: ["path", "text"], experiment: ["path", "text"], check: ["step"],

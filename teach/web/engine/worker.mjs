@@ -93,7 +93,8 @@ function load(path) {
   return new Uint8Array(request.response);
 }
 
-/// With `lab`, that lab is opened at once: `opened` is what `open` gives. `files`: the values of its first picture, whose files are loaded meanwhile.
+/// With `lab`, that lab is opened at once: `opened` is what `open` gives. `files`: the values of its first picture, whose files
+/// are loaded meanwhile.
 async function start(options) {
   timeOrigin = options.timeOrigin;
   const listing = await tree;
@@ -110,7 +111,7 @@ async function start(options) {
     print: () => {},
     printErr: (text) => console.warn(text),
   });
-  // It waits for the page's thread: the pictures come meanwhile.
+  // The context waits for the page's thread, and each extension for the GPU's process: pictures come meanwhile.
   canvas = options.canvas ?? new OffscreenCanvas(16, 16);
   gl = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false, stencil: false });
   if (!gl) throw { message: "This browser has no WebGL 2. Use a current Firefox, Chrome, Edge or Safari.", kind: "failed" };

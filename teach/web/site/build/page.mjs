@@ -48,7 +48,8 @@ const tools = [
 function looksList(looks, pictured) {
   const items = looks.map((look) => {
     const at = (100 * pictured.indexOf(look)) / Math.max(1, pictured.length - 1);
-    const image = at >= 0 ? `<img src="looks.webp" style="object-position: 0 ${at}%" alt="" width="128" height="128" loading="lazy" decoding="async">` : "";
+    const image = at < 0 ? ""
+      : `<img src="looks.webp" style="object-position: 0 ${at}%" alt="" width="128" height="128" loading="lazy" decoding="async">`;
     return `<li><a class="look" href="${escaped(query(look) || "?")}" data-look="${look.name}">${image}<span>${escaped(look.caption)}</span></a></li>`;
   });
   return `<ul class="looks">\n${items.join("\n")}\n</ul>`;
@@ -159,7 +160,7 @@ ${handout}${experiment(lab)}<footer>${beside(labs[at - 1], "Lab")}${beside(labs[
     body,
     classes: "of-lab",
     script:
-      `${scripts.map((file) => `<link rel="modulepreload" href="${file}">\n`).join("")}<script type="module" src="../site/lab.js"></script>\n` +
+      scripts.map((file) => `<link rel="modulepreload" href="${file}">\n`).join("") + `<script type="module" src="../site/lab.js"></script>\n` +
       `<script>if (location.protocol === "file:") addEventListener("DOMContentLoaded", () => { document.querySelector(".waiting").textContent = ` +
       `"A browser does not run this page from a file. In the folder of the pages type: python3 -m http.server"; });</script>\n`,
   });
