@@ -10,21 +10,16 @@ export async function asPpm(webp) {
   const decoder = new ImageDecoder({ data: webp, type: "image/webp", colorSpaceConversion: "none" });
   const { image } = await decoder.decode();
   const { codedWidth: width, codedHeight: height } = image, count = width * height;
-  const pixels = new Uint32Array(count);
+  const pixels = new Uint8Array(4 * count);
   await image.copyTo(pixels, { format: "RGBA" });
   image.close();
   decoder.close();
-  // Four pixels at a time are three words. Blanks let them begin at a word.
-  const text = `${width} ${height} 255\n`, length = 4 * Math.ceil((text.length + 3) / 4);
-  const header = new TextEncoder().encode(`P6 ${text.padStart(length - 3)}`);
-  const ppm = new Uint8Array(header.length + 4 * Math.ceil((3 * count) / 4));
+  const header = new TextEncoder().encode(`P6 ${width} ${height} 255\n`), ppm = new Uint8Array(header.length + 3 * count);
   ppm.set(header);
-  const words = new Uint32Array(ppm.buffer, header.length);
-  for (let from = 0, to = 0; from < count; from += 4, to += 3) {
-    const a = pixels[from], b = pixels[from + 1], c = pixels[from + 2], d = pixels[from + 3];
-    words[to] = (a & 0xffffff) | (b << 24);
-    words[to + 1] = ((b >>> 8) & 0xffff) | (c << 16);
-    words[to + 2] = ((c >>> 16) & 0xff) | (d << 8);
+  for (let from = 0, to = header.length; from < pixels.length; from += 4, to += 3) {
+    ppm[to] = pixels[from];
+    ppm[to + 1] = pixels[from + 1];
+    ppm[to + 2] = pixels[from + 2];
   }
-  return ppm.subarray(0, header.length + 3 * count);
+  return ppm;
 }

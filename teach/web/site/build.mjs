@@ -84,8 +84,8 @@ function pages(style, scripts) {
   const sizeOf = (path) => pictureSize(docs(`pictures/${path.replace("../pictures/", "").replace(/webp$/, "png")}`));
   for (const lab of labs) {
     rmSync(join(out, lab.folder), { recursive: true, force: true });
-    const pictured = lab.looks.filter((look) => galleryPicture(gallery, lab, look));
-    if (pictured.length > 0) write(`${lab.folder}/looks.webp`, strip(pictured.map((look) => galleryPicture(gallery, lab, look)), 144, 68));
+    const pictureOf = (look) => galleryPicture(gallery, lab, look), pictured = lab.looks.filter(pictureOf);
+    if (pictured.length > 0) write(`${lab.folder}/looks.webp`, strip(pictured.map(pictureOf), 144, 68));
     const markdown = readFileSync(join(tree, "labs", lab.folder, "README.md"), "utf8");
     write(`${lab.folder}/index.html`, labPage({ lab, labs, handout: handout(markdown, lab, copies, sizeOf), pictured, scripts,
       still: still(programs && join(programs, `lab${lab.folder}`), tree, lab.opening), style }));

@@ -73,7 +73,7 @@ const early = ({ number, files, opening, looks }) => `if (location.protocol !== 
   globalThis.texelEarly = { worker, canvas, started };
 }`.replace(/\n\s*/g, " ");
 
-/** The handout is laid out when the page's scripts have run: before, it kept them back by 100 ms. On a slow line it does not wait. */
+/** The handout is laid out when the page's scripts have run: before, it kept them back by 100 ms. It waits for 300 ms at most. */
 const late = `new Promise((done) => {
   addEventListener("load", () => setTimeout(done));
   setTimeout(done, 300);
